@@ -1,0 +1,74 @@
+# Everything a person or a machine runs in this repository. `make help` lists it.
+# Needs GNU make, a network and any Python >= 3.11 (PYTHON=... names one).
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.PHONY: help setup conformance serve test lint generate generate-check lock kill-matrix clean
+# Robot middleware likes to set it, and its plugins break our pytest.
+unexport PYTHONPATH
+
+python := .venv/bin/python
+generator := .venv-generate/bin/python
+environment = @found=$$(sh tools/find_python.sh "$(PYTHON)") && "$$found" tools/setup.py
+packages := $(wildcard */__init__.py generated_clients/python/*/__init__.py)
+
+help: ## Show this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-15s %s\n", $$1, $$2 } \
+		/^# +[A-Z_0-9]+=/ { print "  " substr($$0, 2) }' $(MAKEFILE_LIST)
+
+setup: .venv/ready ## Install everything that is needed into .venv
+	@:
+
+.venv/ready: requirements/dev.txt pyproject.toml tools/setup.py $(packages)
+	$(environment) dev
+
+.venv-generate/ready: requirements/generate.txt tools/setup.py
+	$(environment) generate
+
+# Tokens travel by environment, never on a command line; `value` keeps any $ in them.
+export RAW_RESTART_CMD = $(value RESTART_CMD)
+ifdef TOKEN
+export PROCTOR_TOKEN = $(value TOKEN)
+endif
+ifdef TOKEN_2
+export PROCTOR_TOKEN_2 = $(value TOKEN_2)
+endif
+
+conformance: setup ## Judge a server; without URL, the reference server
+#                   URL=https://... TOKEN=... TOKEN_2=... RESTART_CMD='...'
+#                   QUICK=1 SEED=... ONLY=... ARGS='...'
+#                   Fails unless conformant: "Error 1" violated, "Error 2" not judged
+	@set --; \
+	if [ -n "$$URL" ]; then set -- --url "$$URL"; \
+	else set -- --start-cmd "$(python) -m reference_server"; fi; \
+	$(python) -m conformance "$$@" $${QUICK:+--quick} \
+		$${RAW_RESTART_CMD:+--restart-cmd "$$RAW_RESTART_CMD"} \
+		$${SEED:+--seed "$$SEED"} $${ONLY:+--only "$$ONLY"} $(ARGS)
+
+serve: setup ## Run the reference server (ARGS='...' for its options)
+	@$(python) -m reference_server $(ARGS)
+
+test: setup lint generate-check ## Lint, check generated files, run our own tests
+	@$(python) -m pytest tests --numprocesses auto --maxprocesses 8
+
+lint: setup ## Check style and types
+	@$(python) -m ruff check --quiet .
+	@$(python) -m ruff format --check --quiet .
+	@$(python) -m mypy
+
+generate: .venv-generate/ready ## Rewrite models and clients from spec/
+	@$(generator) tools/generate.py
+
+generate-check: .venv-generate/ready ## Fail if generated files differ from spec/
+	@$(generator) tools/generate.py --check
+
+lock: .venv-generate/ready ## Resolve requirements/*.in into hashed locks
+	@$(generator) tools/lock.py
+
+kill-matrix: setup ## Judge the kit on broken servers, rewrite docs/kill-matrix.md
+	@$(python) -m tests.mutants.kill --write
+
+clean: ## Remove environments, caches and reports (not the server's data in var/)
+	rm -rf .venv .venv-generate .cache .hypothesis .mypy_cache .pytest_cache
+	rm -rf .ruff_cache .schemathesis .coverage* build dist report *.egg-info
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +

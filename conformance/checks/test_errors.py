@@ -1,0 +1,388 @@
+"""What is refused, and how: ERR."""
+
+import json
+import time
+import uuid
+from collections.abc import Iterator
+from typing import Any
+
+import msgspec
+
+from conformance import expect
+from conformance.checks.fuzz import fuzz_operations
+from conformance.checks.scenes import count
+from conformance.checks.test_runs import submit
+from conformance.checks.tour import READING, all_operations, live_worker, send
+from conformance.expect import NotApplicable, SetUpFailed
+from conformance.marks import requirement
+from conformance.story import Story, Worker
+from conformance.wire import Answer
+
+MSGPACK = "application/msgpack"
+MEGABYTE = 10**6
+DEEP = 10**6
+Bodies = list[tuple[str, dict[str, Any]]]
+
+
+def with_bodies(worker: Worker) -> Bodies:
+    """Give one valid request of every operation that has a body."""
+    return [stop for stop in all_operations(worker) if "json" in stop[1]]
+
+
+def send_body(worker: Worker, stop: tuple[str, dict[str, Any]], body: Any) -> Answer:
+    """Send a request with another body: bytes as they are, anything else as JSON."""
+    operation_id, how = stop
+    how = {key: value for key, value in how.items() if key != "json"}
+    if not isinstance(body, bytes):
+        body = json.dumps(body).encode()
+    how["headers"] = {"Content-Type": "application/json"} | how.get("headers", {})
+    return send(worker.run, (operation_id, how | {"content": body}))
+
+
+def nothing_happened(worker: Worker, executed: int = 1) -> None:
+    """Expect the next action of the worker to be the one after those executed."""
+    turn = expect.ok(worker.try_predict(worker.run.story.action()))
+    expect.equal(count(turn), [executed + 1], "count after the refusals")
+
+
+@requirement("ERR-001")
+def test_err_001_refusals_are_problems(story: Story) -> None:
+    """Refusals of many kinds. Expect problems of the catalogue.
+
+    The same is expected of every refusal in all other checks.
+    """
+    worker = live_worker(story)
+    text = {"Content-Type": "text/plain"}
+    story.call("list_runs", wire=story.wire_of(None))
+    story.call("get_run", run_id="no-such-run")
+    story.wire.request("GET", "/v1/no-such-path")
+    story.wire.request("PATCH", "/v1/runs")
+    story.call("list_runs", headers={"Accept": "text/html"})
+    story.call("submit_run", content=b"{}", headers=text)
+    story.call("submit_run", content=b"{")
+    story.call("submit_run", json={})
+    worker.try_predict(seq=99)
+    worker.try_attach()
+
+
+@requirement("ERR-002")
+def test_err_002_cannot_send_what_is_not_well_formed(story: Story) -> None:
+    """Bodies that are cut off, spoiled or empty; then the whole one.
+
+    Expect `malformed_body` and nothing executed.
+    """
+    worker = live_worker(story)
+    spoilt = [b"", b"{", b"{'a': 1}", b'{"a": 1,}', b'{"a": 1} {}', b'"\xff\xfe"', b"a"]
+    for stop in with_bodies(worker):
+        whole = json.dumps(stop[1]["json"]).encode()
+        cut = [whole[: story.random.randrange(1, len(whole))] for _ in range(3)]
+        for body in spoilt + (cut if len(whole) > 2 else []):
+            expect.refused(send_body(worker, stop, body), "malformed_body")
+    if story.speaks_msgpack:
+        stops = {stop[0]: stop[1] for stop in all_operations(worker)}
+        packed = msgspec.msgpack.encode(stops["predict"]["json"])
+        for wrong in (packed[:-1], packed + b"\xc0", b"\xc1", b""):
+            answer = worker.run.call(
+                "predict",
+                worker_id=worker.id,
+                content=wrong,
+                headers={"Content-Type": MSGPACK},
+            )
+            expect.refused(answer, "malformed_body")
+    nothing_happened(worker)
+
+
+@requirement("ERR-003")
+def test_err_003_cannot_send_an_unknown_member(story: Story) -> None:
+    """A member that nobody knows, at the top of every body and inside of it.
+
+    Expect `invalid_request` pointing at it, and nothing executed.
+    """
+    worker = live_worker(story)
+    for stop in with_bodies(worker):
+        for path, body in with_surprises(stop[1]["json"], ""):
+            answer = send_body(worker, stop, body)
+            expect.refused(answer, "invalid_request", pointer=f"{path}/surprise")
+    body = story.submit_body(options={"surprise": 1})
+    answer = submit(story, body)
+    expect.refused(answer, "invalid_request", pointer="/options/surprise")
+    nothing_happened(worker)
+
+
+def with_surprises(body: Any, path: str) -> Iterator[tuple[str, Any]]:
+    """Put an unknown member into every object whose members are closed."""
+    if isinstance(body, dict):
+        if not path.endswith("/values"):
+            yield path, body | {"surprise": 1}
+        for name, value in body.items():
+            for where, inner in with_surprises(value, f"{path}/{name}"):
+                yield where, body | {name: inner}
+    elif isinstance(body, list):
+        for index, value in enumerate(body):
+            for where, inner in with_surprises(value, f"{path}/{index}"):
+                yield where, [*body[:index], inner, *body[index + 1 :]]
+
+
+# Operation and pointer → what stands there instead.
+WRONG_TYPES: dict[tuple[str, str], list[Any]] = {
+    ("submit_run", "/benchmark_id"): [5, None, ["calibration"], {}],
+    ("submit_run", "/policy"): ["name", 1, [], None],
+    ("submit_run", "/policy/name"): [7, None],
+    ("submit_run", "/max_workers"): ["3", 2.5, True, None],
+    ("submit_run", "/idle_timeout_s"): ["9", [9], True],
+    ("attach_worker", "/attach_key"): [1, None],
+    ("attach_worker", "/takeover"): [1, "true", None],
+    ("predict", "/seq"): ["2", 2.5, None, [2]],
+    ("predict", "/actions"): [{}, "go", None],
+    ("predict", "/actions/0"): [1, [], None],
+    ("predict", "/actions/0/values/score"): [1, None, "0"],
+    ("predict", "/actions/0/values/score/0"): ["0", None, True, [0]],
+    ("heartbeat", "/session_id"): [1, None],
+    ("stop_run", "/mode"): [1, []],
+}
+
+
+def replaced(body: Any, pointer: str, value: Any) -> Any:
+    """Put a value where a pointer points."""
+    head, _, rest = pointer[1:].partition("/")
+    if isinstance(body, list):
+        inner = replaced(body[int(head)], f"/{rest}", value) if rest else value
+        return [*body[: int(head)], inner, *body[int(head) + 1 :]]
+    if rest:
+        value = replaced(body[head], f"/{rest}", value)
+    return body | {head: value}
+
+
+@requirement("ERR-004")
+def test_err_004_cannot_send_a_member_of_the_wrong_type(story: Story) -> None:
+    """Strings for numbers, null for what cannot be null, numbers for lists, and so on.
+
+    Expect `invalid_request` pointing at the member, and nothing executed.
+    """
+    worker = live_worker(story)
+    stops = {stop[0]: stop for stop in with_bodies(worker)}
+    for (operation_id, pointer), wrongs in WRONG_TYPES.items():
+        stop = stops[operation_id]
+        for wrong in wrongs:
+            body = replaced(stop[1]["json"], pointer, wrong)
+            answer = send_body(worker, stop, body)
+            expect.refused(answer, "invalid_request", pointer=pointer)
+    nothing_happened(worker)
+
+
+def padded(body: dict[str, Any], size: int) -> Iterator[bytes]:
+    """Give a JSON body that is made as large as wanted by blanks at its end."""
+    text = json.dumps(body).encode()
+    yield text
+    blanks = size - len(text)
+    while blanks > 0:
+        yield b" " * min(blanks, 2**16)
+        blanks -= 2**16
+
+
+@requirement("ERR-005")
+def test_err_005_cannot_send_too_large_a_body(story: Story) -> None:
+    """Bodies of 100 MB streamed, of one byte more than the limit, and of the limit.
+
+    Expect `body_too_large` for the first two, with and without a declared length.
+    """
+    limit = story.limits["max_body_bytes"]
+    as_json = {"Content-Type": "application/json"}
+    for size in (limit + 1, max(100 * MEGABYTE, limit + 1)):
+        for headers in (as_json, as_json | {"Content-Length": str(size)}):
+            stream = padded(story.submit_body(), size)
+            answer = story.call("submit_run", content=stream, headers=headers)
+            expect.refused(answer, "body_too_large")
+    just_right = b"".join(padded(story.submit_body(), limit))
+    answer = story.call("submit_run", content=just_right, headers=as_json)
+    story.adopt(expect.ok(answer, 201))
+
+
+@requirement("ERR-006")
+def test_err_006_cannot_send_a_body_a_million_deep(story: Story) -> None:
+    """Lists in lists, a million deep, closed and cut off, alone and in a member.
+
+    Expect `malformed_body`; three deep the same body is merely invalid.
+    """
+    if story.limits["max_body_bytes"] < 2 * DEEP + 100:
+        raise NotApplicable("such a body is larger than the server allows")
+    worker = live_worker(story)
+    predict = next(stop for stop in with_bodies(worker) if stop[0] == "predict")
+    for opening, closing in ((b"[", b"]"), (b"[", b""), (b'{"a":', b"")):
+        depth = min(DEEP, (story.limits["max_body_bytes"] - 100) // len(opening))
+        deep = opening * depth + (b"1" + closing * depth if closing else b"")
+        for body in (deep, b'{"seq":' + deep + b"}" * bool(closing)):
+            expect.refused(send_body(worker, predict, body), "malformed_body")
+    if story.speaks_msgpack:
+        answer = worker.run.call(
+            "predict",
+            worker_id=worker.id,
+            content=b"\x91" * DEEP + b"\xc0",
+            headers={"Content-Type": MSGPACK},
+        )
+        expect.refused(answer, "malformed_body")
+    shallow = send_body(worker, predict, {"seq": [[[1]]]})
+    if shallow.code != "invalid_request":
+        raise SetUpFailed(f"three deep it should be invalid: {expect.told(shallow)}")
+    nothing_happened(worker)
+
+
+@requirement("ERR-007")
+def test_err_007_cannot_send_another_media_type(story: Story) -> None:
+    """Valid bodies under the name of media types that the operation does not list.
+
+    Expect `unsupported_media_type` and nothing executed; JSON with a charset is read.
+    """
+    worker = live_worker(story)
+    operations = story.spec.operations
+    for operation_id, how in with_bodies(worker):
+        listed = operations[operation_id].request_media_types()
+        for media_type in ("text/plain", "application/xml", "application/x-pickle"):
+            headers = {"Content-Type": media_type}
+            answer = send_body(
+                worker, (operation_id, how | {"headers": headers}), how["json"]
+            )
+            expect.refused(answer, "unsupported_media_type")
+        if MSGPACK not in listed:
+            packed = msgspec.msgpack.encode(how["json"])
+            as_msgpack = how | {"headers": {"Content-Type": MSGPACK}}
+            answer = send_body(worker, (operation_id, as_msgpack), packed)
+            expect.refused(answer, "unsupported_media_type")
+    charset = {"Content-Type": "application/json; charset=utf-8"}
+    expect.ok(submit(story, story.submit_body(), headers=charset), 201)
+    nothing_happened(worker)
+
+
+@requirement("ERR-008")
+def test_err_008_cannot_ask_for_another_media_type(story: Story) -> None:
+    """Requests accept what the operation does not list; then they accept JSON as well.
+
+    Expect `not_acceptable` and nothing executed, then service; a detach, which is
+    answered without a body, is carried out.
+    """
+    worker = live_worker(story)
+    text, mixed = "text/html, image/png;q=0.5", "text/html, application/json;q=0.1"
+    for operation_id, how in all_operations(worker):
+        if operation_id == "detach_worker":
+            continue
+        answer = worker.run.call(operation_id, headers={"Accept": text}, **how)
+        expect.refused(answer, "not_acceptable")
+        if operation_id in READING:
+            answer = worker.run.call(operation_id, headers={"Accept": MSGPACK}, **how)
+            expect.refused(answer, "not_acceptable")
+            expect.ok(worker.run.call(operation_id, headers={"Accept": mixed}, **how))
+    nothing_happened(worker)
+    only_problems = {"Accept": "application/problem+json"}
+    detached = worker.run.call(
+        "detach_worker",
+        worker_id=worker.id,
+        params={"session_id": worker.session_id},
+        headers=only_problems,
+    )
+    expect.ok(detached, 204)
+
+
+@requirement("ERR-009")
+def test_err_009_cannot_find_other_paths(story: Story) -> None:
+    """Paths beside those of the specification. Expect `not_found`."""
+    run = story.submit()
+    paths = ["/v2", "/v1/nothing", f"/v1/{uuid.uuid4().hex}", "/v1/runs/nothing/at/all"]
+    paths += [f"/v1/runs/{run.id}/{name}" for name in ("nothing", "workers")]
+    for path in paths:
+        for method in ("GET", "POST"):
+            expect.refused(story.wire.request(method, path), "not_found")
+    expect.ok(story.wire.request("GET", f"/v1/runs/{run.id}"))
+
+
+@requirement("ERR-010")
+def test_err_010_cannot_use_other_methods(story: Story) -> None:
+    """Every path is used with every method that it does not have.
+
+    Expect `method_not_allowed`, and an Allow header that names those it has.
+    """
+    worker = live_worker(story)
+    names = {"run_id": worker.run.id, "worker_id": worker.id}
+    names["benchmark_id"] = "calibration"
+    methods_of: dict[str, set[str]] = {}
+    for operation in story.spec.operations.values():
+        methods_of.setdefault(operation.path, set()).add(operation.method)
+    for template, methods in methods_of.items():
+        for method in {"GET", "PUT", "POST", "DELETE", "PATCH"} - methods:
+            answer = story.wire.request(method, template.format(**names))
+            expect.refused(answer, "method_not_allowed")
+            told = answer.headers.get("allow", "")
+            allowed = {name.strip().upper() for name in told.split(",")} - {""}
+            expect.equal(
+                sorted(allowed - {"HEAD", "OPTIONS"}),
+                sorted(methods),
+                f"Allow of {template}",
+            )
+    nothing_happened(worker)
+
+
+@requirement("ERR-011")
+def test_err_011_answers_that_ask_to_wait_say_how_long(story: Story) -> None:
+    """A second worker attaches where one is allowed. Expect Retry-After on the refusal.
+
+    The same is expected of every 429 and 503 in all other checks.
+    """
+    run = story.submit("count", "count", max_workers=1)
+    run.worker().attach()
+    answer = run.worker().try_attach()
+    if answer.status not in (429, 503):
+        raise SetUpFailed(f"nothing asked us to wait: {expect.told(answer)}")
+
+
+@requirement("ERR-012")
+def test_err_012_nothing_makes_the_server_fail(story: Story) -> None:
+    """Generated requests, valid and broken, to every operation.
+
+    Expect no status of 500 or above except 503, here and in all other checks.
+    """
+    worker = live_worker(story)
+    seconds = 1.0 if story.context.settings.quick else 3.0
+    fuzz_operations(worker, until=time.monotonic() + seconds)
+    alive = story.call("describe_service")
+    expect.ok(alive)
+
+
+@requirement("ERR-013")
+def test_err_013_cannot_send_numbers_that_json_does_not_have(story: Story) -> None:
+    """NaN and infinities in JSON; then a number that JSON has.
+
+    Expect `malformed_body` and nothing executed.
+    """
+    worker = live_worker(story)
+    for number in (float("nan"), float("inf"), float("-inf")):
+        for name in ("score", "vector"):
+            value = [number] * 8 if name == "vector" else [number]
+            answer = worker.try_predict(story.action(**{name: value}))
+            expect.refused(answer, "malformed_body")
+        answer = submit(story, story.submit_body(idle_timeout_s=number))
+        expect.refused(answer, "malformed_body")
+    nothing_happened(worker)
+
+
+@requirement("ERR-014")
+def test_err_014_cannot_send_query_parameters_that_break_their_schema(
+    story: Story,
+) -> None:
+    """Limits and cursors of the wrong kind; a detach that does not say of what.
+
+    Expect `invalid_request`; the ends of the range and a whole detach are served.
+    """
+    run = story.submit()
+    worker = run.worker()
+    worker.attach()
+    nameless = run.call("detach_worker", worker_id=worker.id)
+    expect.refused(nameless, "invalid_request")
+    worker.detach()
+    for operation_id in ("list_runs", "list_episodes"):
+        for limit in ("0", "-1", "1001", "ten", "1.5", ""):
+            answer = run.call(operation_id, params={"limit": limit})
+            expect.refused(answer, "invalid_request")
+        for cursor in ("no cursor!", "x" * 129, ""):
+            answer = run.call(operation_id, params={"cursor": cursor})
+            expect.refused(answer, "invalid_request")
+        for limit in ("1", "1000"):
+            expect.ok(run.call(operation_id, params={"limit": limit}))

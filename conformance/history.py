@@ -1,0 +1,315 @@
+"""What a run is after a sequence of requests: the specification as a model. Pure.
+
+`demands` gives what the rules allow as the answer to a request, and what the run is
+afterwards. Where two rules speak of one request, or none speaks, several demands stand
+side by side and any of them will do; the model then follows whichever was met, so it
+is a set of runs that the server may be in. Every demand cites the rules it stems from.
+Sessions have the ids, and turns the texts, that the server gave them.
+"""
+
+import json
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
+
+Status = Literal["live", "superseded", "ended"]
+
+
+@dataclass(frozen=True, slots=True)
+class Rules:
+    """What does not change during a run; `table` holds (state, event) → (id, state)."""
+
+    table: Mapping[tuple[str, str], tuple[str, str]]
+    max_workers: int
+    max_steps: int
+    max_attempts: int
+
+    @classmethod
+    def of(cls, lifecycle: Mapping[str, Any], **limits: int) -> "Rules":
+        """Take the table from `x-lifecycle`."""
+        table = {
+            (row["from"], row["event"]): (row["id"], row["to"])
+            for row in lifecycle["transitions"]
+            if row.get("when") != "not_retryable"
+        }
+        return cls(table, **limits)
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One action, as far as it matters here."""
+
+    score: float = 0.0
+    success: int = 0
+    end: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Attach:
+    """`attach_worker`."""
+
+    worker: str
+    key: str
+    takeover: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Predict:
+    """`predict`."""
+
+    worker: str
+    session: str
+    seq: int
+    steps: tuple[Step, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Heartbeat:
+    """`heartbeat`."""
+
+    worker: str
+    session: str
+
+
+@dataclass(frozen=True, slots=True)
+class Detach:
+    """`detach_worker`."""
+
+    worker: str
+    session: str
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """`stop_run`; the run in its answer is judged as a Read."""
+
+    mode: str
+
+
+@dataclass(frozen=True, slots=True)
+class Resume:
+    """`resume_run`; the run in its answer is judged as a Read."""
+
+
+@dataclass(frozen=True, slots=True)
+class Read:
+    """A run as it is shown: by `get_run`, by `stop_run`, by `resume_run`."""
+
+
+@dataclass(frozen=True, slots=True)
+class ReadEpisodes:
+    """All pages of `list_episodes`, joined."""
+
+
+Request = Attach | Predict | Heartbeat | Detach | Stop | Resume | Read | ReadEpisodes
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """An answer: status, problem code, body."""
+
+    status: int
+    code: str | None
+    body: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Episode:
+    """One episode; `outcome` is None until it is scored."""
+
+    attempt: int = 1
+    is_held: bool = False
+    outcome: str | None = None
+    score: float = 0.0
+
+    @property
+    def is_pending(self) -> bool:
+        """Whether it can be handed out."""
+        return not self.is_held and self.outcome is None
+
+
+@dataclass(frozen=True, slots=True)
+class Session:
+    """One session; `steps` and `success` are those of the attempt in play.
+
+    is_cut: its latest request was answered with the session's end, see linear.py.
+    """
+
+    id: str
+    worker: str
+    key: str
+    episode: int | None
+    is_done: bool
+    steps: int = 0
+    success: int = 0
+    seq: int = 0
+    request: tuple[Step, ...] = ()
+    turn: str = ""
+    status: Status = "live"
+    is_cut: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Model:
+    """A run that the server may be in."""
+
+    state: str
+    episodes: tuple[Episode, ...]
+    sessions: tuple[Session, ...] = ()
+
+    def session(self, session_id: str) -> Session:
+        """Find a session by its id."""
+        return next(one for one in self.sessions if one.id == session_id)
+
+    def live(self, worker: str | None = None) -> Session | None:
+        """Give the live session of a worker."""
+        of_worker = (s for s in self.sessions if s.worker == worker)
+        return next((s for s in of_worker if s.status == "live"), None)
+
+    @property
+    def holders(self) -> list[Session]:
+        """Live sessions that hold a slot."""
+        return [s for s in self.sessions if s.status == "live" and not s.is_done]
+
+    @property
+    def all_scored(self) -> bool:
+        """Whether nothing is left to score."""
+        return all(episode.outcome is not None for episode in self.episodes)
+
+    def with_session(self, session: Session) -> "Model":
+        """Replace a session, or add it."""
+        known = any(s.id == session.id for s in self.sessions)
+        if not known:
+            return replace(self, sessions=(*self.sessions, session))
+        sessions = tuple(session if s.id == session.id else s for s in self.sessions)
+        return replace(self, sessions=sessions)
+
+    def with_episode(self, index: int, **changes: Any) -> "Model":
+        """Change an episode."""
+        episodes = list(self.episodes)
+        episodes[index] = replace(episodes[index], **changes)
+        return replace(self, episodes=tuple(episodes))
+
+
+After = Callable[[Seen], Model]
+ABSENT = object()
+
+
+@dataclass(frozen=True, slots=True)
+class Demand:
+    """An answer that rules allow: status, code, members (path → value), and what then.
+
+    `same_turn`: the whole answer but its times, as `frozen` writes it.
+    """
+
+    rules: str
+    status: int
+    after: After
+    code: str | None = None
+    members: Mapping[str, Any] = field(default_factory=dict)
+    same_turn: str | None = None
+    new_among: Sequence[str] | None = None
+
+    def miss(self, seen: Seen) -> str | None:
+        """Say what would have been right, if the answer is not; None if it is."""
+        kind = f" with code `{self.code}`" if self.code else ""
+        if seen.status != self.status or (self.code and seen.code != self.code):
+            return f"status {self.status}{kind} ({self.rules})"
+        if self.same_turn is not None and frozen(seen.body) != self.same_turn:
+            return f"the same turn again ({self.rules})"
+        if self.new_among is not None and _at(seen.body, "session_id") in (
+            *self.new_among,
+            ABSENT,
+        ):
+            return f"another session_id ({self.rules})"
+        wrong = [
+            f"{path} {_in_words(value)}"
+            for path, value in self.members.items()
+            if not _agrees(_at(seen.body, path), value)
+        ]
+        return f"{', '.join(wrong)} ({self.rules})" if wrong else None
+
+
+def frozen(body: Any) -> str:
+    """Write a turn without its times, which may differ in a repeated answer."""
+    if not isinstance(body, dict):
+        return ""
+    kept = {k: v for k, v in body.items() if k not in ("lease", "timing")}
+    return json.dumps(kept, sort_keys=True)
+
+
+def _at(body: Any, path: str) -> Any:
+    for name in path.split("."):
+        if isinstance(body, list) and name.isdigit() and int(name) < len(body):
+            body = body[int(name)]
+        elif isinstance(body, dict) and name in body:
+            body = body[name]
+        else:
+            return ABSENT
+    return body
+
+
+def _in_words(value: Any) -> str:
+    if value is ABSENT:
+        return "absent"
+    if isinstance(value, range):
+        return " or ".join(map(str, value))
+    return json.dumps(value)
+
+
+def _agrees(observed: Any, expected: Any) -> bool:
+    if isinstance(expected, range):
+        return observed in expected
+    if isinstance(expected, bool) or observed is ABSENT or expected is ABSENT:
+        return observed is expected
+    return bool(observed == expected)
+
+
+# --- what happens by itself ---
+
+
+def closure(rules: Rules, model: Model) -> Iterator[Model]:
+    """Give the run, and what it may have become without a request."""
+    yield model
+    if model.state == "queued":
+        yield replace(model, state=rules.table["queued", "capacity"][1])
+    # Whether a session that is done has ended is not said anywhere.
+    if model.state in ("running", "stopping") and not model.holders:
+        yield _event(rules, model, "last_lease_ends")
+
+
+def _event(rules: Rules, model: Model, event: str) -> Model:
+    row = rules.table.get((model.state, event))
+    return model if row is None else replace(model, state=row[1])
+
+
+def settled(rules: Rules, model: Model) -> Model:
+    """LIFE-802 to LIFE-805: what must follow at once."""
+    if model.all_scored:
+        return _event(rules, model, "all_scored")
+    if not any(s.status == "live" for s in model.sessions):
+        return _event(rules, model, "last_lease_ends")
+    return model
+
+
+def close(rules: Rules, model: Model, session: Session) -> Model:
+    """End a session; its attempt is closed unscored (EPI-002, EPI-003, EPI-004)."""
+    index = session.episode
+    model = model.with_session(replace(session, status="ended", episode=None))
+    if index is None:
+        return model
+    attempt = model.episodes[index].attempt
+    if session.steps == 0:
+        return model.with_episode(index, is_held=False)
+    if attempt < rules.max_attempts:
+        return model.with_episode(index, is_held=False, attempt=attempt + 1)
+    return model.with_episode(index, is_held=False, outcome="abandoned", score=0.0)
+
+
+def hand_out(model: Model, session: Session) -> Model:
+    """EPI-001: give a session the first pending episode; done when there is none."""
+    pending = (i for i, episode in enumerate(model.episodes) if episode.is_pending)
+    index = None if model.state == "stopping" else next(pending, None)
+    session = replace(session, episode=index, is_done=index is None, steps=0, success=0)
+    model = model.with_session(session)
+    return model if index is None else model.with_episode(index, is_held=True)

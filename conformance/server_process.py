@@ -1,0 +1,143 @@
+"""A server that the kit starts itself, kills and starts again.
+
+The command learns by environment where to listen, whom to admit, and where to keep
+its data (PROCTOR_HOST, PROCTOR_PORT, PROCTOR_TOKENS, PROCTOR_DATABASE). It runs in a
+process group of its own, so that ending it ends its children as well.
+"""
+
+import contextlib
+import os
+import secrets
+import shlex
+import signal
+import socket
+import subprocess
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import IO
+
+import httpx
+
+_START_S = 60.0
+_STOP_S = 5.0
+_POLL_S = 0.02
+
+
+class StartFailed(Exception):
+    """The command did not become a server."""
+
+
+@dataclass(frozen=True)
+class Tokens:
+    """Two accounts, and a token of the first that may only read."""
+
+    alice: str
+    bob: str
+    reader: str
+
+    @classmethod
+    def fresh(cls) -> "Tokens":
+        """Make tokens that nobody can guess."""
+        return cls(*(secrets.token_hex(16) for _ in range(3)))
+
+    def as_setting(self) -> str:
+        """Write them as PROCTOR_TOKENS wants them."""
+        return (
+            f"alice:read+run:{self.alice},bob:read+run:{self.bob}"
+            f",alice:read:{self.reader}"
+        )
+
+
+class ServerProcess:
+    """One server on a free port of this machine, with a database of its own."""
+
+    def __init__(self, command: str, tokens: Tokens, directory: Path, log: Path):
+        self.url = ""
+        self._command = shlex.split(command)
+        self._tokens = tokens
+        self._database = directory / "conformance.sqlite3"
+        self._log = log
+        self._output: IO[bytes] | None = None
+        self._process: subprocess.Popen[bytes] | None = None
+        self._port = 0
+
+    def start(self) -> None:
+        """Start it and wait until it answers; the same port on every start."""
+        self._port = self._port or _free_port()
+        self.url = f"http://127.0.0.1:{self._port}"
+        self._log.parent.mkdir(parents=True, exist_ok=True)
+        self._output = self._log.open("ab")
+        environment = os.environ | {
+            "PROCTOR_HOST": "127.0.0.1",
+            "PROCTOR_PORT": str(self._port),
+            "PROCTOR_TOKENS": self._tokens.as_setting(),
+            "PROCTOR_DATABASE": str(self._database),
+        }
+        try:
+            self._process = subprocess.Popen(
+                self._command,
+                env=environment,
+                stdin=subprocess.DEVNULL,
+                stdout=self._output,
+                stderr=subprocess.STDOUT,
+                start_new_session=True,
+            )
+        except OSError as error:
+            raise StartFailed(f"`{self._command[0]}`: {error}") from error
+        self._wait_until_it_answers(self._process)
+
+    def _wait_until_it_answers(self, process: subprocess.Popen[bytes]) -> None:
+        deadline = time.monotonic() + _START_S
+        while time.monotonic() < deadline:
+            if process.poll() is not None:
+                raise StartFailed(
+                    f"the command ended with code {process.returncode} "
+                    f"before it answered; its last words: {self.last_words()}"
+                )
+            with contextlib.suppress(httpx.TransportError):
+                httpx.get(f"{self.url}/v1", timeout=2.0, trust_env=False)
+                return
+            time.sleep(_POLL_S)
+        raise StartFailed(f"no answer at {self.url}/v1 within {_START_S:g} s")
+
+    def last_words(self) -> str:
+        """Give the end of what it printed."""
+        lines = self._log.read_text(errors="replace").split("\n")
+        return " | ".join(line.strip() for line in lines if line.strip())[-400:]
+
+    def kill9(self) -> None:
+        """Kill it at once, children and all."""
+        self._signal(signal.SIGKILL)
+        self._reap()
+
+    def stop(self) -> None:
+        """Ask it to end; insist after a while."""
+        if self._process is None:
+            return
+        self._signal(signal.SIGTERM)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self._process.wait(_STOP_S)
+        # Children that outlived the leader of the group end here.
+        self._signal(signal.SIGKILL)
+        self._reap()
+
+    def _signal(self, number: signal.Signals) -> None:
+        if self._process is not None:
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.killpg(self._process.pid, number)
+
+    def _reap(self) -> None:
+        if self._process is not None:
+            self._process.wait()
+            self._process = None
+        if self._output is not None:
+            self._output.close()
+            self._output = None
+
+
+def _free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port: int = probe.getsockname()[1]
+        return port

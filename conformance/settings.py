@@ -1,0 +1,50 @@
+"""What the operator asked for, and what the preflight found out.
+
+Travels from the command line to the checks' process in one environment variable, so
+that tokens never stand in a command line.
+"""
+
+import json
+import os
+import time
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+VARIABLE = "PROCTOR_KIT_SETTINGS"
+
+
+@dataclass
+class Settings:
+    """One run of the kit."""
+
+    url: str = ""
+    token: str | None = None
+    token_2: str | None = None
+    token_read: str | None = None
+    start_cmd: str | None = None
+    restart_cmd: str | None = None
+    seed: int = 0
+    quick: bool = False
+    only: list[str] = field(default_factory=list)
+    profiles: list[str] = field(default_factory=list)
+    report: str = "report"
+    max_time_s: float | None = None
+    deadline: float | None = None  # of the monotonic clock, which processes share
+    round_trip_s: float = 0.0
+    tolerance_s: float = 0.25
+    service: dict[str, Any] = field(default_factory=dict)
+    benchmark: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def is_time_up(self) -> bool:
+        """Whether no further check may start."""
+        return self.deadline is not None and time.monotonic() >= self.deadline
+
+    def hand_over(self) -> None:
+        """Leave the settings to the processes started from here."""
+        os.environ[VARIABLE] = json.dumps(asdict(self))
+
+    @classmethod
+    def take_over(cls) -> "Settings":
+        """Read what the command line left."""
+        return cls(**json.loads(os.environ[VARIABLE]))

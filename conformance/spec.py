@@ -1,0 +1,200 @@
+"""The specification as data: operations, schemas, problems, lifecycle.
+
+Loaded once per process from `spec/openapi.yaml`; an installed kit carries the
+documents with it. Knows nothing of servers or checks.
+"""
+
+import copy
+import functools
+import hashlib
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import yaml
+
+_KIT = Path(__file__).resolve().parent
+_PACKAGED = _KIT / "specification"
+SPEC_DIRECTORY = _PACKAGED if _PACKAGED.is_dir() else _KIT.parent / "spec"
+_DOCUMENTS = ("openapi.yaml", "scoring.md", "calibration.md")
+JSON = "application/json"
+MSGPACK = "application/msgpack"
+PROBLEM_JSON = "application/problem+json"
+_METHODS = ("get", "put", "post", "delete")
+# RFC 3339, section 5.6, with the letters that it allows in lower case as well.
+_DATE_TIME = re.compile(
+    r"\d{4}-(0[1-9]|1[0-2])-(0[1-9]|[12]\d|3[01])[Tt]"
+    r"([01]\d|2[0-3]):[0-5]\d:([0-5]\d|60)(\.\d+)?([Zz]|[+-]([01]\d|2[0-3]):[0-5]\d)"
+)
+_FORMATS = jsonschema.FormatChecker(formats=())
+
+
+@_FORMATS.checks("date-time")
+def _is_date_time(value: object) -> bool:
+    return not isinstance(value, str) or _DATE_TIME.fullmatch(value) is not None
+
+
+@_FORMATS.checks("int32")
+def _is_int32(value: object) -> bool:
+    return not isinstance(value, int) or -(2**31) <= value < 2**31
+
+
+@_FORMATS.checks("int64")
+def _is_int64(value: object) -> bool:
+    return not isinstance(value, int) or -(2**63) <= value < 2**63
+
+
+def _with_bytes() -> Any:
+    """Make a validator class with the type `bytes`, which MessagePack has."""
+    checker = jsonschema.Draft202012Validator.TYPE_CHECKER.redefine(
+        "bytes", lambda _, value: isinstance(value, bytes)
+    )
+    extend: Any = jsonschema.validators.extend
+    return extend(jsonschema.Draft202012Validator, type_checker=checker)
+
+
+_Validator = _with_bytes()
+
+
+@dataclass(frozen=True)
+class Operation:
+    """One operation of the document; `path` is the template."""
+
+    operation_id: str
+    method: str
+    path: str
+    is_data_plane: bool
+    needs_token: bool
+    description: Mapping[str, Any]
+
+    def request_media_types(self) -> list[str]:
+        """Name the media types in which a body may be sent."""
+        return list(self.description.get("requestBody", {}).get("content", {}))
+
+    def response(self, status: int) -> Mapping[str, Any] | None:
+        """Find what is said of a status: by itself or by its class, else None."""
+        responses: Mapping[str, Any] = self.description["responses"]
+        return responses.get(str(status)) or responses.get(f"{status // 100}XX")
+
+
+class Spec:
+    """The document with every `$ref` replaced by what it names."""
+
+    def __init__(self, document: Mapping[str, Any]) -> None:
+        self.document = document
+        self.version: str = document["info"]["version"]
+        self.problems: Mapping[str, Any] = document["x-problems"]
+        self.lifecycle: Mapping[str, Any] = document["x-lifecycle"]
+        self.requirements: list[dict[str, Any]] = document["x-requirements"]
+        self.operations = {o.operation_id: o for o in self._read_operations()}
+        self._validators: dict[tuple[Any, ...], Any] = {}
+
+    def _read_operations(self) -> Iterator[Operation]:
+        for path, item in self.document["paths"].items():
+            for method in _METHODS:
+                if method not in item:
+                    continue
+                description = self._resolve(item[method])
+                security = description.get("security", self.document["security"])
+                yield Operation(
+                    operation_id=description["operationId"],
+                    method=method.upper(),
+                    path=path,
+                    is_data_plane="data" in description["tags"],
+                    needs_token=bool(security),
+                    description=description,
+                )
+
+    def _resolve(self, node: Any) -> Any:
+        if isinstance(node, dict):
+            if "$ref" in node:
+                target: Any = self.document
+                for key in node["$ref"].removeprefix("#/").split("/"):
+                    target = target[key]
+                return self._resolve(target)
+            return {key: self._resolve(value) for key, value in node.items()}
+        if isinstance(node, list):
+            return [self._resolve(item) for item in node]
+        return node
+
+    def schema(self, name: str) -> dict[str, Any]:
+        """Give a schema of `components` without references."""
+        resolved: dict[str, Any] = self._resolve(
+            copy.deepcopy(self.document["components"]["schemas"][name])
+        )
+        return resolved
+
+    def find(self, method: str, path: str) -> Operation | None:
+        """Find the operation of a concrete path, relative to the server's base."""
+        for operation in self.operations.values():
+            pattern = re.sub(r"\\{[a-z_]+\\}", "[^/]+", re.escape(operation.path))
+            if operation.method == method and re.fullmatch(pattern, path):
+                return operation
+        return None
+
+    def request_faults(self, operation: Operation, body: Any) -> list[str]:
+        """List how a request body breaks its schema."""
+        content = operation.description["requestBody"]["content"]
+        key = ("request", operation.operation_id)
+        return self._faults(key, content[JSON]["schema"], body)
+
+    def response_faults(
+        self, operation: Operation, status: int, media_type: str, body: Any
+    ) -> list[str]:
+        """List how a body breaks the schema of its status and media type."""
+        response = operation.response(status)
+        if response is None or media_type not in response.get("content", {}):
+            return []
+        schema = response["content"][media_type]["schema"]
+        key = ("response", operation.operation_id, status, media_type)
+        if media_type == MSGPACK:
+            schema = _blobs_as_bytes(schema)
+        return self._faults(key, schema, body)
+
+    def _faults(self, key: tuple[Any, ...], schema: Any, body: Any) -> list[str]:
+        validator = self._validators.get(key)
+        if validator is None:
+            validator = _Validator(schema, format_checker=_FORMATS)
+            self._validators[key] = validator
+        if validator.is_valid(body):
+            return []
+        return [
+            f"{error.json_path}: {error.message[:300]}"
+            for error in validator.iter_errors(body)
+        ]
+
+
+def _blobs_as_bytes(schema: Any) -> Any:
+    """In MessagePack, what JSON carries as base64 is `bin`."""
+    if isinstance(schema, dict):
+        if schema.get("contentEncoding") == "base64":
+            return {"type": "bytes"}
+        return {key: _blobs_as_bytes(value) for key, value in schema.items()}
+    if isinstance(schema, list):
+        return [_blobs_as_bytes(item) for item in schema]
+    return schema
+
+
+@functools.cache
+def load_spec() -> Spec:
+    """Load the document that stands beside the kit."""
+    text = (SPEC_DIRECTORY / "openapi.yaml").read_text(encoding="utf-8")
+    # The C loader is ten times faster; both are safe ones.
+    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    return Spec(yaml.load(text, Loader=loader))  # noqa: S506
+
+
+@functools.cache
+def spec_sha256() -> str:
+    """Give the hash over all documents, so that two reports can be compared."""
+    documents = [(SPEC_DIRECTORY / name).read_bytes() for name in _DOCUMENTS]
+    # A checkout may have turned the ends of lines into those of its system.
+    return hashlib.sha256(b"".join(documents).replace(b"\r\n", b"\n")).hexdigest()
+
+
+def spec_name() -> str:
+    """Say which specification is judged, in a few words."""
+    return f"Proctor {load_spec().version} ({spec_sha256()[:12]})"

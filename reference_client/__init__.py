@@ -1,0 +1,26 @@
+"""Evaluate a robot policy on any Proctor server.
+
+    from reference_client import evaluate
+
+    score = evaluate(MyPolicy, url="http://127.0.0.1:8460", benchmark="tabletop")
+    print(score.score)
+
+A policy is a class with `reset(instruction)` and `act(observation)`, see `Policy`. What
+a bridge, an environment or a command is built of stands in `session` and `runs`.
+"""
+
+from reference_client.errors import ProctorError, RunFailed, RunStopped
+from reference_client.evaluation import evaluate
+from reference_client.observation import Observation
+from reference_client.policy import Policy
+from reference_client.progress import Progress
+
+__all__ = [
+    "Observation",
+    "Policy",
+    "ProctorError",
+    "Progress",
+    "RunFailed",
+    "RunStopped",
+    "evaluate",
+]

@@ -1,0 +1,120 @@
+"""What a policy sees: numbers, pictures and tensors, decoded from a turn.
+
+The wire's schema Observation has blobs in base64; here they are numpy arrays over the
+decoded bytes. A faster encoding of the wire would replace `_blob` alone.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import io
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+from proctor_client import Image, Tensor, Turn
+
+from reference_client.errors import BAD_ANSWER, ProctorError
+
+# channels → what pillow calls them
+_MODES = {1: "L", 2: "LA", 3: "RGB", 4: "RGBA"}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Observation:
+    """One look at the world, in the units and frames of the benchmark's spaces.
+
+    state: name → vector of floats.
+    images: name → uint8 of shape (height, width, channels), row 0 on top; read-only.
+    tensors: name → array of the dtype and shape that the benchmark names; read-only.
+    instruction: what the robot shall do in this episode.
+    episode_id: which episode this is; an id, without meaning.
+    step: actions executed in this attempt so far; 0 in an episode's first observation.
+    """
+
+    state: Mapping[str, tuple[float, ...]]
+    images: Mapping[str, npt.NDArray[np.uint8]]
+    tensors: Mapping[str, npt.NDArray[Any]]
+    instruction: str
+    episode_id: str
+    step: int
+
+
+def observation_of(turn: Turn) -> Observation:
+    """The observation of a turn that is not done.
+
+    Raises ProctorError `bad_answer` if it is missing or does not decode.
+    """
+    if turn.episode is None or turn.observation is None:
+        raise _broken("the turn", "has no observation, and is not done")
+    seen = turn.observation
+    return Observation(
+        state={name: tuple(map(float, v)) for name, v in seen.state.items()},
+        images={name: _pixels(name, image) for name, image in seen.images.items()},
+        tensors={name: _array(name, tensor) for name, tensor in seen.tensors.items()},
+        instruction=turn.episode.instruction,
+        episode_id=turn.episode.episode_id,
+        step=turn.episode.step,
+    )
+
+
+def _pixels(name: str, image: Image) -> npt.NDArray[np.uint8]:
+    shape = (image.height, image.width, image.channels)
+    data = _blob(name, image.data)
+    if image.codec.value == "raw":
+        return _view(name, data, np.dtype(np.uint8), shape)
+    return _decompressed(name, data, image.codec.value, shape)
+
+
+def _decompressed(
+    name: str, data: bytes, codec: str, shape: tuple[int, int, int]
+) -> npt.NDArray[np.uint8]:
+    # Only who asks for compressed images needs pillow.
+    import PIL.Image
+
+    height, width, channels = shape
+    try:
+        # One format: whoever sends bytes does not choose the decoder.
+        with PIL.Image.open(io.BytesIO(data), formats=[codec.upper()]) as picture:
+            if picture.size != (width, height):
+                raise _broken(name, f"is {picture.size}, announced as {width, height}")
+            pixels = np.asarray(picture.convert(_MODES[channels]), dtype=np.uint8)
+    except (OSError, SyntaxError, PIL.Image.DecompressionBombError) as error:
+        raise _broken(name, f"is no {codec}: {error}") from error
+    pixels = pixels.reshape(shape)
+    pixels.flags.writeable = False
+    return pixels
+
+
+def _array(name: str, tensor: Tensor) -> npt.NDArray[Any]:
+    """C order, little-endian; a bool is one byte."""
+    dtype = np.dtype(tensor.dtype.value).newbyteorder("<")
+    return _view(name, _blob(name, tensor.data), dtype, tuple(tensor.shape))
+
+
+def _view(
+    name: str, data: bytes, dtype: np.dtype[Any], shape: tuple[int, ...]
+) -> npt.NDArray[Any]:
+    try:
+        return np.frombuffer(data, dtype).reshape(shape)
+    except ValueError as error:
+        raise _broken(name, f"does not have its announced size: {error}") from error
+
+
+def _blob(name: str, data: str) -> bytes:
+    try:
+        return base64.b64decode(data, validate=True)
+    except binascii.Error as error:
+        raise _broken(name, f"is not base64: {error}") from error
+
+
+def _broken(name: str, what: str) -> ProctorError:
+    return ProctorError(
+        BAD_ANSWER,
+        f"The observation cannot be decoded: {name} {what}. Report it to the server's "
+        "operator.",
+        side_effects="possible",
+    )

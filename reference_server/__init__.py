@@ -1,0 +1,1 @@
+"""The reference evaluation server: it obeys `spec/` and has no rule of its own."""

@@ -1,0 +1,132 @@
+"""`python -m reference_server`: serve, and say how to call it."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import socket
+import sys
+from collections.abc import Callable
+
+import uvicorn
+from pydantic import ValidationError
+from pydantic_settings import CliSettingsSource, SettingsError
+
+from reference_server.app import build
+from reference_server.auth import BadTokens, Tokens
+from reference_server.settings import Settings
+from reference_server.store import Store, StoreFailed
+
+
+class Server(uvicorn.Server):
+    """uvicorn, which says that it serves only when it does, and when it ends."""
+
+    def __init__(
+        self, config: uvicorn.Config, greeting: str, end: Callable[[], None]
+    ) -> None:
+        super().__init__(config)
+        self._greeting = greeting
+        self._end = end
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        await super().startup(sockets)
+        if self.started:
+            print(self._greeting, flush=True)
+
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        self._end()
+        await super().shutdown(sockets)
+
+
+def main() -> int:
+    """Returns the exit code; every failure to start is one line."""
+    try:
+        source: CliSettingsSource[Settings] = CliSettingsSource(
+            Settings, cli_parse_args=sys.argv[1:]
+        )
+        settings = Settings(_cli_settings_source=source)
+        secret = None
+        if settings.tokens:
+            tokens = Tokens.parse(settings.tokens)
+        else:
+            tokens, secret = Tokens.fresh()
+    except (ValidationError, SettingsError, BadTokens) as error:
+        print(f"proctor: bad settings: {_one_line(error)}", file=sys.stderr)
+        return 2
+    family = socket.AF_INET6 if ":" in settings.host else socket.AF_INET
+    # asyncio sets TCP_NODELAY only where the protocol is named; without it each answer
+    # waits 40 ms for an acknowledgement.
+    with socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP) as listener:
+        return _serve(listener, settings, tokens, secret)
+
+
+def _serve(
+    listener: socket.socket, settings: Settings, tokens: Tokens, secret: str | None
+) -> int:
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        listener.bind((settings.host, settings.port))
+    except OSError as error:
+        print(
+            f"proctor: cannot listen on {settings.host}:{settings.port} "
+            f"({error.strerror}); choose another with --port",
+            file=sys.stderr,
+        )
+        return 2
+    try:
+        app = build(settings, tokens)
+        runner = asyncio.Runner()
+        runner.run(_try_store(settings.database_url))
+        runner.close()  # not on failure: the driver's thread may have a last word
+    except StoreFailed as error:
+        print(
+            f"proctor: cannot use the database ({error}); choose another with "
+            "--database",
+            file=sys.stderr,
+        )
+        return 2
+    config = uvicorn.Config(
+        app,
+        log_level=settings.log_level,
+        access_log=False,
+        server_header=False,
+        timeout_graceful_shutdown=5,
+    )
+    port = listener.getsockname()[1]
+    server = Server(config, _greeting(settings.host, port, secret), app.end)
+    # uvicorn ends in order and then raises Ctrl-C again.
+    with contextlib.suppress(KeyboardInterrupt):
+        asyncio.run(server.serve(sockets=[listener]))
+    return 0 if server.started else 1
+
+
+async def _try_store(url: str) -> None:
+    store = Store(url)
+    try:
+        await store.open()
+    finally:
+        await store.close()
+
+
+def _greeting(host: str, port: int, secret: str | None) -> str:
+    name = f"[{host}]" if ":" in host else host
+    url = f"http://{name}:{port}"
+    lines = [f"Proctor serves at {url}"]
+    if secret is not None:
+        lines += [
+            f"token: {secret}",
+            "try:",
+            f"  curl -H 'Authorization: Bearer {secret}' {url}/v1/benchmarks",
+        ]
+    return "\n".join(lines)
+
+
+def _one_line(error: Exception) -> str:
+    if isinstance(error, ValidationError):
+        faults = error.errors(include_url=False)
+        return "; ".join(f"{'.'.join(map(str, f['loc']))}: {f['msg']}" for f in faults)
+    return str(error)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,182 @@
+"""Bytes to messages and back: bounds, media types, validation.
+
+Nothing is parsed before its size is known; nothing is decoded that could hold code.
+Every fault of a body becomes a refusal with JSON pointers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from datetime import datetime
+from typing import Any, TypeVar
+
+import msgspec
+from pydantic import BaseModel, ValidationError
+from starlette.requests import ClientDisconnect, Request
+from starlette.responses import Response
+
+from reference_server.problems import Refused
+
+JSON = "application/json"
+MSGPACK = "application/msgpack"
+# An oversized body is read to its end, up to this many times the limit, so that the
+# refusal reaches a client that is still sending.
+DRAIN_FACTOR = 32
+
+Model = TypeVar("Model", bound=BaseModel)
+
+
+async def read_body(request: Request, max_bytes: int) -> bytes:
+    """The request's body; refused when it is larger than `max_bytes` (ERR-005)."""
+    parts: list[bytes] = []
+    size = 0
+    try:
+        async for part in request.stream():
+            size += len(part)
+            if size <= max_bytes:
+                parts.append(part)
+            elif size > max_bytes * DRAIN_FACTOR:
+                break
+            else:
+                parts.clear()
+    except ClientDisconnect as error:
+        raise Refused("malformed_body", "The body breaks off.") from error
+    if size > max_bytes:
+        raise Refused(
+            "body_too_large",
+            f"The body exceeds {max_bytes} bytes.",
+            requirement="ERR-005",
+        )
+    return b"".join(parts)
+
+
+def decode(body: bytes, media_type: str) -> Any:
+    """The structure in a body; refused when malformed (ERR-002, ERR-013)."""
+    try:
+        if media_type == MSGPACK:
+            return msgspec.msgpack.decode(body, ext_hook=_no_extensions)
+        return msgspec.json.decode(body)
+    except RecursionError as error:
+        raise Refused("malformed_body", "The body is nested too deeply.") from error
+    except (msgspec.MsgspecError, UnicodeDecodeError, ValueError) as error:
+        raise Refused("malformed_body", f"The body is malformed: {error}.") from error
+
+
+def validate(model: type[Model], data: Any) -> Model:
+    """The message in a structure; refused with a pointer for each fault in it."""
+    try:
+        return model.model_validate(data, strict=True)
+    except ValidationError as error:
+        faults = error.errors(include_url=False, include_context=False)
+        if _accept_whole_numbers(data, faults):
+            return validate(model, data)
+        if _holds_time(data):
+            # ENC-008: the one extension that msgspec knows by itself.
+            raise Refused("malformed_body", "Extension types are not read.") from error
+        raise Refused(
+            "invalid_request",
+            "The body breaks its schema.",
+            errors=[(pointer(f["loc"]), f["msg"]) for f in faults[:50]],
+        ) from error
+
+
+def pointer(loc: Iterable[str | int]) -> str:
+    """RFC 6901."""
+    parts = [str(part).replace("~", "~0").replace("/", "~1") for part in loc]
+    return "".join(f"/{part}" for part in parts)
+
+
+def media_type_of(request: Request, readable: Sequence[str]) -> str:
+    """The body's media type (ERR-007)."""
+    declared = request.headers.get("content-type", "")
+    media_type = declared.partition(";")[0].strip().lower()
+    if media_type not in readable:
+        raise Refused(
+            "unsupported_media_type",
+            f"The body is declared as {media_type or 'nothing'}; "
+            f"{' and '.join(readable)} are read here.",
+        )
+    return media_type
+
+
+def acceptable(request: Request, writable: Sequence[str]) -> str:
+    """The media type to answer in; of equals the first, which is JSON (ENC-001)."""
+    header = ",".join(request.headers.getlist("accept")) or "*/*"
+    ranges = [_range(part) for part in header.split(",")]
+    best, best_q = "", 0.0
+    for media_type in writable:
+        q = _weight(media_type, ranges)
+        if q > best_q:
+            best, best_q = media_type, q
+    if not best:
+        raise Refused(
+            "not_acceptable", f"{' and '.join(writable)} are what is written here."
+        )
+    return best
+
+
+def encoded(content: Any, media_type: str = JSON, status: int = 200) -> Response:
+    """An answer. Blobs are Base64 in JSON and `bin` in MessagePack (ENC-002)."""
+    encode = msgspec.msgpack.encode if media_type == MSGPACK else msgspec.json.encode
+    return Response(encode(content), status_code=status, media_type=media_type)
+
+
+def _range(part: str) -> tuple[str, float]:
+    """A media range of Accept and its weight."""
+    name, *parameters = (piece.strip().lower() for piece in part.split(";"))
+    for parameter in parameters:
+        key, _, value = parameter.partition("=")
+        if key.strip() == "q":
+            try:
+                return name, float(value)
+            except ValueError:
+                return name, 0.0
+    return name, 1.0
+
+
+def _weight(media_type: str, ranges: Sequence[tuple[str, float]]) -> float:
+    """RFC 9110, 12.5.1: of the ranges that match, the most specific one counts."""
+    kind = media_type.partition("/")[0]
+    for wanted in (media_type, f"{kind}/*", "*/*"):
+        weights = [q for name, q in ranges if name == wanted]
+        if weights:
+            return max(weights)
+    return 0.0
+
+
+def _no_extensions(code: int, _data: memoryview) -> Any:
+    raise ValueError(f"extension type {code}")
+
+
+def _holds_time(data: Any) -> bool:
+    """Whether a timestamp stands anywhere, however deep the sender put it."""
+    rest = [data]
+    while rest:
+        one = rest.pop()
+        if isinstance(one, datetime):
+            return True
+        if isinstance(one, dict):
+            rest += [*one, *one.values()]
+        elif isinstance(one, list | tuple):
+            rest += one
+    return False
+
+
+def _accept_whole_numbers(data: Any, faults: Sequence[Any]) -> bool:
+    """JSON Schema calls 630.0 an integer; strict models do not. Mend those, in place.
+
+    Returns whether anything was mended. Runs only after a failed validation.
+    """
+    mended = False
+    for fault in faults:
+        number = fault["input"]
+        whole = isinstance(number, float) and number.is_integer()
+        if fault["type"] != "int_type" or not whole or not fault["loc"]:
+            continue
+        *path, last = fault["loc"]
+        holder = data
+        for step in path:
+            holder = holder[step]
+        holder[last] = int(number)
+        mended = True
+    return mended

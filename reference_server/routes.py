@@ -1,0 +1,308 @@
+"""The operations of the spec, one function each: no rule, no state, no SQL."""
+
+from __future__ import annotations
+
+import hashlib
+import secrets
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from typing import Any
+
+import msgspec
+from starlette.responses import Response
+
+from reference_server import models, progress, views
+from reference_server.benchmarks import Benchmarks
+from reference_server.messages import JSON, MSGPACK
+from reference_server.operations import (
+    VERSION_MAX,
+    VERSION_MIN,
+    Call,
+    Operation,
+)
+from reference_server.problems import Refused
+from reference_server.protocol import (
+    Attach,
+    Detach,
+    Heartbeat,
+    Predict,
+    Refuse,
+    Resume,
+    Stop,
+    decide,
+)
+from reference_server.run_book import RunBook
+from reference_server.run_state import Episode, Run
+from reference_server.settings import Settings
+from reference_server.stage import Stage
+from reference_server.turns import lease_view
+
+SOFTWARE_VERSION = "0.1.0"
+IDLE_TIMEOUT_S_MIN = 1.0
+PAGE = 100
+
+
+@dataclass(frozen=True, slots=True)
+class Routes:
+    """The operations over one server's parts."""
+
+    settings: Settings
+    benchmarks: Benchmarks
+    book: RunBook
+    stage: Stage
+
+    def table(self) -> dict[str, dict[str, Operation]]:
+        """path → method → operation; the same as the spec's, as a test proves."""
+        run, worker = "/v1/runs/{run_id}", "/v1/runs/{run_id}/workers/{worker_id}"
+        pages = ("cursor", "limit")
+        both = (JSON, MSGPACK)
+        return {
+            "/v1": {"GET": Operation(self.describe_service, scope=None)},
+            "/v1/benchmarks": {"GET": Operation(self.list_benchmarks)},
+            "/v1/benchmarks/{benchmark_id}": {"GET": Operation(self.get_benchmark)},
+            "/v1/runs": {
+                "GET": Operation(self.list_runs, query=pages),
+                "POST": Operation(
+                    self.submit_run,
+                    "run",
+                    models.SubmitRun,
+                    headers=("idempotency-key",),
+                ),
+            },
+            run: {"GET": Operation(self.get_run, headers=("if-none-match", "prefer"))},
+            f"{run}/stop": {"POST": Operation(self.stop_run, "run", models.StopRun)},
+            f"{run}/resume": {"POST": Operation(self.resume_run, "run")},
+            f"{run}/episodes": {"GET": Operation(self.list_episodes, query=pages)},
+            f"{run}/score": {"GET": Operation(self.get_score)},
+            worker: {
+                "PUT": Operation(
+                    self.attach_worker, "run", models.AttachWorker, both, both
+                ),
+                "DELETE": Operation(
+                    self.detach_worker,
+                    "run",
+                    writes=(),
+                    query=("session_id",),
+                    required_query=("session_id",),
+                ),
+            },
+            f"{worker}/predict": {
+                "POST": Operation(self.predict, "run", models.Predict, both, both)
+            },
+            f"{worker}/heartbeat": {
+                "POST": Operation(self.heartbeat, "run", models.Heartbeat)
+            },
+        }
+
+    # --- control plane ---
+
+    async def describe_service(self, call: Call) -> Response:
+        settings = self.settings
+        service = models.Service(
+            name="Proctor reference server",
+            version=SOFTWARE_VERSION,
+            protocol=models.ProtocolRange(min=VERSION_MIN, max=VERSION_MAX),
+            profiles=["core", "msgpack"],
+            limits=models.Limits(
+                max_body_bytes=settings.max_body_bytes,
+                max_workers=settings.max_workers,
+                max_chunk=settings.max_chunk,
+                idle_timeout_s_min=IDLE_TIMEOUT_S_MIN,
+                idle_timeout_s_max=settings.idle_timeout_s_max,
+                wait_s_max=settings.wait_s_max,
+            ),
+            encodings=[JSON, MSGPACK],
+            image_codecs=["raw", "png", "jpeg"],
+            server_time=views.timestamp(datetime.now(UTC).timestamp()),
+        )
+        return call.answer(service.model_dump())
+
+    async def list_benchmarks(self, call: Call) -> Response:
+        return call.answer({"benchmarks": self.benchmarks.summaries()})
+
+    async def get_benchmark(self, call: Call) -> Response:
+        return call.answer(await self.benchmarks.view(call.path["benchmark_id"]))
+
+    async def submit_run(self, call: Call) -> Response:
+        submission = call.body.model_dump()
+        key = call.headers.get("idempotency-key")
+        # Equal JSON values are the same body, however they were written.
+        canonical = msgspec.json.encode(submission, order="deterministic")
+        body_sha256 = hashlib.sha256(canonical).hexdigest()
+        run = await self._new_run(call.account, submission)
+        run = await self.book.add(run, key, body_sha256)
+        response = call.answer(self._view(call, run), 201)
+        response.headers["Location"] = f"/v1/runs/{run.run_id}"
+        return response
+
+    async def _new_run(self, account: str, submission: dict[str, Any]) -> Run:
+        settings = self.settings
+        resolved = await self.benchmarks.resolve(submission)
+        max_workers = submission.get("max_workers", settings.max_workers)
+        idle = submission.get("idle_timeout_s", settings.idle_timeout_s_max)
+        errors = []
+        if max_workers > settings.max_workers:  # RUN-015
+            errors.append(("/max_workers", f"at most {settings.max_workers}"))
+        if idle > settings.idle_timeout_s_max:  # LEASE-007
+            errors.append(("/idle_timeout_s", f"at most {settings.idle_timeout_s_max}"))
+        if errors:
+            raise Refused(
+                "invalid_request",
+                "More was asked for than is given here.",
+                errors=errors,
+            )
+        now = time.time()
+        return Run(
+            run_id=f"run_{secrets.token_hex(12)}",
+            number=0,
+            account=account,
+            state="queued",
+            reason=None,
+            retryable=None,
+            manifest=resolved.manifest,
+            manifest_sha256=resolved.manifest_sha256,
+            submission=submission,
+            max_workers=max_workers,
+            idle_timeout_s=idle,
+            images=resolved.images,
+            created_at_wall=now,
+            updated_at_wall=now,
+            queue_until_wall=now + _queue_s(submission),
+            episodes=[
+                Episode(index, plan["task"], plan["split"], plan["seed"])
+                for index, plan in enumerate(resolved.manifest["episodes"])
+            ],
+        )
+
+    async def list_runs(self, call: Call) -> Response:
+        limit = int(call.query.get("limit", PAGE))
+        before = _number(call.query.get("cursor"))
+        runs = await self.book.page(call.account, before, limit + 1)
+        more = len(runs) > limit
+        return call.answer(
+            {
+                "runs": [self._view(call, run) for run in runs[:limit]],
+                "next_cursor": str(runs[limit - 1].number) if more else None,
+            }
+        )
+
+    async def get_run(self, call: Call) -> Response:
+        run = await self._run(call)
+        wanted = call.headers.get("if-none-match")
+        wait_s = float(call.headers.get("prefer", "wait=0").removeprefix("wait="))
+        deadline = time.monotonic() + min(wait_s, self.settings.wait_s_max)
+        while True:
+            run = await self.book.settled(run)
+            self.stage.sweep(run)
+            response = call.answer(self._view(call, run))
+            etag = f'"{hashlib.sha256(bytes(response.body)).hexdigest()[:32]}"'
+            response.headers["ETag"] = etag
+            if wanted is None or not _matches(wanted, etag):
+                return response
+            left_s = deadline - time.monotonic()
+            if left_s <= 0:
+                return Response(status_code=304, headers={"ETag": etag})
+            await self.book.changed(run, left_s)
+
+    async def stop_run(self, call: Call) -> Response:
+        run = await self._run(call)
+        mode = call.body.model_dump().get("mode", "abort")
+        verdict = decide(run, Stop(mode), self.stage.sweep(run))
+        if isinstance(verdict, Refuse):
+            raise Refused.by(verdict)
+        self.stage.let_go(progress.stop(run, mode, time.time()))
+        await self.book.commit(run)
+        return call.answer(self._view(call, run))
+
+    async def resume_run(self, call: Call) -> Response:
+        run = await self._run(call)
+        verdict = decide(run, Resume(), self.stage.sweep(run))
+        if isinstance(verdict, Refuse):
+            raise Refused.by(verdict)
+        if run.state in ("stopped", "failed"):
+            progress.resume(run, time.time() + _queue_s(run.submission))
+            await self.book.commit(run)
+        return call.answer(self._view(call, run))
+
+    async def list_episodes(self, call: Call) -> Response:
+        run = await self._run(call)
+        run = await self.book.settled(run)
+        limit = int(call.query.get("limit", PAGE))
+        start = _number(call.query.get("cursor")) or 0
+        page = run.episodes[start : start + limit]
+        end = start + limit
+        return call.answer(
+            {
+                "episodes": [views.episode_view(e) for e in page],
+                "next_cursor": str(end) if end < len(run.episodes) else None,
+            }
+        )
+
+    async def get_score(self, call: Call) -> Response:
+        run = await self._run(call)
+        run = await self.book.settled(run)
+        return call.answer(views.score_view(run))
+
+    # --- data plane ---
+
+    async def attach_worker(self, call: Call) -> Response:
+        body = call.body.model_dump()
+        command = Attach(
+            call.path["worker_id"],
+            body["attach_key"],
+            body.get("takeover", False),
+            body.get("assumes"),
+        )
+        return call.answer(await self.stage.attach(await self._run(call), command))
+
+    async def predict(self, call: Call) -> Response:
+        body = call.body
+        command = Predict(
+            call.path["worker_id"],
+            body.session_id,
+            body.seq,
+            [action.values for action in body.actions],
+            "all" if body.observe == "all" else "last",
+        )
+        return call.answer(await self.stage.predict(await self._run(call), command))
+
+    async def heartbeat(self, call: Call) -> Response:
+        command = Heartbeat(call.path["worker_id"], call.body.session_id)
+        session = self.stage.heartbeat(await self._run(call), command)
+        return call.answer(lease_view(session))
+
+    async def detach_worker(self, call: Call) -> Response:
+        command = Detach(call.path["worker_id"], call.query["session_id"])
+        await self.stage.detach(await self._run(call), command)
+        return Response(status_code=204)
+
+    async def _run(self, call: Call) -> Run:
+        return await self.book.get(call.path["run_id"], call.account)
+
+    def _view(self, call: Call, run: Run) -> dict[str, Any]:
+        base = self.settings.public_url or str(call.request.base_url)
+        position = self.book.queue_position(run)
+        return views.run_view(run, base.rstrip("/"), position)
+
+
+def _queue_s(submission: Mapping[str, Any]) -> float:
+    return float(submission.get("options", {}).get("queue_s", 0.0))
+
+
+def _matches(if_none_match: str, etag: str) -> bool:
+    tags = [tag.strip().removeprefix("W/") for tag in if_none_match.split(",")]
+    return "*" in tags or etag in tags
+
+
+def _number(cursor: str | None) -> int | None:
+    if cursor is None:
+        return None
+    if not cursor.isdecimal() or len(cursor) > 15:
+        raise Refused(
+            "invalid_request",
+            "The cursor is not one of this server's.",
+            errors=[("query:cursor", "is the next_cursor of a page before")],
+        )
+    return int(cursor)

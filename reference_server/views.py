@@ -1,0 +1,106 @@
+"""Runs, episodes and scores as the wire shows them, in the generated models."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+from typing import Any
+
+from reference_server import models
+from reference_server.run_state import Episode, Run
+from reference_server.scoring import Scored, score_of
+
+
+def timestamp(at_wall: float) -> str:
+    """RFC 3339 in UTC, to the millisecond, of seconds since 1970."""
+    moment = datetime.fromtimestamp(at_wall, UTC)
+    return moment.isoformat(timespec="milliseconds").replace("+00:00", "Z")
+
+
+def run_view(run: Run, endpoint: str, queue_position: int | None) -> dict[str, Any]:
+    """Schema Run."""
+    total = len(run.episodes)
+    in_progress = sum(1 for s in run.live if s.episode is not None)
+    return models.Run(
+        run_id=run.run_id,
+        state=run.state,
+        reason=run.reason,
+        retryable=run.retryable,
+        benchmark_id=run.manifest["benchmark_id"],
+        benchmark_version=run.manifest["version"],
+        manifest_sha256=run.manifest_sha256,
+        policy=models.PolicyInfo(**run.submission["policy"]),
+        max_workers=run.max_workers,
+        idle_timeout_s=run.idle_timeout_s,
+        images=models.ImageChoice(**run.images),
+        endpoint=endpoint,
+        queue_position=queue_position,
+        live_workers=len(run.live),
+        progress=models.Progress(
+            episodes_total=total,
+            episodes_scored=run.scored,
+            episodes_in_progress=in_progress,
+            episodes_pending=total - run.scored - in_progress,
+        ),
+        created_at=timestamp(run.created_at_wall),
+        updated_at=timestamp(run.updated_at_wall),
+    ).model_dump()
+
+
+def result_view(episode: Episode) -> dict[str, Any]:
+    """Schema EpisodeResult of a scored episode."""
+    result = episode.result
+    assert result is not None
+    return models.EpisodeResult(
+        episode_id=episode.episode_id,
+        index=episode.index,
+        task=episode.task,
+        split=episode.split,
+        seed=episode.seed,
+        attempt=result.attempt,
+        faults=episode.faults,
+        outcome=result.outcome,
+        score=result.score,
+        steps=result.steps,
+        terminated=result.terminated,
+        truncated=result.truncated,
+        think_s=result.think_s,
+        finished_at=timestamp(result.finished_at_wall),
+    ).model_dump()
+
+
+def episode_view(episode: Episode) -> dict[str, Any]:
+    """Schema Episode."""
+    status: models.EpisodeStatus = "pending"
+    if episode.result is not None:
+        status = "scored"
+    elif episode.in_progress:
+        status = "in_progress"
+    body = models.Episode(
+        episode_id=episode.episode_id,
+        index=episode.index,
+        task=episode.task,
+        split=episode.split,
+        status=status,
+        attempt=episode.attempt,
+        faults=episode.faults,
+    ).model_dump()
+    if episode.result is not None:
+        body["result"] = result_view(episode)
+    return body
+
+
+def score_view(run: Run) -> dict[str, Any]:
+    """Schema Score."""
+    episodes = [
+        Scored(e.task, e.split, e.result.outcome, e.result.score)
+        if e.result
+        else Scored(e.task, e.split, None)
+        for e in run.episodes
+    ]
+    return {
+        "run_id": run.run_id,
+        "benchmark_id": run.manifest["benchmark_id"],
+        "manifest_sha256": run.manifest_sha256,
+        "state": run.state,
+        **score_of(episodes),
+    }

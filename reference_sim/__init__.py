@@ -1,0 +1,1 @@
+"""Simulators behind the protocol. Nothing here knows of servers, runs or sessions."""

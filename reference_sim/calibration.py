@@ -1,0 +1,91 @@
+"""The simulator of the benchmark `calibration`: no physics, see spec/calibration.md."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reference_sim.interface import Action, Observation, StepOutcome, TaskUnplayable
+
+TASKS = ("score", "count", "echo", "delay", "fault")
+VECTOR_SIZE = 8
+CLIPPED_SIZE = 2
+DEATH_EXIT_CODE = 70
+
+
+class Calibration:
+    """`Simulator` of the benchmark. Width and height in pixels, of the image."""
+
+    def __init__(self, width: int, height: int) -> None:
+        row, column, channel = np.ogrid[:height, :width, :3]
+        pattern = 7 * column + 13 * row + 29 * channel
+        self._pattern = pattern.astype(np.uint8)  # modulo 256
+
+    def reset(self, task: str, seed: int) -> str:
+        if task not in TASKS:
+            raise TaskUnplayable(f"calibration has no task {task!r}")
+        self._task = task
+        self._count = 0
+        self._vector = np.zeros(VECTOR_SIZE)
+        self._clipped = np.zeros(CLIPPED_SIZE)
+        return f"Calibration task {task}."
+
+    def step(self, action: Action) -> StepOutcome:
+        if self._task == "delay":
+            time.sleep(action["delay_s"][0])
+        if self._task == "fault":
+            _break_down(action["fault"][0])
+        self._count += 1
+        self._vector = np.array(action["vector"], dtype=np.float64)
+        self._clipped = np.clip(np.array(action["clipped"], dtype=np.float64), -1, 1)
+        score = action["score"][0]
+        return StepOutcome(
+            success=action["success"][0] >= 1,
+            score=score,  # outside the task `score`, the success rule decides instead
+            terminated=action["end"][0] >= 1,
+            reward=score,
+        )
+
+    def observe(self) -> Observation:
+        state = {
+            "count": np.array([float(self._count)]),
+            "vector": self._vector,
+            "clipped": self._clipped,
+        }
+        if self._task != "echo":
+            return Observation(state)
+        pattern = self._pattern + np.uint8(self._count % 256)
+        return Observation(state, {"pattern": pattern}, TENSORS)
+
+    def close(self) -> None:
+        """Nothing is held."""
+
+
+def _break_down(command: float) -> None:
+    if command >= 2:
+        raise TaskUnplayable("the policy commanded fault 2")
+    if command >= 1:
+        os._exit(DEATH_EXIT_CODE)
+
+
+def _tensors() -> Mapping[str, NDArray[np.generic]]:
+    elements: dict[str, list[float]] = {"bool": [0, 1, 0, 1, 0, 1]}
+    for bits in (8, 16, 32, 64):
+        signed, unsigned = np.iinfo(f"int{bits}"), np.iinfo(f"uint{bits}")
+        elements[f"int{bits}"] = [-2, -1, 0, 1, signed.min, signed.max]
+        elements[f"uint{bits}"] = [0, 1, 2, 3, 4, unsigned.max]
+    tensors: dict[str, NDArray[np.generic]] = {}
+    for dtype, values in elements.items():
+        tensors[dtype] = np.array(values, dtype=dtype).reshape(2, 3)
+    for floating in (np.float16, np.float32, np.float64):
+        limits = np.finfo(floating)
+        values = [-2, -0.5, 0, 0.5, float(limits.smallest_normal), float(limits.max)]
+        tensors[limits.dtype.name] = np.array(values, dtype=floating).reshape(2, 3)
+    return tensors | {"empty": np.zeros((0, 3))}
+
+
+TENSORS = _tensors()

@@ -1,0 +1,74 @@
+"""One episode in play: counts, truncates, applies the success rule, adds up the score.
+
+No clock, no encoding, no process: the same calls give the same numbers. The score is
+the simulator's last word, save for tasks whose score *is* their success: those follow
+the rule (`score_is_success`), which only this file knows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from reference_sim.interface import Action, Simulator, StepOutcome
+
+SUCCESS_RULES = ("any_step", "last_step")
+
+
+class Episode:
+    """An attempt from its reset to its end. Begun by making it."""
+
+    def __init__(
+        self,
+        simulator: Simulator,
+        task: str,
+        seed: int,
+        *,
+        max_steps: int,
+        success_rule: str,
+        score_is_success: bool = False,
+    ) -> None:
+        """Raises TaskUnplayable, and whatever else the simulator raises."""
+        if success_rule not in SUCCESS_RULES:
+            raise ValueError(f"no success rule {success_rule!r}")
+        self._simulator = simulator
+        self._max_steps = max_steps
+        self._any_step = success_rule == "any_step"
+        self._score_is_success = score_is_success
+        self._score = 0.0
+        self.steps = 0
+        self.success = False
+        self.terminated = False
+        self.truncated = False
+        self.instruction = simulator.reset(task, seed)
+
+    @property
+    def ended(self) -> bool:
+        return self.terminated or self.truncated
+
+    @property
+    def score(self) -> float:
+        """In [0, 1]; 0 before the first step."""
+        return float(self.success) if self._score_is_success else self._score
+
+    def play(self, actions: Sequence[Action]) -> Iterator[float]:
+        """Executes until the chunk or the episode ends, yielding each step's reward."""
+        for action in actions:
+            if self.ended:
+                return
+            outcome = self._simulator.step(action)
+            self._record(outcome)
+            yield float(outcome.reward)
+
+    def _record(self, outcome: StepOutcome) -> None:
+        if not 0.0 <= outcome.score <= 1.0:
+            raise ValueError(f"score {outcome.score} is outside 0 … 1")
+        if not math.isfinite(outcome.reward):
+            raise ValueError(f"reward {outcome.reward} is not finite")
+        self.steps += 1
+        held_before = self._any_step and self.success
+        self.success = held_before or bool(outcome.success)
+        self._score = float(outcome.score)
+        self.terminated = bool(outcome.terminated)
+        # A task that ends by itself at the very last step was not cut off.
+        self.truncated = self.steps >= self._max_steps and not self.terminated

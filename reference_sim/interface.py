@@ -1,0 +1,75 @@
+"""What a simulator must offer, and nothing more.
+
+A simulator plays one episode at a time. It knows tasks, seeds, actions and
+observations; it does not know runs, sessions, attempts, step limits or encodings
+(`episode.py` counts and truncates, `worker.py` talks to the outside).
+
+The shape follows Gymnasium's `reset(seed)` / `step(action)` with two differences that
+the protocol needs: observing is apart from stepping, so that a chunk of actions
+renders its last frame only; and the goal condition is reported as such, never hidden
+in a reward.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+Action = Mapping[str, Sequence[float]]
+
+
+@dataclass(frozen=True, slots=True)
+class Observation:
+    """What a policy may see after a step.
+
+    state: name → float64 array of shape (n,), units as the benchmark's spaces declare.
+    images: name → uint8 array of shape (height, width, channels), RGB, row 0 on top.
+    tensors: name → C-contiguous little-endian array of any shape.
+    """
+
+    state: Mapping[str, NDArray[np.float64]]
+    images: Mapping[str, NDArray[np.uint8]] = field(default_factory=dict)
+    tensors: Mapping[str, NDArray[np.generic]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class StepOutcome:
+    """What one executed action did.
+
+    success: the goal condition holds now.
+    score: progress so far in [0, 1]; 1 exactly when the task is fully done.
+    terminated: the task ends here by itself (step limits are not the simulator's).
+    reward: for the record only; no score is computed from it.
+    """
+
+    success: bool
+    score: float
+    terminated: bool
+    reward: float = 0.0
+
+
+class TaskUnplayable(Exception):
+    """The task can never be played here (a broken asset, say): retrying is useless."""
+
+
+class Simulator(Protocol):
+    """One world, used by one process, playing episodes one after another."""
+
+    def reset(self, task: str, seed: int) -> str:
+        """Begin an episode; the same task and seed give the same state, bit for bit.
+
+        Returns the instruction in natural language.
+        """
+
+    def step(self, action: Action) -> StepOutcome:
+        """Execute one action. Values are finite, complete and of declared length."""
+
+    def observe(self) -> Observation:
+        """The observation of the current state; may be asked any number of times."""
+
+    def close(self) -> None:
+        """Free what the process does not free by itself."""

@@ -1,0 +1,252 @@
+"""The one module that knows MuJoCo: a physical world whose parts are found by name.
+
+Nothing here knows of a task, a robot or a policy. mujoco comes without types, so `Any`
+ends in this file: everything public takes and returns plain numbers and NumPy arrays.
+
+Three things that are not obvious, all measured:
+
+- mujoco is imported when the first world is made, with graphics switched off, because
+  `import mujoco` fails when MUJOCO_GL names a backend this machine lacks. Graphics are
+  switched on by the first picture.
+- A snapshot holds the solver's warm start. `mj_forward` overwrites it in MuJoCo 3.3
+  (4.0 leaves it alone), so a restored state is set twice, around `mj_forward`; the
+  continuation is then exact to the bit.
+- An EGL context belongs to the thread that made it: a world draws in one thread only,
+  and a process that has drawn must not fork (spawn instead).
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reference_sim import rendering
+
+Vector = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Quality:
+    """How much work a picture is worth; it changes pixels and thereby scores.
+
+    samples: anti-aliasing samples per pixel. shadow_map: its side in texels.
+    slices, stacks: of round shapes.
+    """
+
+    shadows: bool
+    samples: int
+    shadow_map: int
+    slices: int
+    stacks: int
+
+
+QUALITIES = {
+    "fast": Quality(shadows=False, samples=0, shadow_map=512, slices=16, stacks=8),
+    "standard": Quality(shadows=True, samples=4, shadow_map=2048, slices=28, stacks=16),
+}
+
+
+class SimulationDiverged(RuntimeError):
+    """The integrator met numbers it could not go on with; the state is worthless."""
+
+
+class World:
+    """A model, its state and its pictures."""
+
+    def __init__(self, mjcf: str, quality: str = "fast") -> None:
+        """mjcf: the model's XML text. quality: a key of QUALITIES."""
+        self._mj = _mujoco()
+        self._quality = QUALITIES[quality]
+        self._model = self._mj.MjModel.from_xml_string(mjcf)
+        self._data = self._mj.MjData(self._model)
+        self._renderers: dict[tuple[int, int], Any] = {}
+        self._addresses: dict[tuple[str, ...], NDArray[np.intp]] = {}
+        warning = self._mj.mjtWarning
+        self._divergences = [
+            int(warning.mjWARN_BADQPOS),
+            int(warning.mjWARN_BADQVEL),
+            int(warning.mjWARN_BADQACC),
+        ]
+        visual = self._model.vis.quality
+        visual.offsamples = self._quality.samples
+        visual.shadowsize = self._quality.shadow_map
+        visual.numslices = self._quality.slices
+        visual.numstacks = self._quality.stacks
+        self.forward()
+
+    # Time
+
+    @property
+    def timestep_s(self) -> float:
+        return float(self._model.opt.timestep)
+
+    def reset(self) -> None:
+        """The model's initial state, warm start included; call `forward` when set."""
+        self._mj.mj_resetData(self._model, self._data)
+
+    def forward(self) -> None:
+        """Brings poses and contacts in line with the joint positions."""
+        self._mj.mj_forward(self._model, self._data)
+
+    def forward_poses(self) -> None:
+        """The cheap part of `forward`: poses and Jacobians, no contacts."""
+        self._mj.mj_kinematics(self._model, self._data)
+        self._mj.mj_comPos(self._model, self._data)
+
+    def advance(self, steps: int) -> None:
+        """Integrates; the poses read afterwards belong to the new state."""
+        self._mj.mj_step(self._model, self._data, nstep=steps)
+        self.forward()
+        # MuJoCo restarts a diverged world by itself; an episode must not survive that.
+        if self._data.warning.number[self._divergences].any():
+            raise SimulationDiverged(f"at {self._data.time:.3f} s")
+
+    def snapshot(self) -> Vector:
+        """All that the future depends on."""
+        kind = self._mj.mjtState.mjSTATE_INTEGRATION
+        state = np.empty(self._mj.mj_stateSize(self._model, kind))
+        self._mj.mj_getState(self._model, self._data, state, kind)
+        return state
+
+    def restore(self, state: Vector) -> None:
+        """Continues from a snapshot of a world of the same model, exactly."""
+        kind = self._mj.mjtState.mjSTATE_INTEGRATION
+        self._mj.mj_setState(self._model, self._data, state, kind)
+        self.forward()
+        self._mj.mj_setState(self._model, self._data, state, kind)
+
+    # Joints and actuators
+
+    def joint_ranges(self, joints: tuple[str, ...]) -> Vector:
+        """(n, 2): lowest and highest position, rad or m."""
+        ranges = [self._model.joint(joint).range for joint in joints]
+        return np.array(ranges, dtype=np.float64)
+
+    def joint_positions(self, joints: tuple[str, ...]) -> Vector:
+        """(n,), rad or m, of joints with one degree of freedom."""
+        positions: Vector = self._data.qpos[self._qpos_addresses(joints)]
+        return positions
+
+    def set_joint_positions(
+        self, joints: tuple[str, ...], positions: Sequence[float] | Vector
+    ) -> None:
+        """Sets without passing time; call `forward` when everything is set."""
+        self._data.qpos[self._qpos_addresses(joints)] = positions
+
+    def set_free_pose(self, joint: str, pose: Sequence[float] | Vector) -> None:
+        """Moves what a free joint carries: position, quaternion wxyz, world frame."""
+        start = int(self._model.joint(joint).qposadr[0])
+        self._data.qpos[start : start + 7] = pose
+
+    def set_controls(self, controls: Sequence[float] | Vector) -> None:
+        """All actuators, in the model's order; beyond their range they saturate."""
+        self._data.ctrl[:] = controls
+
+    # Bodies
+
+    def body_pose(self, body: str) -> Vector:
+        """(7,): position in m and quaternion wxyz, world frame."""
+        view = self._data.body(body)
+        return np.concatenate([view.xpos, view.xquat])
+
+    def body_error(self, body: str, pose: Vector) -> Vector:
+        """(6,): what leads from the body to a pose, m and rotation vector, world."""
+        view = self._data.body(body)
+        back, turn, rotation = np.empty(4), np.empty(4), np.empty(3)
+        self._mj.mju_negQuat(back, view.xquat)
+        self._mj.mju_mulQuat(turn, pose[3:], back)
+        self._mj.mju_quat2Vel(rotation, turn, 1.0)
+        return np.concatenate([pose[:3] - view.xpos, rotation])
+
+    def bodies_touch(self, one: str, other: str) -> bool:
+        pair = {self._model.body(one).id, self._model.body(other).id}
+        bodies = self._model.geom_bodyid[self._data.contact.geom]
+        return any(set(touching) == pair for touching in bodies.tolist())
+
+    def body_jacobian(self, body: str, joints: tuple[str, ...]) -> Vector:
+        """(6, n): velocity and angular velocity per joint velocity, world frame."""
+        jacobian = np.empty((6, self._model.nv))
+        self._mj.mj_jacBody(
+            self._model,
+            self._data,
+            jacobian[:3],
+            jacobian[3:],
+            self._model.body(body).id,
+        )
+        columns = [int(self._model.joint(joint).dofadr[0]) for joint in joints]
+        return jacobian[:, columns]
+
+    # Pictures
+
+    def render(self, camera: str, width: int, height: int) -> NDArray[np.uint8]:
+        """(height, width, 3) RGB, row 0 on top; an array of its own each time.
+
+        Raises RenderingUnavailable where nothing can be drawn.
+        """
+        renderer = self._renderers.get((width, height))
+        if renderer is None:
+            renderer = self._new_renderer(width, height)
+            self._renderers[width, height] = renderer
+        renderer.update_scene(self._data, camera)
+        picture: NDArray[np.uint8] = renderer.render()
+        return picture
+
+    def close(self) -> None:
+        """Frees what the pictures took; the world may still be stepped."""
+        while self._renderers:
+            self._renderers.popitem()[1].close()
+
+    def _new_renderer(self, width: int, height: int) -> Any:
+        draw = _renderer_class()
+        # The largest picture allowed, and no more: memory is reserved per renderer.
+        self._model.vis.global_.offwidth = width
+        self._model.vis.global_.offheight = height
+        renderer = draw(self._model, height, width)
+        shadow = self._mj.mjtRndFlag.mjRND_SHADOW
+        renderer.scene.flags[shadow] = self._quality.shadows
+        return renderer
+
+    def _qpos_addresses(self, joints: tuple[str, ...]) -> NDArray[np.intp]:
+        if joints not in self._addresses:
+            self._addresses[joints] = np.array(
+                [int(self._model.joint(joint).qposadr[0]) for joint in joints]
+            )
+        return self._addresses[joints]
+
+
+def preload() -> None:
+    """Imports mujoco now, for a process whose forks are each to save that time."""
+    _mujoco()
+
+
+@cache
+def _mujoco() -> Any:
+    """mujoco, imported without loading any graphics library."""
+    exported = os.environ.get("MUJOCO_GL")
+    os.environ["MUJOCO_GL"] = "disabled"
+    try:
+        return importlib.import_module("mujoco")
+    finally:
+        if exported is None:
+            del os.environ["MUJOCO_GL"]
+        else:
+            os.environ["MUJOCO_GL"] = exported
+
+
+@cache
+def _renderer_class() -> Any:
+    """mujoco's renderer, once graphics are switched on."""
+    rendering.find_backend()
+    mujoco = _mujoco()
+    # The renderer asks this module for its context, and this module reads MUJOCO_GL
+    # while it is loaded: that is the switch.
+    importlib.reload(sys.modules[mujoco.Renderer.__module__].gl_context)
+    return mujoco.Renderer

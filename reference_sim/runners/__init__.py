@@ -1,0 +1,1 @@
+"""Where simulator processes run."""

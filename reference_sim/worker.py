@@ -1,0 +1,305 @@
+"""The simulator process: obeys one parent over one socket, frame by frame.
+
+A frame is a length (4 bytes, big-endian) and that much MessagePack; nothing on this
+socket can carry code. One command is answered by one reply; while a chunk is long,
+`Busy` frames say that steps are still being made.
+
+The process never outlives its parent: a thread does nothing but read, and ends the
+process at end-of-file. It is forked by `runners/nursery.py`, or started with the number
+of its socket's descriptor as `python -m reference_sim.worker FD`.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+import signal
+import socket
+import struct
+import sys
+import threading
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from queue import SimpleQueue
+from typing import Any, Never
+
+import msgspec
+
+from reference_sim import catalog
+from reference_sim.encoding import EncodedObservation, encode
+from reference_sim.episode import Episode
+from reference_sim.interface import Simulator, TaskUnplayable
+
+HEADER = struct.Struct(">I")
+BUSY_INTERVAL_S = 1.0
+
+_log = logging.getLogger(__name__)
+
+
+# The messages
+
+
+class Build(msgspec.Struct, tag="build"):
+    """Makes the simulator, unless the same world stands already.
+
+    environment: variables that came into the parent's environment after it started us.
+    """
+
+    benchmark_id: str
+    settings: dict[str, Any]
+    environment: dict[str, str]
+
+
+class Begin(msgspec.Struct, tag="begin"):
+    task: str
+    seed: int
+    max_steps: int
+    success_rule: str
+
+
+class Play(msgspec.Struct, tag="play"):
+    actions: Sequence[dict[str, Sequence[float]]]
+    observe_all: bool
+
+
+class Observe(msgspec.Struct, tag="observe"):
+    pass
+
+
+class Hello(msgspec.Struct, tag="hello", frozen=True):
+    pid: int
+
+
+class Busy(msgspec.Struct, tag="busy", frozen=True):
+    """Sent between two steps of a chunk, at most once per BUSY_INTERVAL_S."""
+
+
+class Built(msgspec.Struct, tag="built", frozen=True):
+    pass
+
+
+class Timing(msgspec.Struct, frozen=True):
+    """Seconds. encode_s: of images and tensors."""
+
+    simulate_s: float
+    render_s: float
+    encode_s: float
+
+
+class Beginning(msgspec.Struct, tag="beginning", frozen=True):
+    """An episode at step 0."""
+
+    instruction: str
+    observation: EncodedObservation
+    timing: Timing
+
+
+class Played(msgspec.Struct, tag="played", frozen=True):
+    """What a chunk did.
+
+    steps: of the episode so far. observations: one per executed action, or None unless
+    all were wanted. observation: the last one; None if the episode ended and not all
+    were wanted, for nobody looks at it.
+    """
+
+    executed: int
+    rewards: list[float]
+    ended: bool
+    terminated: bool
+    truncated: bool
+    success: bool
+    score: float
+    steps: int
+    observation: EncodedObservation | None
+    observations: list[EncodedObservation] | None
+    timing: Timing
+
+
+class Seen(msgspec.Struct, tag="seen", frozen=True):
+    observation: EncodedObservation
+
+
+class Failed(msgspec.Struct, tag="failed", frozen=True):
+    error: str
+    unplayable: bool
+
+
+Command = Build | Begin | Play | Observe
+Reply = Hello | Busy | Built | Beginning | Played | Seen | Failed
+
+_encoder = msgspec.msgpack.Encoder()
+_commands = msgspec.msgpack.Decoder(Command)
+
+
+def frame(message: Command | Reply) -> bytearray:
+    buffer = bytearray(HEADER.size)
+    _encoder.encode_into(message, buffer, HEADER.size)
+    HEADER.pack_into(buffer, 0, len(buffer) - HEADER.size)
+    return buffer
+
+
+# The work
+
+
+class _Clock:
+    """Adds up where the time of one command goes."""
+
+    def __init__(self) -> None:
+        self._spent = {"simulate_s": 0.0, "render_s": 0.0, "encode_s": 0.0}
+
+    @contextmanager
+    def running(self, part: str) -> Iterator[None]:
+        started = time.perf_counter()
+        try:
+            yield
+        finally:
+            self._spent[part] += time.perf_counter() - started
+
+    def timing(self) -> Timing:
+        return Timing(**self._spent)
+
+
+class _Stage:
+    """The simulator that stands, and the episode that plays in it."""
+
+    def __init__(self, connection: socket.socket) -> None:
+        self._connection = connection
+        self._world: catalog.World | None = None
+        self._simulator: Simulator | None = None
+        self._episode: Episode | None = None
+
+    def answer(self, command: Command) -> Reply:
+        try:
+            return self._obey(command)
+        except TaskUnplayable as unplayable:
+            return Failed(str(unplayable), unplayable=True)
+        except Exception as error:  # noqa: BLE001 - a simulator may raise anything
+            _log.error("simulator failed", exc_info=True)
+            return Failed(f"{type(error).__name__}: {error}", unplayable=False)
+
+    def _obey(self, command: Command) -> Reply:
+        match command:
+            case Build():
+                return self._build(command)
+            case Begin():
+                return self._begin(command)
+            case Play():
+                return self._play(command)
+            case Observe():
+                return Seen(self._look(_Clock()))
+
+    def _build(self, command: Build) -> Built:
+        world = catalog.World(command.benchmark_id, command.settings)
+        if world != self._world:
+            if self._simulator is not None:
+                self._simulator.close()
+            self._simulator = self._world = self._episode = None
+            os.environ.update(command.environment)
+            self._simulator, self._world = catalog.make(world), world
+        return Built()
+
+    def _begin(self, command: Begin) -> Beginning:
+        simulator, world = self._standing()
+        clock = _Clock()
+        with clock.running("simulate_s"):
+            self._episode = Episode(
+                simulator,
+                command.task,
+                command.seed,
+                max_steps=command.max_steps,
+                success_rule=command.success_rule,
+                score_is_success=command.task in world.success_scored_tasks,
+            )
+        observation = self._look(clock)
+        return Beginning(self._episode.instruction, observation, clock.timing())
+
+    def _play(self, command: Play) -> Played:
+        episode = self._playing()
+        clock = _Clock()
+        rewards: list[float] = []
+        observations: list[EncodedObservation] = []
+        steps = episode.play(command.actions)
+        heard_of = time.perf_counter()
+        while True:
+            with clock.running("simulate_s"):
+                reward = next(steps, None)
+            if reward is None:
+                break
+            rewards.append(reward)
+            if command.observe_all:
+                observations.append(self._look(clock))
+            if time.perf_counter() - heard_of > BUSY_INTERVAL_S:
+                heard_of = time.perf_counter()
+                self._connection.sendall(frame(Busy()))
+        return Played(
+            executed=len(rewards),
+            rewards=rewards,
+            ended=episode.ended,
+            terminated=episode.terminated,
+            truncated=episode.truncated,
+            success=episode.success,
+            score=episode.score,
+            steps=episode.steps,
+            observation=None
+            if episode.ended or command.observe_all
+            else self._look(clock),
+            observations=observations if command.observe_all else None,
+            timing=clock.timing(),
+        )
+
+    def _look(self, clock: _Clock) -> EncodedObservation:
+        simulator, world = self._standing()
+        with clock.running("render_s"):
+            observation = simulator.observe()
+        with clock.running("encode_s"):
+            return encode(observation, world.image_codec)
+
+    def _standing(self) -> tuple[Simulator, catalog.World]:
+        if self._simulator is None or self._world is None:
+            raise RuntimeError("no world was built")
+        return self._simulator, self._world
+
+    def _playing(self) -> Episode:
+        if self._episode is None:
+            raise RuntimeError("no episode was begun")
+        return self._episode
+
+
+def log_to_stderr() -> None:
+    logging.basicConfig(format="%(levelname)s simulator %(process)d: %(message)s")
+
+
+def serve(connection: socket.socket) -> Never:
+    """Obeys until the parent is gone, which ends the process."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to handle
+    commands: SimpleQueue[bytes] = SimpleQueue()
+    threading.Thread(target=_listen, args=(connection, commands), daemon=True).start()
+    stage = _Stage(connection)
+    connection.sendall(frame(Hello(os.getpid())))
+    while True:
+        connection.sendall(frame(stage.answer(_commands.decode(commands.get()))))
+
+
+def _listen(connection: socket.socket, commands: SimpleQueue[bytes]) -> None:
+    while True:
+        (length,) = HEADER.unpack(_receive(connection, HEADER.size))
+        commands.put(_receive(connection, length))
+
+
+def _receive(connection: socket.socket, length: int) -> bytes:
+    received = bytearray()
+    while len(received) < length:
+        try:
+            part = connection.recv(length - len(received))
+        except OSError:
+            part = b""
+        if not part:
+            os._exit(0)  # the parent is gone, whatever the main thread is doing
+        received += part
+    return bytes(received)
+
+
+if __name__ == "__main__":
+    log_to_stderr()
+    serve(socket.socket(fileno=int(sys.argv[1])))

@@ -1,0 +1,315 @@
+"""Mutants of answers: scores, runs, errors, accounts, encodings."""
+
+from __future__ import annotations
+
+import asyncio
+import statistics
+from typing import Any
+
+from starlette.responses import Response
+
+from reference_server import (
+    app,
+    auth,
+    messages,
+    operations,
+    problems,
+    progress,
+    routes,
+    scoring,
+    views,
+)
+from reference_server.catalogue import PROBLEMS
+from reference_server.problems import Refused
+from reference_server.run_book import RunBook
+from reference_server.run_state import Run
+from tests.mutants import mutant, put
+
+
+def change_score(change: Any) -> None:
+    """Let `change(score, episodes)` spoil every score."""
+    right = scoring.score_of
+
+    def wrong(episodes: Any) -> dict[str, Any]:
+        score = right(episodes)
+        change(score, episodes)
+        return score
+
+    put(views, "score_of", wrong)
+
+
+@mutant(
+    "SCORE-004",
+    "SCORE-006",
+    "SCORE-007",
+    "SCORE-009",
+    "SCORE-011",
+    "SCORE-012",
+    "SCORE-013",
+)
+def leaves_abandoned_episodes_out() -> None:
+    """Giving up on hard episodes raises the score."""
+    right = scoring.score_of
+
+    def wrong(episodes: Any) -> dict[str, Any]:
+        kept = [e for e in episodes if e.outcome != "abandoned"]
+        return (
+            right(kept) | {"counts": right(episodes)["counts"]}
+            if kept
+            else right(episodes)
+        )
+
+    put(views, "score_of", wrong)
+
+
+@mutant("SCORE-006")
+def averages_over_tasks() -> None:
+    """A task with one episode weighs as much as one with a hundred."""
+
+    def wrong(score: dict[str, Any], _episodes: Any) -> None:
+        if score["score"] is not None:
+            means = [group["mean"] for group in score["by_task"].values()]
+            score["score"] = statistics.fmean(means)
+
+    change_score(wrong)
+
+
+@mutant("SCORE-006")
+def rounds_the_score() -> None:
+    """Two runs that differ look the same."""
+
+    def wrong(score: dict[str, Any], _episodes: Any) -> None:
+        if score["score"] is not None:
+            score["score"] = round(score["score"], 6)
+
+    change_score(wrong)
+
+
+@mutant("SCORE-005", "SCORE-006")
+def calls_a_partial_score_complete() -> None:
+    """A lucky beginning is published as the result."""
+
+    def wrong(score: dict[str, Any], _episodes: Any) -> None:
+        score["complete"] = True
+        if score["score"] is None:
+            score["score"] = score["mean"] or 0.0
+
+    change_score(wrong)
+
+
+@mutant("SCORE-007")
+def forgets_the_upper_bound() -> None:
+    """A partial score looks final."""
+    change_score(lambda score, _: score.update(score_high=score["score_low"]))
+
+
+@mutant("SCORE-012")
+def uses_the_normal_interval() -> None:
+    """Ten successes of ten look like certainty."""
+    right = scoring.wilson
+
+    def wrong(rate: float | None, n: int) -> dict[str, float]:
+        if rate is None or n == 0:
+            return right(rate, n)
+        half = 1.96 * (rate * (1 - rate) / n) ** 0.5
+        return {"low": max(0.0, rate - half), "high": min(1.0, rate + half)}
+
+    def spoil(score: dict[str, Any], episodes: Any) -> None:
+        n = sum(1 for e in episodes if e.outcome is not None)
+        score["success_interval"] = wrong(score["success_rate"], n)
+
+    change_score(spoil)
+
+
+@mutant("RUN-003", "RUN-004")
+def ignores_idempotency_keys() -> None:
+    """A repeated submit evaluates everything twice."""
+    right = RunBook.add
+
+    async def wrong(self: RunBook, run: Run, _key: str | None, body: str) -> Run:
+        return await right(self, run, None, body)
+
+    put(RunBook, "add", wrong)
+
+
+@mutant("RUN-004")
+def answers_a_used_key_whatever_the_body() -> None:
+    """The second of two different runs is silently not made."""
+    right = RunBook.add
+
+    async def wrong(self: RunBook, run: Run, key: str | None, _body: str) -> Run:
+        return await right(self, run, key, "same")
+
+    put(RunBook, "add", wrong)
+
+
+@mutant("AUTH-003")
+def shows_runs_to_every_account() -> None:
+    """Anybody reads and stops everybody's runs."""
+    right = RunBook.get
+
+    async def wrong(self: RunBook, run_id: str, _account: str | None = None) -> Run:
+        return await right(self, run_id)
+
+    put(RunBook, "get", wrong)
+
+
+@mutant("AUTH-003")
+def says_that_a_foreign_run_exists() -> None:
+    """Run ids of other accounts can be found out by trying."""
+    right = RunBook.get
+
+    async def wrong(self: RunBook, run_id: str, account: str | None = None) -> Run:
+        run = await right(self, run_id)
+        if account not in (None, run.account):
+            raise Refused("forbidden", "This run is not yours.")
+        return run
+
+    put(RunBook, "get", wrong)
+
+
+@mutant("AUTH-005")
+def lets_readers_write() -> None:
+    """A token for a dashboard can stop runs."""
+    right = auth.Tokens.parse
+
+    def wrong(text: str) -> auth.Tokens:
+        tokens: auth.Tokens = right(text)
+        for hashed, caller in tokens._by_hash.items():
+            tokens._by_hash[hashed] = auth.Caller(caller.account, auth.SCOPES)
+        return tokens
+
+    put(auth.Tokens, "parse", wrong)
+
+
+@mutant("VER-002")
+def speaks_any_version() -> None:
+    """A client of another protocol is misunderstood instead of refused."""
+    put(operations, "check_version", lambda _request: None)
+
+
+@mutant("SVC-002", "VER-001")
+def does_not_name_its_version() -> None:
+    """Nobody knows by which rules an answer was made."""
+
+    async def wrong(self: app.Versioned, scope: Any, receive: Any, send: Any) -> None:
+        await self._app(scope, receive, send)
+
+    put(app.Versioned, "__call__", wrong)
+
+
+@mutant("ERR-003")
+def ignores_unknown_members() -> None:
+    """A misspelt option is silently not applied."""
+    right = messages.validate
+
+    def wrong(model: Any, data: Any) -> Any:
+        try:
+            return right(model, data)
+        except Refused:
+            if isinstance(data, dict):
+                known = {k: v for k, v in data.items() if k in model.model_fields}
+                if known != data:
+                    return right(model, known)
+            raise
+
+    put(messages, "validate", wrong)
+
+
+@mutant("ERR-001")
+def calls_problems_plain_json() -> None:
+    """Clients that look for problems find none."""
+    put(problems, "PROBLEM_JSON", "application/json")
+
+
+@mutant("ERR-001")
+def says_that_a_conflict_is_retryable() -> None:
+    """Clients repeat for ever what can never succeed."""
+    PROBLEMS["illegal_transition"]["retryable"] = True
+
+
+@mutant("ERR-011")
+def does_not_say_when_to_retry() -> None:
+    """Clients that are told to wait ask again at once."""
+    right = problems.problem_response
+
+    def wrong(refused: Refused) -> Response:
+        response = right(refused)
+        if "retry-after" in response.headers:
+            del response.headers["retry-after"]
+        return response
+
+    put(operations, "problem_response", wrong)
+
+
+@mutant("SVC-003")
+def sends_numbers_as_text() -> None:
+    """Generated clients cannot read the run."""
+    right = views.run_view
+
+    def wrong(*arguments: Any) -> dict[str, Any]:
+        body = right(*arguments)
+        return body | {"live_workers": str(body["live_workers"])}
+
+    put(views, "run_view", wrong)
+
+
+@mutant("ENC-001")
+def prefers_messagepack() -> None:
+    """Generated clients get what they cannot read."""
+    right = messages.acceptable
+
+    def wrong(request: Any, writable: Any) -> str:
+        return right(request, tuple(reversed(writable)))
+
+    put(messages, "acceptable", wrong)
+
+
+@mutant("RUN-011", "RUN-012", "RUN-013")
+def ignores_etags() -> None:
+    """Every poll costs the whole answer."""
+    put(routes, "_matches", lambda _wanted, _etag: False)
+
+
+@mutant("RUN-012")
+def answers_long_polls_only_at_their_end() -> None:
+    """Waiting for a change is no faster than asking now and then."""
+
+    async def wrong(_self: RunBook, _run: Run, timeout_s: float) -> bool:
+        await asyncio.sleep(timeout_s)
+        return True
+
+    put(RunBook, "changed", wrong)
+
+
+@mutant("LIFE-801")
+def forgets_runs_that_were_held_in_the_queue() -> None:
+    """A run that has to wait waits for ever."""
+    right = progress.admit
+
+    def wrong(queued: list[Run], *rest: Any) -> list[Run]:
+        options = [run.submission.get("options", {}) for run in queued]
+        held = [bool(option.get("queue_s")) for option in options]
+        free = [run for run, is_held in zip(queued, held, strict=True) if not is_held]
+        return right(free, *rest)
+
+    put(progress, "admit", wrong)
+
+
+@mutant("CRASH-001")
+def stores_results_after_it_has_told_them() -> None:
+    """A crash loses what the client has seen."""
+    right = RunBook.commit
+
+    async def later(self: RunBook, run: Run) -> None:
+        await asyncio.sleep(0.5)
+        await right(self, run)
+
+    async def wrong(self: RunBook, run: Run) -> None:
+        if not run.changed:
+            await right(self, run)
+            return
+        self.begin(later(self, run))
+        self.notify(run)
+
+    put(RunBook, "commit", wrong)

@@ -1,0 +1,179 @@
+"""Mutants of episodes: order, attempts, stop, resume, faults."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from reference_server import progress
+from reference_server.run_state import Episode, Run, Session
+from tests.mutants import mutant, put
+
+
+@mutant("EPI-001")
+def hands_out_the_last_episode_first() -> None:
+    """Partial scores of two runs cover different episodes."""
+
+    def wrong(self: Run) -> Episode | None:
+        if not self.pending:
+            return None
+        index = max(self.pending)
+        self.pending.remove(index)
+        episode = self.episodes[index]
+        episode.in_progress = True
+        return episode
+
+    put(Run, "take_pending", wrong)
+
+
+@mutant("EPI-002")
+def counts_attempts_that_never_began() -> None:
+    """Attaching and detaching three times abandons an episode."""
+    right = progress._close_attempt
+
+    def wrong(run: Run, session: Session, now_wall: float, *, counted: bool) -> None:
+        session.steps = max(session.steps, 1)
+        right(run, session, now_wall, counted=counted)
+
+    put(progress, "_close_attempt", wrong)
+
+
+@mutant("EPI-003", "EPI-004")
+def counts_no_attempt() -> None:
+    """A client plays an episode again and again until it likes the result."""
+    right = progress._close_attempt
+
+    def wrong(run: Run, session: Session, now_wall: float, *, counted: bool) -> None:
+        right(run, session, now_wall, counted=counted and False)
+
+    put(progress, "_close_attempt", wrong)
+
+
+@mutant("EPI-008")
+def gives_one_episode_to_two_workers() -> None:
+    """Work is done twice and one result is thrown away."""
+    right = Run.take_pending
+    last: dict[str, Episode] = {}
+
+    def wrong(self: Run) -> Episode | None:
+        before = last.get(self.run_id)
+        if before is not None and before.in_progress and len(self.live) == 1:
+            return before
+        episode = right(self)
+        if episode is not None:
+            last[self.run_id] = episode
+        return episode
+
+    put(Run, "take_pending", wrong)
+    score = progress._score
+
+    def wrong_score(run: Run, episode: Episode, result: Any) -> None:
+        if episode.result is None:
+            score(run, episode, result)
+
+    put(progress, "_score", wrong_score)
+
+
+@mutant("STOP-001")
+def loses_scores_on_abort() -> None:
+    """Stopping a run throws away what it has cost hours to measure."""
+    right = progress.stop
+
+    def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
+        sessions = right(run, mode, now_wall)
+        if mode == "abort":
+            _unscore(run)
+        return sessions
+
+    put(progress, "stop", wrong)
+
+
+@mutant("RES-001", "RES-002")
+def plays_scored_episodes_again_after_resume() -> None:
+    """Resuming costs all the hours again, and the better result wins."""
+    right = progress.resume
+
+    def wrong(run: Run, queue_until_wall: float) -> None:
+        if run.state == "stopped":
+            _unscore(run)
+        right(run, queue_until_wall)
+
+    put(progress, "resume", wrong)
+
+
+def _unscore(run: Run) -> None:
+    for episode in run.episodes:
+        if episode.result is not None:
+            episode.result = None
+            run.give_back(episode)
+            run.changed.add(episode.index)
+    run.scored = 0
+
+
+@mutant("STOP-003", "STOP-004", "LIFE-303")
+def aborts_when_asked_to_drain() -> None:
+    """The episode in play is lost although the submitter asked to finish it."""
+    right = progress.stop
+
+    def wrong(run: Run, _mode: str, now_wall: float) -> list[Session]:
+        return right(run, "abort", now_wall)
+
+    put(progress, "stop", wrong)
+
+
+@mutant("STOP-004")
+def hands_out_new_episodes_while_draining() -> None:
+    """A drain never ends."""
+    right = progress.end_turn
+
+    def wrong(run: Run, session: Session, *arguments: Any) -> Episode | None:
+        if run.state != "stopping":
+            return right(run, session, *arguments)
+        run.state = "running"
+        try:
+            return right(run, session, *arguments)
+        finally:
+            if run.state == "running":
+                run.state = "stopping"
+
+    put(progress, "end_turn", wrong)
+
+
+@mutant("FAULT-001")
+def counts_a_fault_as_an_attempt() -> None:
+    """The server's crash costs the policy a try."""
+    right = progress.fault
+
+    def wrong(run: Run, session: Session, *rest: Any, **named: Any) -> list[Session]:
+        if session.episode is not None:
+            session.episode.attempt += 1
+        return right(run, session, *rest, **named)
+
+    put(progress, "fault", wrong)
+
+
+@mutant("FAULT-005", "LIFE-605")
+def calls_an_unplayable_task_retryable() -> None:
+    """A broken benchmark is resumed and fails, resumed and fails."""
+    right = progress.fault
+
+    def wrong(run: Run, *rest: Any, **named: Any) -> list[Session]:
+        sessions = right(run, *rest, **named)
+        if run.state == "failed":
+            run.retryable = True
+        return sessions
+
+    put(progress, "fault", wrong)
+
+
+@mutant("FAULT-004")
+def ends_every_session_when_one_simulator_breaks() -> None:
+    """One bad episode throws all workers out."""
+    right = progress.fault
+
+    def wrong(run: Run, session: Session, *rest: Any, **named: Any) -> list[Session]:
+        others = [s for s in run.workers.values() if s is not session]
+        for other in others:
+            progress.close_session(run, other, "unknown", named["now_wall"])
+        return others + right(run, session, *rest, **named)
+
+    put(progress, "fault", wrong)

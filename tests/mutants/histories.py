@@ -1,0 +1,122 @@
+"""Mutants that only a history shows: each rule alone seems to be kept.
+
+The windows of races are opened a little by a sleep, so that they are found sooner.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from typing import Any
+
+from reference_server import progress
+from reference_server.protocol import Attach, Detach, Heartbeat, Predict
+from reference_server.run_state import Run, Session, SessionEnd
+from reference_server.stage import Stage
+from tests.mutants import mutant, put
+
+
+@mutant("MODEL-001")
+def counts_no_attempt_after_a_takeover() -> None:
+    """Whoever takes over before he gives up retries for luck as often as he likes."""
+    taken_over: set[str] = set()
+    open_session, close_attempt = progress.open_session, progress._close_attempt
+
+    def wrong_open(run: Run, command: Attach, session_id: str, now: float) -> Session:
+        if command.worker_id in run.workers:
+            taken_over.add(session_id)
+        return open_session(run, command, session_id, now)
+
+    def wrong_close(
+        run: Run, session: Session, now_wall: float, *, counted: bool
+    ) -> None:
+        counted = counted and session.session_id not in taken_over
+        close_attempt(run, session, now_wall, counted=counted)
+
+    put(progress, "open_session", wrong_open)
+    put(progress, "_close_attempt", wrong_close)
+
+
+@mutant("MODEL-001")
+def abort_forgets_the_sessions_of_a_draining_run() -> None:
+    """Draining takes too long, the robot shall stop at once, and it goes on."""
+    right = progress.stop
+
+    def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
+        if (run.state, mode) == ("stopping", "abort"):
+            progress.move(run, "stop_abort", "Stopped.")
+            return []
+        return right(run, mode, now_wall)
+
+    put(progress, "stop", wrong)
+
+
+@mutant("MODEL-001")
+def revives_sessions_on_resume() -> None:
+    """A policy from before the stop gets old turns again, as if it were playing."""
+    stopped: dict[str, Session] = {}
+    remember, heartbeat, predict = Run.remember_end, Stage.heartbeat, Stage.predict
+
+    def wrong_remember(self: Run, session: Session, ended_by: SessionEnd) -> None:
+        if ended_by == "run_stopped":
+            stopped[session.session_id] = session
+        remember(self, session, ended_by)
+
+    def wrong_heartbeat(self: Stage, run: Run, command: Heartbeat) -> Session:
+        session = stopped.get(command.session_id)
+        if session is None or run.state == "stopped":
+            return heartbeat(self, run, command)
+        progress.touch(session, time.monotonic())
+        return session
+
+    async def wrong_predict(self: Stage, run: Run, command: Predict) -> dict[str, Any]:
+        session = stopped.get(command.session_id)
+        if session is None or session.turn is None or run.state == "stopped":
+            return await predict(self, run, command)
+        return session.turn
+
+    put(Run, "remember_end", wrong_remember)
+    put(Stage, "heartbeat", wrong_heartbeat)
+    put(Stage, "predict", wrong_predict)
+
+
+@mutant("MODEL-002", tries=4)
+def stop_misses_a_session_that_is_opening() -> None:
+    """A worker that attaches while its run is stopped plays on in a stopped run."""
+    right, begin = progress.stop, Stage._begin
+
+    def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
+        opening = {k: s for k, s in run.workers.items() if s.busy == "opening"}
+        for worker_id in opening:
+            del run.workers[worker_id]
+        sessions = right(run, mode, now_wall)
+        run.workers.update(opening)
+        return sessions
+
+    async def slow_begin(self: Stage, run: Run, session: Session) -> Any:
+        if session.busy == "opening":
+            await asyncio.sleep(0.03)
+        return await begin(self, run, session)
+
+    put(progress, "stop", wrong)
+    put(Stage, "_begin", slow_begin)
+
+
+@mutant("MODEL-002", tries=4)
+def detach_misses_a_session_in_a_turn() -> None:
+    """A worker that is thrown away in the middle of its turn keeps its episode."""
+    right, play = Stage.detach, Stage._play
+
+    async def wrong(self: Stage, run: Run, command: Detach) -> None:
+        session = run.workers.get(command.worker_id)
+        if session is None or session.busy is None:
+            await right(self, run, command)
+
+    async def slow_play(
+        self: Stage, run: Run, session: Session, command: Predict
+    ) -> Any:
+        await asyncio.sleep(0.03)
+        return await play(self, run, session, command)
+
+    put(Stage, "detach", wrong)
+    put(Stage, "_play", slow_play)

@@ -1,0 +1,70 @@
+"""One mutant per cell of the lifecycle table: what is legal is refused, what is illegal
+is accepted. They are enumerated, not written, so that no cell can be forgotten."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from reference_server import progress, protocol
+from reference_server.run_state import Run
+from tests.mutants import MUTANTS, Mutant, put
+
+SPEC = Path(__file__).parents[2] / "spec" / "openapi.yaml"
+
+# Cells through which the kit must go to reach anything else. A server that refuses them
+# is seen by their own row; whatever else fails with them stands here.
+ALSO: dict[str, set[str]] = {
+    "LIFE-806": {"FAULT-005"},
+}
+
+# Without these nothing can be played: there is nothing to judge.
+NOT_MUTATED = {"LIFE-201", "LIFE-302", "LIFE-801"}
+
+
+def _register() -> None:
+    lifecycle = yaml.safe_load(SPEC.read_text())["x-lifecycle"]
+    for row in lifecycle["transitions"]:
+        if row.get("observable") is False or row["id"] in NOT_MUTATED:
+            continue
+        verb = "accepts" if row["to"] == "refused" else "refuses"
+        if row["event"] in lifecycle["events"]:
+            verb = "misses"
+        name = f"{verb}_{row['event']}_when_{row.get('when', row['from'])}"
+        MUTANTS[name] = Mutant(
+            name,
+            frozenset({row["id"]} | ALSO.get(row["id"], set())),
+            f"The opposite of: {row['text']}",
+            _patch_of(row),
+        )
+
+
+def _patch_of(row: dict[str, Any]) -> Any:
+    cell: Any = (row["from"], row["event"])
+
+    def patch() -> None:
+        if row.get("when"):
+            _flip_retryable(resumes=row["when"] == "not_retryable")
+        elif row["to"] == "refused":
+            protocol.TRANSITIONS[cell] = row["from"]
+        else:
+            del protocol.TRANSITIONS[cell]
+
+    return patch
+
+
+def _flip_retryable(*, resumes: bool) -> None:
+    right = protocol.legal
+
+    def wrong(run: Run, event: protocol.Event) -> bool:
+        if (run.state, event) == ("failed", "resume_run"):
+            return resumes
+        return right(run, event)
+
+    put(protocol, "legal", wrong)
+    put(progress, "legal", wrong)
+
+
+_register()

@@ -1,0 +1,199 @@
+"""Mutants of refusals: bodies, media types, paths and parameters that are wrong."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from pydantic import ValidationError
+from starlette.exceptions import HTTPException
+from starlette.requests import Request
+from starlette.responses import Response
+
+from reference_server import (
+    app,
+    messages,
+    operations,
+    problems,
+)
+from reference_server.benchmarks import Benchmarks
+from reference_server.problems import Refused
+from reference_server.routes import Routes
+from reference_server.run_state import Run
+from tests.mutants import mutant, put
+
+
+@mutant("ATT-013")
+def accepts_any_worker_id() -> None:
+    """Ids that do not fit a path or a log are taken."""
+    put(
+        operations,
+        "PATH_PATTERNS",
+        operations.PATH_PATTERNS | {"worker_id": (".+", "")},
+    )
+
+
+@mutant("ERR-002", "ERR-006", "ERR-013", "ENC-008")
+def calls_a_malformed_body_an_invalid_request() -> None:
+    """A person looks for a wrong member where a comma is missing."""
+    right = messages.decode
+
+    def wrong(body: bytes, media_type: str) -> Any:
+        try:
+            return right(body, media_type)
+        except Refused as refused:
+            raise Refused("invalid_request", refused.detail) from refused
+
+    put(messages, "decode", wrong)
+
+
+@mutant("ERR-013")
+def reads_nan_in_json() -> None:
+    """A number that is none gets into a run."""
+    right = messages.decode
+
+    def wrong(body: bytes, media_type: str) -> Any:
+        if media_type == messages.JSON and (b"NaN" in body or b"Infinity" in body):
+            return json.loads(body)
+        return right(body, media_type)
+
+    put(messages, "decode", wrong)
+
+
+@mutant("ERR-004")
+def reads_text_as_numbers() -> None:
+    """A client never learns that it sends the wrong type."""
+    right = messages.validate
+
+    def wrong(model: Any, data: Any) -> Any:
+        try:
+            return model.model_validate(data, strict=False)
+        except ValidationError:
+            return right(model, data)
+
+    put(messages, "validate", wrong)
+
+
+@mutant("ERR-005")
+def reads_bodies_of_any_size() -> None:
+    """One request can fill the memory."""
+    right = messages.read_body
+
+    async def wrong(request: Request, _max_bytes: int) -> bytes:
+        return await right(request, 2**30)
+
+    put(messages, "read_body", wrong)
+
+
+@mutant("ERR-006")
+def fails_on_deep_nesting() -> None:
+    """A short body makes the server fail."""
+    right = messages.decode
+
+    def wrong(body: bytes, media_type: str) -> Any:
+        if body[:1000].count(b"[") > 500:
+            raise Refused("unavailable", "Too deep.")
+        return right(body, media_type)
+
+    put(messages, "decode", wrong)
+
+
+@mutant("ERR-007")
+def reads_any_media_type_as_json() -> None:
+    """A form that a browser sends for somebody else is executed."""
+    right = messages.media_type_of
+
+    def wrong(request: Request, readable: Any) -> str:
+        try:
+            return right(request, readable)
+        except Refused:
+            return messages.JSON
+
+    put(messages, "media_type_of", wrong)
+
+
+@mutant("ERR-008")
+def answers_in_json_whatever_is_accepted() -> None:
+    """A client gets what it cannot read."""
+    right = messages.acceptable
+
+    def wrong(request: Request, writable: Any) -> str:
+        try:
+            return right(request, writable)
+        except Refused:
+            return messages.JSON
+
+    put(messages, "acceptable", wrong)
+
+
+@mutant("ERR-009")
+def calls_an_unknown_path_a_bad_request() -> None:
+    """A wrong address looks like a wrong body."""
+
+    async def wrong(_request: Request, _error: Exception) -> Response:
+        return problems.problem_response(Refused("invalid_request", "No such path."))
+
+    put(app, "_not_found", wrong)
+
+
+@mutant("ERR-010")
+def does_not_say_which_methods_are_allowed() -> None:
+    """A client cannot find the right method."""
+
+    async def wrong(_request: Request, _error: HTTPException) -> Response:
+        return problems.problem_response(Refused("method_not_allowed", "No."))
+
+    put(app, "_not_allowed", wrong)
+
+
+@mutant("ERR-012")
+def fails_on_text_outside_latin() -> None:
+    """A name in Chinese makes the server fail."""
+    right = Routes._new_run
+
+    async def wrong(self: Routes, account: str, submission: dict[str, Any]) -> Run:
+        submission["policy"]["name"].encode("latin-1")
+        return await right(self, account, submission)
+
+    put(Routes, "_new_run", wrong)
+
+
+@mutant("ERR-014")
+def ignores_query_parameters_it_cannot_read() -> None:
+    """A misspelt limit is silently another."""
+    right = operations._query
+
+    def wrong(request: Request, operation: operations.Operation) -> Any:
+        try:
+            return right(request, operation)
+        except Refused:
+            if operation.required_query:
+                raise
+            return {}
+
+    put(operations, "_query", wrong)
+
+
+@mutant("ENC-008")
+def reads_messagepack_extensions() -> None:
+    """What only one language understands gets onto the wire."""
+
+    def wrong(code: int, data: memoryview) -> Any:
+        return float(code) if len(data) else None
+
+    put(messages, "_no_extensions", wrong)
+    put(messages, "_holds_time", lambda _data: False)
+
+
+@mutant("CAL-001")
+def offers_another_calibration() -> None:
+    """The kit drives a benchmark that is not what it seems."""
+    right = Benchmarks.view
+
+    async def wrong(self: Benchmarks, benchmark_id: str) -> dict[str, Any]:
+        body = await right(self, benchmark_id)
+        if benchmark_id == "calibration":
+            body["max_attempts"] = 4
+        return body
+
+    put(Benchmarks, "view", wrong)

@@ -1,0 +1,380 @@
+"""Mutants of the control plane: service, accounts, benchmarks, runs."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from starlette.responses import Response
+
+from reference_server import (
+    auth,
+    benchmarks,
+    messages,
+    operations,
+    problems,
+    routes,
+    scoring,
+    views,
+)
+from reference_server.benchmarks import Benchmarks
+from reference_server.problems import Refused
+from reference_server.routes import Routes
+from reference_server.run_book import RunBook
+from reference_server.run_state import Run
+from reference_server.store import Store
+from reference_sim import catalog
+from tests.mutants import mutant, put
+
+# --- service, accounts, benchmarks ---
+
+
+@mutant("SVC-001")
+def hides_the_service_behind_a_token() -> None:
+    """A stranger cannot learn what this server is."""
+    right = Routes.table
+
+    def wrong(self: Routes) -> Any:
+        table = right(self)
+        table["/v1"]["GET"] = operations.Operation(self.describe_service, scope="read")
+        return table
+
+    put(Routes, "table", wrong)
+
+
+@mutant("AUTH-001", "AUTH-002")
+def lets_anybody_in() -> None:
+    """No token is needed."""
+    right = auth.Tokens.caller
+
+    def wrong(self: auth.Tokens, authorization: str | None, scope: str) -> auth.Caller:
+        try:
+            return right(self, authorization, scope)
+        except Refused as refused:
+            if refused.code == "forbidden":
+                raise
+            return auth.Caller("anybody", auth.SCOPES)
+
+    put(auth.Tokens, "caller", wrong)
+
+
+@mutant("AUTH-002")
+def does_not_say_how_to_authenticate() -> None:
+    """A generic HTTP client does not know what to send."""
+    right = problems.problem_response
+
+    def wrong(refused: Refused) -> Response:
+        response = right(refused)
+        if "www-authenticate" in response.headers:
+            del response.headers["www-authenticate"]
+        return response
+
+    put(operations, "problem_response", wrong)
+
+
+@mutant("AUTH-004")
+def lists_the_runs_of_every_account() -> None:
+    """Everybody sees what everybody evaluates."""
+    import sqlalchemy as sa
+
+    from reference_server import store
+
+    async def wrong(
+        self: Store, _account: str, before: int | None, limit: int
+    ) -> list[tuple[int, str]]:
+        query = sa.select(store._runs.c.number, store._runs.c.run_id)
+        if before is not None:
+            query = query.where(store._runs.c.number < before)
+        query = query.order_by(store._runs.c.number.desc()).limit(limit)
+        async with self._transaction() as connection:
+            return [(n, r) for n, r in await connection.execute(query)]
+
+    put(Store, "page", wrong)
+    right = RunBook.page
+
+    async def wrong_page(self: RunBook, *arguments: Any) -> list[Run]:
+        get = RunBook.get
+
+        async def anybody(
+            self: RunBook, run_id: str, _account: str | None = None
+        ) -> Run:
+            return await get(self, run_id)
+
+        put(RunBook, "get", anybody)
+        try:
+            return await right(self, *arguments)
+        finally:
+            put(RunBook, "get", get)
+
+    put(RunBook, "page", wrong_page)
+
+
+@mutant("BEN-001")
+def does_not_list_calibration() -> None:
+    """The kit cannot find what it needs."""
+    right = Benchmarks.summaries
+
+    def wrong(self: Benchmarks) -> list[dict[str, Any]]:
+        return [b for b in right(self) if b["benchmark_id"] != "calibration"]
+
+    put(Benchmarks, "summaries", wrong)
+
+
+@mutant("BEN-002")
+def answers_for_unknown_benchmarks() -> None:
+    """A misspelt benchmark seems to exist."""
+    right = Benchmarks.view
+
+    async def wrong(self: Benchmarks, benchmark_id: str) -> dict[str, Any]:
+        known = benchmark_id in catalog.benchmark_ids()
+        return await right(self, benchmark_id if known else "calibration")
+
+    put(Benchmarks, "view", wrong)
+
+
+@mutant("BEN-003")
+def hashes_a_benchmark_anew_each_time() -> None:
+    """Two runs on the same benchmark cannot be compared."""
+    right = Benchmarks._resolved
+    count = iter(range(10**9))
+
+    def wrong(self: Benchmarks, *arguments: Any) -> Any:
+        found = right(self, *arguments)
+        return benchmarks.ResolvedRun(
+            found.manifest, f"{next(count):064x}", found.images
+        )
+
+    put(Benchmarks, "_resolved", wrong)
+
+
+# --- runs ---
+
+
+def spoil_run(change: Any) -> None:
+    """Let `change(body, run)` spoil every run that is shown."""
+    right = views.run_view
+
+    def wrong(run: Run, *rest: Any) -> dict[str, Any]:
+        body = right(run, *rest)
+        change(body, run)
+        return body
+
+    put(views, "run_view", wrong)
+
+
+@mutant("RUN-001")
+def points_to_nowhere_after_submit() -> None:
+    """A client that follows Location is lost."""
+    right = Routes.submit_run
+
+    async def wrong(self: Routes, call: Any) -> Response:
+        response = await right(self, call)
+        response.headers["Location"] = "/v1/runs/run_elsewhere"
+        return response
+
+    put(Routes, "submit_run", wrong)
+
+
+@mutant("RUN-002")
+def calls_a_new_run_running() -> None:
+    """A client believes that somebody plays already."""
+    right = Routes.submit_run
+
+    async def wrong(self: Routes, call: Any) -> Response:
+        response = await right(self, call)
+        body = json.loads(bytes(response.body)) | {"state": "running"}
+        answer = messages.encoded(body, status=201)
+        answer.headers["Location"] = response.headers["Location"]
+        return answer
+
+    put(Routes, "submit_run", wrong)
+
+
+@mutant("RUN-005")
+def shares_idempotency_keys_between_accounts() -> None:
+    """Two accounts that count their runs from 1 block each other."""
+    right_add, right_find = Store.insert, Store.find_key
+    owners: dict[str, str] = {}
+
+    async def insert(self: Store, run: Run, key: str | None, body: str) -> bool:
+        if key is not None and owners.setdefault(key, run.account) != run.account:
+            return False
+        return await right_add(self, run, key, body)
+
+    async def find(self: Store, account: str, key: str) -> Any:
+        found = await right_find(self, owners.get(key, account), key)
+        return found and (found[0] + "-other", found[1])
+
+    put(Store, "insert", insert)
+
+    async def find_own(self: Store, account: str, key: str) -> Any:
+        if owners.get(key, account) == account:
+            return await right_find(self, account, key)
+        return await find(self, account, key)
+
+    put(Store, "find_key", find_own)
+
+
+@mutant("RUN-006")
+def points_at_the_wrong_member() -> None:
+    """A person looks for the mistake in the wrong place."""
+    right = Benchmarks.resolve
+
+    async def wrong(self: Benchmarks, submission: Any) -> Any:
+        try:
+            return await right(self, submission)
+        except Refused as refused:
+            refused.errors = tuple(
+                ("/benchmark" if p == "/benchmark_id" else p, d)
+                for p, d in refused.errors
+            )
+            raise
+
+    put(Benchmarks, "resolve", wrong)
+
+
+@mutant("RUN-007")
+def ignores_options_that_do_not_apply() -> None:
+    """A submitter believes that his options were applied."""
+    right = Benchmarks.resolve
+
+    async def wrong(self: Benchmarks, submission: Any) -> Any:
+        if submission["benchmark_id"] != "calibration":
+            submission = {k: v for k, v in submission.items() if k != "options"}
+        return await right(self, submission)
+
+    put(Benchmarks, "resolve", wrong)
+
+
+@mutant("RUN-008")
+def never_tells_the_queue_position() -> None:
+    """Nobody knows how long the wait will be."""
+    put(RunBook, "queue_position", lambda _self, _run: None)
+
+
+@mutant("RUN-009")
+def skips_a_run_between_pages() -> None:
+    """A run has disappeared."""
+    right = Store.page
+
+    async def wrong(
+        self: Store, account: str, before: int | None, limit: int
+    ) -> list[tuple[int, str]]:
+        before = before - 1 if before is not None else None
+        return await right(self, account, before, limit)
+
+    put(Store, "page", wrong)
+
+
+@mutant("AUTH-003", "RUN-010")
+def answers_for_unknown_runs() -> None:
+    """A run that was never made seems to wait."""
+    right = Routes.get_run
+
+    async def wrong(self: Routes, call: Any) -> Response:
+        try:
+            return await right(self, call)
+        except Refused as refused:
+            raise Refused("illegal_transition", refused.detail) from refused
+
+    put(Routes, "get_run", wrong)
+
+
+@mutant("RUN-014")
+def counts_episodes_in_play_twice() -> None:
+    """Progress exceeds a hundred per cent."""
+
+    def wrong(body: dict[str, Any], _run: Run) -> None:
+        progress = body["progress"]
+        progress["episodes_pending"] += progress["episodes_in_progress"]
+
+    spoil_run(wrong)
+
+
+@mutant("RUN-016")
+def names_an_endpoint_without_a_host() -> None:
+    """A client cannot reach the data plane."""
+    spoil_run(lambda body, _: body.update(endpoint="/"))
+
+
+def _unlimited(*names: str) -> None:
+    right = Routes._new_run
+
+    async def wrong(self: Routes, account: str, submission: dict[str, Any]) -> Run:
+        wanted = {name: submission.pop(name) for name in names if name in submission}
+        run = await right(self, account, submission)
+        for name, value in wanted.items():
+            setattr(run, name, value)
+        submission.update(wanted)
+        return run
+
+    put(Routes, "_new_run", wrong)
+
+
+@mutant("RUN-015")
+def grants_any_number_of_workers() -> None:
+    """One submitter can take every simulator."""
+    _unlimited("max_workers")
+
+
+@mutant("LEASE-007")
+def grants_leases_of_any_length() -> None:
+    """A dead client holds its slot for a day."""
+    _unlimited("idle_timeout_s")
+
+
+@mutant("RUN-017")
+def replaces_an_image_choice_it_does_not_offer() -> None:
+    """A policy is evaluated on other pictures than it asked for."""
+    right = Benchmarks._resolved
+
+    def wrong(self: Benchmarks, benchmark_id: str, options: Any, images: Any) -> Any:
+        try:
+            return right(self, benchmark_id, options, images)
+        except catalog.InvalidChoice as error:
+            if not error.pointer.startswith("/images"):
+                raise
+            return right(self, benchmark_id, options, None)
+
+    put(Benchmarks, "_resolved", wrong)
+
+
+@mutant("EPI-006", "RUN-009")
+def repeats_an_episode_between_pages() -> None:
+    """An episode seems to be scored twice."""
+    right = routes._number
+
+    def wrong(cursor: str | None) -> int | None:
+        number = right(cursor)
+        return number - 1 if number is not None and number < 1000 else number
+
+    put(routes, "_number", wrong)
+
+
+@mutant("SCORE-010")
+def hides_scores_until_the_end() -> None:
+    """Partial results cannot be read."""
+    right = Routes.get_score
+
+    async def wrong(self: Routes, call: Any) -> Response:
+        run = await self._run(call)
+        if run.state == "stopped":
+            raise Refused("illegal_transition", "Not while stopped.")
+        return await right(self, call)
+
+    put(Routes, "get_score", wrong)
+
+
+@mutant("SCORE-008")
+def counts_abandoned_episodes_as_failures() -> None:
+    """Giving up cannot be told from failing."""
+    right = scoring.score_of
+
+    def wrong(episodes: Any) -> dict[str, Any]:
+        score = right(episodes)
+        counts = score["counts"]
+        counts["failure"] += counts["abandoned"]
+        counts["abandoned"] = 0
+        return score
+
+    put(views, "score_of", wrong)

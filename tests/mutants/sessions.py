@@ -1,0 +1,239 @@
+"""Mutants of sessions: attach, detach, lease."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from dataclasses import replace
+from typing import Any
+
+from reference_server import progress, protocol, stage
+from reference_server.problems import Refused
+from reference_server.protocol import GUARDS, Attach, Detach, Refuse, Verdict
+from reference_server.run_state import Run, Session
+from reference_server.stage import Stage
+from tests.mutants import mutant, put
+from tests.mutants.turns import no_guard, swap
+
+
+@mutant("ATT-002", "ENC-002")
+def opens_a_new_session_for_the_same_key() -> None:
+    """A lost answer to attach locks the worker out until its lease ends."""
+    swap(protocol._same_attach_key, no_guard)
+
+
+@mutant("ATT-003", "ATT-008")
+def lets_anybody_in_without_takeover() -> None:
+    """Two clients with the same worker id throw each other out."""
+    right = protocol._worker_is_free
+
+    def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
+        return right(run, replace(command, takeover=True), now)
+
+    swap(right, wrong)
+
+
+@mutant("ATT-004")
+def restarts_the_episode_on_takeover() -> None:
+    """Taking over is a second try: retrying for luck pays."""
+    right = progress.open_session
+
+    def wrong(run: Run, command: Attach, session_id: str, now: float) -> Session:
+        old = run.workers.pop(command.worker_id, None)
+        if old is not None and old.episode is not None:
+            run.give_back(old.episode)
+        return right(run, command, session_id, now)
+
+    put(progress, "open_session", wrong)
+    leave = Stage._leave
+
+    def wrong_leave(self: Stage, session: Session) -> Any:
+        scene = leave(self, session)
+        if scene is not None and scene.handle is not None and not session.ended_by:
+            scene.handle.discard()
+            scene.handle = None
+        return scene
+
+    put(Stage, "_leave", wrong_leave)
+
+
+@mutant("ATT-005")
+def goes_on_serving_a_superseded_session() -> None:
+    """Two clients steer one robot."""
+    right = protocol._session_is_live
+
+    def wrong(run: Run, command: Any, now: float) -> Verdict | None:
+        verdict = right(run, command, now)
+        if isinstance(verdict, Refuse) and verdict.code == "session_superseded":
+            return None
+        return verdict
+
+    swap(right, wrong)
+    put(protocol, "_session_is_live", wrong)
+
+
+@mutant("ATT-006", "ATT-007")
+def allows_one_worker_too_many() -> None:
+    """The limit that protects the machine does not hold."""
+    right = protocol._below_worker_limit
+
+    def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
+        run.max_workers += 1
+        try:
+            return right(run, command, now)
+        finally:
+            run.max_workers -= 1
+
+    swap(right, wrong)
+
+
+@mutant("ATT-007")
+def decides_first_and_opens_later() -> None:
+    """Under load more workers get in than may: a check-then-act window."""
+    right = Stage.attach
+    strict = GUARDS[Attach]
+    loose = tuple(g for g in strict if g is not protocol._below_worker_limit)
+
+    async def wrong(self: Stage, run: Run, command: Attach) -> dict[str, Any]:
+        verdict = protocol.decide(run, command, time.monotonic())
+        if not isinstance(verdict, protocol.Accept):
+            return await right(self, run, command)
+        await asyncio.sleep(0.05)
+        GUARDS[Attach] = loose
+        attaching = asyncio.ensure_future(right(self, run, command))
+        await asyncio.sleep(0)  # up to its first wait, where the session is open
+        GUARDS[Attach] = strict
+        return await attaching
+
+    put(Stage, "attach", wrong)
+
+
+@mutant("ATT-010")
+def ignores_what_a_policy_assumes() -> None:
+    """Radians are played as degrees, and scored."""
+    swap(protocol._conventions_agree, no_guard)
+
+
+@mutant("ATT-011")
+def refuses_whatever_a_policy_assumes() -> None:
+    """A careful client is punished for stating its conventions."""
+
+    def wrong(_run: Run, command: Attach, _now: float) -> Verdict | None:
+        if command.assumes is None:
+            return None
+        errors = (("/assumes", "no"),)
+        return Refuse("convention_mismatch", "No assumptions.", errors=errors)
+
+    swap(protocol._conventions_agree, wrong)
+
+
+@mutant("ATT-012")
+def refuses_to_attach_when_all_is_handed_out() -> None:
+    """A late worker sees an error instead of an end."""
+    right = protocol._below_worker_limit
+
+    def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
+        if not run.pending and not command.takeover:
+            return Refuse("no_episode", "Nothing is left.")
+        return right(run, command, now)
+
+    swap(right, wrong)
+
+
+def _change_lease_over(wrong: Any) -> None:
+    for module in (protocol, progress, stage):
+        put(module, "lease_over", wrong)
+
+
+@mutant("LEASE-001")
+def never_ends_a_lease() -> None:
+    """A crashed client holds its slot for ever."""
+    _change_lease_over(lambda _session, _now: False)
+
+
+@mutant("LEASE-002")
+def ends_leases_early() -> None:
+    """A policy that thinks for longer than half its lease loses its episode."""
+    right = protocol.lease_over
+
+    def wrong(session: Session, now: float) -> bool:
+        return right(session, now + session.idle_timeout_s / 2)
+
+    _change_lease_over(wrong)
+
+
+@mutant("LEASE-003")
+def hears_heartbeats_and_forgets_them() -> None:
+    """A policy that thinks long loses its episode although it said that it lives."""
+
+    def wrong(self: Stage, run: Run, command: Any) -> Session:
+        self.sweep(run)
+        verdict = protocol.decide(run, command, time.monotonic())
+        if isinstance(verdict, Refuse):
+            raise Refused.by(verdict)
+        return run.workers[command.worker_id]
+
+    put(Stage, "heartbeat", wrong)
+
+
+@mutant("LEASE-004")
+def lets_the_lease_run_from_attach() -> None:
+    """A diligent policy is thrown out in the middle of its work."""
+    right = progress.answer
+
+    def wrong(session: Session, turn: dict[str, Any], now: float) -> None:
+        before = session.expires_at
+        right(session, turn, now)
+        # Time spent executing is still not counted: that is another rule.
+        if session.seq > 0 and now < before:
+            session.expires_at = before
+
+    put(progress, "answer", wrong)
+
+
+@mutant("LEASE-008")
+def extends_the_lease_on_refused_requests() -> None:
+    """A client in an endless loop of errors keeps its slot."""
+    right = protocol._expected_seq
+
+    def wrong(run: Run, command: Any, now: float) -> Verdict | None:
+        verdict = right(run, command, now)
+        if isinstance(verdict, Refuse):
+            progress.touch(run.workers[command.worker_id], now)
+        return verdict
+
+    swap(right, wrong)
+
+
+@mutant("DET-001")
+def keeps_the_slot_after_detach() -> None:
+    """A polite client blocks its slot until the lease would have ended."""
+    right = Stage.detach
+    limit = protocol._below_worker_limit
+    ghosts: dict[str, int] = {}
+
+    async def wrong(self: Stage, run: Run, command: Detach) -> None:
+        ghosts[run.run_id] = ghosts.get(run.run_id, 0) + 1
+        await right(self, run, command)
+
+    def wrong_limit(run: Run, command: Attach, now: float) -> Verdict | None:
+        kept = run.max_workers
+        run.max_workers -= ghosts.get(run.run_id, 0)
+        try:
+            return limit(run, command, now)
+        finally:
+            run.max_workers = kept
+
+    put(Stage, "detach", wrong)
+    swap(limit, wrong_limit)
+
+
+@mutant("DET-002")
+def refuses_a_second_detach() -> None:
+    """A lost answer to detach looks like a failure."""
+
+    def wrong(run: Run, command: Detach, now: float) -> Verdict | None:
+        heartbeat = protocol.Heartbeat(command.worker_id, command.session_id)
+        return protocol._session_is_live(run, heartbeat, now)
+
+    swap(protocol._detach_has_an_object, wrong)

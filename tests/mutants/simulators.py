@@ -1,0 +1,399 @@
+"""Mutants around the simulator: what is executed, what is observed, what it scores."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
+
+from msgspec.structs import replace as changed
+
+from reference_server import progress, protocol, stage, store, turns, views
+from reference_server.protocol import Heartbeat
+from reference_server.run_state import Run, Session, SessionEnd
+from reference_server.stage import Stage
+from reference_sim.runners.local import SimulatorHandle
+from tests.mutants import mutant, put
+
+Actions = Sequence[Any]
+
+
+def _same(value: Any, *_: Any) -> Any:
+    return value
+
+
+def spoil_play(
+    before: Callable[[list[Any]], Actions] = _same,
+    after: Callable[[Any, Actions], Any] = _same,
+) -> None:
+    """Change the actions before they are executed, or the report of them."""
+    right = SimulatorHandle.play
+
+    async def wrong(self: Any, actions: Actions, *, observe_all: bool) -> Any:
+        played = await right(self, before(list(actions)), observe_all=observe_all)
+        return after(played, actions)
+
+    put(SimulatorHandle, "play", wrong)
+
+
+def spoil_observations(change: Callable[[Any], None]) -> None:
+    """Change every observation on its way from the simulator."""
+
+    def seen(report: Any) -> Any:
+        for observation in [report.observation, *(_all(report) or [])]:
+            if observation is not None:
+                change(observation)
+        return report
+
+    right_begin, right_play = SimulatorHandle.begin, SimulatorHandle.play
+    right_observe = SimulatorHandle.observe
+
+    async def begin(self: Any, *arguments: Any, **named: Any) -> Any:
+        return seen(await right_begin(self, *arguments, **named))
+
+    async def play(self: Any, *arguments: Any, **named: Any) -> Any:
+        return seen(await right_play(self, *arguments, **named))
+
+    async def observe(self: Any) -> Any:
+        observation = await right_observe(self)
+        change(observation)
+        return observation
+
+    put(SimulatorHandle, "begin", begin)
+    put(SimulatorHandle, "play", play)
+    put(SimulatorHandle, "observe", observe)
+
+
+def _all(report: Any) -> list[Any]:
+    # The last of all is the observation itself: changed once is enough.
+    return (getattr(report, "observations", None) or [])[:-1]
+
+
+def spoil_image(change: Callable[[dict[str, Any]], None], codec: str) -> None:
+    def wrong(observation: dict[str, Any]) -> None:
+        for image in observation["images"].values():
+            if image["codec"] == codec:
+                change(image)
+
+    spoil_observations(wrong)
+
+
+@mutant(
+    "PRED-001", "PRED-006", "PRED-007", "PRED-012", "PRED-021", "SCORE-002", "SCORE-003"
+)
+def executes_a_chunk_backwards() -> None:
+    """The robot puts down before it picks up."""
+    spoil_play(lambda actions: actions[::-1])
+
+
+@mutant("ENC-005", "ENC-006", "PRED-001", "PRED-006", "PRED-012", "PRED-021")
+def drops_the_last_action_of_long_chunks() -> None:
+    """A plan is cut short and nobody is told."""
+    spoil_play(lambda actions: actions[:-1] if len(actions) > 2 else actions)
+
+
+@mutant("PRED-016")
+def accepts_numbers_that_are_not_finite() -> None:
+    """A policy that has diverged goes on driving the robot."""
+    every = {name: getattr(math, name) for name in dir(math)}
+    fake = SimpleNamespace(**(every | {"isfinite": lambda _: True}))
+    put(protocol, "math", fake)
+    from reference_server.models import Action, Predict
+
+    for model in (Action, Predict):
+        model.model_config["allow_inf_nan"] = True
+        model.model_rebuild(force=True)
+
+
+@mutant("LEASE-005")
+def counts_its_own_time_against_the_lease() -> None:
+    """A slow simulator throws out the policy that waits for it."""
+
+    def wrong(session: Session, now: float) -> bool:
+        return now > session.expires_at
+
+    for module in (protocol, progress, stage):
+        put(module, "lease_over", wrong)
+
+
+@mutant("EPI-007")
+def shows_the_seed_to_the_policy() -> None:
+    """A policy can look the episode up instead of solving it."""
+    right = turns._episode_view
+    put(
+        turns,
+        "_episode_view",
+        lambda session, episode: right(session, episode) | {"seed": episode.seed},
+    )
+
+
+@mutant("STOP-002")
+def hears_heartbeats_of_a_stopped_run() -> None:
+    """A client thinks for hours about a run that is over."""
+    right, remember = Stage.heartbeat, Run.remember_end
+    stopped: dict[str, Session] = {}
+
+    def wrong_remember(self: Run, session: Session, ended_by: SessionEnd) -> None:
+        remember(self, session, ended_by)
+        if ended_by == "run_stopped":
+            stopped[session.session_id] = session
+
+    def wrong(self: Stage, run: Run, command: Heartbeat) -> Session:
+        return stopped.get(command.session_id) or right(self, run, command)
+
+    put(Run, "remember_end", wrong_remember)
+    put(Stage, "heartbeat", wrong)
+
+
+@mutant("FAULT-002")
+def gives_no_reason_for_a_failure() -> None:
+    """A run has failed and nobody can learn why."""
+    right = progress.fault
+
+    def wrong(run: Run, *rest: Any, **named: Any) -> list[Session]:
+        ended = right(run, *rest, **named)
+        if run.state == "failed":
+            run.reason = ""
+        return ended
+
+    put(progress, "fault", wrong)
+
+
+@mutant("FAULT-003")
+def forgets_scores_when_a_failed_run_resumes() -> None:
+    """One broken episode costs all the others."""
+    right = progress.resume
+
+    def wrong(run: Run, queue_until_wall: float) -> None:
+        failed = run.state == "failed"
+        right(run, queue_until_wall)
+        for episode in run.episodes if failed else []:
+            if episode.result is not None:
+                episode.result = None
+                run.scored -= 1
+                run.give_back(episode)
+                run.changed.add(episode.index)
+
+    put(progress, "resume", wrong)
+
+
+@mutant("FAULT-006")
+def does_not_say_that_the_run_failed() -> None:
+    """The client re-attaches to a run that is dead."""
+    right = Run.remember_end
+
+    def wrong(self: Run, session: Session, ended_by: SessionEnd) -> None:
+        right(self, session, "unknown" if ended_by == "run_failed" else ended_by)
+
+    put(Run, "remember_end", wrong)
+
+
+def _force_rule(rule: str) -> None:
+    right = SimulatorHandle.begin
+
+    async def wrong(self: Any, *arguments: Any, **named: Any) -> Any:
+        return await right(self, *arguments, **named | {"success_rule": rule})
+
+    put(SimulatorHandle, "begin", wrong)
+
+
+@mutant("SCORE-002")
+def looks_only_at_the_last_step() -> None:
+    """A cube that was lifted and put down again was never lifted."""
+    _force_rule("last_step")
+
+
+@mutant("SCORE-003")
+def looks_at_every_step() -> None:
+    """A cube that was dropped in the end counts as lifted."""
+    _force_rule("any_step")
+
+
+@mutant("CAL-002", "SCORE-001", "SVC-003")
+def scores_more_than_one() -> None:
+    """One episode can outweigh the others."""
+    for module in (turns, views):
+        right = module.result_view
+
+        def wrong(episode: Any, right: Any = right) -> dict[str, Any]:
+            body: dict[str, Any] = right(episode)
+            return body | {"score": body["score"] * episode.result.steps}
+
+        put(module, "result_view", wrong)
+
+
+@mutant("CAL-002", "SCORE-006", "SCORE-011")
+def scores_the_best_and_not_the_last_value() -> None:
+    """The task `score` cannot be used to judge aggregation."""
+
+    def wrong(played: Any, actions: Actions) -> Any:
+        best = max(a["score"][0] for a in actions[: played.executed])
+        return changed(played, score=best) if played.ended else played
+
+    spoil_play(after=wrong)
+
+
+@mutant("ATT-004", "CAL-003", "FAULT-004", "PRED-001", "PRED-004", "PRED-012")
+def counts_one_action_too_many() -> None:
+    """The kit cannot tell what was executed."""
+
+    def wrong(observation: dict[str, Any]) -> None:
+        if observation["state"]["count"][0] > 2:
+            observation["state"]["count"][0] += 1
+
+    spoil_observations(wrong)
+
+
+@mutant("CAL-004")
+def sleeps_less_than_it_is_told() -> None:
+    """Leases and timeouts cannot be judged."""
+    spoil_play(lambda acts: [{**a, "delay_s": [a["delay_s"][0] * 0.8]} for a in acts])
+
+
+@mutant("CAL-005")
+def ends_an_episode_before_it_is_told() -> None:
+    """`end` is rounded."""
+    spoil_play(
+        lambda acts: [{**a, "end": [1.0 if a["end"][0] > 0.5 else 0.0]} for a in acts]
+    )
+
+
+@mutant("CRASH-002")
+def counts_attempts_over_a_crash() -> None:
+    """The server's crash costs every policy in play a try."""
+    right = store._run_of
+
+    def wrong(*rows: Any) -> Run:
+        run = right(*rows)
+        for episode in run.episodes:
+            if episode.result is None:
+                episode.attempt += 1
+        return run
+
+    put(store, "_run_of", wrong)
+
+
+@mutant("FAULT-003", "RES-001", "RES-003")
+def rounds_what_is_scored_on_resume() -> None:
+    """Resuming changes results that were published."""
+    right = progress.resume
+
+    def wrong(run: Run, queue_until_wall: float) -> None:
+        right(run, queue_until_wall)
+        for episode in run.episodes:
+            if episode.result is not None:
+                episode.result = replace(
+                    episode.result, score=float(round(episode.result.score))
+                )
+                run.changed.add(episode.index)
+
+    put(progress, "resume", wrong)
+
+
+@mutant("RES-002", "RES-003")
+def forgets_one_episode_on_resume() -> None:
+    """A resumed run never completes."""
+    right = progress.resume
+
+    def wrong(run: Run, queue_until_wall: float) -> None:
+        right(run, queue_until_wall)
+        if len(run.pending) > 1:
+            run.pending.remove(max(run.pending))
+
+    put(progress, "resume", wrong)
+
+
+@mutant("RES-003")
+def halves_the_score_of_later_attempts() -> None:
+    """Being stopped costs points."""
+    right = progress._score
+
+    def wrong(run: Run, episode: Any, result: Any) -> None:
+        if episode.attempt > 1 and result.outcome != "abandoned":
+            result = replace(result, score=result.score / 2)
+        right(run, episode, result)
+
+    put(progress, "_score", wrong)
+
+
+@mutant("ATT-001")
+def claims_a_step_before_the_first_action() -> None:
+    """A client that counts steps is one ahead."""
+    right = turns.turn
+
+    def wrong(session: Session, **members: Any) -> dict[str, Any]:
+        body = right(session, **members)
+        return body if body["seq"] else body | {"executed_steps": 1, "rewards": [0.0]}
+
+    put(turns, "turn", wrong)
+
+
+@mutant("ENC-003")
+def sends_numbers_in_single_precision() -> None:
+    """Positions are off by a little, everywhere."""
+    import numpy as np
+
+    def wrong(observation: dict[str, Any]) -> None:
+        vector = observation["state"]["vector"]
+        observation["state"]["vector"] = [
+            float(np.float32(v)) if abs(v) < 1e38 else v for v in vector
+        ]
+
+    spoil_observations(wrong)
+
+
+@mutant("ENC-004")
+def sends_tensors_big_endian() -> None:
+    """Every tensor is noise on every usual machine."""
+
+    def wrong(observation: dict[str, Any]) -> None:
+        for tensor in observation["tensors"].values():
+            tensor["data"] = bytes(tensor["data"])[::-1]
+
+    spoil_observations(wrong)
+
+
+@mutant("ENC-005")
+def sends_images_upside_down() -> None:
+    """A policy sees the table on the ceiling."""
+
+    def wrong(image: dict[str, Any]) -> None:
+        row = image["width"] * image["channels"]
+        data = bytes(image["data"])
+        rows = [data[i : i + row] for i in range(0, len(data), row)]
+        image["data"] = b"".join(reversed(rows))
+
+    spoil_image(wrong, "raw")
+
+
+def _reencode(image: dict[str, Any], change: Callable[[Any], Any]) -> None:
+    import io
+
+    from PIL import Image
+
+    picture = change(Image.open(io.BytesIO(bytes(image["data"]))))
+    out = io.BytesIO()
+    picture.save(out, image["codec"].upper())
+    image["data"] = out.getvalue()
+
+
+@mutant("ENC-006")
+def loses_colours_in_png() -> None:
+    """A lossless picture has lost something."""
+
+    def wrong(image: dict[str, Any]) -> None:
+        _reencode(image, lambda picture: picture.convert("L").convert("RGB"))
+
+    spoil_image(wrong, "png")
+
+
+@mutant("ENC-007")
+def halves_the_size_of_jpeg() -> None:
+    """A policy is evaluated on pictures of another size than it chose."""
+
+    def wrong(image: dict[str, Any]) -> None:
+        _reencode(image, lambda p: p.resize((p.width // 2, p.height // 2)))
+
+    spoil_image(wrong, "jpeg")

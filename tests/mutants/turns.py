@@ -1,0 +1,351 @@
+"""Mutants of a turn: exactly once, chunks, refusals of actions, what a turn carries."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from reference_server import progress, protocol, turns
+from reference_server.protocol import (
+    GUARDS,
+    Predict,
+    Refuse,
+    Replay,
+    Verdict,
+    Wait,
+)
+from reference_server.run_state import Run, Session
+from reference_server.stage import Stage
+from tests.mutants import mutant, put
+
+Misfits = list[tuple[str, str]]
+
+
+def swap(guard: Any, other: Any) -> None:
+    """Replace one guard wherever it stands."""
+    for command, guards in GUARDS.items():
+        GUARDS[command] = tuple(other if g is guard else g for g in guards)
+
+
+def no_guard(_run: Run, _command: Any, _now: float) -> Verdict | None:
+    return None
+
+
+def change_turn(change: Any) -> None:
+    """Let `change(body, session)` spoil every turn before it leaves."""
+    right = turns.turn
+
+    def wrong(session: Session, **members: Any) -> dict[str, Any]:
+        body = right(session, **members)
+        change(body, session)
+        return body
+
+    put(turns, "turn", wrong)
+
+
+@mutant("PRED-002", "PRED-003", "PRED-005", "PRED-010")
+def executes_a_repeated_turn_again() -> None:
+    """A lost answer makes the robot do the chunk twice."""
+
+    def wrong(run: Run, command: Predict, _now: float) -> Verdict | None:
+        session = run.workers[command.worker_id]
+        if command.seq == session.seq + 1 or command.seq == session.seq > 0:
+            return Wait(session) if session.busy else None
+        return protocol._expected_seq(run, command, _now)
+
+    GUARDS[Predict] = (
+        protocol._session_is_live,
+        wrong,
+        protocol._has_an_episode,
+        protocol._actions_fit,
+    )
+
+
+@mutant("PRED-003")
+def answers_another_body_under_the_same_seq() -> None:
+    """The client believes its new actions were executed; the old ones were."""
+
+    def wrong(run: Run, command: Predict, _now: float) -> Verdict | None:
+        session = run.workers[command.worker_id]
+        if command.seq != session.seq or session.seq == 0:
+            return None
+        return Wait(session) if session.busy else Replay(session)
+
+    swap(protocol._repeated_seq, wrong)
+
+
+@mutant("PRED-004")
+def accepts_a_seq_from_the_future() -> None:
+    """A client that has lost count is never told."""
+    swap(protocol._expected_seq, no_guard)
+
+
+@mutant("PRED-004")
+def names_the_wrong_expected_seq() -> None:
+    """A client that wants to get back in step is led astray."""
+    right = protocol._expected_seq
+
+    def wrong(run: Run, command: Predict, now: float) -> Verdict | None:
+        verdict = right(run, command, now)
+        if isinstance(verdict, Refuse):
+            wrong_seq = verdict.members["expected_seq"] + 1
+            return replace(verdict, members={"expected_seq": wrong_seq})
+        return verdict
+
+    swap(right, wrong)
+
+
+@mutant("PRED-005")
+def refuses_a_repeat_in_flight() -> None:
+    """A client with a short timeout cannot retry a slow turn."""
+    right = protocol._repeated_seq
+
+    def wrong(run: Run, command: Predict, now: float) -> Verdict | None:
+        verdict = right(run, command, now)
+        if isinstance(verdict, Wait):
+            return Refuse("seq_conflict", "Still executing.")
+        return verdict
+
+    swap(right, wrong)
+
+
+@mutant("PRED-013")
+def accepts_vectors_of_any_length() -> None:
+    """A policy for another robot moves this one."""
+    right = protocol._vector_misfits
+
+    def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> Misfits:
+        padded = [*vector, *[0.0] * entry["size"]][: entry["size"]]
+        return right(at, padded, entry)
+
+    put(protocol, "_vector_misfits", wrong)
+    _before_playing(
+        lambda values, space: {
+            name: [*vector, *[0.0] * space[name]["size"]][: space[name]["size"]]
+            for name, vector in values.items()
+        }
+    )
+
+
+@mutant("PRED-014")
+def ignores_unknown_names() -> None:
+    """A misspelt command is silently not sent to the robot."""
+    right = protocol._misfits
+
+    def wrong(actions: Any, manifest: Mapping[str, Any]) -> Misfits:
+        space = manifest["action_space"]
+        known = [{k: v for k, v in a.items() if k in space} for a in actions]
+        return right(known, manifest)
+
+    put(protocol, "_misfits", wrong)
+    _before_playing(
+        lambda values, space: {k: v for k, v in values.items() if k in space}
+    )
+
+
+@mutant("PRED-014")
+def fills_in_missing_names() -> None:
+    """A forgotten command becomes zero, whatever zero does."""
+    right = protocol._misfits
+
+    def wrong(actions: Any, manifest: Mapping[str, Any]) -> Misfits:
+        space = manifest["action_space"]
+        zeros = {name: [0.0] * entry["size"] for name, entry in space.items()}
+        return right([{**zeros, **a} for a in actions], manifest)
+
+    put(protocol, "_misfits", wrong)
+    _before_playing(
+        lambda values, space: {
+            **{name: [0.0] * entry["size"] for name, entry in space.items()},
+            **values,
+        }
+    )
+
+
+@mutant("PRED-015")
+def accepts_chunks_of_any_length() -> None:
+    """One client can keep a simulator for ever."""
+    right = protocol._misfits
+
+    def wrong(actions: Any, manifest: Mapping[str, Any]) -> Misfits:
+        return right(actions, {**manifest, "max_chunk": len(actions)})
+
+    put(protocol, "_misfits", wrong)
+
+
+@mutant("PRED-017")
+def clips_what_it_should_refuse() -> None:
+    """A policy in the wrong unit gets a score instead of an error."""
+    right = protocol._vector_misfits
+
+    def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> Misfits:
+        return right(at, vector, {**entry, "out_of_range": "clip"})
+
+    put(protocol, "_vector_misfits", wrong)
+    _before_playing(
+        lambda values, space: {
+            name: progress._clip(
+                vector, (space[name]["minimum"], space[name]["maximum"])
+            )
+            if space[name]["out_of_range"] == "refuse"
+            else vector
+            for name, vector in values.items()
+        }
+    )
+
+
+@mutant("PRED-018")
+def refuses_what_it_should_clip() -> None:
+    """A policy that overshoots by a hair is thrown out."""
+    right = protocol._vector_misfits
+
+    def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> Misfits:
+        if entry["out_of_range"] == "clip":
+            return right(at, vector, {**entry, "out_of_range": "refuse"})
+        return right(at, vector, entry)
+
+    put(protocol, "_vector_misfits", wrong)
+
+
+@mutant("PRED-019")
+def checks_only_the_first_action() -> None:
+    """Half a chunk is executed before the bad action is met."""
+    right = protocol._misfits
+
+    def wrong(actions: Any, manifest: Mapping[str, Any]) -> Misfits:
+        found = right(actions[:1], manifest)
+        if len(actions) > manifest["max_chunk"]:
+            return right(actions, manifest)
+        return found
+
+    put(protocol, "_misfits", wrong)
+
+
+@mutant("PRED-024")
+def uses_up_the_seq_of_a_refused_turn() -> None:
+    """After one typing mistake every corrected request is out of order."""
+    right = protocol._actions_fit
+
+    def wrong(run: Run, command: Predict, now: float) -> Verdict | None:
+        verdict = right(run, command, now)
+        if isinstance(verdict, Refuse):
+            session = run.workers[command.worker_id]
+            session.seq = command.seq
+            session.request = None
+        return verdict
+
+    swap(right, wrong)
+
+
+@mutant("PRED-007")
+def never_says_that_it_stopped_early() -> None:
+    """A client believes that its whole chunk was executed."""
+    change_turn(lambda body, _: body.update(stopped_early=False))
+
+
+@mutant("PRED-008")
+def forgets_the_result_of_an_episode() -> None:
+    """A client learns its score only by asking again elsewhere."""
+    change_turn(lambda body, _: body.pop("episode_result", None))
+
+
+@mutant("ATT-012", "PRED-009", "STOP-004")
+def never_says_done() -> None:
+    """A client waits for an observation that never comes."""
+    change_turn(lambda body, _: body.update(done=False))
+
+
+@mutant("PRED-010", "PRED-011")
+def forgets_the_session_with_its_last_turn() -> None:
+    """When the last answer is lost, nobody can tell how the run ended."""
+    right = progress.answer
+
+    def wrong(session: Session, turn: dict[str, Any], now: float) -> None:
+        right(session, turn, now)
+        if session.done:
+            session.session_id += "-gone"
+            session.expires_at = 0.0
+
+    put(progress, "answer", wrong)
+
+
+@mutant("PRED-011")
+def repeats_done_for_any_seq() -> None:
+    """A client that does not look at `done` runs for ever."""
+
+    def wrong(run: Run, command: Predict, _now: float) -> Verdict | None:
+        session = run.workers[command.worker_id]
+        return Replay(session) if session.done else None
+
+    swap(protocol._has_an_episode, wrong)
+
+
+@mutant("PRED-012")
+def returns_only_the_last_observation() -> None:
+    """Asked for every frame of a chunk, it gives one."""
+
+    def wrong(body: dict[str, Any], _session: Session) -> None:
+        if body.get("observations"):
+            body["observations"] = body["observations"][-1:]
+
+    change_turn(wrong)
+
+
+@mutant("PRED-021")
+def sums_the_rewards_of_a_chunk() -> None:
+    """Per-step rewards are lost."""
+
+    def wrong(body: dict[str, Any], _session: Session) -> None:
+        if len(body["rewards"]) > 1:
+            body["rewards"] = [sum(body["rewards"])]
+
+    change_turn(wrong)
+
+
+@mutant("PRED-022")
+def plays_one_worker_at_a_time() -> None:
+    """Sixteen workers are as slow as one."""
+    right = Stage._play
+    lock = asyncio.Lock()
+
+    async def wrong(self: Stage, *arguments: Any) -> dict[str, Any]:
+        async with lock:
+            return await right(self, *arguments)
+
+    put(Stage, "_play", wrong)
+
+
+@mutant("PRED-023")
+def reports_more_time_than_passed() -> None:
+    """Latency reports cannot be trusted."""
+    right = turns.finish
+
+    def wrong(body: dict[str, Any], session: Session, total_s: float) -> None:
+        right(body, session, total_s)
+        body["timing"]["simulate_s"] = total_s * 2 + 1
+
+    put(turns, "finish", wrong)
+
+
+@mutant("PRED-020")
+def calls_a_truncated_episode_terminated() -> None:
+    """Running out of time looks like an end that the task chose."""
+
+    def wrong(body: dict[str, Any], _session: Session) -> None:
+        if body["truncated"]:
+            body.update(truncated=False, terminated=True)
+
+    change_turn(wrong)
+
+
+def _before_playing(change: Any) -> None:
+    """Let `change(values, action_space)` alter every action on its way."""
+    right = progress.clipped
+
+    def wrong(actions: Any, manifest: Mapping[str, Any]) -> Any:
+        space = manifest["action_space"]
+        return right([change(values, space) for values in actions], manifest)
+
+    put(progress, "clipped", wrong)

@@ -1,0 +1,322 @@
+"""The benchmark `calibration`: its tables, its observations, its manifest."""
+
+import io
+import struct
+import time
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from reference_sim import catalog
+from reference_sim.calibration import DEATH_EXIT_CODE, TASKS, Calibration
+from reference_sim.encoding import encode, encode_image, encode_tensor
+from reference_sim.interface import Action, TaskUnplayable
+
+WIDTH, HEIGHT = 16, 12
+
+# The elements as the page has them, in Python's own words for each dtype.
+ELEMENTS: dict[str, tuple[str, list[float]]] = {
+    "bool": ("?", [0, 1, 0, 1, 0, 1]),
+    "int8": ("b", [-2, -1, 0, 1, -(2**7), 2**7 - 1]),
+    "int16": ("h", [-2, -1, 0, 1, -(2**15), 2**15 - 1]),
+    "int32": ("i", [-2, -1, 0, 1, -(2**31), 2**31 - 1]),
+    "int64": ("q", [-2, -1, 0, 1, -(2**63), 2**63 - 1]),
+    "uint8": ("B", [0, 1, 2, 3, 4, 2**8 - 1]),
+    "uint16": ("H", [0, 1, 2, 3, 4, 2**16 - 1]),
+    "uint32": ("I", [0, 1, 2, 3, 4, 2**32 - 1]),
+    "uint64": ("Q", [0, 1, 2, 3, 4, 2**64 - 1]),
+    "float16": ("e", [-2, -0.5, 0, 0.5, 2.0**-14, 65504]),
+    "float32": ("f", [-2, -0.5, 0, 0.5, 2.0**-126, (2 - 2.0**-23) * 2.0**127]),
+    "float64": ("d", [-2, -0.5, 0, 0.5, 2.0**-1022, (2 - 2.0**-52) * 2.0**1023]),
+}
+
+
+def action(**values: Any) -> Action:
+    """An action that does nothing but what is given."""
+    nothing: dict[str, list[float]] = {
+        "score": [0.0],
+        "success": [0.0],
+        "end": [0.0],
+        "delay_s": [0.0],
+        "fault": [0.0],
+        "vector": [0.0] * 8,
+        "clipped": [0.0, 0.0],
+    }
+    assert values.keys() <= nothing.keys()
+    return nothing | {
+        name: value if isinstance(value, list) else [float(value)]
+        for name, value in values.items()
+    }
+
+
+def playing(task: str) -> Calibration:
+    simulator = Calibration(WIDTH, HEIGHT)
+    simulator.reset(task, 1000)
+    return simulator
+
+
+def pattern(count: int) -> bytes:
+    return bytes(
+        (7 * x + 13 * y + 29 * c + count) % 256
+        for y in range(HEIGHT)
+        for x in range(WIDTH)
+        for c in range(3)
+    )
+
+
+@pytest.mark.parametrize("task", TASKS)
+def test_every_task_has_its_instruction(task: str) -> None:
+    assert Calibration(WIDTH, HEIGHT).reset(task, 1) == f"Calibration task {task}."
+
+
+def test_an_unknown_task_is_unplayable() -> None:
+    with pytest.raises(TaskUnplayable):
+        Calibration(WIDTH, HEIGHT).reset("juggle", 1)
+
+
+@pytest.mark.parametrize("task", TASKS)
+def test_counts_executed_actions_in_every_task(task: str) -> None:
+    simulator = playing(task)
+    for count in range(3):
+        assert simulator.observe().state["count"].tolist() == [count]
+        simulator.step(action())
+    simulator.reset(task, 1000)
+    assert simulator.observe().state["count"].tolist() == [0]
+
+
+def test_success_and_end_hold_at_one_and_not_below() -> None:
+    simulator = playing("count")
+    below = simulator.step(action(success=0.999, end=0.999))
+    at_one = simulator.step(action(success=1, end=1))
+    assert (below.success, below.terminated) == (False, False)
+    assert (at_one.success, at_one.terminated) == (True, True)
+
+
+def test_score_and_reward_are_the_commanded_score() -> None:
+    outcome = playing("score").step(action(score=0.3))
+    assert (outcome.score, outcome.reward) == (0.3, 0.3)
+
+
+def test_echo_returns_the_last_vector_bit_for_bit() -> None:
+    odd = [0.1, -0.0, 5e-324, 1.7976931348623157e308, 1 / 3, -1e-17, 2**53, 0.0]
+    simulator = playing("echo")
+    simulator.step(action(vector=odd))
+    state = encode(simulator.observe(), "raw")["state"]
+    assert struct.pack("<8d", *state["vector"]) == struct.pack("<8d", *odd)
+
+
+def test_clips_what_is_declared_to_be_clipped() -> None:
+    simulator = playing("count")
+    simulator.step(action(clipped=[-7.0, 0.25]))
+    assert simulator.observe().state["clipped"].tolist() == [-1.0, 0.25]
+
+
+def test_delay_takes_at_least_its_time_in_its_task_only() -> None:
+    started = time.monotonic()
+    playing("delay").step(action(delay_s=0.05))
+    assert time.monotonic() - started >= 0.05
+    started = time.monotonic()
+    playing("count").step(action(delay_s=5))
+    assert time.monotonic() - started < 5
+
+
+def test_fault_breaks_down_in_its_task_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    deaths: list[int] = []
+    monkeypatch.setattr("os._exit", deaths.append)
+    playing("score").step(action(fault=2))
+    playing("fault").step(action(fault=0))
+    assert deaths == []
+    playing("fault").step(action(fault=1))
+    assert deaths == [DEATH_EXIT_CODE]
+    with pytest.raises(TaskUnplayable):
+        playing("fault").step(action(fault=2))
+
+
+@pytest.mark.parametrize("task", [task for task in TASKS if task != "echo"])
+def test_only_echo_has_images_and_tensors(task: str) -> None:
+    seen = encode(playing(task).observe(), "raw")
+    assert (seen["images"], seen["tensors"]) == ({}, {})
+
+
+def test_the_tensors_are_those_of_the_table() -> None:
+    tensors = encode(playing("echo").observe(), "raw")["tensors"]
+    assert tensors.pop("empty") == {"dtype": "float64", "shape": [0, 3], "data": b""}
+    assert tensors.keys() == ELEMENTS.keys()
+    for dtype, (letter, elements) in ELEMENTS.items():
+        expected = struct.pack(f"<6{letter}", *elements)
+        assert tensors[dtype] == {"dtype": dtype, "shape": [2, 3], "data": expected}
+
+
+@pytest.mark.parametrize("count", [0, 1, 300])
+def test_the_raw_pattern_is_that_of_the_page(count: int) -> None:
+    simulator = playing("echo")
+    for _ in range(count):
+        simulator.step(action())
+    image = encode(simulator.observe(), "raw")["images"]["pattern"]
+    assert image == {
+        "codec": "raw",
+        "width": WIDTH,
+        "height": HEIGHT,
+        "channels": 3,
+        "data": pattern(count),
+    }
+
+
+def test_png_decodes_to_the_raw_image_and_jpeg_to_its_size() -> None:
+    seen = playing("echo").observe()
+    for codec in ("png", "jpeg"):
+        image = encode(seen, codec)["images"]["pattern"]
+        with Image.open(io.BytesIO(image["data"])) as decoded:
+            assert decoded.format == codec.upper()
+            assert (decoded.size, decoded.mode) == ((WIDTH, HEIGHT), "RGB")
+            if codec == "png":
+                assert decoded.tobytes() == pattern(0)
+
+
+def test_grey_images_have_one_channel() -> None:
+    pixels = np.arange(6, dtype=np.uint8).reshape(2, 3, 1)
+    image = encode_image(pixels, "png")
+    assert image["channels"] == 1
+    with Image.open(io.BytesIO(image["data"])) as decoded:
+        assert (decoded.mode, decoded.tobytes()) == ("L", pixels.tobytes())
+
+
+def test_an_unknown_codec_is_an_error() -> None:
+    with pytest.raises(ValueError, match="codec"):
+        encode(playing("echo").observe(), "webp")
+
+
+def test_encodings_do_not_depend_on_the_memory_layout() -> None:
+    pixels = np.arange(24, dtype=np.uint8).reshape(2, 4, 3)
+    flipped = encode_image(pixels[::-1], "raw")
+    assert flipped["data"] == pixels[1].tobytes() + pixels[0].tobytes()
+    big_endian = encode_tensor(np.array([[1, 2], [3, 4]], dtype=">i4").T)
+    assert big_endian["dtype"] == "int32"
+    assert big_endian["data"] == struct.pack("<4i", 1, 3, 2, 4)
+
+
+def test_an_encoding_owns_its_bytes() -> None:
+    pixels = np.zeros((1, 1, 3), dtype=np.uint8)
+    image = encode_image(pixels, "raw")
+    pixels[:] = 255
+    assert image["data"] == b"\0\0\0"
+
+
+# The manifest
+
+
+def test_without_options_there_is_one_score_episode() -> None:
+    resolved = catalog.resolve("calibration")
+    assert resolved.episodes == (catalog.EpisodePlan("score", "even", 1000),)
+    assert resolved.images == {"codec": "raw", "width": 16, "height": 12}
+    manifest = resolved.manifest
+    assert (manifest["max_steps"], manifest["max_chunk"]) == (10, 64)
+    assert (manifest["max_attempts"], manifest["max_faults"]) == (3, 3)
+    assert manifest["success_rule"] == "any_step"
+
+
+def test_options_shape_episodes_and_rules() -> None:
+    options = {
+        "tasks": ["echo", "echo", "fault"],
+        "max_steps": 4,
+        "success_rule": "last_step",
+        "max_attempts": 1,
+        "max_faults": 2,
+        "queue_s": 1.5,
+    }
+    resolved = catalog.resolve("calibration", options, max_chunk=8)
+    assert resolved.episodes == (
+        catalog.EpisodePlan("echo", "even", 1000),
+        catalog.EpisodePlan("echo", "odd", 1001),
+        catalog.EpisodePlan("fault", "even", 1002),
+    )
+    manifest = resolved.manifest
+    assert manifest["tasks"] == ["score", "count", "echo", "delay", "fault"]
+    assert manifest["splits"] == ["even", "odd"]
+    assert (manifest["episodes_total"], manifest["max_chunk"]) == (3, 8)
+    applied = {name: manifest[name] for name in options.keys() & manifest.keys()}
+    assert applied == {
+        "tasks": manifest["tasks"],
+        "max_steps": 4,
+        "success_rule": "last_step",
+        "max_attempts": 1,
+        "max_faults": 2,
+    }
+
+
+def test_action_space_is_that_of_the_page() -> None:
+    space = catalog.resolve("calibration").manifest["action_space"]
+    table = {
+        name: (
+            entry["size"],
+            entry["unit"],
+            entry.get("minimum"),
+            entry.get("maximum"),
+            entry["out_of_range"],
+        )
+        for name, entry in space.items()
+    }
+    assert table == {
+        "score": (1, "1", [0], [1], "refuse"),
+        "success": (1, "1", [0], [1], "refuse"),
+        "end": (1, "1", [0], [1], "refuse"),
+        "delay_s": (1, "s", [0], [5], "refuse"),
+        "fault": (1, "1", [0], [2], "refuse"),
+        "vector": (8, "1", None, None, "unbounded"),
+        "clipped": (2, "1", [-1, -1], [1, 1], "clip"),
+    }
+
+
+def test_worlds_differ_by_images_alone() -> None:
+    default = catalog.resolve("calibration").world
+    assert catalog.resolve("calibration", {"max_steps": 3}).world == default
+    larger = {"codec": "png", "width": 64, "height": 48}
+    resolved = catalog.resolve("calibration", images=larger)
+    assert resolved.images == larger
+    assert resolved.world != default
+    assert resolved.world.image_codec == "png"
+
+
+def test_score_is_success_in_every_task_but_score() -> None:
+    world = catalog.resolve("calibration").world
+    assert set(world.success_scored_tasks) == set(TASKS) - {"score"}
+
+
+@pytest.mark.parametrize(
+    ("images", "pointer"),
+    [
+        ({"codec": "webp", "width": 16, "height": 12}, "/images/codec"),
+        ({"codec": "raw", "width": 16, "height": 48}, "/images/width"),
+    ],
+)
+def test_images_not_offered_are_refused(images: dict[str, Any], pointer: str) -> None:
+    with pytest.raises(catalog.InvalidChoice) as refused:
+        catalog.resolve("calibration", images=images)
+    assert refused.value.pointer == pointer
+
+
+def test_options_are_for_calibration_only() -> None:
+    with pytest.raises(catalog.InvalidChoice) as refused:
+        catalog.resolve("tabletop_state", {})
+    assert refused.value.pointer == "/options"
+
+
+def test_the_catalog_is_sorted_and_closed() -> None:
+    assert catalog.benchmark_ids() == ("calibration", "tabletop", "tabletop_state")
+    assert catalog.unavailable_reason("calibration") is None
+    with pytest.raises(catalog.UnknownBenchmark):
+        catalog.resolve("juggling")
+
+
+def test_tabletop_offers_cameras_and_tabletop_state_none() -> None:
+    cameras = catalog.resolve("tabletop").manifest
+    blind = catalog.resolve("tabletop_state").manifest
+    assert set(cameras["observation_space"]["images"]) == {"front", "wrist"}
+    assert blind["observation_space"]["images"] == {}
+    assert cameras["observation_space"]["state"] == blind["observation_space"]["state"]
+    assert cameras["episodes"] == blind["episodes"]
+    assert cameras["action_space"]["gripper"]["gripper_open"] == 1.0
+    splits = [episode["split"] for episode in cameras["episodes"]]
+    assert splits == ["val_train"] * 10 + ["val_unseen"] * 10

@@ -1,0 +1,176 @@
+"""Counting, truncation, the success rule and the score, with a scripted simulator."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import pytest
+
+from reference_sim.episode import Episode
+from reference_sim.interface import Action, Observation, StepOutcome, TaskUnplayable
+
+STEP: Action = {"nothing": [0.0]}
+
+
+@dataclass
+class Scripted:
+    """`Simulator` that does what it was told beforehand."""
+
+    outcomes: Sequence[StepOutcome]
+    steps: int = 0
+    resets: list[tuple[str, int]] = field(default_factory=list)
+
+    def reset(self, task: str, seed: int) -> str:
+        if task == "broken":
+            raise TaskUnplayable("an asset is missing")
+        self.resets.append((task, seed))
+        return f"Do {task}."
+
+    def step(self, action: Action) -> StepOutcome:
+        assert action is STEP
+        self.steps += 1
+        return self.outcomes[self.steps - 1]
+
+    def observe(self) -> Observation:
+        raise AssertionError("an episode does not look")
+
+    def close(self) -> None: ...
+
+
+def outcomes(
+    flags: str, scores: Sequence[float] = (), terminated_at: int = 0
+) -> list[StepOutcome]:
+    """One per letter: `+` the goal holds, `-` it does not."""
+    return [
+        StepOutcome(
+            success=flag == "+",
+            score=scores[index] if scores else 0.5,
+            terminated=index + 1 == terminated_at,
+            reward=index + 0.25,
+        )
+        for index, flag in enumerate(flags)
+    ]
+
+
+def begin(
+    script: Sequence[StepOutcome],
+    *,
+    max_steps: int = 10,
+    success_rule: str = "any_step",
+    score_is_success: bool = False,
+) -> tuple[Episode, Scripted]:
+    simulator = Scripted(script)
+    episode = Episode(
+        simulator,
+        "stack",
+        7,
+        max_steps=max_steps,
+        success_rule=success_rule,
+        score_is_success=score_is_success,
+    )
+    return episode, simulator
+
+
+def test_begins_with_a_reset_and_the_instruction() -> None:
+    episode, simulator = begin([])
+    assert simulator.resets == [("stack", 7)]
+    assert episode.instruction == "Do stack."
+    assert (episode.steps, episode.score, episode.success) == (0, 0.0, False)
+    assert not episode.ended
+
+
+def test_executes_a_chunk_in_order_and_yields_its_rewards() -> None:
+    episode, _ = begin(outcomes("---"))
+    assert list(episode.play([STEP] * 3)) == [0.25, 1.25, 2.25]
+    assert episode.steps == 3
+
+
+def test_a_chunk_of_k_is_k_single_steps() -> None:
+    script = outcomes("-+-", [0.1, 0.7, 0.4], terminated_at=3)
+    at_once, _ = begin(script)
+    one_by_one, _ = begin(script)
+    list(at_once.play([STEP] * 3))
+    for _ in range(3):
+        list(one_by_one.play([STEP]))
+    for name in ("steps", "success", "score", "terminated", "truncated"):
+        assert getattr(at_once, name) == getattr(one_by_one, name)
+
+
+def test_stops_when_the_task_ends_itself() -> None:
+    episode, simulator = begin(outcomes("-----", terminated_at=2))
+    assert len(list(episode.play([STEP] * 5))) == 2
+    assert (episode.terminated, episode.truncated) == (True, False)
+    assert simulator.steps == 2
+
+
+def test_stops_at_the_step_limit() -> None:
+    episode, simulator = begin(outcomes("-----"), max_steps=3)
+    assert len(list(episode.play([STEP] * 5))) == 3
+    assert (episode.terminated, episode.truncated) == (False, True)
+    assert simulator.steps == 3
+
+
+def test_a_task_that_ends_itself_at_the_last_step_is_not_truncated() -> None:
+    episode, _ = begin(outcomes("---", terminated_at=3), max_steps=3)
+    list(episode.play([STEP] * 3))
+    assert (episode.terminated, episode.truncated) == (True, False)
+
+
+def test_executes_nothing_after_the_end() -> None:
+    episode, simulator = begin(outcomes("--"), max_steps=1)
+    list(episode.play([STEP]))
+    assert list(episode.play([STEP])) == []
+    assert (simulator.steps, episode.steps) == (1, 1)
+
+
+@pytest.mark.parametrize(
+    ("flags", "any_step", "last_step"),
+    [
+        ("---", False, False),
+        ("+--", True, False),
+        ("--+", True, True),
+        ("+-+", True, True),
+    ],
+)
+def test_success_follows_the_rule(flags: str, any_step: bool, last_step: bool) -> None:
+    for rule, expected in {"any_step": any_step, "last_step": last_step}.items():
+        episode, _ = begin(outcomes(flags), success_rule=rule)
+        list(episode.play([STEP] * 3))
+        assert episode.success is expected
+
+
+def test_the_score_is_the_last_one_reported() -> None:
+    episode, _ = begin(outcomes("+--", [0.2, 0.9, 0.4]))
+    list(episode.play([STEP] * 3))
+    assert episode.score == 0.4
+
+
+@pytest.mark.parametrize(("rule", "score"), [("any_step", 1.0), ("last_step", 0.0)])
+def test_a_score_that_is_success_follows_the_rule(rule: str, score: float) -> None:
+    episode, _ = begin(
+        outcomes("+-", [0.3, 0.3]), success_rule=rule, score_is_success=True
+    )
+    list(episode.play([STEP] * 2))
+    assert episode.score == score
+
+
+@pytest.mark.parametrize("score", [-0.01, 1.01, float("nan")])
+def test_a_score_outside_its_range_is_the_simulators_fault(score: float) -> None:
+    episode, _ = begin(outcomes("-", [score]))
+    with pytest.raises(ValueError, match="outside"):
+        list(episode.play([STEP]))
+
+
+def test_a_reward_that_is_no_number_is_the_simulators_fault() -> None:
+    episode, _ = begin([StepOutcome(False, 0.0, False, reward=float("inf"))])
+    with pytest.raises(ValueError, match="not finite"):
+        list(episode.play([STEP]))
+
+
+def test_an_unknown_success_rule_is_refused() -> None:
+    with pytest.raises(ValueError, match="success rule"):
+        begin([], success_rule="sometimes")
+
+
+def test_an_unplayable_task_says_so() -> None:
+    with pytest.raises(TaskUnplayable):
+        Episode(Scripted([]), "broken", 1, max_steps=1, success_rule="any_step")

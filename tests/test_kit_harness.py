@@ -1,0 +1,166 @@
+"""What checks are built of: expectations, verdicts, stories told in threads."""
+
+import contextlib
+import json
+import time
+from collections.abc import Iterator
+from functools import partial
+
+import httpx
+import pytest
+
+from conformance import expect
+from conformance.expect import (
+    Inconclusive,
+    KitError,
+    NotApplicable,
+    SetUpFailed,
+    Violation,
+)
+from conformance.handles import Patience
+from conformance.journal import Journal
+from conformance.plugin import judge
+from conformance.preflight import inspect
+from conformance.settings import Settings
+from conformance.spec import load_spec
+from conformance.story import Context, Story
+from conformance.verdicts import Outcome
+from conformance.wire import Answer
+from tests import null_servers
+from tests.null_servers import serving
+
+PROBLEM = {"code": "seq_out_of_order", "expected_seq": 3, "errors": [{"pointer": "/a"}]}
+
+
+def answer(status: int, json: object = None) -> Answer:
+    return Answer(status, httpx.Headers(), b"", 0.0, 0.5, json, 7)
+
+
+@pytest.mark.parametrize(
+    ("error", "outcome"),
+    [
+        (Violation("a", "b"), Outcome.FAILED),
+        (SetUpFailed("a"), Outcome.NOT_VERIFIED),
+        (Inconclusive("a"), Outcome.INCONCLUSIVE),
+        (NotApplicable("a"), Outcome.NOT_APPLICABLE),
+        (KeyError("a"), Outcome.NOT_VERIFIED),
+        (KitError("a"), Outcome.KIT_ERROR),
+        (AssertionError("a"), Outcome.KIT_ERROR),
+        (AttributeError("a"), Outcome.KIT_ERROR),
+    ],
+)
+def test_what_a_check_raises_is_its_verdict(error: Exception, outcome: Outcome) -> None:
+    try:
+        raise error
+    except type(error):
+        caught = pytest.ExceptionInfo[BaseException].from_current()
+    assert judge("ATT-001", caught, None).outcome == outcome
+    assert judge("ATT-001", None, None).outcome == Outcome.PASSED
+
+
+def test_ok_takes_the_status_and_guards_the_body() -> None:
+    body = expect.ok(answer(200, {"a": [{"b": 1}]}))
+    assert body["a"][0]["b"] == 1
+    with pytest.raises(Violation, match="a member `c`"):
+        body["a"][0]["c"]
+    with pytest.raises(Violation, match="status 201"):
+        expect.ok(answer(200), 201)
+
+
+def test_refused_wants_code_status_members_and_pointer() -> None:
+    expect.refused(
+        answer(409, PROBLEM), "seq_out_of_order", pointer="/a", expected_seq=3
+    )
+    for wrong, how in (
+        (answer(400, PROBLEM), {}),
+        (answer(409, PROBLEM | {"code": "seq_conflict"}), {}),
+        (answer(409, PROBLEM), {"pointer": "/b"}),
+        (answer(409, PROBLEM), {"expected_seq": 4}),
+        (answer(200, PROBLEM), {}),
+        (answer(409, None), {}),
+    ):
+        with pytest.raises(Violation):
+            expect.refused(wrong, "seq_out_of_order", **how)
+
+
+def test_given_never_accuses() -> None:
+    with pytest.raises(SetUpFailed):
+        expect.given(answer(500), 200, "attach_worker")
+    with pytest.raises(SetUpFailed, match="lacks the member `b`"):
+        expect.given(answer(200, {"a": 1}), 200, "attach_worker")["b"]
+
+
+def test_patience_shrinks_for_the_state_that_did_not_come() -> None:
+    patience = Patience()
+    patience.lose("failed")
+    patience.lose("failed")
+    assert patience.for_state("failed", 4.0) == 1.0
+    assert patience.for_state("ready", 4.0) == 4.0
+
+
+def test_check_that_is_led_in_circles_ends() -> None:
+    journal = Journal("T")
+    numbers = (journal.next_number() for _ in range(10**5))
+    with pytest.raises(SetUpFailed, match="no end in sight"):
+        sum(numbers)
+
+
+@pytest.fixture
+def story() -> Iterator[Story]:
+    with serving(null_servers.parrot) as url:
+        settings = Settings(url=url, token="secret")
+        inspect(settings)
+        with contextlib.closing(Context.of(settings)) as context:
+            yield Story(context, "TEST-001")
+
+
+def nap(result: int) -> int:
+    time.sleep(0.2)
+    return result
+
+
+def test_together_overlaps_keeps_order_and_passes_errors_on() -> None:
+    started = time.monotonic()
+    thunks = [partial(nap, number) for number in range(4)]
+    assert Story.together(*thunks) == [0, 1, 2, 3]
+    assert time.monotonic() - started < 0.6
+
+    def fail() -> None:
+        raise Violation("a", "b")
+
+    with pytest.raises(Violation):
+        Story.together(fail, lambda: None)
+
+
+def test_story_sends_what_the_document_allows(story: Story) -> None:
+    worker = story.submit("score", idle_timeout_s=2, max_workers=1).worker()
+    worker.attach()
+    worker.predict(story.action(end=1))
+    exchanges = story.journal.exchanges
+    ids = [exchange.correlation_id for exchange in exchanges]
+    assert ids == ["TEST-001/1", "TEST-001/2", "TEST-001/3"]
+    spec = load_spec()
+    names = ("submit_run", "attach_worker", "predict")
+    for name, exchange in zip(names, exchanges, strict=True):
+        body = json.loads(exchange.request_body)
+        assert not spec.request_faults(spec.operations[name], body)
+    assert "secret" not in repr(exchanges)
+
+
+def test_kit_accuses_itself_of_a_bad_request(story: Story) -> None:
+    with pytest.raises(KitError):
+        story.submit("no_such_task")
+
+
+@pytest.mark.parametrize("name", ["wire_2", "wire_read"])
+def test_missing_tokens_are_the_operators_choice(story: Story, name: str) -> None:
+    with pytest.raises(SetUpFailed) as caught:
+        getattr(story, name)
+    assert caught.value.allowed
+
+
+def test_story_is_usable_in_threads(story: Story) -> None:
+    run = story.submit("score")
+    story.together(*[run.get] * 8)
+    numbers = [exchange.number for exchange in story.journal.exchanges]
+    assert sorted(numbers) == list(range(1, 10))

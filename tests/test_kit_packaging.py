@@ -1,0 +1,102 @@
+"""The kit as strangers get it: alone, and with the specification that it judges."""
+
+import ast
+import subprocess
+import sys
+import tomllib
+import venv
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from conformance.spec import spec_name, spec_sha256
+
+ROOT = Path(__file__).parents[1]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
+SETUPTOOLS = PROJECT["tool"]["setuptools"]
+SOURCES = ("conformance", "reference_client", "reference_server", "reference_sim")
+PACKED = "conformance/specification"
+
+
+def test_every_package_is_packed() -> None:
+    here = {
+        ".".join(path.parent.relative_to(root).parts)
+        for root in (ROOT, ROOT / "generated_clients" / "python")
+        for path in root.glob("*/**/__init__.py")
+        if path.relative_to(root).parts[0] in (*SOURCES, "proctor_client")
+    }
+    assert set(SETUPTOOLS["packages"]) == here | {"conformance.specification"}
+
+
+def test_kit_imports_nothing_that_its_lock_lacks() -> None:
+    lock = (ROOT / "requirements" / "kit.txt").read_text()
+    locked = {line.split("==")[0].lower() for line in lock.splitlines() if "==" in line}
+    names = {"PIL": "pillow", "yaml": "pyyaml", "_pytest": "pytest"}
+    imported = set()
+    for path in (ROOT / "conformance").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.Import):
+                imported |= {alias.name.split(".")[0] for alias in node.names}
+            elif isinstance(node, ast.ImportFrom) and node.module:
+                imported.add(node.module.split(".")[0])
+    foreign = imported - set(sys.stdlib_module_names) - {"conformance"}
+    assert {names.get(name, name) for name in foreign} <= locked
+    assert not {"mujoco", "starlette", "uvicorn", "sqlalchemy"} & locked
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The wheel, built from a copy, so that nothing is left in this directory."""
+    directory = tmp_path_factory.mktemp("wheel")
+    source = directory / "source"
+    listed = ["LICENSE", "pyproject.toml", "requirements", "spec", "generated_clients"]
+    source.mkdir()
+    for name in (*listed, *SOURCES):
+        subprocess.run(["cp", "-r", str(ROOT / name), str(source)], check=True)
+    pip = [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps"]
+    flags = ["--no-build-isolation", "--disable-pip-version-check"]
+    to = ["--wheel-dir", str(directory)]
+    subprocess.run([*pip, *flags, *to, str(source)], check=True)
+    (built,) = directory.glob("*.whl")
+    return built
+
+
+def test_wheel_carries_the_specification(wheel: Path) -> None:
+    with zipfile.ZipFile(wheel) as packed:
+        for name in ("openapi.yaml", "scoring.md", "calibration.md"):
+            assert (
+                packed.read(f"{PACKED}/{name}") == (ROOT / "spec" / name).read_bytes()
+            )
+        names = set(packed.namelist())
+    for name in ("report.schema.json", "report.css", "report.js"):
+        assert f"conformance/{name}" in names
+
+
+def test_installed_kit_judges_the_same(wheel: Path, tmp_path: Path) -> None:
+    """Installed elsewhere, with this environment's packages but not this directory."""
+    venv.create(tmp_path / "venv", with_pip=False, symlinks=True)
+    (site,) = (tmp_path / "venv" / "lib").glob("python*/site-packages")
+    with zipfile.ZipFile(wheel) as packed:
+        packed.extractall(site)
+    ours = next(path for path in sys.path if path.endswith("site-packages"))
+    program = (
+        f"import sys; sys.path.append({ours!r}); from conformance.cli import main; "
+        "sys.exit(main(['--dry-run', '--only', 'SVC']))"
+    )
+    done = subprocess.run(
+        [str(tmp_path / "venv" / "bin" / "python"), "-P", "-c", program],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert spec_name() in done.stdout
+    assert spec_sha256()[:12] in done.stdout
+
+
+def test_command_has_a_name() -> None:
+    assert PROJECT["project"]["scripts"] == {
+        "proctor-conformance": "conformance.cli:main"
+    }

@@ -1,0 +1,367 @@
+"""Requests that are too much: refused as documented, and nothing else is disturbed."""
+
+import asyncio
+import contextlib
+import socket
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import msgspec
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from reference_server import models
+from reference_server.catalogue import PROBLEMS
+from tests.conftest import PATIENCE_S, TOKENS, House
+
+MSGPACK = "application/msgpack"
+LONG_POLLS = 200
+DEEP = 10**6
+
+
+class Scene:
+    """A server and a run on it with one live session, used by nobody else."""
+
+    def __init__(self, house: House) -> None:
+        self.house = house
+        self.client = house.client()
+        self.address = (self.client.base_url.host, self.client.base_url.port)
+        body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
+        self.run = self.client.post("/v1/runs", json=body).json()
+        self.path = f"/v1/runs/{self.run['run_id']}"
+        self.worker = f"{self.path}/workers/w"
+        attached = self.client.put(self.worker, json={"attach_key": "key"})
+        self.session_id = attached.json()["session_id"]
+
+    def snapshot(self) -> list[Any]:
+        """Everything that can be read of the run."""
+        paths = (self.path, f"{self.path}/episodes", f"{self.path}/score")
+        return [self.client.get(path).json() for path in paths]
+
+    def action(self) -> dict[str, list[float]]:
+        sizes = {"vector": 8, "clipped": 2}
+        names = ("score", "success", "end", "delay_s", "fault", "vector", "clipped")
+        return {name: [0.0] * sizes.get(name, 1) for name in names}
+
+    def raw(self, request: bytes) -> bytes:
+        """The answer to bytes of any kind; empty when the server only hung up."""
+        with socket.create_connection(self.address, PATIENCE_S) as connection:
+            # The server may stop listening before all is said.
+            with contextlib.suppress(OSError):
+                connection.sendall(request)
+            parts = []
+            with contextlib.suppress(ConnectionError):
+                while part := connection.recv(2**16):
+                    parts.append(part)
+        return b"".join(parts)
+
+
+@pytest.fixture(scope="module")
+def scene(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Scene]:
+    house = House(tmp_path_factory.mktemp("limits"))
+    scene = Scene(house)
+    yield scene
+    scene.client.close()
+    house.end()
+
+
+@pytest.fixture(autouse=True)
+def _nothing_is_disturbed(scene: Scene) -> Iterator[None]:
+    before = scene.snapshot()
+    yield
+    assert scene.snapshot() == before
+    assert "Traceback" not in scene.house.log()
+
+
+def assert_problem(answer: httpx.Response, code: str) -> None:
+    body = answer.json()
+    assert body["code"] == code, body
+    assert answer.status_code == PROBLEMS[code]["status"]
+    assert answer.headers["content-type"] == "application/problem+json"
+    assert answer.headers["proctor-version"] == "1.0"
+    models.Problem.model_validate(body, strict=True)
+
+
+def memory_peak(pid: int) -> int:
+    """The most bytes that a process ever held at once."""
+    status = Path(f"/proc/{pid}/status").read_text()
+    return int(status.partition("VmHWM:")[2].split()[0]) * 1024
+
+
+# --- size ---
+
+
+@pytest.mark.parametrize("length_is_told", [True, False])
+def test_a_huge_body_is_refused_and_not_kept(
+    scene: Scene, length_is_told: bool
+) -> None:
+    before = memory_peak(scene.house.process.pid)
+    part, count = b" " * 2**20, 100
+    headers = {"Content-Type": "application/json"}
+    if length_is_told:
+        headers["Content-Length"] = str(len(part) * count)
+    answer = scene.client.post(
+        "/v1/runs", content=(part for _ in range(count)), headers=headers
+    )
+    assert_problem(answer, "body_too_large")
+    assert memory_peak(scene.house.process.pid) - before < 48 * 2**20
+
+
+def test_a_body_of_just_the_limit_is_read(scene: Scene) -> None:
+    limits = scene.client.get("/v1").json()["limits"]
+    for extra, code in ((0, "malformed_body"), (1, "body_too_large")):
+        answer = scene.client.post(
+            "/v1/runs",
+            content=b" " * (limits["max_body_bytes"] + extra),
+            headers={"Content-Type": "application/json"},
+        )
+        assert_problem(answer, code)
+
+
+@pytest.mark.parametrize(
+    ("body", "media_type"),
+    [
+        (b"[" * DEEP + b"]" * DEEP, "application/json"),
+        (b'{"a":' * DEEP + b"1" + b"}" * DEEP, "application/json"),
+        (b"\x91" * DEEP + b"\xc0", MSGPACK),
+        (b"\x81\xa1a" * DEEP + b"\xc0", MSGPACK),
+    ],
+    ids=["json lists", "json maps", "msgpack lists", "msgpack maps"],
+)
+def test_a_body_nested_a_million_deep_is_malformed(
+    scene: Scene, body: bytes, media_type: str
+) -> None:
+    headers = {"Content-Type": media_type}
+    answer = scene.client.put(scene.worker, content=body, headers=headers)
+    assert_problem(answer, "malformed_body")
+
+
+def test_more_actions_than_a_chunk_holds_are_not_executed(scene: Scene) -> None:
+    body = {
+        "session_id": scene.session_id,
+        "seq": 1,
+        "actions": [{"values": scene.action()}] * 2000,
+    }
+    assert_problem(
+        scene.client.post(f"{scene.worker}/predict", json=body), "invalid_request"
+    )
+
+
+@pytest.mark.parametrize("size", [10**3, 10**5, 10**6])
+def test_a_long_header_breaks_nothing(scene: Scene, size: int) -> None:
+    for name in ("X-Long", "Authorization", "If-None-Match", "Accept", "Prefer"):
+        line = f"{name}: {'a' * size}\r\n".encode()
+        assert_refused_or_fine(scene.raw(request(scene.path, line)))
+
+
+def test_many_headers_break_nothing(scene: Scene) -> None:
+    lines = b"".join(b"X-%d: a\r\n" % number for number in range(10**4))
+    assert_refused_or_fine(scene.raw(request(scene.path, lines)))
+
+
+# --- form ---
+
+
+def request(path: str | bytes, lines: bytes = b"", method: bytes = b"GET") -> bytes:
+    path = path.encode() if isinstance(path, str) else path
+    token = TOKENS["alice"].encode()
+    return (
+        method + b" " + path + b" HTTP/1.1\r\nHost: x\r\nConnection: close\r\n"
+        b"Authorization: Bearer " + token + b"\r\n" + lines + b"\r\n"
+    )
+
+
+def assert_refused_or_fine(answer: bytes) -> None:
+    """A problem of the catalogue, or the refusal of the HTTP layer below it."""
+    head, _, body = answer.partition(b"\r\n\r\n")
+    status = int(head.split(b" ")[1])
+    assert status < 500, answer
+    if status >= 400 and b"problem+json" in head:
+        assert PROBLEMS[msgspec.json.decode(body)["code"]]["status"] == status
+
+
+ODD = [b"%00", b"%ff", b"%zz", b"%", b"a%2Fb", b"..", b"%2e%2e", b"%0d%0a", b"~" * 9999]
+RAW = [*ODD, b"\x00", b"\xff", b"\x80\x81", b"\x7f", b"\x01", b"a b", b"[", b"#", b"\\"]
+
+
+@pytest.mark.parametrize("odd", RAW, ids=lambda odd: repr(odd[:8]))
+def test_odd_bytes_in_a_path_find_nothing(scene: Scene, odd: bytes) -> None:
+    token = scene.path.encode()
+    for path in (
+        b"/" + odd,
+        b"/v1/runs/" + odd,
+        b"/v1/benchmarks/" + odd,
+        token + b"/" + odd,
+        token + b"/workers/" + odd + b"/predict",
+        b"/v1/runs?cursor=" + odd,
+        token + b"?" + odd + b"=1",
+    ):
+        assert_refused_or_fine(scene.raw(request(path)))
+    deleted = request(scene.worker.encode() + b"?session_id=" + odd, method=b"DELETE")
+    assert_refused_or_fine(scene.raw(deleted))
+
+
+@pytest.mark.parametrize(
+    "sent",
+    [
+        b"GET\r\n\r\n",
+        b"\x16\x03\x01\x00\xa5\x01\x00\x00\r\n\r\n",
+        b"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n",
+        request("*"),
+        request("/v1", b"no colon\r\n"),
+        request("/v1", b"X: \x00\r\n"),
+        request("/v1", b": empty\r\n"),
+        request("/v1/runs", b"Content-Length: -1\r\n", b"POST"),
+        request("/v1/runs", b"Content-Length: 1\r\nContent-Length: 2\r\n", b"POST"),
+        request("/v1/runs", b"Transfer-Encoding: chunked\r\n", b"POST") + b"zz\r\n\r\n",
+        request("/v1", b"", b"BREW"),
+        request("/v1", b"", b"TRACE"),
+        request("/v1", b"Upgrade: websocket\r\nConnection: Upgrade\r\n"),
+    ],
+    ids=lambda sent: repr(sent[-20:]),
+)
+def test_bytes_that_are_no_request_break_nothing(scene: Scene, sent: bytes) -> None:
+    answer = scene.raw(sent)
+    if answer:
+        assert_refused_or_fine(answer)
+
+
+def test_a_body_that_breaks_off_breaks_nothing(scene: Scene) -> None:
+    lines = b"Content-Type: application/json\r\nContent-Length: 99\r\n"
+    with socket.create_connection(scene.address, PATIENCE_S) as connection:
+        connection.sendall(request("/v1/runs", lines, b"POST") + b'{"bench')
+    bad = request("/v1/runs", lines[:32] + b"Transfer-Encoding: chunked\r\n", b"POST")
+    scene.raw(bad + b"3\r\n{}}\r\nnonsense\r\n\r\n")
+
+
+@pytest.mark.parametrize(
+    "media_type", ["", "text/plain", MSGPACK, "multipart/form-data"]
+)
+def test_other_media_types_are_refused(scene: Scene, media_type: str) -> None:
+    headers = {"Content-Type": media_type}
+    for path in ("/v1/runs", f"{scene.path}/stop", f"{scene.worker}/heartbeat"):
+        answer = scene.client.post(path, content=b"{}", headers=headers)
+        assert_problem(answer, "unsupported_media_type")
+
+
+@pytest.mark.parametrize(
+    "secret", [b"nobody", b"\xc3\xa9", b"\xff", b"a b", b"a" * 10**5], ids=len
+)
+def test_strangers_are_refused_everywhere(scene: Scene, secret: bytes) -> None:
+    headers = {b"Authorization": b"Bearer " + secret}
+    with httpx.Client(base_url=scene.client.base_url, trust_env=False) as stranger:
+        for method, path in (
+            ("GET", "/v1/runs"),
+            ("GET", scene.path),
+            ("POST", f"{scene.path}/stop"),
+            ("PUT", scene.worker),
+            ("POST", f"{scene.worker}/predict"),
+            ("DELETE", f"{scene.worker}?session_id={scene.session_id}"),
+        ):
+            answer = stranger.request(method, path, headers=headers)
+            assert_problem(answer, "unauthenticated")
+
+
+def test_another_account_sees_and_does_nothing(scene: Scene) -> None:
+    with scene.house.client("bob") as bob, scene.house.client("reader") as reader:
+        for path in (scene.path, f"{scene.path}/score", f"{scene.path}/episodes"):
+            assert_problem(bob.get(path), "not_found")
+            assert reader.get(path).status_code == 200
+        for client, code in ((bob, "not_found"), (reader, "forbidden")):
+            assert_problem(client.post(f"{scene.path}/stop", json={}), code)
+            assert_problem(client.post(f"{scene.path}/resume"), code)
+            attach = client.put(
+                scene.worker, json={"attach_key": "x", "takeover": True}
+            )
+            assert_problem(attach, code)
+
+
+@settings(max_examples=150, deadline=None)
+@given(
+    method=st.sampled_from(["GET", "POST", "PUT", "DELETE", "PATCH", "HEAD"]),
+    path=st.sampled_from(["", "/stop", "/workers/w", "/workers/w/predict", "/score"]),
+    body=st.binary(max_size=30)
+    | st.recursive(
+        st.none() | st.booleans() | st.floats() | st.text(max_size=5),
+        lambda inner: (
+            st.lists(inner, max_size=3)
+            | st.dictionaries(
+                st.sampled_from(
+                    ["session_id", "seq", "actions", "values", "mode", "x"]
+                ),
+                inner,
+                max_size=3,
+            )
+        ),
+        max_leaves=6,
+    ).map(msgspec.msgpack.encode),
+    media_type=st.sampled_from(["application/json", MSGPACK, "application/jso"]),
+)
+def test_nothing_sent_is_answered_with_a_defect(
+    scene: Scene, method: str, path: str, body: bytes, media_type: str
+) -> None:
+    answer = scene.client.request(
+        method,
+        scene.path + path,
+        content=body,
+        headers={"Content-Type": media_type, "Accept": f"{media_type}, */*;q=0.5"},
+    )
+    assert answer.status_code < 500, answer.text
+    if answer.status_code >= 400 and method != "HEAD":
+        assert_problem(answer, answer.json()["code"])
+
+
+# --- patience ---
+
+
+def test_a_slow_body_keeps_nobody_waiting(scene: Scene) -> None:
+    body = b'{"attach_key":"key"}'
+    lines = f"Content-Type: application/json\r\nContent-Length: {len(body)}\r\n"
+    with socket.create_connection(scene.address, PATIENCE_S) as slow:
+        slow.sendall(request(scene.worker, lines.encode(), b"PUT") + body[:1])
+        for _ in range(20):
+            assert scene.client.get(scene.path).status_code == 200
+        slow.setblocking(False)
+        with pytest.raises(BlockingIOError):
+            slow.recv(1)
+        slow.settimeout(PATIENCE_S)
+        slow.sendall(body[1:])
+        assert slow.recv(12) == b"HTTP/1.1 200"
+
+
+def test_many_who_wait_keep_nobody_waiting(scene: Scene) -> None:
+    body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
+    path = scene.client.post("/v1/runs", json=body).headers["location"]
+    # run.endpoint names the host that was asked, and so does the ETag.
+    etag = scene.client.get(path, headers={"Host": "x"}).headers["etag"]
+    patience = f"If-None-Match: {etag}\r\nPrefer: wait=30\r\n"
+
+    async def story() -> None:
+        ends = [
+            await asyncio.open_connection(*scene.address) for _ in range(LONG_POLLS)
+        ]
+        silent = [await asyncio.open_connection(*scene.address) for _ in range(50)]
+        for _, writer in ends:
+            writer.write(request(path, patience.encode()))
+            await writer.drain()
+        polls = [asyncio.create_task(reader.read()) for reader, _ in ends]
+        # All of them arrived before the first of these, which find the server awake.
+        for _ in range(20):
+            answer = await asyncio.to_thread(scene.client.get, path)
+            assert answer.status_code == 200
+        assert not any(poll.done() for poll in polls)
+        await asyncio.to_thread(scene.client.post, f"{path}/stop", json={})
+        async with asyncio.timeout(PATIENCE_S / 2):  # long before they would give up
+            answers = await asyncio.gather(*polls)
+        for told in answers:
+            assert told.startswith(b"HTTP/1.1 200")
+            assert b'"state":"stopped"' in told
+        for _, writer in [*ends, *silent]:
+            writer.close()
+            with contextlib.suppress(ConnectionError):
+                await writer.wait_closed()
+
+    asyncio.run(story())

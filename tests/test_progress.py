@@ -1,0 +1,624 @@
+"""What commands and events do to a run: each effect, then all of them in any order."""
+
+from collections.abc import Callable
+from typing import Any, cast
+
+import pytest
+from hypothesis import settings
+from hypothesis import strategies as st
+from hypothesis.stateful import (
+    RuleBasedStateMachine,
+    initialize,
+    invariant,
+    rule,
+)
+
+from reference_server import progress, run_state
+from reference_server.catalogue import PROBLEMS
+from reference_server.progress import Outcome
+from reference_server.protocol import (
+    TRANSITIONS,
+    Accept,
+    Attach,
+    Command,
+    Detach,
+    Heartbeat,
+    Nothing,
+    Predict,
+    Refuse,
+    Replay,
+    Resume,
+    Stop,
+    Verdict,
+    Wait,
+    decide,
+)
+from reference_server.run_state import Result, Run, Session, State
+from tests.conftest import ACTION, NOW, a_run
+
+WALL = 5000.0
+Draw = Callable[[st.SearchStrategy[Any]], Any]
+
+
+def played(executed: int = 1, *, ended: bool = False, **changes: Any) -> Outcome:
+    facts = {"terminated": ended, "truncated": False, "success": False, "score": 0.5}
+    return Outcome(executed, ended, **facts | changes)
+
+
+def opened(run: Run, worker_id: str = "w", now: float = NOW) -> Session:
+    session = progress.open_session(run, Attach(worker_id, "key"), "s", now)
+    progress.answer(session, {"seq": 0}, now)
+    return session
+
+
+def play(
+    run: Run, session: Session, outcome: Outcome, now: float = NOW
+) -> run_state.Episode | None:
+    command = Predict(session.worker_id, session.session_id, session.seq + 1, [ACTION])
+    progress.begin_turn(session, command, now)
+    ended = progress.end_turn(run, session, outcome, WALL)
+    progress.answer(session, {"seq": session.seq}, now)
+    return ended
+
+
+# --- sessions ---
+
+
+def test_attach_takes_the_first_episode_and_a_slot() -> None:
+    run = a_run()
+    session = progress.open_session(run, Attach("w", "key"), "s", NOW)
+    assert run.state == "running"
+    assert session.busy == "opening"
+    assert session.episode is run.episodes[0]
+    assert run.episodes[0].in_progress
+    assert run.live == [session]
+    assert session.expires_at == NOW + run.idle_timeout_s
+
+
+def test_attach_with_nothing_left_is_done_at_once() -> None:
+    run = a_run(1)
+    opened(run, "a")
+    late = opened(run, "b")
+    assert late.done
+    assert late.episode is None
+    assert run.state == "running"
+
+
+def test_a_takeover_goes_on_where_the_old_session_stood() -> None:
+    run = a_run()
+    old = opened(run)
+    play(run, old, played(3), NOW + 2)
+    old.instruction = "Lift."
+    new = progress.open_session(run, Attach("w", "another", True), "s2", NOW + 3)
+    assert new.episode is run.episodes[0]
+    assert (new.steps, new.think_s, new.instruction) == (3, 2.0, "Lift.")
+    assert run.live == [new]
+    assert run.episodes[0].attempt == 1
+
+
+def test_who_replaces_a_session_that_is_done_gets_an_episode_anew() -> None:
+    run = a_run(2)
+    other = opened(run, "other")
+    play(run, opened(run, "w"), played(1, ended=True))
+    assert run.workers["w"].done
+    progress.close_session(run, other, "detached", WALL)
+    assert opened(run, "w").episode is run.episodes[0]
+
+
+def test_a_turn_uses_up_its_seq_and_keeps_what_was_asked() -> None:
+    session = opened(a_run())
+    progress.begin_turn(session, Predict("w", "s", 1, [ACTION], "all"), NOW + 4)
+    assert (session.seq, session.busy, session.turn) == (1, "playing", None)
+    assert session.request == ([ACTION], "all")
+    assert session.think_s == 4.0
+    session = opened(a_run())
+    progress.begin_turn(session, Predict("w", "s", 1, [ACTION]), NOW)
+    assert session.think_s == 0.0
+
+
+def test_an_answer_is_kept_and_begins_the_lease_anew() -> None:
+    run = a_run()
+    session = opened(run)
+    play(run, session, played(), NOW + 8)
+    assert session.turn == {"seq": 1}
+    assert session.busy is None
+    assert session.expires_at == NOW + 8 + run.idle_timeout_s
+
+
+def test_a_heartbeat_extends_the_lease_and_hides_no_thinking() -> None:
+    run = a_run()
+    session = opened(run)
+    progress.touch(session, NOW + 5)
+    assert session.expires_at == NOW + 5 + run.idle_timeout_s
+    play(run, session, played(), NOW + 7)
+    assert session.think_s == 7.0
+
+
+# --- episodes ---
+
+
+def test_a_turn_within_an_episode_counts_its_steps() -> None:
+    run = a_run()
+    session = opened(run)
+    assert play(run, session, played(2)) is None
+    assert play(run, session, played(3)) is None
+    assert session.steps == 5
+    assert session.episode is run.episodes[0]
+    assert run.scored == 0
+
+
+@pytest.mark.parametrize(
+    ("success", "outcome"), [(True, "success"), (False, "failure")]
+)
+def test_an_episode_that_ends_is_scored(success: bool, outcome: str) -> None:
+    run = a_run()
+    session = opened(run)
+    play(run, session, played(2), NOW + 0.5)
+    last = played(3, ended=True, success=success, score=0.25, truncated=True)
+    ended = play(run, session, last, NOW + 3)
+    assert ended is run.episodes[0]
+    assert ended.result == Result(cast(Any, outcome), 0.25, 1, 5, True, True, 3.0, WALL)
+    assert session.episode is run.episodes[1]
+    assert (session.steps, session.think_s, session.done) == (0, 0.0, False)
+    assert run.changed == {0}
+
+
+def test_the_last_episode_completes_the_run() -> None:
+    run = a_run(1)
+    session = opened(run)
+    play(run, session, played(1, ended=True))
+    assert (run.state, run.scored) == ("completed", 1)
+    assert session.done
+    assert run.live == []
+
+
+def test_who_finds_nothing_left_lets_the_others_play_on() -> None:
+    run = a_run(2)
+    opened(run, "a")
+    session = opened(run, "b")
+    play(run, session, played(1, ended=True))
+    assert session.done
+    assert run.state == "running"
+
+
+def test_a_run_that_drains_hands_out_nothing_more() -> None:
+    run = a_run(3)
+    session = opened(run)
+    assert progress.stop(run, "drain", WALL) == []
+    assert run.state == "stopping"
+    play(run, session, played(1, ended=True))
+    assert session.done
+    assert (run.state, run.reason, run.scored) == ("stopped", "Drained.", 1)
+
+
+def test_a_session_that_closes_before_its_first_action_costs_no_attempt() -> None:
+    run = a_run()
+    session = opened(run)
+    progress.close_session(run, session, "detached", WALL)
+    assert session.done
+    assert run.episodes[0].attempt == 1
+    assert not run.episodes[0].in_progress
+    assert (run.state, run.ended) == ("ready", {"s": "detached"})
+    assert run.changed == set()
+
+
+@pytest.mark.parametrize("in_execution", [True, False])
+def test_a_session_that_closes_after_an_action_costs_an_attempt(
+    in_execution: bool,
+) -> None:
+    run = a_run()
+    session = opened(run)
+    if in_execution:
+        progress.begin_turn(session, Predict("w", "s", 1, [ACTION]), NOW)
+    else:
+        play(run, session, played())
+    progress.close_session(run, session, "detached", WALL)
+    assert run.episodes[0].attempt == 2
+    assert run.episodes[0].result is None
+    assert run.changed == {0}
+
+
+def test_the_last_attempt_is_abandoned() -> None:
+    run = a_run(2)
+    for _ in range(2):
+        session = opened(run)
+        play(run, session, played(4), NOW + 1)
+        progress.close_session(run, session, "detached", WALL)
+    assert run.episodes[0].result == Result(
+        "abandoned", 0.0, 2, 4, False, False, 1.0, WALL
+    )
+    assert run.state == "ready"
+    assert opened(run).episode is run.episodes[1]
+
+
+def test_an_abandoned_episode_can_complete_the_run() -> None:
+    run = a_run(1)
+    run.episodes[0].attempt = 2
+    session = opened(run)
+    play(run, session, played())
+    progress.close_session(run, session, "lease_ended", WALL)
+    assert run.state == "completed"
+
+
+def test_closing_a_session_that_is_done_changes_no_state() -> None:
+    run = a_run(1)
+    opened(run, "a")
+    done = opened(run, "b")
+    progress.close_session(run, done, "detached", WALL)
+    assert run.state == "running"
+    assert list(run.workers) == ["a"]
+
+
+def test_an_old_session_cannot_close_its_successor() -> None:
+    run = a_run()
+    old = opened(run)
+    new = progress.open_session(run, Attach("w", "b", True), "s2", NOW)
+    old.episode = None
+    progress.close_session(run, old, "unknown", WALL)
+    assert run.workers == {"w": new}
+
+
+def test_leases_end_together_or_not_at_all() -> None:
+    run = a_run(3, max_workers=3)
+    early, late = opened(run, "a"), opened(run, "b", NOW + 5)
+    busy = opened(run, "c")
+    progress.begin_turn(busy, Predict("c", "s", 1, [ACTION]), NOW)
+    assert progress.expire(run, NOW + 10.5, WALL) == [early]
+    assert early.ended_by == "lease_ended"
+    assert run.live == [late, busy]
+
+
+def test_a_session_that_is_done_ends_without_being_told_of() -> None:
+    run = a_run(1)
+    session = opened(run)
+    play(run, session, played(1, ended=True))
+    assert progress.expire(run, NOW + 99, WALL) == []
+    assert run.workers == {}
+
+
+def test_what_ends_with_the_old_episode_costs_the_next_one_nothing() -> None:
+    """The result is being stored: the next episode is in hand, and not begun."""
+    run = a_run()
+    session = opened(run)
+    progress.begin_turn(session, Predict("w", "s", 1, [ACTION]), NOW)
+    progress.end_turn(run, session, played(1, ended=True), WALL)
+    assert session.episode is run.episodes[1]
+    progress.stop(run, "abort", WALL)
+    assert [e.attempt for e in run.episodes] == [1, 1, 1]
+
+
+# --- stop and resume ---
+
+
+def test_an_abort_ends_every_session() -> None:
+    run = a_run()
+    a, b = opened(run, "a"), opened(run, "b")
+    play(run, a, played())
+    assert progress.stop(run, "abort", WALL) == [a, b]
+    assert (run.state, run.workers) == ("stopped", {})
+    assert (a.ended_by, b.ended_by) == ("run_stopped", "run_stopped")
+    assert a.done
+    assert b.done
+    assert [e.attempt for e in run.episodes] == [2, 1, 1]
+    assert "abort" in (run.reason or "")
+
+
+def test_a_resume_queues_the_run_and_forgives_faults() -> None:
+    run = a_run(3, state="failed", retryable=True, reason="It broke.")
+    scored = Result("success", 1.0, 1, 1, True, False, 0.0, WALL)
+    run.episodes[0].faults, run.episodes[0].result = 1, scored
+    run.episodes[1].faults = 2
+    progress.resume(run, WALL + 3)
+    assert (run.state, run.reason, run.retryable) == ("queued", None, None)
+    assert run.queue_until_wall == WALL + 3
+    assert [e.faults_forgiven for e in run.episodes] == [0, 2, 0]
+    assert run.changed == {1}
+
+
+@pytest.mark.parametrize("state", ["queued", "ready", "running"])
+def test_a_resume_of_a_run_that_goes_on_changes_nothing(state: State) -> None:
+    run = a_run(state=state)
+    progress.resume(run, WALL + 3)
+    assert (run.state, run.queue_until_wall) == (state, 0.0)
+
+
+# --- faults ---
+
+
+def test_a_fault_costs_no_attempt() -> None:
+    run = a_run()
+    session = opened(run)
+    play(run, session, played(2))
+    assert progress.fault(run, session, "died", unplayable=False, now_wall=WALL) == []
+    assert run.state == "running"
+    assert (session.steps, run.episodes[0].attempt, run.episodes[0].faults) == (0, 1, 1)
+    assert session.episode is run.episodes[0]
+    assert run.changed == {0}
+
+
+@pytest.mark.parametrize(("unplayable", "faults"), [(False, 2), (True, 1)])
+def test_a_fault_too_many_fails_the_run(unplayable: bool, faults: int) -> None:
+    run = a_run()
+    a, b = opened(run, "a"), opened(run, "b")
+    play(run, b, played())
+    for _ in range(faults):
+        ended = progress.fault(run, a, "died", unplayable=unplayable, now_wall=WALL)
+    assert ended == [a, b]
+    assert (run.state, run.retryable) == ("failed", not unplayable)
+    assert "e0000" in (run.reason or "")
+    assert "died" in (run.reason or "")
+    assert ("cannot be played" in (run.reason or "")) == unplayable
+    assert (a.ended_by, b.ended_by, run.workers) == ("run_failed", "run_failed", {})
+    assert a.done
+    assert b.done
+    assert [e.attempt for e in run.episodes] == [1, 1, 1]
+
+
+def test_forgiven_faults_do_not_fail_the_run_again() -> None:
+    run = a_run()
+    run.episodes[0].faults = run.episodes[0].faults_forgiven = 5
+    session = opened(run)
+    assert progress.fault(run, session, "died", unplayable=False, now_wall=WALL) == []
+    assert run.state == "running"
+
+
+# --- the queue ---
+
+
+def test_the_oldest_are_admitted_first_while_there_is_room() -> None:
+    runs = [a_run(number=number, state="queued") for number in (3, 1, 4, 2)]
+    runs[1].queue_until_wall = WALL + 1
+    assert [r.number for r in progress.admit(runs, 1, 3, WALL)] == [2, 3]
+    assert [r.state for r in runs] == ["ready", "queued", "queued", "ready"]
+    assert progress.admit(runs[1:2], 3, 3, WALL + 1) == []
+    assert progress.admit(runs[1:2], 2, 3, WALL + 1) == [runs[1]]
+
+
+def test_an_event_without_a_row_changes_nothing() -> None:
+    run = a_run(state="completed", reason="because")
+    progress.move(run, "stop_abort", "other")
+    assert (run.state, run.reason) == ("completed", "because")
+
+
+def test_values_are_clipped_only_where_that_is_declared() -> None:
+    manifest = a_run().manifest
+    action = {"arm": [9.0, -9.0], "grip": [0.5], "head": [1.5]}
+    clipped = progress.clipped([action, ACTION | {"head": [-1e300]}], manifest)
+    assert clipped[0] == {"arm": [9.0, -9.0], "grip": [0.5], "head": [1.0]}
+    assert clipped[1]["head"] == [0.0]
+
+
+def test_only_so_many_ends_are_remembered() -> None:
+    run = a_run()
+    for number in range(run_state.ENDED_KEPT + 1):
+        run.remember_end(Session(f"s{number}", "w", "k", 1.0, 1, NOW), "detached")
+    assert len(run.ended) == run_state.ENDED_KEPT
+    assert "s0" not in run.ended
+    assert "s1" in run.ended
+
+
+# --- all of it, in any order ---
+
+
+class Watched(Run):
+    """A run that lets its state change only along the table."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name == "state" and hasattr(self, "state"):
+            steps = {(s, t) for (s, _), t in TRANSITIONS.items()}
+            assert (self.state, value) in steps
+        super().__setattr__(name, value)
+
+
+# What happens next, and how often; one rule, because most steps need a session.
+STEPS = {
+    "go_on": 20,
+    "attach": 5,
+    "detach": 3,
+    "repeat": 2,
+    "resume": 2,
+    "fault": 1,
+    "give_up": 1,
+    "heartbeat": 1,
+    "stop": 1,
+    "wait": 1,
+}
+
+
+class AnyOrder(RuleBasedStateMachine):
+    """The pure core as the stage uses it: sweep, decide, and do what is accepted.
+
+    Between the parts of a turn anything else may happen, as it does when a simulator
+    executes while other requests arrive.
+    """
+
+    @initialize(
+        episodes=st.integers(1, 4),
+        max_workers=st.integers(1, 3),
+        state=st.sampled_from(["ready", "ready", "queued"]),
+    )
+    def submit(self, episodes: int, max_workers: int, state: State) -> None:
+        self.run = a_run(
+            episodes, run_type=Watched, state=state, max_workers=max_workers
+        )
+        self.now = NOW
+        self.sessions: list[Session] = []
+        self.results: dict[int, Result] = {}
+
+    @rule(
+        data=st.data(),
+        step=st.sampled_from([name for name, n in STEPS.items() for _ in range(n)]),
+    )
+    def next(self, data: st.DataObject, step: str) -> None:
+        getattr(self, step)(data.draw)
+
+    def ask(self, command: Command) -> Verdict:
+        progress.expire(self.run, self.now, WALL)
+        before = self.everything()
+        verdict = decide(self.run, command, self.now)
+        assert self.everything() == before, "deciding changes nothing"
+        if isinstance(verdict, Refuse):
+            assert verdict.code in PROBLEMS
+        return verdict
+
+    def everything(self) -> str:
+        run = self.run
+        return repr((run.state, run.pending, run.episodes, run.workers, run.ended))
+
+    def open(self, command: Attach) -> Session:
+        old = self.run.workers.get(command.worker_id)
+        first = min(self.run.pending, default=None)
+        inherited = None if old is None or old.done else old.episode
+        name = f"s{len(self.sessions)}"
+        session = progress.open_session(self.run, command, name, self.now)
+        self.sessions.append(session)
+        if inherited is not None:
+            assert session.episode is inherited
+        else:  # EPI-001
+            assert (session.episode and session.episode.index) == first
+        return session
+
+    def attach(self, draw: Draw) -> None:
+        worker = draw(st.sampled_from("abcd"))
+        command = Attach(worker, draw(st.sampled_from("xyz")), draw(st.booleans()))
+        match self.ask(command):
+            case Accept():
+                self.open(command)
+            case Replay(session) | Wait(session):
+                assert session is self.run.workers[worker]
+
+    def go_on(self, draw: Draw) -> None:
+        """A session does what comes next for it."""
+        sessions = list(self.run.workers.values())
+        if not sessions:
+            return self.attach(draw)
+        session = draw(st.sampled_from(sessions))
+        if session.busy is None:
+            return self.predict(session, session.seq + 1)
+        if session.busy == "playing":
+            executed, ended = draw(st.integers(1, 3)), draw(st.booleans())
+            progress.end_turn(self.run, session, played(executed, ended=ended), WALL)
+            return None
+        return progress.answer(session, {"seq": session.seq}, self.now)
+
+    def predict(self, session: Session, seq: int) -> None:
+        command = Predict(session.worker_id, session.session_id, seq, [ACTION])
+        match self.ask(command):
+            case Accept():
+                assert seq == session.seq + 1
+                assert session.episode is not None
+                progress.begin_turn(session, command, self.now)
+            case Replay(other):
+                assert (other, seq) == (session, session.seq)
+                assert session.turn is not None
+
+    def any_session(self, draw: Draw) -> Session | None:
+        return draw(st.sampled_from(self.sessions)) if self.sessions else None
+
+    def repeat(self, draw: Draw) -> None:
+        """Any session, also one that has ended, and any seq."""
+        session = self.any_session(draw)
+        if session is not None:
+            self.predict(session, max(1, session.seq + draw(st.integers(-1, 2))))
+
+    def breakable(self, draw: Draw) -> Session | None:
+        busy = [s for s in self.run.workers.values() if s.busy and s.episode]
+        return draw(st.sampled_from(busy)) if busy else None
+
+    def fault(self, draw: Draw) -> None:
+        session, unplayable = self.breakable(draw), draw(st.booleans())
+        if session is not None:
+            session.busy = "turning"
+            progress.fault(
+                self.run, session, "died", unplayable=unplayable, now_wall=WALL
+            )
+
+    def give_up(self, draw: Draw) -> None:
+        """No simulator was free: the session ends by no fault of its policy."""
+        session = self.breakable(draw)
+        if session is not None:
+            session.busy, session.steps = "turning", 0
+            progress.close_session(self.run, session, "unknown", WALL)
+
+    def heartbeat(self, draw: Draw) -> None:
+        session = self.any_session(draw)
+        if session is not None:
+            command = Heartbeat(session.worker_id, session.session_id)
+            if self.ask(command) == Accept():
+                progress.touch(session, self.now)
+
+    def detach(self, draw: Draw) -> None:
+        session = self.any_session(draw)
+        if session is None:
+            return
+        verdict = self.ask(Detach(session.worker_id, session.session_id))
+        if verdict == Accept():
+            progress.close_session(self.run, session, "detached", WALL)
+        assert (verdict == Nothing()) <= (session not in self.run.workers.values())
+
+    def stop(self, draw: Draw) -> None:
+        mode: Any = draw(st.sampled_from(["abort", "drain"]))
+        if self.ask(Stop(mode)) == Accept():
+            progress.stop(self.run, mode, WALL)
+            assert self.run.state in ("stopped", "stopping", "completed")
+
+    def resume(self, _draw: Draw | None) -> None:
+        if self.ask(Resume()) == Accept():
+            progress.resume(self.run, WALL)
+        queued = [self.run] if self.run.state == "queued" else []
+        assert progress.admit(queued, 0, 1, WALL) == queued
+
+    def wait(self, draw: Draw) -> None:
+        self.now += draw(st.sampled_from([1.0, 9.0, 11.0]))
+
+    @invariant()
+    def every_episode_is_in_one_place(self) -> None:
+        run = self.run
+        held = [s.episode.index for s in run.workers.values() if s.episode]
+        scored = [e.index for e in run.episodes if e.result is not None]
+        everywhere = sorted([*run.pending, *held, *scored])
+        assert everywhere == list(range(len(run.episodes)))
+        assert [e.index for e in run.episodes if e.in_progress] == sorted(held)
+        assert run.scored == len(scored)
+
+    @invariant()
+    def results_are_written_once(self) -> None:
+        for episode in self.run.episodes:
+            assert 1 <= episode.attempt <= self.run.manifest["max_attempts"]
+            assert episode.faults_forgiven <= episode.faults
+            if episode.result is not None:
+                first = self.results.setdefault(episode.index, episode.result)
+                assert episode.result is first
+        assert len(self.results) == self.run.scored
+
+    @invariant()
+    def the_state_follows_from_the_rest(self) -> None:
+        run = self.run
+        assert (run.state == "completed") == (run.scored == len(run.episodes))
+        assert (run.state in ("running", "stopping")) == bool(run.live)
+        assert len(run.live) <= run.max_workers
+        assert all((s.episode is None) == s.done for s in run.workers.values())
+        assert (run.retryable is None) == (run.state != "failed")
+        assert run.reason or run.state != "failed"
+
+    def teardown(self) -> None:
+        """From wherever it got to, the run can be brought to its end."""
+        run = self.run
+        if run.retryable is False:
+            return
+        if run.state not in ("failed", "completed"):
+            progress.stop(run, "abort", WALL)
+        self.resume(None)
+        while run.scored < len(run.episodes):
+            session = self.open(Attach("a", "last", takeover=True))
+            progress.answer(session, {}, self.now)
+            play(run, session, played(1, ended=True), self.now)
+        self.every_episode_is_in_one_place()
+        self.results_are_written_once()
+        self.the_state_follows_from_the_rest()
+
+
+AnyOrder.TestCase.settings = settings(
+    max_examples=200, stateful_step_count=50, deadline=None
+)
+TestAnyOrder = AnyOrder.TestCase

@@ -1,0 +1,394 @@
+"""Every verdict of the protocol: the table as stated, then guard by guard."""
+
+import math
+import re
+import typing
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from reference_server import protocol
+from reference_server.protocol import (
+    GUARDS,
+    Accept,
+    Attach,
+    Command,
+    Detach,
+    Event,
+    Heartbeat,
+    Nothing,
+    Predict,
+    Refuse,
+    Replay,
+    Resume,
+    Stop,
+    Wait,
+    decide,
+    lease_over,
+    legal,
+)
+from reference_server.run_state import Run, State
+from tests.conftest import ACTION, NOW, a_run, attached
+
+
+def predict(seq: int = 4, *actions: dict[str, list[float]], **changes: Any) -> Predict:
+    fields: dict[str, Any] = {"worker_id": "w", "session_id": "session-of-w"}
+    fields |= {"seq": seq, "actions": list(actions) or [ACTION]}
+    return Predict(**fields | changes)
+
+
+def refusal(run: Run, command: Command, now: float = NOW) -> Refuse:
+    verdict = decide(run, command, now)
+    assert isinstance(verdict, Refuse), verdict
+    return verdict
+
+
+def pointers(run: Run, command: Command) -> list[str]:
+    return [pointer for pointer, _ in refusal(run, command).errors]
+
+
+# --- commands of the control plane ---
+
+
+@pytest.mark.parametrize(
+    "command", [Attach("w", "key"), Stop("abort"), Stop("drain"), Resume()], ids=str
+)
+@pytest.mark.parametrize("state", typing.get_args(State))
+def test_the_table_decides(state: State, command: Command) -> None:
+    run = a_run(state=state, retryable=False, reason="it broke")
+    match command:
+        case Attach():
+            event: Event = "attach_worker"
+        case Stop(mode):
+            event = "stop_abort" if mode == "abort" else "stop_drain"
+        case _:
+            event = "resume_run"
+    if legal(run, event):
+        assert decide(run, command, NOW) == Accept()
+        return
+    refused = refusal(run, command)
+    assert refused.code == "illegal_transition"
+    assert refused.members == {"state": state}
+    assert ("it broke" in refused.detail) == (state == "failed")
+
+
+# --- leases ---
+
+
+@pytest.mark.parametrize(
+    ("busy", "late_s", "over"),
+    [
+        (None, 0.0, False),  # LEASE-002: not before its time has passed
+        (None, 0.001, True),
+        ("opening", 99.0, False),  # LEASE-005
+        ("playing", 99.0, False),
+        ("turning", 99.0, False),
+    ],
+)
+def test_a_lease_runs_only_while_nothing_is_executed(
+    busy: Any, late_s: float, over: bool
+) -> None:
+    session = attached(a_run(), busy=busy, expires_at=NOW)
+    assert lease_over(session, NOW + late_s) == over
+
+
+# --- attach ---
+
+
+OVER = {"expires_at": NOW - 1}
+DONE = {"done": True, "episode": None}
+SAME, OTHER, TAKEOVER = (
+    Attach("w", "key"),
+    Attach("w", "another"),
+    Attach("w", "another", takeover=True),
+)
+
+
+@pytest.mark.parametrize(
+    ("held", "command", "expected"),
+    [
+        (None, SAME, "Accept"),
+        # A lost answer to attach costs nothing: the same key gets the same session.
+        ({}, SAME, "Replay"),
+        ({}, Attach("w", "key", takeover=True), "Replay"),
+        ({"busy": "opening"}, SAME, "Wait"),
+        (OVER, SAME, "Accept"),
+        ({}, Attach("v", "key"), "Accept"),
+        # Another key cannot disturb a live session, unless it takes over.
+        ({}, OTHER, "worker_busy"),
+        ({"busy": "playing"}, OTHER, "worker_busy"),
+        ({}, TAKEOVER, "Accept"),
+        ({"busy": "playing"}, TAKEOVER, "Wait"),
+        (OVER, OTHER, "Accept"),
+        (OVER, TAKEOVER, "Accept"),
+        # A session that is done stands in nobody's way, once its last turn is answered.
+        (DONE, OTHER, "Accept"),
+        (DONE, TAKEOVER, "Accept"),
+        (DONE | {"busy": "turning"}, OTHER, "Wait"),
+        (DONE | {"busy": "turning"}, TAKEOVER, "Wait"),
+    ],
+)
+def test_a_worker_has_one_session(
+    held: dict[str, Any] | None, command: Attach, expected: str
+) -> None:
+    run = a_run(state="running")
+    session = None if held is None else attached(run, **held)
+    verdict = decide(run, command, NOW)
+    if isinstance(verdict, Refuse):
+        assert (verdict.code, verdict.requirement) == (expected, "ATT-003")
+    else:
+        assert type(verdict).__name__ == expected
+    if isinstance(verdict, Replay | Wait):
+        assert verdict.session is session
+
+
+@pytest.mark.parametrize("state", typing.get_args(State))
+def test_a_lost_answer_to_attach_costs_nothing_in_any_state(state: State) -> None:
+    run = a_run()
+    session = attached(run)
+    run.state = state
+    assert decide(run, SAME, NOW) == Replay(session)
+
+
+def test_no_more_workers_than_the_run_may_have() -> None:
+    run = a_run(max_workers=2)
+    attached(run, "a")
+    attached(run, "b")
+    refused = refusal(run, Attach("c", "key"))
+    assert (refused.code, refused.requirement) == ("worker_limit", "ATT-006")
+
+
+@pytest.mark.parametrize("frees", [DONE, OVER])
+def test_a_session_without_a_slot_does_not_count(frees: dict[str, Any]) -> None:
+    run = a_run(max_workers=2)
+    attached(run, "a")
+    attached(run, "b", **frees)
+    assert decide(run, Attach("c", "key"), NOW) == Accept()
+
+
+def test_a_takeover_needs_no_slot_of_its_own() -> None:
+    run = a_run(max_workers=1)
+    attached(run)
+    assert decide(run, Attach("w", "another", takeover=True), NOW) == Accept()
+
+
+def test_can_confirm_conventions() -> None:
+    assumes = {
+        "control_rate_hz": 10,
+        "action": {"arm": {"size": 2, "rotation": "none"}},
+        "state": {"joints": {"unit": "rad"}},
+    }
+    assert decide(a_run(), Attach("w", "key", False, assumes), NOW) == Accept()
+
+
+@pytest.mark.parametrize(
+    ("assumes", "wrong"),
+    [
+        ({"control_rate_hz": 20.0}, ["control_rate_hz"]),
+        ({"action": {"arm": {"size": 3}}}, ["action/arm/size"]),
+        ({"action": {"a/b~c": {}}}, ["action/a~1b~0c"]),
+        ({"action": {"arm": {"gripper_open": 1}}}, ["action/arm/gripper_open"]),
+        ({"state": {"joints": {"unit": "deg"}}}, ["state/joints/unit"]),
+        ({"state": {"arm": {}}}, ["state/arm"]),
+        (
+            {"action": {"leg": {}, "arm": {"size": 9}}},
+            ["action/leg", "action/arm/size"],
+        ),
+    ],
+)
+def test_cannot_assume_other_conventions(
+    assumes: dict[str, Any], wrong: list[str]
+) -> None:
+    command = Attach("w", "key", False, assumes)
+    assert refusal(a_run(), command).code == "convention_mismatch"
+    assert pointers(a_run(), command) == [f"/assumes/{where}" for where in wrong]
+
+
+# --- sessions ---
+
+
+def session_commands(session_id: str = "session-of-w") -> list[Command]:
+    play = predict(session_id=session_id)
+    return [play, Heartbeat("w", session_id), Detach("w", session_id)]
+
+
+def test_a_live_session_can_do_everything() -> None:
+    run = a_run()
+    attached(run)
+    for command in session_commands():
+        assert decide(run, command, NOW) == Accept()
+
+
+def ended(run: Run, session_id: str = "session-of-w", now: float = NOW) -> list[str]:
+    """`ended_by` as predict and heartbeat tell it; detach finds nothing to do."""
+    play, beat, detach = session_commands(session_id)
+    assert decide(run, detach, now) == Nothing()  # DET-002
+    refused = [refusal(run, play, now), refusal(run, beat, now)]
+    assert {one.code for one in refused} == {"session_ended"}
+    return [one.members["ended_by"] for one in refused]
+
+
+def test_an_ended_session_is_told_why() -> None:
+    run = a_run()
+    assert ended(run) == ["unknown", "unknown"]
+    run.remember_end(attached(run), "run_stopped")
+    run.workers.clear()
+    assert ended(run) == ["run_stopped", "run_stopped"]
+    attached(run, session_id="successor")
+    assert ended(run) == ["run_stopped", "run_stopped"]
+
+
+def test_a_session_ends_with_its_lease() -> None:
+    run = a_run()
+    attached(run)
+    assert ended(run, now=NOW + 10.1) == ["lease_ended", "lease_ended"]
+
+
+def test_a_superseded_session_can_do_nothing() -> None:
+    run = a_run()
+    attached(run, session_id="successor")
+    for command in session_commands():
+        refused = refusal(run, command)
+        assert (refused.code, refused.requirement) == ("session_superseded", "ATT-005")
+
+
+# --- predict: order ---
+
+
+@pytest.mark.parametrize(
+    ("held", "command", "expected"),
+    [
+        ({}, predict(3), "Replay"),
+        ({"busy": "playing"}, predict(3), "Wait"),
+        (DONE, predict(3), "Replay"),  # PRED-010
+        ({}, predict(3, ACTION, ACTION), "seq_conflict PRED-003"),
+        ({}, predict(3, ACTION | {"grip": [0.0]}), "seq_conflict PRED-003"),
+        ({}, predict(3, observe="all"), "seq_conflict PRED-003"),
+        ({"busy": "playing"}, predict(3, observe="all"), "seq_conflict PRED-003"),
+        ({}, predict(4), "Accept"),
+        ({"busy": "turning"}, predict(4), "Wait"),
+        ({}, predict(1), "seq_out_of_order PRED-004"),
+        ({}, predict(2), "seq_out_of_order PRED-004"),
+        ({}, predict(5), "seq_out_of_order PRED-004"),
+        ({"busy": "playing"}, predict(5), "seq_out_of_order PRED-004"),
+        ({}, predict(2**53 - 1), "seq_out_of_order PRED-004"),
+        ({"seq": 0, "request": None}, predict(1), "Accept"),
+        ({"seq": 0, "request": None}, predict(0), "seq_out_of_order PRED-004"),
+        (DONE, predict(4), "no_episode PRED-011"),
+        # Who it is comes before the order, and the order before the content.
+        ({}, predict(9, {}), "seq_out_of_order PRED-004"),
+        (DONE, predict(4, {}), "no_episode PRED-011"),
+        ({}, predict(9, {}, session_id="old"), "session_superseded ATT-005"),
+    ],
+)
+def test_a_turn_is_played_once_and_in_order(
+    held: dict[str, Any], command: Predict, expected: str
+) -> None:
+    run = a_run()
+    session = attached(run, **held)
+    verdict = decide(run, command, NOW)
+    if isinstance(verdict, Refuse):
+        assert f"{verdict.code} {verdict.requirement}" == expected
+    else:
+        assert type(verdict).__name__ == expected
+    if isinstance(verdict, Replay | Wait):
+        assert verdict.session is session
+
+
+def test_who_is_out_of_order_is_told_what_is_expected() -> None:
+    run = a_run()
+    attached(run)
+    assert refusal(run, predict(9)).members == {"expected_seq": 4}
+
+
+# --- predict: actions ---
+
+
+def misfits(*actions: dict[str, list[float]]) -> list[str]:
+    run = a_run()
+    attached(run)
+    command = predict(4, *actions)
+    assert refusal(run, command).code == "invalid_request"
+    return pointers(run, command)
+
+
+def without(name: str) -> dict[str, list[float]]:
+    return {key: vector for key, vector in ACTION.items() if key != name}
+
+
+@pytest.mark.parametrize(
+    ("action", "pointer"),
+    [
+        (ACTION | {"arm": [0.0]}, "arm"),
+        (ACTION | {"arm": [0.0, 0.0, 0.0]}, "arm"),
+        (ACTION | {"grip": []}, "grip"),
+        (without("grip"), "grip"),
+        (ACTION | {"a/b~c": [0.0]}, "a~1b~0c"),
+        (ACTION | {"arm": [0.0, math.nan]}, "arm"),
+        (ACTION | {"arm": [math.inf, 0.0]}, "arm"),
+        (ACTION | {"head": [-math.inf]}, "head"),
+        (ACTION | {"grip": [1.0000001]}, "grip/0"),
+        (ACTION | {"grip": [-5e-324]}, "grip/0"),
+    ],
+)
+def test_an_action_must_fit(action: dict[str, list[float]], pointer: str) -> None:
+    assert misfits(action) == [f"/actions/0/values/{pointer}"]
+    # PRED-019: where it stands does not help it.
+    assert misfits(ACTION, action) == [f"/actions/1/values/{pointer}"]
+
+
+def test_every_misfit_is_named() -> None:
+    found = misfits({"grip": [2.0]}, ACTION, {"arm": [], "grip": [0.0], "head": [0.0]})
+    assert found == [
+        "/actions/0/values/arm",
+        "/actions/0/values/grip/0",
+        "/actions/0/values/head",
+        "/actions/2/values/arm",
+    ]
+
+
+@pytest.mark.parametrize("value", [0.0, 1.0, -0.0, 5e-324])
+def test_the_ends_of_a_range_belong_to_it(value: float) -> None:
+    run = a_run()
+    attached(run)
+    assert decide(run, predict(4, ACTION | {"grip": [value]}), NOW) == Accept()
+
+
+def test_a_range_that_clips_refuses_nothing() -> None:
+    run = a_run()
+    attached(run)
+    assert decide(run, predict(4, ACTION | {"head": [-1e300]}), NOW) == Accept()
+    assert decide(run, predict(4, ACTION | {"arm": [1e300, -1e300]}), NOW) == Accept()
+
+
+def test_a_chunk_has_a_longest_length() -> None:
+    run = a_run()
+    attached(run)
+    assert decide(run, predict(4, *[ACTION] * 4), NOW) == Accept()
+    assert misfits(*[ACTION] * 5) == ["/actions"]
+
+
+# --- all together ---
+
+
+def test_the_state_comes_before_conventions_and_those_before_workers() -> None:
+    wrong = {"control_rate_hz": 99.0}
+    run = a_run(max_workers=1)
+    attached(run, "other")
+    refused = refusal(run, Attach("w", "another", False, wrong))
+    assert refused.code == "convention_mismatch"
+    attached(run)
+    assert refusal(run, Attach("w", "another")).code == "worker_busy"
+    run.state = "stopping"
+    refused = refusal(run, Attach("w", "another", False, wrong))
+    assert refused.code == "illegal_transition"
+
+
+def test_the_guards_are_all_there_is() -> None:
+    """A guard that nobody calls would be a rule that does not hold."""
+    called = {guard for guards in GUARDS.values() for guard in guards}
+    source = Path(protocol.__file__).read_text()
+    section = source.partition("# --- guards")[2].partition("def _misfits")[0]
+    written = re.findall(r"^def (\w+)\(", section, re.MULTILINE)
+    assert {guard.__name__ for guard in called} == set(written)
