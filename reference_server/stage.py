@@ -265,6 +265,7 @@ class Stage:
                 beginning = await scene.handle.begin(
                     episode.task,
                     episode.seed,
+                    split=episode.split,
                     max_steps=run.manifest["max_steps"],
                     success_rule=run.manifest["success_rule"],
                 )

@@ -5,11 +5,19 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from reference_sim.interface import Action, Observation, StepOutcome, TaskUnplayable
+from reference_sim.definition import Definition, Json, bounded, image_sizes, vector
+from reference_sim.interface import (
+    Action,
+    Observation,
+    Simulator,
+    StepOutcome,
+    TaskUnplayable,
+)
 
 TASKS = ("score", "count", "echo", "delay", "fault")
 VECTOR_SIZE = 8
@@ -25,7 +33,7 @@ class Calibration:
         pattern = 7 * column + 13 * row + 29 * channel
         self._pattern = pattern.astype(np.uint8)  # modulo 256
 
-    def reset(self, task: str, seed: int) -> str:
+    def reset(self, task: str, seed: int, split: str = "") -> str:
         if task not in TASKS:
             raise TaskUnplayable(f"calibration has no task {task!r}")
         self._task = task
@@ -89,3 +97,79 @@ def _tensors() -> Mapping[str, NDArray[np.generic]]:
 
 
 TENSORS = _tensors()
+
+
+# what a run may be made of
+
+
+def _describe(options: Mapping[str, Any], max_chunk: int) -> Json:
+    splits = ["even", "odd"]
+    episodes = [
+        {"task": task, "split": splits[index % 2], "seed": 1000 + index}
+        for index, task in enumerate(options.get("tasks", ["score"]))
+    ]
+    return {
+        "benchmark_id": "calibration",
+        "version": "1",
+        "title": "Calibration",
+        "description": "No physics: judges a server without knowing its simulators. "
+        "Never on a leaderboard.",
+        "episodes_total": len(episodes),
+        "episodes": episodes,
+        "tasks": list(TASKS),
+        "splits": splits,
+        "control_rate_hz": 10.0,
+        "max_steps": options.get("max_steps", 10),
+        "max_chunk": max_chunk,
+        "max_attempts": options.get("max_attempts", 3),
+        "max_faults": options.get("max_faults", 3),
+        "success_rule": options.get("success_rule", "any_step"),
+        "action_space": {
+            "score": bounded(1, 0, 1, out_of_range="refuse"),
+            "success": bounded(1, 0, 1, out_of_range="refuse"),
+            "end": bounded(1, 0, 1, out_of_range="refuse"),
+            "delay_s": bounded(1, 0, 5, out_of_range="refuse") | {"unit": "s"},
+            "fault": bounded(1, 0, 2, out_of_range="refuse"),
+            "vector": vector(VECTOR_SIZE),
+            "clipped": bounded(CLIPPED_SIZE, -1, 1, out_of_range="clip"),
+        },
+        "observation_space": {
+            "state": {
+                "count": vector(1),
+                "vector": vector(VECTOR_SIZE),
+                "clipped": vector(CLIPPED_SIZE),
+            },
+            "images": {
+                "pattern": {
+                    "channels": 3,
+                    "description": "(7·x + 13·y + 29·c + count) mod 256",
+                    "tasks": ["echo"],
+                }
+            },
+            "tensors": {
+                name: {
+                    "dtype": tensor.dtype.name,
+                    "shape": list(tensor.shape),
+                    "description": "Fixed elements, extremes of the dtype among them.",
+                    "tasks": ["echo"],
+                }
+                for name, tensor in TENSORS.items()
+            },
+        },
+        "image_sizes": image_sizes((16, 12), (64, 48)),
+        "image_codecs": ["raw", "png", "jpeg"],
+        "simulator": {"name": "calibration", "version": "1"},
+    }
+
+
+def _settings(images: Mapping[str, Any]) -> Json:
+    # "In the other tasks the score is 1 when the episode is a success."
+    scored = [task for task in TASKS if task != "score"]
+    return {**images, "success_scored_tasks": scored}
+
+
+def _make(settings: Mapping[str, Any]) -> Simulator:
+    return Calibration(settings["width"], settings["height"])
+
+
+BENCHMARKS = {"calibration": Definition(_describe, _settings, _make, has_options=True)}

@@ -24,6 +24,7 @@ class Episode:
         task: str,
         seed: int,
         *,
+        split: str = "",
         max_steps: int,
         success_rule: str,
         score_is_success: bool = False,
@@ -40,7 +41,7 @@ class Episode:
         self.success = False
         self.terminated = False
         self.truncated = False
-        self.instruction = simulator.reset(task, seed)
+        self.instruction = simulator.reset(task, seed, split)
 
     @property
     def ended(self) -> bool:

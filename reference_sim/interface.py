@@ -59,9 +59,10 @@ class TaskUnplayable(Exception):
 class Simulator(Protocol):
     """One world, used by one process, playing episodes one after another."""
 
-    def reset(self, task: str, seed: int) -> str:
-        """Begin an episode; the same task and seed give the same state, bit for bit.
+    def reset(self, task: str, seed: int, split: str = "") -> str:
+        """Begin an episode; the same arguments give the same state, bit for bit.
 
+        split: one of the manifest's; a world without variations disregards it.
         Returns the instruction in natural language.
         """
 

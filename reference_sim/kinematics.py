@@ -3,7 +3,7 @@
 Our own forty lines, although well-kept libraries solve this: the best of them, mink
 (Apache-2.0), brings 346 MB and a quadratic-program solver into every client that wants
 to run an expert, to do what damped least squares does here in 0.1 ms. Joint limits are
-met by clipping, and the arm's seventh freedom is spent on staying near a posture.
+met by clipping, and freedom left over is spent on staying near a posture.
 
 The arm is a model of its own: nothing is read from the simulator being played.
 """
@@ -15,7 +15,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from reference_sim.mujoco_world import Vector, World
-from reference_sim.tabletop import HOME_RAD, JOINTS, scene_mjcf
 
 POSITION_TOLERANCE_M = 1e-4
 ROTATION_TOLERANCE_RAD = 1e-3
@@ -25,26 +24,34 @@ POSTURE_GAIN = 0.1
 
 
 class ArmKinematics:
-    """Forward and inverse kinematics of the tabletop arm."""
+    """Forward and inverse kinematics of one arm of a model.
 
-    def __init__(self) -> None:
-        self._world = World(scene_mjcf())
-        self._low, self._high = self._world.joint_ranges(JOINTS).T
+    joints: of the arm, in order. body: whose pose is meant, the gripper's. posture:
+    joint positions, rad, near which the arm stays where it has freedom left.
+    """
+
+    def __init__(
+        self, mjcf: str, joints: tuple[str, ...], body: str, posture: Sequence[float]
+    ) -> None:
+        self._world = World(mjcf)
+        self._joints, self._body = joints, body
+        self._posture = np.array(posture, dtype=np.float64)
+        self._low, self._high = self._world.joint_ranges(joints).T
 
     def forward(self, joint_position: Sequence[float] | Vector) -> Vector:
-        """(7,) rad → (7,) position in m and quaternion wxyz of the gripper, world."""
+        """(n,) rad → (7,) position in m and quaternion wxyz of the gripper, world."""
         self._pose(joint_position)
-        return self._world.body_pose("tcp")
+        return self._world.body_pose(self._body)
 
     def inverse(self, pose: Vector, start: Sequence[float] | Vector) -> Vector:
-        """(7,) rad that bring the gripper to `pose`, searched from `start`.
+        """(n,) rad that bring the gripper to `pose`, searched from `start`.
 
         An unreachable pose gives the posture where the search ended, near its limits.
         """
         joints = np.array(start, dtype=np.float64)
         for _ in range(MAX_ITERATIONS):
             self._pose(joints)
-            error = self._world.body_error("tcp", pose)
+            error = self._world.body_error(self._body, pose)
             if (
                 np.linalg.norm(error[:3]) < POSITION_TOLERANCE_M
                 and np.linalg.norm(error[3:]) < ROTATION_TOLERANCE_RAD
@@ -54,19 +61,19 @@ class ArmKinematics:
         return joints
 
     def _pose(self, joint_position: Sequence[float] | Vector) -> None:
-        self._world.set_joint_positions(JOINTS, joint_position)
+        self._world.set_joint_positions(self._joints, joint_position)
         self._world.forward_poses()
 
     def _step(self, error: Vector, joints: Vector) -> Vector:
         """One step of damped least squares, for the pose just set."""
-        jacobian = self._world.body_jacobian("tcp", JOINTS)
+        jacobian = self._world.body_jacobian(self._body, self._joints)
         # Damping keeps steps finite near singular postures. It shrinks with the error:
         # a constant one would never quite arrive, drawn off by the posture.
         damping = 0.5 * float(error @ error) + 1e-5
         inverse = jacobian.T @ np.linalg.inv(
             jacobian @ jacobian.T + damping * np.eye(6)
         )
-        posture = POSTURE_GAIN * (np.array(HOME_RAD) - joints)
+        posture = POSTURE_GAIN * (self._posture - joints)
         step = inverse @ (error - jacobian @ posture) + posture
         longest = float(np.abs(step).max())
         return step * min(1.0, MAX_STEP_RAD / longest) if longest > 0 else step

@@ -54,6 +54,7 @@ class Build(msgspec.Struct, tag="build"):
 class Begin(msgspec.Struct, tag="begin"):
     task: str
     seed: int
+    split: str
     max_steps: int
     success_rule: str
 
@@ -207,6 +208,7 @@ class _Stage:
                 simulator,
                 command.task,
                 command.seed,
+                split=command.split,
                 max_steps=command.max_steps,
                 success_rule=command.success_rule,
                 score_is_success=command.task in world.success_scored_tasks,

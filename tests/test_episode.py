@@ -19,7 +19,7 @@ class Scripted:
     steps: int = 0
     resets: list[tuple[str, int]] = field(default_factory=list)
 
-    def reset(self, task: str, seed: int) -> str:
+    def reset(self, task: str, seed: int, split: str = "") -> str:
         if task == "broken":
             raise TaskUnplayable("an asset is missing")
         self.resets.append((task, seed))

@@ -88,7 +88,7 @@ def test_several_workers_play_every_episode_once(
 
 
 def test_the_readme_policy_lifts_the_cube(server: ServerProcess) -> None:
-    from reference_sim.experts import LiftCubeExpert
+    from reference_sim.tabletop.experts import LiftCubeExpert
 
     class Expert:
         def __init__(self) -> None:

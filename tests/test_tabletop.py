@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 from reference_sim import tabletop
-from reference_sim.experts import LiftCubeExpert
+from reference_sim.tabletop.experts import LiftCubeExpert
 from reference_sim.interface import (
     Action,
     Observation,

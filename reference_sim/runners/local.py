@@ -61,10 +61,16 @@ class SimulatorHandle:
         return self._process.pid
 
     async def begin(
-        self, plan_task: str, seed: int, *, max_steps: int, success_rule: str
+        self,
+        task: str,
+        seed: int,
+        *,
+        split: str = "",
+        max_steps: int,
+        success_rule: str,
     ) -> Beginning:
         """Resets to an episode's step 0, whatever was played before."""
-        command = worker.Begin(plan_task, seed, max_steps, success_rule)
+        command = worker.Begin(task, seed, split, max_steps, success_rule)
         return await self._ask(command, Beginning)
 
     async def play(

@@ -15,6 +15,8 @@ import numpy as np
 
 from reference_sim.kinematics import ArmKinematics
 from reference_sim.mujoco_world import Vector
+from reference_sim.tabletop.layout import HOME_RAD, JOINTS
+from reference_sim.tabletop.scene import scene_mjcf
 
 HOVER_M = 0.09  # above the cube, where the fingers are clear of it
 ARRIVED_M = 0.01
@@ -30,7 +32,7 @@ class LiftCubeExpert:
     """Hovers over the cube, descends, squeezes, lifts."""
 
     def __init__(self) -> None:
-        self._arm = ArmKinematics()
+        self._arm = tabletop_arm()
         self.reset("")
 
     def reset(self, instruction: str) -> None:
@@ -84,6 +86,11 @@ class LiftCubeExpert:
         way = goal - self._waypoint
         length = float(np.linalg.norm(way))
         self._waypoint = self._waypoint + way * min(1.0, STRIDE_M / max(length, 1e-9))
+
+
+def tabletop_arm() -> ArmKinematics:
+    """The arm's kinematics, apart from the simulator being played."""
+    return ArmKinematics(scene_mjcf(), JOINTS, "tcp", HOME_RAD)
 
 
 def _grasp_yaw(quaternion: Vector) -> float:

@@ -1,0 +1,1 @@
+"""One arm with a gripper, one table: the benchmarks `tabletop`, `tabletop_state`."""

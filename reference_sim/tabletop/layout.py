@@ -1,0 +1,67 @@
+"""What a policy sends and sees in the tabletop world, and the measures of its scene.
+
+Importing this file imports no simulator: the manifest is made from it.
+"""
+
+from __future__ import annotations
+
+import math
+
+from reference_sim.definition import Channel
+
+CONTROL_RATE_HZ = 20
+SUBSTEPS = 20  # of the scene's timestep, 2.5 ms, in one control step
+
+JOINTS = (
+    "shoulder_yaw",
+    "shoulder_pitch",
+    "shoulder_roll",
+    "elbow_pitch",
+    "forearm_roll",
+    "wrist_pitch",
+    "hand_roll",
+)
+JOINT_LOW_RAD = (-2.8, -1.8, -2.8, -2.4, -2.8, -2.2, -2.8)
+JOINT_HIGH_RAD = (2.8, 1.8, 2.8, 2.4, 2.8, 2.2, 2.8)
+HOME_RAD = (0.0, 0.3, 0.0, 1.6, 0.0, math.pi - 1.9, 0.0)  # the gripper looks down
+
+
+POSE_FRAME = "world"  # origin under the arm, x forward, z up, z = 0 on the table
+
+
+def _pose(name: str, meaning: str) -> Channel:
+    frame, rotation = POSE_FRAME, "quaternion_wxyz"
+    return Channel(name, 7, "m,1", meaning, frame=frame, rotation=rotation)
+
+
+ACTION_CHANNELS = (
+    Channel(
+        "joint_position",
+        7,
+        "rad",
+        "absolute targets",
+        JOINT_LOW_RAD,
+        JOINT_HIGH_RAD,
+        frame="joint",
+    ),
+    Channel("gripper", 1, "1", "0 closed, 1 open", (0.0,), (1.0,), gripper_open=1.0),
+)
+STATE_CHANNELS = (
+    Channel(
+        "joint_position",
+        7,
+        "rad",
+        "measured, in the order of the action",
+        frame="joint",
+    ),
+    Channel("gripper", 1, "1", "measured opening, 0 closed, 1 open", gripper_open=1.0),
+    _pose("ee_pose", "between the fingertips: position, quaternion wxyz"),
+    _pose("cube_pose", "the cube's centre: position, quaternion wxyz"),
+)
+CAMERAS = ("front", "wrist")
+
+# The scene's measures, which its XML states as well (a test compares them)
+
+CUBE_HALF_M = 0.022
+FINGER_STROKE_M = 0.04  # of each finger
+FINGERS = ("left_finger", "right_finger")
