@@ -5,6 +5,7 @@ they raise SetUpFailed, which proves nothing against the rule under test. The `t
 verbs and `call` give the raw answer, for `expect` to judge.
 """
 
+import contextlib
 import itertools
 import time
 import uuid
@@ -12,12 +13,14 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from conformance.expect import SetUpFailed
+from conformance.expect import SetUpFailed, Violation
 from conformance.wire import Answer, Wire
 
 if TYPE_CHECKING:
     from conformance.story import Story
 
+_ENDED = ("completed", "failed", "stopped")
+_ABANDON_S = 5.0
 _POLL_FIRST_S = 0.004
 _POLL_LONGEST_S = 0.1
 _PATIENCE_LEAST_S = 0.5
@@ -26,7 +29,7 @@ _SURELY_ENOUGH_PAGES = 2000
 
 
 class Patience:
-    """How long to wait for a state: less, the more often it did not come.
+    """How long to wait for something: less, the more often it did not come.
 
     A server that never gets there would otherwise cost minutes. What is lost is never
     a verdict against the server: too little patience leaves a row not verified.
@@ -35,14 +38,14 @@ class Patience:
     def __init__(self) -> None:
         self._disappointments: Counter[str] = Counter()
 
-    def for_state(self, state: str, wanted_s: float) -> float:
-        """Give the time to wait for a state."""
-        share: float = 0.5 ** self._disappointments[state]
+    def of(self, what: str, wanted_s: float) -> float:
+        """Give the time to wait for it, in seconds."""
+        share: float = 0.5 ** self._disappointments[what]
         return max(_PATIENCE_LEAST_S, share * wanted_s)
 
-    def lose(self, state: str) -> None:
-        """Note that a state did not come."""
-        self._disappointments[state] += 1
+    def lose(self, what: str) -> None:
+        """Note that it did not come."""
+        self._disappointments[what] += 1
 
 
 class Run:
@@ -54,12 +57,36 @@ class Run:
         self.body = body
         self.id: str = body["run_id"]
         self._worker_numbers = itertools.count(1)
+        self._sessions: dict[str, str] = {}  # of each worker, the latest
 
     def call(self, operation_id: str, **how: Any) -> Answer:
         """Send an operation on this run; the answer is raw."""
         how.setdefault("wire", self.wire)
         how.setdefault("run_id", self.id)
-        return self.story.call(operation_id, endpoint=self.body["endpoint"], **how)
+        answer = self.story.call(operation_id, endpoint=self.body["endpoint"], **how)
+        if operation_id == "attach_worker" and answer.status == 200:
+            self._remember(str(how.get("worker_id")), answer.json)
+        return answer
+
+    def _remember(self, worker_id: str, turn: Any) -> None:
+        session_id = turn.get("session_id") if isinstance(turn, dict) else None
+        if isinstance(session_id, str):
+            self._sessions[worker_id] = session_id
+
+    def abandon(self) -> None:
+        """Stop the run, so that it holds no simulator; best effort.
+
+        A server that cannot stop is asked to end the sessions one by one.
+        """
+        with contextlib.suppress(Violation, SetUpFailed):
+            how: dict[str, Any] = {"timeout_s": _ABANDON_S}
+            if self.call("stop_run", json={"mode": "abort"}, **how).status == 200:
+                return
+            if not self._sessions or self.get()["state"] in _ENDED:
+                return
+            for worker_id, session_id in self._sessions.items():
+                how["params"] = {"session_id": session_id}
+                self.call("detach_worker", worker_id=worker_id, **how)
 
     def _given(self, operation_id: str, status: int = 200, **how: Any) -> Any:
         return self.story.given(
@@ -100,7 +127,7 @@ class Run:
 
     def until(self, state: str, timeout_s: float = 5.0) -> dict[str, Any]:
         """Poll until the run is in a state."""
-        timeout_s = self.story.context.patience.for_state(state, timeout_s)
+        timeout_s = self.story.context.patience.of(state, timeout_s)
         deadline = time.monotonic() + timeout_s
         pause_s = _POLL_FIRST_S
         while self.get()["state"] != state:

@@ -95,9 +95,10 @@ class ServerProcess:
                     f"the command ended with code {process.returncode} "
                     f"before it answered; its last words: {self.last_words()}"
                 )
-            with contextlib.suppress(httpx.TransportError):
-                httpx.get(f"{self.url}/v1", timeout=2.0, trust_env=False)
-                return
+            if _listens(self._port):
+                with contextlib.suppress(httpx.TransportError):
+                    httpx.get(f"{self.url}/v1", timeout=2.0, trust_env=False)
+                    return
             time.sleep(_POLL_S)
         raise StartFailed(f"no answer at {self.url}/v1 within {_START_S:g} s")
 
@@ -134,6 +135,11 @@ class ServerProcess:
         if self._output is not None:
             self._output.close()
             self._output = None
+
+
+def _listens(port: int) -> bool:
+    with socket.socket() as probe:
+        return probe.connect_ex(("127.0.0.1", port)) == 0
 
 
 def _free_port() -> int:

@@ -14,15 +14,17 @@ A story is cheap, belongs to one check, and may be used from several threads.
 import contextlib
 import random
 import threading
+import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
 import httpx
 import msgspec
 
-from conformance.expect import KitError, SetUpFailed, Violation, given
+from conformance.expect import KitError, SetUpFailed, given, told
 from conformance.handles import Patience, Run, Worker
 from conformance.journal import Journal
 from conformance.judge import Tally
@@ -35,6 +37,10 @@ if TYPE_CHECKING:
 
 __all__ = ["Context", "Run", "Story", "Worker"]
 
+_NO_ROOM = "no_capacity"
+_COME_BACK = (_NO_ROOM, "unavailable")
+_ROOM_S = 5.0
+_ROOM_POLL_S = 0.1
 # Capacity may have to be made first: a simulator started, a robot freed.
 _READY_S = 30.0
 # Name → size, from calibration.md.
@@ -159,7 +165,8 @@ class Story:
         if msgpack:
             content, json = msgspec.msgpack.encode(json), None
             headers = {"Content-Type": MSGPACK, "Accept": MSGPACK, **(headers or {})}
-        return wire.request(
+        send = partial(
+            wire.request,
             operation.method,
             base_url + path,
             json=json,
@@ -169,6 +176,23 @@ class Story:
             timeout_s=timeout_s,
             operation=operation,
         )
+        return self._in_time(send)
+
+    def _in_time(self, send: Callable[[], Answer]) -> Answer:
+        """Repeat while the server has no room, as every client must; then give up.
+
+        To have no room is no violation of any rule, and no proof that one is kept.
+        """
+        patience = self.context.patience
+        until = time.monotonic() + patience.of("room", _ROOM_S)
+        while (answer := send()).code in _COME_BACK:
+            if time.monotonic() > until:
+                patience.lose("room")
+                if answer.code == _NO_ROOM:
+                    raise SetUpFailed(f"the server has no room: {told(answer)}")
+                return answer
+            time.sleep(_ROOM_POLL_S)
+        return answer
 
     def given(self, step: Callable[[], Answer], status: int, name: str) -> Any:
         """Take a set-up step and give its body; whatever goes wrong is no violation."""
@@ -270,7 +294,6 @@ class Story:
             yield server
 
     def tidy_up(self) -> None:
-        """Stop the runs of this story, so that they hold no simulator; best effort."""
-        for run in self._runs:
-            with contextlib.suppress(Violation, SetUpFailed):
-                run.call("stop_run", json={"mode": "abort"}, timeout_s=5.0)
+        """End the runs of this story, so that they hold no simulator; best effort."""
+        while self._runs:
+            self._runs.pop().abandon()

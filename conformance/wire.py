@@ -5,9 +5,11 @@ check's journal and is judged by the rules that hold for all answers. What is se
 never corrected here: a check may send anything.
 """
 
+import functools
 import http.cookiejar
 import ipaddress
 import json as json_module
+import ssl
 import time
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -85,9 +87,16 @@ def open_connections(url: str) -> httpx.Client:
         limits=_CONNECTIONS,
         follow_redirects=False,
         cookies=http.cookiejar.CookieJar(policy=no_cookies),
+        verify=_certificates(),
         # Proxies from the environment help to reach the world, not this machine.
         trust_env=not _is_this_machine(url),
     )
+
+
+@functools.cache
+def _certificates() -> ssl.SSLContext:
+    """Read the authorities once: it takes longer than all else here together."""
+    return httpx.create_ssl_context()
 
 
 def _is_this_machine(url: str) -> bool:

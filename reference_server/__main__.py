@@ -96,7 +96,7 @@ def _serve(
     server = Server(config, _greeting(settings.host, port, secret), app.end)
     # uvicorn ends in order and then raises Ctrl-C again.
     with contextlib.suppress(KeyboardInterrupt):
-        asyncio.run(server.serve(sockets=[listener]))
+        server.run(sockets=[listener])
     return 0 if server.started else 1
 
 

@@ -11,6 +11,7 @@ import importlib.metadata
 import importlib.util
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 from reference_sim import rendering
@@ -97,6 +98,7 @@ def image_sizes(*sizes: tuple[int, int]) -> list[Json]:
     return [{"width": width, "height": height} for width, height in sizes]
 
 
+@cache
 def installed_version(distribution: str) -> str:
     """Without importing it."""
     try:

@@ -94,8 +94,8 @@ def test_patience_shrinks_for_the_state_that_did_not_come() -> None:
     patience = Patience()
     patience.lose("failed")
     patience.lose("failed")
-    assert patience.for_state("failed", 4.0) == 1.0
-    assert patience.for_state("ready", 4.0) == 4.0
+    assert patience.of("failed", 4.0) == 1.0
+    assert patience.of("ready", 4.0) == 4.0
 
 
 def test_check_that_is_led_in_circles_ends() -> None:

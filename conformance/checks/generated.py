@@ -49,6 +49,7 @@ def for_all(
             text = f"{error.expected}, for the example {example}"
             smaller = Violation(text, error.observed, error.exchange)
             broken.append((smaller, list(journal.exchanges)))
+            story.tidy_up()  # there may be many examples before the smallest
             shrink_until = min(shrink_until, time.monotonic() + shrink_s)
             raise smaller from error
 

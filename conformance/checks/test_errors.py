@@ -340,7 +340,7 @@ def test_err_012_nothing_makes_the_server_fail(story: Story) -> None:
     Expect no status of 500 or above except 503, here and in all other checks.
     """
     worker = live_worker(story)
-    seconds = 1.0 if story.context.settings.quick else 3.0
+    seconds = 1.0 if story.context.settings.quick else 2.0
     fuzz_operations(worker, until=time.monotonic() + seconds)
     alive = story.call("describe_service")
     expect.ok(alive)
