@@ -6,7 +6,9 @@ A check ends in one of five ways: it returns (passed), or it raises `Violation`
 Anything else is a fault of the kit itself.
 """
 
+import itertools
 import json
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from conformance.spec import load_spec
@@ -16,6 +18,8 @@ if TYPE_CHECKING:
 
 TIME_WAS_UP = "time was up"
 _LONGEST_TEXT = 600
+_PATHS_SHOWN = 5
+_ABSENT = "(absent)"
 
 
 class Violation(AssertionError):
@@ -113,8 +117,34 @@ def refused(
 
 def equal(observed: Any, expected: Any, what: str) -> None:
     """Expect a value."""
-    if observed != expected:
+    if observed == expected:
+        return
+    if len(shown(expected)) + len(shown(observed)) <= _LONGEST_TEXT:
         raise Violation(f"{what} = {shown(expected)}", shown(observed))
+    paths = list(itertools.islice(_differences(observed, expected), _PATHS_SHOWN))
+    raise Violation(
+        f"{what} with " + ", ".join(f"{at} {shown(due)}" for at, _, due in paths),
+        ", ".join(f"{at} {shown(seen)}" for at, seen, _ in paths),
+    )
+
+
+def _differences(
+    observed: Any, expected: Any, path: str = ""
+) -> Iterator[tuple[str, Any, Any]]:
+    """Give the places where two values differ: path, observed, expected."""
+    if isinstance(observed, dict) and isinstance(expected, dict):
+        for name in [*expected, *(n for n in observed if n not in expected)]:
+            pair = (observed.get(name, _ABSENT), expected.get(name, _ABSENT))
+            yield from _differences(*pair, f"{path}/{name}")
+    elif (
+        isinstance(observed, list)
+        and isinstance(expected, list)
+        and len(observed) == len(expected)
+    ):
+        for index, pair in enumerate(zip(observed, expected, strict=True)):
+            yield from _differences(*pair, f"{path}/{index}")
+    elif observed != expected:
+        yield path or "/", observed, expected
 
 
 def true(condition: object, what: str, observed: Any = None) -> None:

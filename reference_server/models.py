@@ -335,11 +335,19 @@ class Lease(BaseModel):
 
 class Limits(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    max_body_bytes: Annotated[int, Field(ge=1024)]
+    max_body_bytes: Annotated[
+        int, Field(description="Longest request body that is read.", ge=65536)
+    ]
     max_workers: Annotated[
         int, Field(description="Most live workers a run may ask for.", ge=1)
     ]
-    max_chunk: Annotated[int, Field(description="Most actions in one predict.", ge=1)]
+    max_chunk: Annotated[
+        int,
+        Field(
+            description="Most actions in one predict; a benchmark may allow fewer.",
+            ge=4,
+        ),
+    ]
     idle_timeout_s_min: float
     idle_timeout_s_max: float
     wait_s_max: Annotated[

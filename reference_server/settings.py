@@ -72,9 +72,9 @@ class Settings(BaseSettings):
         30, ge=0, le=600, description="Longest wait that a long-poll is granted."
     )
     max_body_bytes: int = Field(
-        8 * 2**20, ge=1024, description="Larger request bodies are refused."
+        8 * 2**20, ge=2**16, description="Larger request bodies are refused."
     )
-    max_chunk: int = Field(64, ge=1, le=4096, description="Most actions in one turn.")
+    max_chunk: int = Field(64, ge=4, le=4096, description="Most actions in one turn.")
     log_level: Literal["critical", "error", "warning", "info", "debug", "trace"] = (
         Field("warning", description="uvicorn's log level.")
     )

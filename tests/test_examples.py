@@ -25,6 +25,7 @@ def test_server_js_is_conformant(tmp_path: Path) -> None:
     done = subprocess.run(
         [
             *(sys.executable, "-m", "conformance", "--report", tmp_path),
+            *("--seed", "7"),
             *("--start-cmd", "node examples/server_js/server.js"),
         ],
         cwd=ROOT,

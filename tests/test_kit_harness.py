@@ -114,6 +114,30 @@ def story() -> Iterator[Story]:
             yield Story(context, "TEST-001")
 
 
+def test_server_without_room_is_asked_again(story: Story) -> None:
+    full = answer(503, {"code": "no_capacity", "detail": "full"})
+    free = answer(200, {})
+    answers = iter([full, full, free])
+    assert story._in_time(lambda: next(answers)) is free
+    story.context.patience.lose("room")
+    with pytest.raises(SetUpFailed, match="no room"):
+        story._in_time(lambda: full)
+    ill = answer(503, {"code": "unavailable", "detail": "ill"})
+    assert story._in_time(lambda: ill) is ill
+
+
+def test_difference_of_long_values_is_told_by_its_places() -> None:
+    due = {"episodes": [{"index": n, "text": "x" * 60} for n in range(12)]}
+    seen = {"episodes": [one | {"index": 7} for one in due["episodes"]], "more": 1}
+    with pytest.raises(Violation) as caught:
+        expect.equal(seen, due, "the run")
+    assert caught.value.expected.startswith("the run with /episodes/0/index 0, ")
+    assert caught.value.observed.startswith("/episodes/0/index 7, ")
+    assert "text" not in str(caught.value)
+    with pytest.raises(Violation, match="/more 1"):
+        expect.equal(due | {"more": 1}, due, "the run")
+
+
 def nap(result: int) -> int:
     time.sleep(0.2)
     return result

@@ -123,7 +123,7 @@ def test_a_start_in_vain_is_one_line(tmp_path: Path, about: str) -> None:
         (["--tokens", ","], "tokens"),
         (["--port", "x"], "port"),
         (["--port", "65536"], "port"),
-        (["--max-chunk", "0"], "max_chunk"),
+        (["--max-chunk", "3"], "max_chunk"),
         (["--log-level", "nonsense"], "log_level"),
         (["--host", "nowhere.invalid"], "nowhere.invalid"),
         (["--database", "nonsense://x"], "database"),

@@ -27,8 +27,9 @@ from conformance.story import Story
 from conformance.wire import Answer, NoAnswer
 
 _EXAMPLES = 8
-_NASTY: list[Any] = [None, "", "\0", "\ud800", "x" * 5000, -1, 0, 2**64, 1e308]
-_NASTY += [True, [], {}, [[]], {"": None}]
+_HALF = "\\ud800"  # of a pair: JSON can write it, Unicode does not have it
+_NASTY: list[Any] = [None, "", "\0", json.loads(f'"{_HALF}"'), "x" * 5000]
+_NASTY += [-1, 0, 2**64, 1e308, True, [], {}, [[]], {"": None}]
 _FLIPS = 40
 _DEEP = 0.8
 _TIMEOUT_S = 10.0
@@ -48,6 +49,8 @@ def fuzz_operations(worker: Worker, until: float) -> None:
     """Try every operation until the time is over."""
     for operation_id, how in all_operations(worker):
         for body in _nasty_bodies(how.get("json")):
+            if operation_id == "submit_run" and _HALF in json.dumps(body):
+                continue  # a server may keep the name, and show it in every list
             answer = send(worker.run, (operation_id, how | {"json": body}))
             _expect_no_server_error(answer)
     for spoilt, media_type in _flipped_bodies(worker):

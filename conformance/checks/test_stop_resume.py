@@ -168,7 +168,7 @@ class Play:
         if worker.turn["done"]:
             return False
         view = worker.turn["episode"]
-        scores = self.plan[view["index"]]
+        scores = self.plan[int(view["index"])]
         score = scores[view["step"]]
         is_last = view["step"] == len(scores) - 1
         worker.predict(

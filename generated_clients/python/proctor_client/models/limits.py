@@ -28,9 +28,9 @@ class Limits(BaseModel):
     """
     Limits
     """ # noqa: E501
-    max_body_bytes: Annotated[int, Field(strict=True, ge=1024)]
+    max_body_bytes: Annotated[int, Field(strict=True, ge=65536)] = Field(description="Longest request body that is read.")
     max_workers: Annotated[int, Field(strict=True, ge=1)] = Field(description="Most live workers a run may ask for.")
-    max_chunk: Annotated[int, Field(strict=True, ge=1)] = Field(description="Most actions in one predict.")
+    max_chunk: Annotated[int, Field(strict=True, ge=4)] = Field(description="Most actions in one predict; a benchmark may allow fewer.")
     idle_timeout_s_min: Union[StrictFloat, StrictInt]
     idle_timeout_s_max: Union[StrictFloat, StrictInt]
     wait_s_max: StrictInt = Field(description="Longest wait that a long-poll is granted.")
