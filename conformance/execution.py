@@ -119,6 +119,7 @@ def _run_pytest(
         f"--rootdir={CHECKS.parent.parent}",
         f"--config-file={os.devnull}",
         "--strict-markers",
+        "--assert=plain",
         "--capture=no",
         "--import-mode=importlib",
         "-pconformance.plugin",
