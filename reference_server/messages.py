@@ -6,14 +6,17 @@ Every fault of a body becomes a refusal with JSON pointers.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import secrets
+from collections.abc import Callable, Iterable, Sequence
 from datetime import datetime
+from itertools import zip_longest
 from typing import Any, TypeVar
 
 import msgspec
 from pydantic import BaseModel, ValidationError
 from starlette.requests import ClientDisconnect, Request
 from starlette.responses import Response
+from starlette.types import Receive, Scope, Send
 
 from reference_server.problems import Refused
 
@@ -22,6 +25,9 @@ MSGPACK = "application/msgpack"
 # An oversized body is read to its end, up to this many times the limit, so that the
 # refusal reaches a client that is still sending.
 DRAIN_FACTOR = 32
+# Copying less costs less than sending one part more.
+LARGE_BYTES = 2**15
+_BIN_32 = b"\xc6"  # MessagePack: a length of four bytes and that much follow
 
 Model = TypeVar("Model", bound=BaseModel)
 
@@ -117,8 +123,69 @@ def acceptable(request: Request, writable: Sequence[str]) -> str:
 
 def encoded(content: Any, media_type: str = JSON, status: int = 200) -> Response:
     """An answer. Blobs are Base64 in JSON and `bin` in MessagePack (ENC-002)."""
-    encode = msgspec.msgpack.encode if media_type == MSGPACK else msgspec.json.encode
-    return Response(encode(content), status_code=status, media_type=media_type)
+    if media_type != MSGPACK:
+        body: bytes | memoryview = msgspec.json.encode(content)
+        return Response(body, status_code=status, media_type=media_type)
+    first, *others = in_parts(content)
+    if others:
+        return InParts([first, *others], status)
+    return Response(first, status_code=status, media_type=media_type)
+
+
+class InParts(Response):
+    """A MessagePack answer whose blobs are sent from where they are."""
+
+    def __init__(self, parts: Sequence[bytes | memoryview], status: int) -> None:
+        super().__init__(None, status, media_type=MSGPACK)
+        self._parts = parts
+        self.headers["content-length"] = str(sum(map(len, parts)))
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """ASGI: the parts one by one under one Content-Length."""
+        start = {"status": self.status_code, "headers": self.raw_headers}
+        await send({"type": "http.response.start", **start})
+        last = len(self._parts) - 1
+        for index, part in enumerate(self._parts):
+            more = {"body": part, "more_body": index < last}
+            await send({"type": "http.response.body", **more})
+
+
+def in_parts(content: Any) -> Sequence[bytes | memoryview]:
+    """MessagePack in parts to be sent one after another, large blobs uncopied.
+
+    What stands around a blob is encoded with a mark in its place, which nobody can
+    guess, and cut there: no encoder of ours is needed for that.
+    """
+    blobs: list[memoryview] = []
+    mark = secrets.token_bytes(16)
+
+    def note(blob: memoryview) -> msgspec.Raw:
+        blobs.append(blob)
+        return msgspec.Raw(_BIN_32 + len(blob).to_bytes(4, "big") + mark)
+
+    whole = msgspec.msgpack.encode(_with_large_blobs(content, note))
+    if not blobs:
+        return [whole]
+    parts: list[bytes | memoryview] = []
+    for around, blob in zip_longest(whole.split(mark), blobs):
+        parts += [around] if blob is None else [around, blob]
+    return parts
+
+
+def _with_large_blobs(content: Any, note: Callable[[memoryview], msgspec.Raw]) -> Any:
+    """A turn whose large images are replaced by what `note` makes of them."""
+    if not isinstance(content, dict) or not isinstance(
+        content.get("observation"), dict
+    ):
+        return content
+    observation = content["observation"]
+    images = {
+        name: image | {"data": note(image["data"])}
+        if len(image["data"]) >= LARGE_BYTES
+        else image
+        for name, image in observation["images"].items()
+    }
+    return content | {"observation": observation | {"images": images}}
 
 
 def _range(part: str) -> tuple[str, float]:

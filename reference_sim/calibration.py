@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from reference_sim.canvas import CANVAS
 from reference_sim.definition import Definition, Json, bounded, image_sizes, vector
 from reference_sim.interface import (
     Action,
@@ -66,7 +67,9 @@ class Calibration:
         }
         if self._task != "echo":
             return Observation(state)
-        pattern = self._pattern + np.uint8(self._count % 256)
+        height, width, _ = self._pattern.shape
+        pattern = CANVAS.blank(height, width)
+        np.add(self._pattern, np.uint8(self._count % 256), out=pattern)
         return Observation(state, {"pattern": pattern}, TENSORS)
 
     def close(self) -> None:

@@ -9,10 +9,12 @@ from __future__ import annotations
 import io
 from typing import TypedDict
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, JpegImagePlugin, PngImagePlugin
 
+from reference_sim.canvas import Canvas
 from reference_sim.interface import Observation
 
 CODECS = ("raw", "png", "jpeg")
@@ -23,18 +25,27 @@ PNG_COMPRESS_LEVEL = 1  # larger by a tenth than the default, five times as fast
 _PLUGINS = (JpegImagePlugin, PngImagePlugin)
 
 
+class Span(msgspec.Struct, array_like=True):
+    """Bytes that stand on the canvas."""
+
+    offset: int
+    length: int
+
+
 class EncodedImage(TypedDict):
+    """data: between processes it may be a Span; whoever reads it has the bytes."""
+
     codec: str
     width: int
     height: int
     channels: int
-    data: bytes
+    data: memoryview | Span
 
 
 class EncodedTensor(TypedDict):
     dtype: str
     shape: list[int]
-    data: bytes
+    data: memoryview
 
 
 class EncodedObservation(TypedDict):
@@ -43,15 +54,20 @@ class EncodedObservation(TypedDict):
     tensors: dict[str, EncodedTensor]
 
 
-def encode(observation: Observation, codec: str) -> EncodedObservation:
-    """The structure of the spec's schema Observation, `data` as bytes."""
+def encode(
+    observation: Observation, codec: str, canvas: Canvas | None = None
+) -> EncodedObservation:
+    """The structure of the spec's schema Observation, `data` as bytes.
+
+    canvas: raw pixels that stand on it are not copied, and told by their place.
+    """
     return {
         "state": {
             name: np.asarray(vector, dtype=np.float64).tolist()
             for name, vector in observation.state.items()
         },
         "images": {
-            name: encode_image(pixels, codec)
+            name: encode_image(pixels, codec, canvas)
             for name, pixels in observation.images.items()
         },
         "tensors": {
@@ -60,7 +76,9 @@ def encode(observation: Observation, codec: str) -> EncodedObservation:
     }
 
 
-def encode_image(pixels: NDArray[np.uint8], codec: str) -> EncodedImage:
+def encode_image(
+    pixels: NDArray[np.uint8], codec: str, canvas: Canvas | None = None
+) -> EncodedImage:
     """pixels: uint8 (height, width, channels)."""
     height, width, channels = pixels.shape
     return {
@@ -68,7 +86,7 @@ def encode_image(pixels: NDArray[np.uint8], codec: str) -> EncodedImage:
         "width": width,
         "height": height,
         "channels": channels,
-        "data": pixels.tobytes() if codec == "raw" else _compressed(pixels, codec),
+        "data": _raw(pixels, canvas) if codec == "raw" else _compressed(pixels, codec),
     }
 
 
@@ -77,11 +95,16 @@ def encode_tensor(tensor: NDArray[np.generic]) -> EncodedTensor:
     return {
         "dtype": tensor.dtype.name,
         "shape": list(tensor.shape),
-        "data": little_endian.tobytes(),
+        "data": memoryview(little_endian.tobytes()),
     }
 
 
-def _compressed(pixels: NDArray[np.uint8], codec: str) -> bytes:
+def _raw(pixels: NDArray[np.uint8], canvas: Canvas | None) -> memoryview | Span:
+    place = canvas.place_of(pixels) if canvas is not None else None
+    return memoryview(pixels.tobytes()) if place is None else Span(*place)
+
+
+def _compressed(pixels: NDArray[np.uint8], codec: str) -> memoryview:
     image = Image.fromarray(pixels.squeeze(axis=2) if pixels.shape[2] == 1 else pixels)
     file = io.BytesIO()
     if codec == "png":
@@ -90,4 +113,4 @@ def _compressed(pixels: NDArray[np.uint8], codec: str) -> bytes:
         image.save(file, "JPEG", quality=JPEG_QUALITY)
     else:
         raise ValueError(f"no image codec {codec!r}")
-    return file.getvalue()
+    return file.getbuffer()

@@ -27,6 +27,7 @@ from typing import Any, Never
 import msgspec
 
 from reference_sim import catalog
+from reference_sim.canvas import CANVAS, Canvas
 from reference_sim.encoding import EncodedObservation, encode
 from reference_sim.episode import Episode
 from reference_sim.interface import Simulator, TaskUnplayable
@@ -74,6 +75,13 @@ class Hello(msgspec.Struct, tag="hello", frozen=True):
 
 class Busy(msgspec.Struct, tag="busy", frozen=True):
     """Sent between two steps of a chunk, at most once per BUSY_INTERVAL_S."""
+
+
+class Mapped(msgspec.Struct, tag="mapped", frozen=True):
+    """New memory of the canvas, told before the reply that speaks of it."""
+
+    descriptor: int
+    size: int
 
 
 class Built(msgspec.Struct, tag="built", frozen=True):
@@ -127,7 +135,7 @@ class Failed(msgspec.Struct, tag="failed", frozen=True):
 
 
 Command = Build | Begin | Play | Observe
-Reply = Hello | Busy | Built | Beginning | Played | Seen | Failed
+Reply = Hello | Busy | Mapped | Built | Beginning | Played | Seen | Failed
 
 _encoder = msgspec.msgpack.Encoder()
 _commands = msgspec.msgpack.Decoder(Command)
@@ -171,6 +179,7 @@ class _Stage:
         self._episode: Episode | None = None
 
     def answer(self, command: Command) -> Reply:
+        CANVAS.parent_has_read()
         try:
             return self._obey(command)
         except TaskUnplayable as unplayable:
@@ -197,12 +206,14 @@ class _Stage:
                 self._simulator.close()
             self._simulator = self._world = self._episode = None
             os.environ.update(command.environment)
+            CANVAS.begin_episode()
             self._simulator, self._world = catalog.make(world), world
         return Built()
 
     def _begin(self, command: Begin) -> Beginning:
         simulator, world = self._standing()
         clock = _Clock()
+        CANVAS.begin_episode()
         with clock.running("simulate_s"):
             self._episode = Episode(
                 simulator,
@@ -230,7 +241,8 @@ class _Stage:
                 break
             rewards.append(reward)
             if command.observe_all:
-                observations.append(self._look(clock))
+                # There are more of them than the canvas has halves.
+                observations.append(self._look(clock, canvas=None))
             if time.perf_counter() - heard_of > BUSY_INTERVAL_S:
                 heard_of = time.perf_counter()
                 self._connection.sendall(frame(Busy()))
@@ -250,12 +262,18 @@ class _Stage:
             timing=clock.timing(),
         )
 
-    def _look(self, clock: _Clock) -> EncodedObservation:
+    def _look(
+        self, clock: _Clock, canvas: Canvas | None = CANVAS
+    ) -> EncodedObservation:
         simulator, world = self._standing()
+        CANVAS.turn_page()
         with clock.running("render_s"):
             observation = simulator.observe()
         with clock.running("encode_s"):
-            return encode(observation, world.image_codec)
+            encoded = encode(observation, world.image_codec, canvas)
+        if news := CANVAS.news():
+            self._connection.sendall(frame(Mapped(*news)))
+        return encoded
 
     def _standing(self) -> tuple[Simulator, catalog.World]:
         if self._simulator is None or self._world is None:

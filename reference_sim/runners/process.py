@@ -18,14 +18,16 @@ import os
 import socket
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Protocol, TypeVar, cast
 
 import msgspec
 
 from reference_sim import worker
+from reference_sim.canvas import Shared, mapped
 from reference_sim.catalog import World
+from reference_sim.encoding import EncodedObservation, Span
 from reference_sim.interface import TaskUnplayable
 
 # Found out by the server (which backend draws), possibly after the nursery started.
@@ -183,6 +185,7 @@ class Process(asyncio.BufferedProtocol):
         self._buffer = bytearray(worker.HEADER.size)
         self._filled = 0
         self._in_body = False
+        self._canvas = memoryview(b"")
 
     async def start(self) -> None:
         """Returns when the process is ready. Raises SimulatorFault."""
@@ -306,6 +309,37 @@ class Process(asyncio.BufferedProtocol):
             return self.end("broke its protocol")
         if isinstance(reply, worker.Busy):
             return None
+        if isinstance(reply, worker.Mapped):
+            return self._map(reply)
         if self._answer.done():
             return self.end("spoke unasked")
+        try:
+            for observation in _observations_of(reply):
+                self._take_down(observation)
+        except (TypeError, ValueError):
+            return self.end("broke its protocol")
         return self._answer.set_result(reply)
+
+    def _map(self, told: worker.Mapped) -> None:
+        try:
+            assert self.pid is not None
+            self._canvas = mapped(self.pid, Shared(told.descriptor, told.size))
+        except (OSError, ValueError):
+            self.end("shared no memory")
+
+    def _take_down(self, observation: EncodedObservation) -> None:
+        """Images that stand on the canvas become views of it."""
+        for image in observation["images"].values():
+            if isinstance(place := image["data"], Span):
+                view = self._canvas[place.offset : place.offset + place.length]
+                if len(view) != place.length or place.offset < 0:
+                    raise ValueError("a place beside the canvas")
+                image["data"] = view
+
+
+def _observations_of(reply: worker.Reply) -> Iterator[EncodedObservation]:
+    match reply:
+        case worker.Beginning(observation=seen) | worker.Seen(observation=seen):
+            yield seen
+        case worker.Played(observation=seen) if seen is not None:
+            yield seen
