@@ -7,9 +7,8 @@ owns its bytes: a simulator may go on drawing into the same buffer.
 from __future__ import annotations
 
 import io
-from typing import TypedDict
+from typing import NotRequired, TypedDict
 
-import msgspec
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, JpegImagePlugin, PngImagePlugin
@@ -25,21 +24,18 @@ PNG_COMPRESS_LEVEL = 1  # larger by a tenth than the default, five times as fast
 _PLUGINS = (JpegImagePlugin, PngImagePlugin)
 
 
-class Span(msgspec.Struct, array_like=True):
-    """Bytes that stand on the canvas."""
-
-    offset: int
-    length: int
+_NOTHING = memoryview(b"")
 
 
 class EncodedImage(TypedDict):
-    """data: between processes it may be a Span; whoever reads it has the bytes."""
+    """place: between the processes, instead of data: offset, length on the canvas."""
 
     codec: str
     width: int
     height: int
     channels: int
-    data: memoryview | Span
+    data: memoryview
+    place: NotRequired[tuple[int, int]]
 
 
 class EncodedTensor(TypedDict):
@@ -81,13 +77,20 @@ def encode_image(
 ) -> EncodedImage:
     """pixels: uint8 (height, width, channels)."""
     height, width, channels = pixels.shape
-    return {
+    image: EncodedImage = {
         "codec": codec,
         "width": width,
         "height": height,
         "channels": channels,
-        "data": _raw(pixels, canvas) if codec == "raw" else _compressed(pixels, codec),
+        "data": _NOTHING,
     }
+    if codec != "raw":
+        image["data"] = _compressed(pixels, codec)
+    elif canvas is not None and (place := canvas.place_of(pixels)):
+        image["place"] = place
+    else:
+        image["data"] = memoryview(pixels.tobytes())
+    return image
 
 
 def encode_tensor(tensor: NDArray[np.generic]) -> EncodedTensor:
@@ -97,11 +100,6 @@ def encode_tensor(tensor: NDArray[np.generic]) -> EncodedTensor:
         "shape": list(tensor.shape),
         "data": memoryview(little_endian.tobytes()),
     }
-
-
-def _raw(pixels: NDArray[np.uint8], canvas: Canvas | None) -> memoryview | Span:
-    place = canvas.place_of(pixels) if canvas is not None else None
-    return memoryview(pixels.tobytes()) if place is None else Span(*place)
 
 
 def _compressed(pixels: NDArray[np.uint8], codec: str) -> memoryview:

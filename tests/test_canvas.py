@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from reference_server.messages import LARGE_BYTES, MSGPACK, encoded, in_parts
 from reference_sim import catalog
 from reference_sim.canvas import Canvas, Shared, mapped
-from reference_sim.encoding import EncodedObservation, Span, encode_image
+from reference_sim.encoding import EncodedObservation, encode_image
 from reference_sim.runners.local import SimulatorPool
 from reference_sim.runners.process import Process
 from tests.test_simulator_pool import action
@@ -75,12 +75,12 @@ def test_pixels_from_elsewhere_are_copied() -> None:
     canvas = Canvas()
     draw(canvas, 1)
     (shared,) = draw(canvas, 2)
-    assert isinstance(encode_image(shared, "raw", canvas)["data"], Span)
+    assert "place" in encode_image(shared, "raw", canvas)
     for pixels in (np.ones((2, 2, 3), np.uint8), shared[::-1], shared[:, :2]):
-        data = encode_image(pixels, "raw", canvas)["data"]
-        assert not isinstance(data, Span)
-        assert bytes(data) == pixels.tobytes()
-    assert not isinstance(encode_image(shared, "png", canvas)["data"], Span)
+        image = encode_image(pixels, "raw", canvas)
+        assert "place" not in image
+        assert image["data"] == pixels.tobytes()
+    assert "place" not in encode_image(shared, "png", canvas)
 
 
 def test_memory_that_could_shrink_under_its_reader_is_refused() -> None:
@@ -108,9 +108,7 @@ def test_descriptors_do_not_pile_up() -> None:
 
 
 def pixels_of(observation: EncodedObservation) -> bytes:
-    data = observation["images"]["pattern"]["data"]
-    assert not isinstance(data, Span)
-    return bytes(data)
+    return bytes(observation["images"]["pattern"]["data"])
 
 
 def test_images_come_out_of_the_process_bit_for_bit() -> None:
@@ -153,10 +151,11 @@ def test_images_come_out_of_the_process_bit_for_bit() -> None:
 def test_a_place_beside_the_memory_ends_the_process() -> None:
     process = Process.__new__(Process)
     process._canvas = memoryview(bytes(10))
-    for place in (Span(5, 6), Span(-2, 1), Span(11, 1)):
-        image = {"codec": "raw", "width": 1, "height": 1, "channels": 1, "data": place}
+    for place in ((5, 6), (-2, 1), (11, 1)):
+        image = encode_image(np.zeros((1, 1, 1), np.uint8), "raw")
+        image["place"] = place
         with pytest.raises(ValueError, match="beside"):
-            process._take_down({"state": {}, "tensors": {}, "images": {"a": image}})  # type: ignore[dict-item]
+            process._take_down({"state": {}, "tensors": {}, "images": {"a": image}})
 
 
 def test_large_images_leave_as_they_are() -> None:

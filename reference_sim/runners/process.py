@@ -27,7 +27,7 @@ import msgspec
 from reference_sim import worker
 from reference_sim.canvas import Shared, mapped
 from reference_sim.catalog import World
-from reference_sim.encoding import EncodedObservation, Span
+from reference_sim.encoding import EncodedObservation
 from reference_sim.interface import TaskUnplayable
 
 # Found out by the server (which backend draws), possibly after the nursery started.
@@ -330,11 +330,11 @@ class Process(asyncio.BufferedProtocol):
     def _take_down(self, observation: EncodedObservation) -> None:
         """Images that stand on the canvas become views of it."""
         for image in observation["images"].values():
-            if isinstance(place := image["data"], Span):
-                view = self._canvas[place.offset : place.offset + place.length]
-                if len(view) != place.length or place.offset < 0:
+            if place := image.pop("place", None):
+                offset, length = place
+                image["data"] = self._canvas[offset : offset + length]
+                if offset < 0 or len(image["data"]) != length:
                     raise ValueError("a place beside the canvas")
-                image["data"] = view
 
 
 def _observations_of(reply: worker.Reply) -> Iterator[EncodedObservation]:
