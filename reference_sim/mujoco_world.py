@@ -29,6 +29,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from reference_sim import rendering
+from reference_sim.canvas import CANVAS
 
 Vector = NDArray[np.float64]
 
@@ -69,6 +70,7 @@ class World:
         self._data = self._mj.MjData(self._model)
         self._renderers: dict[tuple[int, int], Any] = {}
         self._addresses: dict[tuple[str, ...], NDArray[np.intp]] = {}
+        self._originals: dict[str, NDArray[Any]] = {}  # of the model's edited fields
         warning = self._mj.mjtWarning
         self._divergences = [
             int(warning.mjWARN_BADQPOS),
@@ -89,7 +91,12 @@ class World:
         return float(self._model.opt.timestep)
 
     def reset(self) -> None:
-        """The model's initial state, warm start included; call `forward` when set."""
+        """The model's initial state, warm start included; call `forward` when set.
+
+        The model itself is what its XML says again.
+        """
+        for field, original in self._originals.items():
+            getattr(self._model, field)[:] = original
         self._mj.mj_resetData(self._model, self._data)
 
     def forward(self) -> None:
@@ -117,7 +124,10 @@ class World:
         return state
 
     def restore(self, state: Vector) -> None:
-        """Continues from a snapshot of a world of the same model, exactly."""
+        """Continues from a snapshot of a world of the same model, exactly.
+
+        Edits of the model are not in a snapshot: make them first.
+        """
         kind = self._mj.mjtState.mjSTATE_INTEGRATION
         self._mj.mj_setState(self._model, self._data, state, kind)
         self.forward()
@@ -145,6 +155,17 @@ class World:
         """Moves what a free joint carries: position, quaternion wxyz, world frame."""
         start = int(self._model.joint(joint).qposadr[0])
         self._data.qpos[start : start + 7] = pose
+
+    def set_mocap_pose(self, body: str, pose: Sequence[float] | Vector) -> None:
+        """Moves a mocap body, which nothing else moves: position, quaternion wxyz."""
+        mocap = self._data.mocap_pos, self._data.mocap_quat
+        index = int(self._model.body(body).mocapid[0])
+        mocap[0][index], mocap[1][index] = pose[:3], pose[3:]
+
+    def controls(self) -> Vector:
+        """What all actuators were told last, in the model's order; a copy."""
+        controls: Vector = self._data.ctrl.copy()
+        return controls
 
     def set_controls(self, controls: Sequence[float] | Vector) -> None:
         """All actuators, in the model's order; beyond their range they saturate."""
@@ -184,10 +205,56 @@ class World:
         columns = [int(self._model.joint(joint).dofadr[0]) for joint in joints]
         return jacobian[:, columns]
 
+    # Edits of the model, undone by `reset`
+
+    def set_gravity_compensation(self, body: str, share: float) -> None:
+        """How much of its weight is taken off a body: 1 floats, 0 falls."""
+        self._edit("body_gravcomp")[self._model.body(body).id] = share
+
+    def scale_body(self, body: str, factor: float) -> None:
+        """Makes a free body of one geom larger or smaller; its mass stays."""
+        index = self._model.body(body).id
+        geom = int(self._model.body_geomadr[index])
+        for length in ("geom_size", "geom_rbound", "geom_aabb"):
+            self._edit(length)[geom] *= factor
+        self._edit("bvh_aabb")[int(self._model.body_bvhadr[index])] *= factor
+        turning = int(self._model.body_dofadr[index]) + 3
+        self._edit("body_inertia")[index] *= factor**2
+        self._edit("dof_M0")[turning : turning + 3] *= factor**2
+        self._edit("body_invweight0")[index, 1] /= factor**2
+        self._edit("dof_invweight0")[turning : turning + 3] /= factor**2
+
+    def set_geom_rgba(self, geom: str, rgba: Sequence[float]) -> None:
+        """Colours a geom; a texture of its material shows through."""
+        self._edit("geom_rgba")[self._model.geom(geom).id] = rgba
+
+    def set_camera_position(
+        self, camera: str, position: Sequence[float] | Vector
+    ) -> None:
+        """Metres, in the frame of the body that carries the camera."""
+        self._edit("cam_pos")[self._model.camera(camera).id] = position
+
+    def set_light(
+        self,
+        light: str,
+        direction: Sequence[float] | Vector,
+        diffuse: Sequence[float] | Vector,
+    ) -> None:
+        """direction: where it shines, unit length. diffuse: red, green, blue."""
+        index = self._model.light(light).id
+        self._edit("light_dir")[index] = direction
+        self._edit("light_diffuse")[index] = diffuse
+
+    def _edit(self, field: str) -> Any:
+        """A field of the model to write into; what it was is kept for `reset`."""
+        values = getattr(self._model, field)
+        self._originals.setdefault(field, values.copy())
+        return values
+
     # Pictures
 
     def render(self, camera: str, width: int, height: int) -> NDArray[np.uint8]:
-        """(height, width, 3) RGB, row 0 on top; an array of its own each time.
+        """(height, width, 3) RGB, row 0 on top; drawn on the canvas.
 
         Raises RenderingUnavailable where nothing can be drawn.
         """
@@ -196,7 +263,7 @@ class World:
             renderer = self._new_renderer(width, height)
             self._renderers[width, height] = renderer
         renderer.update_scene(self._data, camera)
-        picture: NDArray[np.uint8] = renderer.render()
+        picture: NDArray[np.uint8] = renderer.render(out=CANVAS.blank(height, width))
         return picture
 
     def close(self) -> None:

@@ -201,7 +201,7 @@ def test_an_encoding_owns_its_bytes() -> None:
     pixels = np.zeros((1, 1, 3), dtype=np.uint8)
     image = encode_image(pixels, "raw")
     pixels[:] = 255
-    assert image["data"] == b"\0\0\0"
+    assert bytes(image["data"]) == b"\0\0\0"
 
 
 # The manifest
@@ -304,7 +304,16 @@ def test_options_are_for_calibration_only() -> None:
 
 
 def test_the_catalog_is_sorted_and_closed() -> None:
-    assert catalog.benchmark_ids() == ("calibration", "tabletop", "tabletop_state")
+    assert catalog.benchmark_ids() == (
+        "calibration",
+        "mobile_bimanual",
+        "mobile_bimanual_ee",
+        "mobile_bimanual_mobile_manip",
+        "mobile_bimanual_state",
+        "mobile_bimanual_table_top_manip",
+        "tabletop",
+        "tabletop_state",
+    )
     assert catalog.unavailable_reason("calibration") is None
     with pytest.raises(catalog.UnknownBenchmark):
         catalog.resolve("juggling")
@@ -319,4 +328,4 @@ def test_tabletop_offers_cameras_and_tabletop_state_none() -> None:
     assert cameras["episodes"] == blind["episodes"]
     assert cameras["action_space"]["gripper"]["gripper_open"] == 1.0
     splits = [episode["split"] for episode in cameras["episodes"]]
-    assert splits == ["val_train"] * 10 + ["val_unseen"] * 10
+    assert splits == ["val_train"] * 16 + ["val_unseen"] * 16 + ["test"] * 32

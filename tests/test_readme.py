@@ -54,4 +54,4 @@ def test_program_evaluates_a_policy(house: House, tmp_path: Path) -> None:
         check=False,
     )
     assert done.returncode == 0, done.stderr
-    assert "score 1.0 of 20 episodes" in done.stdout
+    assert "score 1.0 of 64 episodes" in done.stdout

@@ -20,25 +20,27 @@ COMMAND = ("-m", "reference_sim.rendering")
 
 STATE_ONLY = """
 import os, sys
+from reference_sim import catalog
 from reference_sim.rendering import RenderingUnavailable
-from reference_sim.tabletop import HOME_RAD, Tabletop
+from reference_sim.tabletop.layout import HOME_RAD
 
 assert "mujoco" not in sys.modules, "reading the constants must not cost an import"
-sim = Tabletop(64, 48, cameras=False)
+sim = catalog.make(catalog.World("tabletop_state", {}))
 sim.reset("lift_cube", 0)
 sim.step({"joint_position": HOME_RAD, "gripper": [1.0]})
 assert not sim.observe().images
 assert not {"OpenGL", "glfw"} & set(sys.modules), "graphics were touched"
+
+seeing = catalog.make(catalog.World("tabletop", {"width": 64, "height": 48}))
+seeing.reset("lift_cube", 0)
 """
 THEN_CAMERAS = """
-sim = Tabletop(64, 48)
-sim.reset("lift_cube", 0)
-assert sim.observe().images["front"].any()
-sim.close()
+assert seeing.observe().images["front"].any()
+seeing.close()
 """
 THEN_NO_CAMERAS = """
 try:
-    Tabletop(64, 48)
+    seeing.observe()
 except RenderingUnavailable as unavailable:
     print(unavailable)
 """

@@ -31,7 +31,12 @@ POSE_FRAME = "world"  # origin under the arm, x forward, z up, z = 0 on the tabl
 
 def _pose(name: str, meaning: str) -> Channel:
     frame, rotation = POSE_FRAME, "quaternion_wxyz"
+    meaning = f"{meaning}: position, quaternion wxyz"
     return Channel(name, 7, "m,1", meaning, frame=frame, rotation=rotation)
+
+
+def _position(name: str, meaning: str) -> Channel:
+    return Channel(name, 3, "m", meaning, frame=POSE_FRAME)
 
 
 ACTION_CHANNELS = (
@@ -46,6 +51,7 @@ ACTION_CHANNELS = (
     ),
     Channel("gripper", 1, "1", "0 closed, 1 open", (0.0,), (1.0,), gripper_open=1.0),
 )
+# The same for all tasks. What has no part in a task is parked more than 2 m away.
 STATE_CHANNELS = (
     Channel(
         "joint_position",
@@ -55,13 +61,28 @@ STATE_CHANNELS = (
         frame="joint",
     ),
     Channel("gripper", 1, "1", "measured opening, 0 closed, 1 open", gripper_open=1.0),
-    _pose("ee_pose", "between the fingertips: position, quaternion wxyz"),
-    _pose("cube_pose", "the cube's centre: position, quaternion wxyz"),
+    _pose("ee_pose", "between the fingertips"),
+    _pose("cube_pose", "the centre of the cube that is to be moved"),
+    _pose("second_cube_pose", "the centre of the cube that is to be stacked upon"),
+    _pose("peg_pose", "the peg's centre, its length along z"),
+    _pose("hole_pose", "the hole's axis along z, at the block's underside"),
+    _pose("tray_pose", "the middle of the tray's underside"),
+    _pose("handle_pose", "the middle of the drawer's handle, which opens along -y"),
+    Channel("drawer_opening", 1, "m", "0 shut, 0.16 as far as it goes"),
+    _position("button_position", "the middle of the button's cap"),
+    Channel("button_travel", 1, "m", "0 released, 0.012 as far as it goes"),
+    _position("ball_position", "the centre of the ball that is to be reached"),
+    _position("disc_position", "the middle of the disc that is to be pushed onto"),
 )
 CAMERAS = ("front", "wrist")
 
 # The scene's measures, which its XML states as well (a test compares them)
 
 CUBE_HALF_M = 0.022
+PEG_HALF_LENGTH_M = 0.05
+HOLE_DEPTH_M = 0.05
 FINGER_STROKE_M = 0.04  # of each finger
 FINGERS = ("left_finger", "right_finger")
+DRAWER_TRAVEL_M = 0.16
+BUTTON_TRAVEL_M = 0.012
+CAMERA_POSITION_M = (1.16, -0.68, 0.68)  # of the front camera

@@ -1,0 +1,1 @@
+"""Two arms on a base that drives: the benchmarks whose ids begin `mobile_bimanual`."""

@@ -1,0 +1,100 @@
+"""What the tests of the tabletop world share: a simulator, and ways to act in it."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import xml.etree.ElementTree as ET
+from collections.abc import Callable
+
+import numpy as np
+
+from reference_sim.interface import Action, Observation, Simulator, StepOutcome
+from reference_sim.physical import PhysicalSimulator
+from reference_sim.tabletop.experts import TabletopExpert
+from reference_sim.tabletop.layout import CAMERAS, HOME_RAD, SUBSTEPS
+from reference_sim.tabletop.scene import TabletopScene, scene_mjcf
+from reference_sim.tabletop.tasks import TASKS
+from reference_sim.tabletop.variation import SPLITS
+
+WIDTH, HEIGHT = 64, 48
+HOME: Action = {"joint_position": list(HOME_RAD), "gripper": [1.0]}
+ALL = [(task, split) for task in TASKS for split in SPLITS]
+
+Policy = Callable[[Observation], Action]
+Tabletop = PhysicalSimulator[TabletopScene]
+
+
+def tabletop(*, cameras: bool, quality: str = "fast") -> Tabletop:
+    return PhysicalSimulator(
+        TabletopScene(quality),
+        TASKS,
+        substeps=SUBSTEPS,
+        cameras=CAMERAS if cameras else (),
+        camera_size=(WIDTH, HEIGHT),
+    )
+
+
+def scene_elements(tag: str) -> dict[str, dict[str, str]]:
+    """Of the scene's XML: name → attributes."""
+    root = ET.fromstring(scene_mjcf())  # noqa: S314 - our own file
+    return {one.get("name", ""): dict(one.attrib) for one in root.iter(tag)}
+
+
+def play(sim: Simulator, policy: Policy, steps: int) -> list[StepOutcome]:
+    """Plays on until the task ends or the steps are used up."""
+    outcomes: list[StepOutcome] = []
+    while len(outcomes) < steps and not (outcomes and outcomes[-1].terminated):
+        outcomes.append(sim.step(policy(sim.observe())))
+    return outcomes
+
+
+def expert(sim: Simulator, task: str, seed: int, split: str = "") -> Policy:
+    """Begins an episode; the expert's actions pass through JSON, as over the wire."""
+    solver = TabletopExpert()
+    solver.reset(sim.reset(task, seed, split))
+
+    def act(seen: Observation) -> Action:
+        state = {name: values.tolist() for name, values in seen.state.items()}
+        action: Action = json.loads(
+            json.dumps(solver.act(json.loads(json.dumps(state))))
+        )
+        return action
+
+    return act
+
+
+def waving() -> Policy:
+    """The same lively actions each time, whatever is seen."""
+    swing = np.random.Generator(np.random.PCG64(99))
+    reach = np.array([0.5, 0.9, 0.3, 1.0, 0.5, 1.0, 0.5])
+
+    def act(_: Observation) -> Action:
+        joints = reach * swing.uniform(-0.2, 1.0, 7)
+        return {"joint_position": joints.tolist(), "gripper": [swing.uniform()]}
+
+    return act
+
+
+def bits(seen: Observation) -> str:
+    digest = hashlib.sha256()
+    for name, values in sorted(seen.state.items()):
+        digest.update(name.encode() + values.tobytes())
+    for name, image in sorted(seen.images.items()):
+        digest.update(name.encode() + image.tobytes())
+    return digest.hexdigest()
+
+
+def waving_bits(seed: int) -> list[str]:
+    """Observations of an episode of everything; also run by a second process."""
+    sim = tabletop(cameras=True)
+    seen = []
+    for task, split in ALL:
+        sim.reset(task, seed, split)
+        seen.append(bits(sim.observe()))
+        policy = waving()
+        for _ in range(3):
+            play(sim, policy, 2)
+            seen.append(bits(sim.observe()))
+    sim.close()
+    return seen
