@@ -3,7 +3,8 @@
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup conformance serve test lint generate generate-check lock kill-matrix clean
+.PHONY: help setup conformance serve test lint generate generate-check lock kill-matrix experts clean
+.PHONY: metaworld metaworld-check metaworld-table
 # Robot middleware likes to set it, and its plugins break our pytest.
 unexport PYTHONPATH
 
@@ -25,6 +26,9 @@ setup: .venv/ready ## Install everything that is needed into .venv
 .venv-generate/ready: requirements/generate.txt tools/setup.py
 	$(environment) generate
 
+.venv-metaworld/ready: requirements/metaworld.txt pyproject.toml tools/setup.py $(packages)
+	$(environment) metaworld
+
 # Tokens travel by environment, never on a command line; `value` keeps any $ in them.
 export RAW_RESTART_CMD = $(value RESTART_CMD)
 ifdef TOKEN
@@ -45,8 +49,23 @@ conformance: setup ## Judge a server; without URL, the reference server
 		$${RAW_RESTART_CMD:+--restart-cmd "$$RAW_RESTART_CMD"} \
 		$${SEED:+--seed "$$SEED"} $${ONLY:+--only "$$ONLY"} $(ARGS)
 
-serve: setup ## Run the reference server (ARGS='...' for its options)
-	@$(python) -m reference_server $(ARGS)
+# These need an older MuJoCo than ours, and so an environment of their own.
+apart := $(findstring metaworld,$(BENCHMARK))$(findstring gymnasium_robotics,$(BENCHMARK))
+
+serve: $(if $(apart),metaworld,setup) ## Run the reference server
+#                   BENCHMARK=gymnasium:CartPole-v1 or as in docs/benchmarks.md
+#                   ARGS='...' for its options
+	@$(if $(apart),.venv-metaworld/bin/python,$(python)) -m reference_server \
+		$${BENCHMARK:+--benchmarks "$$BENCHMARK"} $(ARGS)
+
+metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics apart
+	@:
+
+metaworld-check: metaworld ## Run the tests that need Meta-World
+	@.venv-metaworld/bin/python -m pytest tests/metaworld_checks.py
+
+metaworld-table: metaworld ## Play its experts both ways, rewrite docs/metaworld.md
+	@OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python tools/metaworld_table.py $(ARGS)
 
 test: setup lint generate-check ## Lint, check generated files, run our own tests
 	@$(python) -m pytest tests --numprocesses auto --maxprocesses 8
@@ -62,13 +81,20 @@ generate: .venv-generate/ready ## Rewrite models and clients from spec/
 generate-check: .venv-generate/ready ## Fail if generated files differ from spec/
 	@$(generator) tools/generate.py --check
 
+interop: setup ## Play every scenario through the client of every language
+#                   URL=... TOKEN=... RESTART_CMD='...' LANGUAGES=go,rust ONLY=echo
+	@$(python) -m tools.interop
+
 lock: .venv-generate/ready ## Resolve requirements/*.in into hashed locks
 	@$(generator) tools/lock.py
 
 kill-matrix: setup ## Judge the kit on broken servers, rewrite docs/kill-matrix.md
 	@$(python) -m tests.mutants.kill --write
 
+experts: setup ## Measure the scripted experts, rewrite docs/tasks.md
+	@$(python) tools/experts.py --write $(ARGS)
+
 clean: ## Remove environments, caches and reports (not the server's data in var/)
-	rm -rf .venv .venv-generate .cache .hypothesis .mypy_cache .pytest_cache
+	rm -rf .venv .venv-generate .venv-metaworld .cache .hypothesis .mypy_cache .pytest_cache
 	rm -rf .ruff_cache .schemathesis .coverage* build dist report *.egg-info
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -16,6 +16,8 @@ from reference_server.app import build
 from reference_server.auth import BadTokens, Tokens
 from reference_server.settings import Settings
 from reference_server.store import Store, StoreFailed
+from reference_sim import catalog
+from reference_sim.gymnasium_adapter import BadBenchmark
 
 
 class Server(uvicorn.Server):
@@ -53,11 +55,22 @@ def main() -> int:
     except (ValidationError, SettingsError, BadTokens) as error:
         print(f"proctor: bad settings: {_one_line(error)}", file=sys.stderr)
         return 2
+    try:
+        catalog.add(settings.benchmarks, _say)
+    except BadBenchmark as error:
+        print(f"proctor: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:  # trying them may take a minute
+        return 130
     family = socket.AF_INET6 if ":" in settings.host else socket.AF_INET
     # asyncio sets TCP_NODELAY only where the protocol is named; without it each answer
     # waits 40 ms for an acknowledgement.
     with socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP) as listener:
         return _serve(listener, settings, tokens, secret)
+
+
+def _say(line: str) -> None:
+    print(f"proctor: {line}", file=sys.stderr, flush=True)
 
 
 def _serve(

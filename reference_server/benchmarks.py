@@ -13,7 +13,6 @@ from typing import Any
 
 import msgspec
 
-from reference_server import models
 from reference_server.problems import Refused
 from reference_sim import catalog
 
@@ -52,13 +51,11 @@ class Benchmarks:
             raise Refused("not_found", f"There is no benchmark {benchmark_id}.")
         resolved = self._resolved(benchmark_id, None, None)
         shown = {k: v for k, v in resolved.manifest.items() if k != "episodes"}
-        return models.Benchmark.model_validate(
-            shown
-            | {
-                "manifest_sha256": resolved.manifest_sha256,
-                "unavailable_reason": await _unavailable(benchmark_id),
-            }
-        ).model_dump()
+        # Not through the schema's model: a simulator may add members of its own.
+        return shown | {
+            "manifest_sha256": resolved.manifest_sha256,
+            "unavailable_reason": await _unavailable(benchmark_id),
+        }
 
     async def resolve(self, submission: Mapping[str, Any]) -> ResolvedRun:
         """The manifest of a run to be; refused when the choices do not fit."""

@@ -38,6 +38,12 @@ class Settings(BaseSettings):
         "var/proctor.sqlite",
         description="Path of the SQLite file, or a SQLAlchemy URL.",
     )
+    benchmarks: str = Field(
+        "",
+        description="Benchmarks of your own beside ours, comma-separated: "
+        "gymnasium:ID, a TOML file, a folder of them, FILE.py:CLASS, or "
+        "metaworld_mt50; see benchmarks.md.",
+    )
     tokens: str = Field(
         "",
         description="Comma-separated account:scopes:token, scopes being read, run or "

@@ -1,19 +1,23 @@
 """The benchmarks offered: what a run of one consists of, and how its world is made.
 
 Simulators are imported when one is made, so that a server that only lists benchmarks
-stays light, and no picture is drawn to learn what is offered.
+stays light, and no picture is drawn to learn what is offered. Those of the user's own
+are added at the start, by an adapter whose name travels in the world's settings: the
+process that makes the simulator has a catalog of its own, without them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
 from reference_sim import calibration
 from reference_sim.definition import Definition, Json
+from reference_sim.gymnasium_adapter import BadBenchmark
 from reference_sim.interface import Simulator
+from reference_sim.mobile_bimanual import benchmark as mobile_bimanual
 from reference_sim.tabletop import benchmark as tabletop
 
 
@@ -72,6 +76,24 @@ class Resolved:
     images: Json
 
 
+def add(references: str, say: Callable[[str], None]) -> None:
+    """Offers benchmarks of the user's own beside ours, after trying them.
+
+    references: see docs/benchmarks.md, comma-separated. say: is given lines for people.
+    Blocks for seconds. Raises BadBenchmark, and has then added those before.
+    """
+    from reference_sim.gymnasium_adapter import registration
+
+    for reference in filter(None, map(str.strip, references.split(","))):
+        for benchmark_id, definition in registration.benchmarks(reference, say):
+            if benchmark_id in _BENCHMARKS:
+                raise BadBenchmark(
+                    f"{reference}: there is a benchmark {benchmark_id} already: "
+                    "write another benchmark_id into its file"
+                )
+            _BENCHMARKS[benchmark_id] = definition
+
+
 def benchmark_ids() -> tuple[str, ...]:
     return tuple(sorted(_BENCHMARKS))
 
@@ -108,6 +130,10 @@ def unavailable_reason(benchmark_id: str) -> str | None:
 
 def make(world: World) -> Simulator:
     """Builds the simulator, in the process that is to run it."""
+    if world.settings.get("adapter") == "gymnasium":
+        from reference_sim.gymnasium_adapter import simulator
+
+        return simulator.make(world.settings)
     return _definition(world.benchmark_id).make(world.settings)
 
 
@@ -133,5 +159,6 @@ def _choose_images(manifest: Json, images: Mapping[str, Any] | None) -> Json:
 
 _BENCHMARKS: dict[str, Definition] = {
     **calibration.BENCHMARKS,
+    **mobile_bimanual.BENCHMARKS,
     **tabletop.BENCHMARKS,
 }

@@ -1,9 +1,10 @@
 """Resolve requirements/*.in into hashed locks, for every platform at once.
 
 All inputs are resolved together first and each lock is cut from that one
-answer, so a package has the same version in every lock. Run by `make lock`
-inside the generator environment (it needs uv). The locks must not name an
-index, a file path or a machine; hashes come from the registry's own records.
+answer, so a package has the same version in every lock; save `metaworld`, which
+overrides some and keeps the rest. Run by `make lock` inside the generator
+environment (it needs uv). The locks must not name an index, a file path or a
+machine; hashes come from the registry's own records.
 """
 
 import os
@@ -14,6 +15,7 @@ from pathlib import Path
 
 REQUIREMENTS = Path(__file__).parent.parent / "requirements"
 LOCKS = ("kit", "house", "dev", "generate")
+OVERRIDDEN = {"metaworld": "metaworld-overrides.txt"}
 UV = Path(sys.executable).with_name("uv")
 COMPILE = (
     *("pip", "compile", "--quiet", "--no-config", "--no-header"),
@@ -36,17 +38,40 @@ def without_notes_on(constraint: str, lock: str) -> str:
     return "".join(line for line in lines if f"-c {constraint}" not in line)
 
 
+def overridden(constraint: str, overrides: Path) -> str:
+    """The constraints, without the packages that the overrides are about."""
+    lines = overrides.read_text().splitlines()
+    names = tuple(line.partition("==")[0] for line in lines if "==" in line)
+    kept = [
+        line
+        for line in Path(constraint).read_text().splitlines()
+        if "==" in line and not line.startswith(names)
+    ]
+    return "\n".join(line.rstrip(" \\") for line in kept)
+
+
+def lock(name: str, constraint: str, *options: str) -> None:
+    """Cut one lock from what was resolved together."""
+    with tempfile.TemporaryDirectory() as scratch:
+        cut = Path(scratch, f"{name}.txt")
+        arguments = (f"{name}.in", "-c", constraint, "--output-file", str(cut))
+        resolve(*arguments, *options)
+        text = without_notes_on(constraint, cut.read_text())
+    (REQUIREMENTS / f"{name}.txt").write_text(text)
+    count = sum("==" in line for line in text.splitlines())
+    print(f"requirements/{name}.txt: {count} packages")
+
+
 def main() -> None:
     with tempfile.TemporaryDirectory() as scratch:
         together = f"{scratch}/together.txt"
         resolve(*(f"{name}.in" for name in LOCKS), "--output-file", together)
         for name in LOCKS:
-            cut = Path(scratch, f"{name}.txt")
-            resolve(f"{name}.in", "-c", together, "--output-file", str(cut))
-            text = without_notes_on(together, cut.read_text())
-            (REQUIREMENTS / f"{name}.txt").write_text(text)
-            count = sum("==" in line for line in text.splitlines())
-            print(f"requirements/{name}.txt: {count} packages")
+            lock(name, together)
+        for name, overrides in OVERRIDDEN.items():
+            rest = Path(scratch, f"{name}-rest.txt")
+            rest.write_text(overridden(together, REQUIREMENTS / overrides))
+            lock(name, str(rest), "--override", overrides)
 
 
 if __name__ == "__main__":

@@ -1,8 +1,9 @@
 """Create a virtual environment from a hashed lock, and say what it is doing.
 
 Run by make with any Python >= 3.11; uses nothing but the standard library.
-`dev` is .venv with the project installed in place, `generate` is
-.venv-generate for the tools that write committed files. An environment whose
+`dev` is .venv with the project installed in place, `metaworld` is the house alone
+beside another MuJoCo, `generate` is for the tools that write committed files. An
+environment whose
 lock has not changed is kept. It knows nothing of what the packages are for;
 whether cameras can be rendered is asked of reference_sim.rendering.
 """
@@ -19,7 +20,12 @@ from pathlib import Path
 from typing import Self
 
 ROOT = Path(__file__).resolve().parent.parent
-ENVIRONMENTS = {"dev": ".venv", "generate": ".venv-generate"}
+ENVIRONMENTS = {
+    "dev": ".venv",
+    "generate": ".venv-generate",
+    "metaworld": ".venv-metaworld",
+}
+WITH_PROJECT = ("dev", "metaworld")
 RENDERING = ROOT / "reference_sim" / "rendering.py"
 APT = ("apt-get", "-qq", "-y", "-o", "Dpkg::Use-Pty=0")
 GL_PACKAGES = ("libegl1", "libopengl0", "libgl1-mesa-dri")
@@ -176,14 +182,14 @@ def ensure(profile: str) -> None:
     with lock.open() as held:
         fcntl.flock(held, fcntl.LOCK_EX)  # two makes at once: the second waits
         want = [digest(sys.version, str(environment), lock), ""]
-        if profile == "dev":
+        if profile in WITH_PROJECT:
             want[1] = digest(ROOT / "pyproject.toml", packages())
         have = stamp.read_text().split("\n") if stamp.exists() else ["", ""]
         if have[0] != want[0]:
             create(profile, environment, lock)
-        if have != want and profile == "dev":
+        if have != want and profile in WITH_PROJECT:
             install_project(environment)
-        if have[0] != want[0] and profile == "dev":
+        if have[0] != want[0] and profile in WITH_PROJECT:
             provide_rendering(environment)
         stamp.write_text("\n".join(want))
 

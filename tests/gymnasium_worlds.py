@@ -1,0 +1,207 @@
+"""Environments with one fault each, and one with every kind of space.
+
+`Sound` is right; what is wrong with the others is in their names and docstrings. None
+of them looks at the world outside, so that the check is judged and nothing else.
+"""
+
+import os
+import random
+import signal
+import time
+from typing import Any
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+
+ALL_SPACES = spaces.Dict(
+    {
+        "arm": spaces.Dict(
+            {
+                "joints": spaces.Box(-3, 3, (2,), np.float64),
+                "gripper": spaces.Discrete(3, start=-1),
+            }
+        ),
+        "front": spaces.Box(0, 255, (12, 16, 3), np.uint8),
+        "grey": spaces.Box(0, 255, (12, 16), np.uint8),
+        "small": spaces.Box(0, 255, (8, 9, 3), np.uint8),
+        "grid": spaces.Box(-1, 1, (2, 3), np.float32),
+        "pair": spaces.Tuple((spaces.MultiDiscrete([2, 5]), spaces.MultiBinary(3))),
+    }
+)
+
+
+class Sound(gymnasium.Env[Any, Any]):
+    """Make the number larger than one."""
+
+    action_space: Any = spaces.Box(-1, 1, (1,))
+    observation_space: Any = spaces.Box(-20, 20, (1,))
+    max_steps = 20
+
+    def __init__(self, amount: float = 0.0, render_mode: str | None = None) -> None:
+        self.amount = amount
+        self.render_mode = render_mode
+
+    def reset(self, *, seed: int | None = None, options: Any = None) -> Any:
+        super().reset(seed=seed)
+        self.number = self.draw() + self.amount
+        return self.look(), {}
+
+    def draw(self) -> float:
+        return float(self.np_random.uniform(-1, 1))
+
+    def step(self, action: Any) -> Any:
+        self.number += float(action[0])
+        return self.look(), self.number, False, False, {"success": self.number > 1}
+
+    def look(self) -> Any:
+        return np.array([self.number], np.float32)
+
+    def render(self) -> Any:
+        # A ramp, so that turning it by half a turn shows.
+        ramp = np.arange(6 * 8 * 3, dtype=np.uint8).reshape(6, 8, 3)
+        return ramp if self.render_mode == "rgb_array" else None
+
+
+class IgnoresSeed(Sound):
+    def draw(self) -> float:
+        return random.uniform(-1, 1)
+
+
+class Leaks(Sound):
+    """Keeps what happened before."""
+
+    total = 0.0
+
+    def draw(self) -> float:
+        self.total += 0.125
+        return super().draw() + self.total
+
+
+class AlwaysTheSame(Sound):
+    def draw(self) -> float:
+        return 0.5
+
+
+class LeavesItsBounds(Sound):
+    observation_space = spaces.Box(-1, 1, (1,))
+
+    def look(self) -> Any:
+        return super().look() + 3
+
+
+class HasAnotherShape(Sound):
+    def look(self) -> Any:
+        return np.zeros((2,), np.float32)
+
+
+class HasAnotherType(Sound):
+    """A picture that is none."""
+
+    observation_space = spaces.Box(0, 255, (12, 16, 3), np.uint8)
+
+    def look(self) -> Any:
+        return np.zeros((12, 16, 3), np.float32)
+
+
+class IsNotFinite(Sound):
+    def look(self) -> Any:
+        return np.array([np.nan], np.float32)
+
+
+class RewardIsNotFinite(Sound):
+    def step(self, action: Any) -> Any:
+        return self.look(), np.inf, False, False, {"success": False}
+
+
+class SaysNothing(Sound):
+    """Of success."""
+
+    def step(self, action: Any) -> Any:
+        return self.look(), 0.0, False, False, {"distance": 1.0}
+
+
+class CannotBeMade(Sound):
+    def __init__(self) -> None:
+        raise OSError("the robot\nis not plugged in")
+
+
+class HasText(Sound):
+    action_space = spaces.Text(5)
+
+
+class DrawsNothing(Sound):
+    def __init__(self, render_mode: str | None = None) -> None:
+        super().__init__()
+
+    def render(self) -> Any:
+        return None
+
+
+class SeesNothing(Sound):
+    def __init__(self) -> None:
+        super().__init__()
+
+
+class Hangs(Sound):
+    def reset(self, *, seed: int | None = None, options: Any = None) -> Any:
+        time.sleep(1000)
+
+
+class Crashes(Sound):
+    def reset(self, *, seed: int | None = None, options: Any = None) -> Any:
+        os.kill(os.getpid(), signal.SIGSEGV)
+
+
+class Leaves(Sound):
+    def reset(self, *, seed: int | None = None, options: Any = None) -> Any:
+        os.write(2, b"no licence found\n")
+        os._exit(3)
+
+
+class RaisesLater(Sound):
+    """Longer than a check looks."""
+
+    def reset(self, *, seed: int | None = None, options: Any = None) -> Any:
+        self.steps = 0
+        return super().reset(seed=seed, options=options)
+
+    def step(self, action: Any) -> Any:
+        self.steps += 1
+        if self.steps > 15:
+            raise ValueError("the physics exploded")
+        return super().step(action)
+
+
+class CutsItself(Sound):
+    """Off, after five steps."""
+
+    def reset(self, *, seed: int | None = None, options: Any = None) -> Any:
+        self.steps = 0
+        return super().reset(seed=seed, options=options)
+
+    def step(self, action: Any) -> Any:
+        self.steps += 1
+        observation, _, _, _, info = super().step(action)
+        return observation, 1.0, False, self.steps == 5, info
+
+
+class HasAllSpaces(Sound):
+    """An action is echoed in the next observation."""
+
+    action_space = ALL_SPACES
+    observation_space = ALL_SPACES
+
+    def reset(self, *, seed: int | None = None, options: Any = None) -> Any:
+        gymnasium.Env.reset(self, seed=seed)
+        self.observation_space.seed(seed)
+        return self.observation_space.sample(), {}
+
+    def step(self, action: Any) -> Any:
+        assert action in self.action_space
+        return action, 0.0, False, False, {"success": False}
+
+
+def number_is_large(environment: Any, info: Any) -> bool:
+    """A judge of success."""
+    return "success" in info and environment.unwrapped.number > 2

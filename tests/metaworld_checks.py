@@ -1,0 +1,140 @@
+"""What needs Meta-World and its MuJoCo: `make metaworld-check`, in .venv-metaworld.
+
+Not part of `make test`, whose environment has another MuJoCo. All fifty tasks with ten
+seeds are compared by `make metaworld-table`; here are a few, and the reasons.
+"""
+
+from __future__ import annotations
+
+import signal
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from reference_client import evaluate
+from reference_sim.gymnasium_adapter import registration
+from reference_sim.gymnasium_adapter.benchmark_file import Benchmark, read
+from reference_sim.metaworld_mt50.world import SeededTask, expert
+from tests.conftest import TOKENS, House
+from tools.metaworld_table import play_directly, play_through_protocol
+
+TASKS = ("reach-v3", "button-press-topdown-v3", "drawer-close-v3", "peg-insert-side-v3")
+FEW = """
+made_by = "reference_sim.metaworld_mt50.world:SeededTask"
+max_steps = 500
+camera = false
+"""
+TASK = """
+[[tasks]]
+name = "{0}"
+instruction = "{1}"
+kwargs = {{ task = "{0}" }}
+"""
+
+
+def examined(reference: str, **members: object) -> tuple[list[str], list[str]]:
+    """Faults and warnings."""
+    ((benchmark, folder),) = read(reference)
+    content = benchmark.model_dump(exclude_unset=True) | members
+    found = registration.examine(Benchmark.model_validate(content), folder, print)
+    return found["faults"], found["warnings"]
+
+
+# --- the seed ---
+
+
+def test_meta_world_itself_ignores_the_seed_and_the_check_says_so() -> None:
+    faults, _ = examined(
+        "gymnasium:metaworld:Meta-World/MT1",
+        kwargs={"env_name": "reach-v3"},
+        camera=False,
+    )
+    (fault,) = faults
+    assert "reset(seed=20) twice gives two episodes (the observation" in fault
+
+
+def test_its_classes_play_the_same_whatever_the_seed_and_the_check_says_so(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "raw.py").write_text(
+        "from metaworld.env_dict import ALL_V3_ENVIRONMENTS_GOAL_OBSERVABLE as ALL\n"
+        "Reach = ALL['reach-v3-goal-observable']\n"
+    )
+    faults, warnings = examined(f"{tmp_path}/raw.py:Reach", camera=False)
+    assert faults == []
+    assert "task reach: every seed gives the same episode" in warnings
+
+
+@pytest.mark.parametrize("task", TASKS)
+def test_a_seed_gives_the_same_episode_whatever_was_played_before(task: str) -> None:
+    def play(world: SeededTask, seed: int) -> list[bytes]:
+        observation, _ = world.reset(seed=seed)
+        seen, policy = [observation.tobytes()], expert(task)
+        for _ in range(60):
+            action = np.clip(policy.get_action(observation), -1, 1).astype(np.float32)
+            observation, reward, *_ = world.step(action)
+            seen.append(observation.tobytes() + np.float64(reward).tobytes())
+        return seen
+
+    fresh, used = SeededTask(task), SeededTask(task)
+    play(used, 4)
+    assert play(used, 3) == play(fresh, 3)
+    assert play(used, 5)[0] != play(used, 3)[0]
+
+
+# --- through the protocol ---
+
+
+def test_experts_reach_in_both_ways_the_same(tmp_path: Path) -> None:
+    """Four tasks, two seeds each. Expect every episode to agree, step by step."""
+    ((benchmark, _),) = read("metaworld_mt50")
+    text = FEW + '[[splits]]\nname = "few"\nepisodes = 2\n'
+    for task in benchmark.tasks:
+        if task.name in TASKS:
+            text += TASK.format(task.name, task.instruction)
+    (tmp_path / "few.toml").write_text(text)
+    server = House(tmp_path, PROCTOR_BENCHMARKS=str(tmp_path / "few.toml"))
+    try:
+        served = play_through_protocol(server.url, TOKENS["alice"], "few")
+        with server.client() as client:
+            manifest = client.get("/v1/benchmarks/few").json()
+    finally:
+        server.end(signal.SIGKILL)
+    assert set(served) == {(task, seed) for task in TASKS for seed in (0, 1)}
+    assert served == {key: play_directly(*key) for key in served}
+    assert manifest["simulator"]["packages"]["mujoco"] == "3.3.0"
+    assert manifest["success_rule"] == "any_step"
+
+
+class Reacher:
+    """Moves the gripper towards the goal."""
+
+    def reset(self, instruction: str) -> None:
+        pass
+
+    def act(self, observation):  # type: ignore[no-untyped-def]
+        state = {name: np.array(v) for name, v in observation.state.items()}
+        assert observation.images["render"].shape == (480, 480, 3)
+        move = 10 * (state["desired_goal"] - state["achieved_goal"])
+        return [{"action": [*np.clip(move, -1, 1), 0.0]}]
+
+
+def test_gymnasium_robotics_is_served_with_its_camera(tmp_path: Path) -> None:
+    reference = "gymnasium:gymnasium_robotics:FetchReach-v4"
+    server = House(tmp_path, PROCTOR_BENCHMARKS=reference)
+    try:
+        score = evaluate(
+            Reacher, url=server.url, token=TOKENS["alice"], benchmark="fetchreach_v4"
+        )
+    finally:
+        server.end(signal.SIGKILL)
+    assert score.score == 1.0
+
+
+@pytest.mark.parametrize(
+    "environment", ["FetchPickAndPlace-v4", "AdroitHandDoor-v1", "HandReach-v3"]
+)
+def test_gymnasium_robotics_passes_the_check(environment: str) -> None:
+    reference = f"gymnasium:gymnasium_robotics:{environment}"
+    assert examined(reference, camera=False)[0] == []
