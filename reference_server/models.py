@@ -559,7 +559,7 @@ class Service(BaseModel):
     profiles: Annotated[
         list[Profile],
         Field(
-            description="Parts of the protocol offered; `core` may be left out, for it always is."
+            description="Parts of the protocol offered; `core` may be left out, for it always is. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified."
         ),
     ]
     limits: Limits
@@ -572,12 +572,23 @@ SessionEnd = TypeAliasType(
     "SessionEnd",
     Annotated[
         Literal["lease_ended", "detached", "run_stopped", "run_failed", "unknown"],
-        Field(description="What ended the session, as far as the server still knows."),
+        Field(
+            description="What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended."
+        ),
     ],
 )
 
 
-Sha256 = TypeAliasType("Sha256", Annotated[str, Field(pattern="^[0-9a-f]{64}$")])
+Sha256 = TypeAliasType(
+    "Sha256",
+    Annotated[
+        str,
+        Field(
+            description="The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.",
+            pattern="^[0-9a-f]{64}$",
+        ),
+    ],
+)
 
 
 ShapeItem = TypeAliasType("ShapeItem", Annotated[int, Field(ge=0)])

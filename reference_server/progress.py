@@ -7,7 +7,7 @@ else. Every change of state goes through the table.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -224,31 +224,6 @@ def admit(
             move(run, "capacity")
             admitted.append(run)
     return admitted
-
-
-def clipped(
-    actions: Sequence[Mapping[str, Sequence[float]]], manifest: Mapping[str, Any]
-) -> list[dict[str, Sequence[float]]]:
-    """PRED-018: values outside a range declared `clip` become the nearest inside."""
-    clip = {
-        name: (entry["minimum"], entry["maximum"])
-        for name, entry in manifest["action_space"].items()
-        if entry["out_of_range"] == "clip"
-    }
-    return [
-        {name: _clip(vector, clip.get(name)) for name, vector in values.items()}
-        for values in actions
-    ]
-
-
-def _clip(
-    vector: Sequence[float], bounds: tuple[Sequence[float], Sequence[float]] | None
-) -> Sequence[float]:
-    if bounds is None:
-        return vector
-    return [
-        min(max(v, low), high) for v, low, high in zip(vector, *bounds, strict=True)
-    ]
 
 
 def _episode_of(session: Session) -> Episode:

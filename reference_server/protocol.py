@@ -1,8 +1,8 @@
 """The rules of the protocol, decided.
 
-Everything that makes a request legal or illegal, and everything that changes a run,
-stands in this file and in `run_state.py`. Pure: no clock, no disk, no socket, no
-`await`; `now` is a monotonic time in seconds and comes in as an argument.
+Everything that makes a request legal or illegal stands in this file, but for what a
+benchmark's spaces say of an action, which is in `spaces.py`. Pure: no clock, no disk,
+no socket, no `await`; `now` is a monotonic time in seconds and comes in as an argument.
 
 `decide` answers what may happen to a command: Accept, Replay a stored turn, Wait for
 the turn in execution, or Refuse with a code of the catalogue. What an accepted command
@@ -13,11 +13,11 @@ small function each, called in the one order that GUARDS gives.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias
 
+from reference_server import spaces
 from reference_server.run_state import Run, Session, State
 
 Event: TypeAlias = Literal[
@@ -227,7 +227,7 @@ def _below_worker_limit(run: Run, command: Attach, now: float) -> Verdict | None
 
 
 def _conventions_agree(run: Run, command: Attach, _now: float) -> Verdict | None:
-    errors = tuple(_mismatches(command.assumes or {}, run.manifest))
+    errors = tuple(spaces.mismatches(command.assumes or {}, run.manifest))
     if not errors:
         return None
     return Refuse(
@@ -308,7 +308,7 @@ def _has_an_episode(run: Run, command: Predict, _now: float) -> Verdict | None:
 
 def _actions_fit(run: Run, command: Predict, _now: float) -> Verdict | None:
     """PRED-013 to PRED-017, PRED-019: one bad value refuses the whole chunk."""
-    errors = tuple(_misfits(command.actions, run.manifest))
+    errors = tuple(spaces.misfits(command.actions, run.manifest))
     if not errors:
         return None
     return Refuse(
@@ -316,75 +316,6 @@ def _actions_fit(run: Run, command: Predict, _now: float) -> Verdict | None:
         "The actions do not fit the benchmark's action space; none was executed.",
         errors=errors,
     )
-
-
-def _misfits(
-    actions: Sequence[Mapping[str, Sequence[float]]], manifest: Mapping[str, Any]
-) -> list[tuple[str, str]]:
-    if len(actions) > manifest["max_chunk"]:
-        return [("/actions", f"a chunk holds at most {manifest['max_chunk']} actions")]
-    space = manifest["action_space"]
-    errors: list[tuple[str, str]] = []
-    for i, values in enumerate(actions):
-        at = f"/actions/{i}/values"
-        errors += [
-            (f"{at}/{_escape(name)}", "the action space has no such name")
-            for name in values.keys() - space.keys()
-        ]
-        for name, entry in space.items():
-            if name not in values:
-                errors.append((f"{at}/{name}", "missing; every name is sent"))
-            else:
-                errors += _vector_misfits(f"{at}/{name}", values[name], entry)
-    return errors
-
-
-def _escape(name: str) -> str:
-    return name.replace("~", "~0").replace("/", "~1")
-
-
-def _vector_misfits(
-    at: str, vector: Sequence[float], entry: Mapping[str, Any]
-) -> list[tuple[str, str]]:
-    if len(vector) != entry["size"]:
-        return [(at, f"has {len(vector)} numbers, must have {entry['size']}")]
-    if not all(map(math.isfinite, vector)):
-        return [(at, "holds a number that is not finite")]
-    if entry["out_of_range"] != "refuse":
-        return []
-    low, high = entry["minimum"], entry["maximum"]
-    return [
-        (f"{at}/{k}", f"{value} is outside {low[k]} … {high[k]}")
-        for k, value in enumerate(vector)
-        if not low[k] <= value <= high[k]
-    ]
-
-
-def _mismatches(
-    assumes: Mapping[str, Any], manifest: Mapping[str, Any]
-) -> list[tuple[str, str]]:
-    errors: list[tuple[str, str]] = []
-    rate = assumes.get("control_rate_hz")
-    if rate is not None and rate != manifest["control_rate_hz"]:
-        errors.append(
-            ("/assumes/control_rate_hz", f"it is {manifest['control_rate_hz']}")
-        )
-    spaces = {
-        "action": manifest["action_space"],
-        "state": manifest["observation_space"]["state"],
-    }
-    for part, space in spaces.items():
-        for name, assumption in (assumes.get(part) or {}).items():
-            at = f"/assumes/{part}/{_escape(name)}"
-            if name not in space:
-                errors.append((at, "the benchmark has no such name"))
-                continue
-            errors += [
-                (f"{at}/{member}", f"it is {space[name].get(member)!r}")
-                for member, value in assumption.items()
-                if value != space[name].get(member)
-            ]
-    return errors
 
 
 def _event_of(command: Command) -> Event:

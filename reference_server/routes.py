@@ -133,7 +133,7 @@ class Routes:
         body_sha256 = hashlib.sha256(canonical).hexdigest()
         run = await self._new_run(call.account, submission)
         run = await self.book.add(run, key, body_sha256)
-        response = call.answer(self._view(call, run), 201)
+        response = call.answer(await self._shown(call, run), 201)
         response.headers["Location"] = f"/v1/runs/{run.run_id}"
         return response
 
@@ -179,24 +179,28 @@ class Routes:
     async def list_runs(self, call: Call) -> Response:
         limit = int(call.query.get("limit", PAGE))
         before = _number(call.query.get("cursor"))
-        runs = await self.book.page(call.account, before, limit + 1)
-        more = len(runs) > limit
+
+        def view(run: Run) -> tuple[int, dict[str, Any]]:
+            return run.number, self._view(call, run)
+
+        found = await self.book.page(call.account, before, limit + 1, view)
+        more = len(found) > limit
         return call.answer(
             {
-                "runs": [self._view(call, run) for run in runs[:limit]],
-                "next_cursor": str(runs[limit - 1].number) if more else None,
+                "runs": [body for _, body in found[:limit]],
+                "next_cursor": str(found[limit - 1][0]) if more else None,
             }
         )
 
     async def get_run(self, call: Call) -> Response:
-        run = await self._run(call)
         wanted = call.headers.get("if-none-match")
         wait_s = float(call.headers.get("prefer", "wait=0").removeprefix("wait="))
         deadline = time.monotonic() + min(wait_s, self.settings.wait_s_max)
         while True:
-            run = await self.book.settled(run)
+            run = await self._run(call)
             self.stage.sweep(run)
-            response = call.answer(self._view(call, run))
+            news = self.book.news(run)
+            response = call.answer(await self._shown(call, run))
             etag = f'"{hashlib.sha256(bytes(response.body)).hexdigest()[:32]}"'
             response.headers["ETag"] = etag
             if wanted is None or not _matches(wanted, etag):
@@ -204,46 +208,40 @@ class Routes:
             left_s = deadline - time.monotonic()
             if left_s <= 0:
                 return Response(status_code=304, headers={"ETag": etag})
-            await self.book.changed(run, left_s)
+            await self.book.changed(news, left_s)
 
     async def stop_run(self, call: Call) -> Response:
-        run = await self._run(call)
         mode = call.body.model_dump().get("mode", "abort")
-        verdict = decide(run, Stop(mode), self.stage.sweep(run))
-        if isinstance(verdict, Refuse):
-            raise Refused.by(verdict)
+        run = await self._permitted(call, Stop(mode))
         self.stage.let_go(progress.stop(run, mode, time.time()))
         await self.book.commit(run)
-        return call.answer(self._view(call, run))
+        return call.answer(await self._shown(call, run))
 
     async def resume_run(self, call: Call) -> Response:
-        run = await self._run(call)
-        verdict = decide(run, Resume(), self.stage.sweep(run))
-        if isinstance(verdict, Refuse):
-            raise Refused.by(verdict)
+        run = await self._permitted(call, Resume())
         if run.state in ("stopped", "failed"):
             progress.resume(run, time.time() + _queue_s(run.submission))
             await self.book.commit(run)
-        return call.answer(self._view(call, run))
+        return call.answer(await self._shown(call, run))
 
     async def list_episodes(self, call: Call) -> Response:
         run = await self._run(call)
-        run = await self.book.settled(run)
         limit = int(call.query.get("limit", PAGE))
         start = _number(call.query.get("cursor")) or 0
-        page = run.episodes[start : start + limit]
         end = start + limit
-        return call.answer(
-            {
+
+        def view(run: Run) -> dict[str, Any]:
+            page = run.episodes[start:end]
+            return {
                 "episodes": [views.episode_view(e) for e in page],
                 "next_cursor": str(end) if end < len(run.episodes) else None,
             }
-        )
+
+        return call.answer(await self.book.shown(run, view))
 
     async def get_score(self, call: Call) -> Response:
         run = await self._run(call)
-        run = await self.book.settled(run)
-        return call.answer(views.score_view(run))
+        return call.answer(await self.book.shown(run, views.score_view))
 
     # --- data plane ---
 
@@ -280,6 +278,20 @@ class Routes:
 
     async def _run(self, call: Call) -> Run:
         return await self.book.get(call.path["run_id"], call.account)
+
+    async def _permitted(self, call: Call, command: Stop | Resume) -> Run:
+        """The run, for which the protocol accepts the command now."""
+        while True:
+            run = await self._run(call)
+            verdict = decide(run, command, self.stage.sweep(run))
+            if not isinstance(verdict, Refuse):
+                return run
+            # The state that forbids it is told as well: it may not be lost then.
+            if await self.book.is_stored(run):
+                raise Refused.by(verdict)
+
+    async def _shown(self, call: Call, run: Run) -> dict[str, Any]:
+        return await self.book.shown(run, lambda run: self._view(call, run))
 
     def _view(self, call: Call, run: Run) -> dict[str, Any]:
         base = self.settings.public_url or str(call.request.base_url)

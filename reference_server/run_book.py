@@ -3,16 +3,21 @@
 One Run object per run for as long as anyone holds it, so that every decision sees the
 same state. Carries out what the protocol decides for the control plane, wakes whoever
 waits for a change, and lets queued runs in when there is capacity.
+
+Memory may be ahead of the disk while a write is on its way. Nobody is told of that:
+what is shown was taken from memory and then found stored (`shown`). A failed write
+drops the run from memory, for the store has the truth, and its sessions end as in a
+restart.
 """
 
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import logging
 import time
 from collections import OrderedDict
 from collections.abc import Awaitable, Callable
+from typing import TypeVar
 from weakref import WeakValueDictionary
 
 from reference_server import progress
@@ -25,6 +30,10 @@ log = logging.getLogger("proctor.runs")
 # Runs kept in memory although nobody uses them at the moment.
 RUNS_KEPT = 256
 ACTIVE = ("ready", "running", "stopping")
+# How long after a failed write its run is loaded again, when nobody asks for it.
+RELOAD_S = 1.0
+
+Shown = TypeVar("Shown")
 
 
 class RunBook:
@@ -37,11 +46,14 @@ class RunBook:
         self._recent: OrderedDict[str, Run] = OrderedDict()
         self._queued: dict[str, Run] = {}
         self._active: set[str] = set()
-        self._saving: dict[str, int] = {}
-        self._news: dict[str, asyncio.Event] = {}
+        self._loading: dict[str, asyncio.Task[Run | None]] = {}
+        self._saving: dict[str, asyncio.Task[bool]] = {}  # the last one of each run
+        # Only who waits for news holds them.
+        self._news: WeakValueDictionary[str, asyncio.Event] = WeakValueDictionary()
         self._admission: asyncio.TimerHandle | None = None
-        self._tasks: set[asyncio.Task[None]] = set()
-        self._ending = False
+        self._reloads: dict[str, asyncio.TimerHandle] = {}
+        self._tasks: set[asyncio.Future[object]] = set()
+        self._ending = self._closed = False
         # Set by the data plane: what to do with the sessions of a run that was lost.
         self.forget: Callable[[Run], None] = lambda _run: None
 
@@ -57,19 +69,17 @@ class RunBook:
             self._wake(run_id)
 
     async def close(self) -> None:
-        """Wait until everything that was begun is stored."""
-        if self._admission is not None:
-            self._admission.cancel()
-        if self._tasks:
-            await asyncio.wait(set(self._tasks))
+        """Wait until everything that was begun is stored; then nothing begins."""
+        self._closed = True
+        for timer in (self._admission, *self._reloads.values()):
+            if timer is not None:
+                timer.cancel()
+        while self._tasks:  # one may begin another
+            await asyncio.wait(self._tasks)
 
     async def get(self, run_id: str, account: str | None = None) -> Run:
         """The run, if the account may see it (AUTH-003, RUN-010)."""
-        run = self._known.get(run_id)
-        if run is None:
-            loaded = await self._store.load(run_id)
-            # Somebody may have loaded it meanwhile: theirs is the one.
-            run = self._known.get(run_id) or self._adopt(loaded)
+        run = self._known.get(run_id) or await self._load(run_id)
         if run is None or account not in (None, run.account):
             raise Refused("not_found", f"There is no run {run_id}.")
         self._keep(run)
@@ -77,6 +87,8 @@ class RunBook:
 
     async def add(self, run: Run, key: str | None, body_sha256: str) -> Run:
         """Store a new run; or the run that this Idempotency-Key made (RUN-003)."""
+        # Whoever finds it in the store, even before we hear of that, finds this object.
+        self._known[run.run_id] = run
         if await self._store.insert(run, key, body_sha256):
             self._keep(run)
             self._place(run, run.state)
@@ -93,45 +105,59 @@ class RunBook:
             )
         return await self.get(found[1])
 
-    async def page(self, account: str, before: int | None, limit: int) -> list[Run]:
-        """Up to `limit` runs of the account, newest first."""
+    async def page(
+        self, account: str, before: int | None, limit: int, view: Callable[[Run], Shown]
+    ) -> list[Shown]:
+        """Views of up to `limit` runs of the account, newest first."""
         rows = await self._store.page(account, before, limit)
-        return [await self.settled(await self.get(run_id)) for _, run_id in rows]
+        return [await self.shown(await self.get(run_id), view) for _, run_id in rows]
+
+    async def shown(self, run: Run, view: Callable[[Run], Shown]) -> Shown:
+        """What `view` makes of the run, once all of that is stored."""
+        while True:
+            shown = view(run)
+            if await self.is_stored(run):
+                return shown
+            run = await self.get(run.run_id)
+
+    async def is_stored(self, run: Run) -> bool:
+        """Whether the run as it is now is on disk, as soon as that is known.
+
+        Waits for the last write that was begun, and for none that begins meanwhile.
+        """
+        saving = self._saving.get(run.run_id)
+        if saving is not None:
+            await asyncio.wait([saving])
+        return not run.lost
 
     async def commit(self, run: Run) -> None:
         """Store what changed; then tell those who wait for it.
 
-        A failed write drops the run from memory: the store has the truth, and the
-        sessions end as in a restart.
+        A caller that is cancelled does not take the write with it.
+        """
+        if not await asyncio.shield(self.commit_later(run)):
+            raise Refused("unavailable", "The run could not be stored.")
+
+    def commit_later(self, run: Run) -> asyncio.Task[bool]:
+        """Begin to store what changed (a lease that ended, an admission).
+
+        The task never raises; its result is whether the run was stored.
         """
         run.updated_at_wall = time.time()
-        self._saving[run.run_id] = self._saving.get(run.run_id, 0) + 1
+        saving = asyncio.ensure_future(self._save(run))
+        self._saving[run.run_id] = saving
+        self.begin(saving)
+        return saving
+
+    def news(self, run: Run) -> asyncio.Event:
+        """The next change of what get_run shows; take it before you look."""
+        return self._news.setdefault(run.run_id, asyncio.Event())
+
+    async def changed(self, news: asyncio.Event, timeout_s: float) -> bool:
+        """Wait for a change; whether there was one in time."""
         try:
-            await self._store.save(run)
-        except StoreFailed as error:
-            log.exception("run %s could not be stored", run.run_id)
-            self._drop(run)
-            raise Refused("unavailable", "The run could not be stored.") from error
-        finally:
-            self._saving[run.run_id] -= 1
-            if not self._saving[run.run_id]:
-                del self._saving[run.run_id]
-            self.notify(run)
-
-    def commit_later(self, run: Run) -> None:
-        """Commit what no request waits for (a lease that ended, an admission)."""
-        self.begin(self._commit_quietly(run))
-
-    async def settled(self, run: Run) -> Run:
-        """The run when all of it is stored: nobody is told what may yet be lost."""
-        while run.run_id in self._saving:
-            await self._event(run).wait()
-        return await self.get(run.run_id)
-
-    async def changed(self, run: Run, timeout_s: float) -> bool:
-        """Wait for the next change; whether there was one in time."""
-        try:
-            await asyncio.wait_for(self._event(run).wait(), timeout_s)
+            if not self._ending:
+                await asyncio.wait_for(news.wait(), timeout_s)
         except TimeoutError:
             return False
         if self._ending:
@@ -171,12 +197,9 @@ class RunBook:
         if event is not None:
             event.set()
 
-    def _event(self, run: Run) -> asyncio.Event:
-        return self._news.setdefault(run.run_id, asyncio.Event())
-
     def _admit(self) -> None:
         queued = [r for r in self._queued.values() if r.state == "queued"]
-        if not queued:
+        if not queued or self._closed:
             return
         now = time.time()
         admitted = progress.admit(queued, len(self._active), self._active_max, now)
@@ -197,16 +220,39 @@ class RunBook:
             wait_s = max(0.001, min(later) - now)
             self._admission = loop.call_later(wait_s, self._admit)
 
-    async def _commit_quietly(self, run: Run) -> None:
-        # Logged and dropped by commit; there is nobody to answer.
-        with contextlib.suppress(Refused):
-            await self.commit(run)
-
-    def begin(self, work: Awaitable[None]) -> None:
+    def begin(self, work: Awaitable[object]) -> None:
         """Do work that no request waits for, before the server ends."""
         task = asyncio.ensure_future(work)
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
+
+    async def _save(self, run: Run) -> bool:
+        try:
+            await self._store.save(run)
+        except Exception:  # whatever it was: memory is ahead of the disk now
+            log.exception("run %s could not be stored", run.run_id)
+            self._drop(run)
+            return False
+        else:
+            return True
+        finally:
+            if self._saving.get(run.run_id) is asyncio.current_task():
+                del self._saving[run.run_id]
+            self.notify(run)
+
+    async def _load(self, run_id: str) -> Run | None:
+        """The run from the store, read once however many ask for it at a time."""
+        loading = self._loading.get(run_id)
+        if loading is None:
+            loading = asyncio.ensure_future(self._load_once(run_id))
+            self._loading[run_id] = loading
+        return await asyncio.shield(loading)
+
+    async def _load_once(self, run_id: str) -> Run | None:
+        try:
+            return self._adopt(await self._store.load(run_id))
+        finally:
+            del self._loading[run_id]
 
     def _adopt(self, loaded: Run | None) -> Run | None:
         """A run just loaded: nobody held it, so no session of it lives."""
@@ -232,4 +278,25 @@ class RunBook:
         self._known.pop(run.run_id, None)
         self._recent.pop(run.run_id, None)
         self._place(run, None)
+        # Until it is known what the store has, the run may be active and keeps a place.
+        self._active.add(run.run_id)
         self.forget(run)
+        self._reload_later(run.run_id)
+
+    def _reload_later(self, run_id: str) -> None:
+        """A run that was queued is still admitted, though nobody ask for it."""
+        if not self._closed:
+            loop = asyncio.get_running_loop()
+            timer = loop.call_later(RELOAD_S, self._reload, run_id)
+            self._reloads[run_id] = timer
+
+    def _reload(self, run_id: str) -> None:
+        del self._reloads[run_id]
+        self.begin(self._get_again(run_id))
+
+    async def _get_again(self, run_id: str) -> None:
+        try:
+            await self.get(run_id)
+        except StoreFailed:
+            log.exception("run %s could not be loaded", run_id)
+            self._reload_later(run_id)

@@ -2,7 +2,11 @@
 
 It asks `protocol` what may happen, lets a simulator process execute, and tells
 `progress` what came of it. While a simulator executes nothing is locked: each session
-has one task at most, and whoever repeats its request waits for that task.
+has one task at most, and whoever repeats its request waits for that task. What a
+session holds meanwhile is in `scenes.py`.
+
+While work awaits anything, its session may end: then `_still` ends the work, and what
+the session held is already freed.
 """
 
 from __future__ import annotations
@@ -12,10 +16,9 @@ import logging
 import secrets
 import time
 from collections.abc import Awaitable
-from dataclasses import dataclass
 from typing import Any
 
-from reference_server import progress, turns
+from reference_server import progress, spaces, turns
 from reference_server.problems import Refused
 from reference_server.protocol import (
     Attach,
@@ -31,12 +34,11 @@ from reference_server.protocol import (
 )
 from reference_server.run_book import RunBook
 from reference_server.run_state import Run, Session
-from reference_sim.catalog import resolve
+from reference_server.scenes import Scene, Scenes
 from reference_sim.runners.local import (
     Beginning,
     NoCapacity,
     SimulatorFault,
-    SimulatorHandle,
     SimulatorPool,
     TaskUnplayable,
 )
@@ -44,26 +46,13 @@ from reference_sim.runners.local import (
 log = logging.getLogger("proctor.stage")
 
 
-@dataclass(slots=True, eq=False)
-class Scene:
-    """What a session needs besides its state; keeps its run in memory."""
-
-    run: Run
-    handle: SimulatorHandle | None = None
-    task: asyncio.Task[dict[str, Any]] | None = None
-    timer: asyncio.TimerHandle | None = None
-    fault: dict[str, Any] | None = None
-
-
 class Stage:
     """Every session of this process."""
 
     def __init__(self, book: RunBook, pool: SimulatorPool, max_chunk: int) -> None:
         self._book = book
-        self._pool = pool
-        self._max_chunk = max_chunk
-        self._scenes: dict[Session, Scene] = {}
-        book.forget = self._forget
+        self._scenes = Scenes(pool, max_chunk, book.begin, self.sweep)
+        book.forget = self._scenes.forget
 
     # --- operations of the data plane ---
 
@@ -83,15 +72,9 @@ class Stage:
         old = run.workers.get(command.worker_id)
         session_id = secrets.token_urlsafe(24)  # ATT-009
         session = progress.open_session(run, command, session_id, time.monotonic())
-        scene = Scene(run)
-        if old is not None:
-            before = self._leave(old)
-            if before is not None:
-                scene.handle = before.handle
-        self._scenes[session] = scene
-        self._watch(session)
+        scene = self._scenes.open(run, session, old)
         self._book.notify(run)
-        return await self._execute(session, self._open(run, session))
+        return await self._execute(scene, self._open(scene))
 
     async def predict(self, run: Run, command: Predict) -> dict[str, Any]:
         """The turn; executed once, however often it is asked for."""
@@ -107,8 +90,10 @@ class Stage:
                 case _:
                     break
         session = run.workers[command.worker_id]
+        scene = self._scenes.of(session)
+        assert scene is not None, "a session that has not ended has its scene"
         progress.begin_turn(session, command, time.monotonic())
-        return await self._execute(session, self._play(run, session, command))
+        return await self._execute(scene, self._play(scene, command))
 
     def heartbeat(self, run: Run, command: Heartbeat) -> Session:
         """Extends the lease; returns the session."""
@@ -144,58 +129,46 @@ class Stage:
 
     def let_go(self, sessions: list[Session]) -> None:
         """Free what ended sessions hold; a simulator in execution is killed."""
-        for session in sessions:
-            scene = self._leave(session)
-            if scene is not None and scene.handle is not None:
-                self._free(scene.handle, kill=session.busy is not None)
+        self._scenes.let_go(sessions)
 
     async def close(self) -> None:
         """End every session without counting anything."""
-        self.let_go(list(self._scenes))
+        self._scenes.forget()
 
     # --- playing ---
 
-    async def _open(self, run: Run, session: Session) -> dict[str, Any]:
+    async def _open(self, scene: Scene) -> dict[str, Any]:
         started = time.perf_counter()
-        self._still(session)  # a stop may come before its work begins
-        scene = self._scenes[session]
-        if session.done:
-            turn = turns.turn(session, observation=None)
-        elif scene.handle is not None:
-            try:
-                observation = await scene.handle.observe()
-            except SimulatorFault as error:  # it died between two turns
-                await self._fault(run, session, error)
-                return await self._begin_turn_anew(run, session, started)
-            turn = turns.turn(session, observation=observation)
-        else:
-            beginning, queue_s = await self._begin(run, session)
-            turn = turns.turn(
-                session,
-                observation=beginning.observation,
-                fault=scene.fault,
-                spent=turns.timing(queue_s, beginning.timing),
-            )
-        self._still(session)
-        return self._answer(session, turn, started)
+        self._still(scene)  # a stop may come before its work begins
+        if scene.session.done:
+            turn = turns.turn(scene.session, observation=None)
+            return self._answer(scene, turn, started)
+        if scene.handle is None:
+            return await self._begin_turn(scene, started)
+        try:
+            observation = await scene.handle.observe()
+        except SimulatorFault as error:  # it died between two turns
+            await self._fault(scene, error)
+            return await self._begin_turn(scene, started)
+        self._still(scene)
+        turn = turns.turn(scene.session, observation=observation)
+        return self._answer(scene, turn, started)
 
-    async def _play(
-        self, run: Run, session: Session, command: Predict
-    ) -> dict[str, Any]:
+    async def _play(self, scene: Scene, command: Predict) -> dict[str, Any]:
         started = time.perf_counter()
-        self._still(session)  # a stop may come before its work begins
-        scene = self._scenes[session]
+        self._still(scene)  # a stop may come before its work begins
+        run, session = scene.run, scene.session
         assert scene.handle is not None, "a session with an episode has a simulator"
         scene.fault = None
-        actions = progress.clipped(command.actions, run.manifest)
+        actions = spaces.clipped(command.actions, run.manifest)
         try:
             played = await scene.handle.play(
                 actions, observe_all=command.observe == "all"
             )
         except (SimulatorFault, TaskUnplayable) as error:
-            await self._fault(run, session, error)
-            return await self._begin_turn_anew(run, session, started)
-        self._still(session)
+            await self._fault(scene, error)
+            return await self._begin_turn(scene, started)
+        self._still(scene)
         outcome = progress.Outcome(
             played.executed,
             played.ended,
@@ -209,15 +182,14 @@ class Stage:
         if ended is not None:
             # The result is on disk before anybody hears of it.
             await self._book.commit(run)
-            self._still(session)
+            self._still(scene)
             observation = None
             if session.episode is not None:
-                beginning, queue_s = await self._begin(run, session)
+                beginning, queue_s = await self._begin(scene)
                 observation = beginning.observation
                 spent = turns.timing(queue_s, played.timing, beginning.timing)
-            else:
-                self._release(session)
-        self._still(session)
+            else:  # its simulator serves others, its last turn stays
+                self._scenes.free(scene, kill=False)
         turn = turns.turn(
             session,
             observation=observation,
@@ -228,40 +200,32 @@ class Stage:
             fault=scene.fault,
             spent=spent,
         )
-        return self._answer(session, turn, started)
+        return self._answer(scene, turn, started)
 
-    async def _begin_turn_anew(
-        self, run: Run, session: Session, started: float
-    ) -> dict[str, Any]:
-        """FAULT-001: the same episode and attempt again, at step 0."""
-        beginning, queue_s = await self._begin(run, session)
+    async def _begin_turn(self, scene: Scene, started: float) -> dict[str, Any]:
+        """The turn that shows step 0, at first and after a fault (FAULT-001)."""
+        beginning, queue_s = await self._begin(scene)
         turn = turns.turn(
-            session,
+            scene.session,
             observation=beginning.observation,
-            fault=self._scenes[session].fault,
+            fault=scene.fault,
             spent=turns.timing(queue_s, beginning.timing),
         )
-        return self._answer(session, turn, started)
+        return self._answer(scene, turn, started)
 
-    async def _begin(self, run: Run, session: Session) -> tuple[Beginning, float]:
+    async def _begin(self, scene: Scene) -> tuple[Beginning, float]:
         """Begin the session's episode, anew after each fault, until it fails the run.
 
         Returns the beginning and the seconds spent waiting for a simulator.
         """
-        scene = self._scenes[session]
-        queue_s = 0.0
+        run, queue_s = scene.run, 0.0
         while True:
-            episode = session.episode
+            episode = scene.session.episode
             assert episode is not None
             try:
-                if scene.handle is None:
-                    waited = time.perf_counter()
-                    handle = await self._pool.acquire(world_of(run, self._max_chunk))
-                    queue_s += time.perf_counter() - waited
-                    if session.ended_by is not None:
-                        self._free(handle, kill=False)
-                        self._still(session)
-                    scene.handle = handle
+                queue_s += await self._scenes.lend(scene)
+                self._still(scene)
+                assert scene.handle is not None
                 beginning = await scene.handle.begin(
                     episode.task,
                     episode.seed,
@@ -270,20 +234,17 @@ class Stage:
                     success_rule=run.manifest["success_rule"],
                 )
             except (SimulatorFault, TaskUnplayable) as error:
-                await self._fault(run, session, error)
+                await self._fault(scene, error)
                 continue
-            self._still(session)
-            session.instruction = beginning.instruction
+            self._still(scene)
+            scene.session.instruction = beginning.instruction
             return beginning, queue_s
 
-    async def _fault(self, run: Run, session: Session, error: Exception) -> None:
+    async def _fault(self, scene: Scene, error: Exception) -> None:
         """Record a fault; returns when the episode may begin again."""
-        self._still(session)
-        scene = self._scenes[session]
-        if scene.handle is not None:
-            self._free(scene.handle, kill=True)
-            scene.handle = None
-        episode = session.episode
+        self._still(scene)
+        self._scenes.free(scene, kill=True)
+        run, session, episode = scene.run, scene.session, scene.session.episode
         assert episode is not None
         log.warning("run %s, %s: %s", run.run_id, episode.episode_id, error)
         session.busy = "turning"
@@ -296,53 +257,53 @@ class Stage:
         )
         self.let_go(ended)
         await self._book.commit(run)
-        self._still(session)
+        self._still(scene)
         scene.fault = {
             "episode_id": episode.episode_id,
             "faults": episode.faults,
             "detail": str(error),
         }
 
-    # --- sessions and their simulators ---
+    # --- the work of a session ---
 
     async def _execute(
-        self, session: Session, work: Awaitable[dict[str, Any]]
+        self, scene: Scene, work: Awaitable[dict[str, Any]]
     ) -> dict[str, Any]:
         """Run a session's work as its one task, which outlives a caller that leaves."""
-        scene = self._scenes[session]
-        scene.task = asyncio.ensure_future(self._guarded(scene, session, work))
+        scene.task = asyncio.ensure_future(self._guarded(scene, work))
         return await asyncio.shield(scene.task)
 
     async def _guarded(
-        self, scene: Scene, session: Session, work: Awaitable[dict[str, Any]]
+        self, scene: Scene, work: Awaitable[dict[str, Any]]
     ) -> dict[str, Any]:
         """Whatever goes wrong, no session stays busy for ever."""
         try:
             return await work
         except NoCapacity as error:
-            self._abort(scene.run, session)
+            self._abort(scene)
             raise Refused("no_capacity", str(error)) from error
         except Refused:
-            self._abort(scene.run, session)
+            self._abort(scene)
             raise
         except Exception as error:
             log.exception("a turn of run %s failed", scene.run.run_id)
-            self._abort(scene.run, session)
+            self._abort(scene)
             raise Refused(
                 "internal_error", "The turn could not be carried out."
             ) from error
 
-    def _abort(self, run: Run, session: Session) -> None:
+    def _abort(self, scene: Scene) -> None:
         """End a session by no fault of its policy: no attempt is counted."""
+        session = scene.session
         if session.ended_by is None:
             session.busy, session.steps = "turning", 0
-            progress.close_session(run, session, "unknown", time.time())
+            progress.close_session(scene.run, session, "unknown", time.time())
             self.let_go([session])
-            self._book.commit_later(run)
+            self._book.commit_later(scene.run)
 
     async def _after(self, run: Run, session: Session) -> Run:
         """The run when the session's task is over; the caller decides again then."""
-        scene = self._scenes.get(session)
+        scene = self._scenes.of(session)
         if scene is not None and scene.task is not None:
             await asyncio.wait([scene.task])
         else:
@@ -355,70 +316,19 @@ class Stage:
         return session.turn
 
     def _answer(
-        self, session: Session, turn: dict[str, Any], started: float
+        self, scene: Scene, turn: dict[str, Any], started: float
     ) -> dict[str, Any]:
-        now = time.monotonic()
-        progress.answer(session, turn, now)
-        turns.finish(turn, session, time.perf_counter() - started)
-        self._book.notify(self._scenes[session].run)
+        progress.answer(scene.session, turn, time.monotonic())
+        turns.finish(turn, scene.session, time.perf_counter() - started)
+        self._book.notify(scene.run)
         return turn
 
-    def _still(self, session: Session) -> None:
+    def _still(self, scene: Scene) -> None:
         """After an await: is the session still the one to answer?"""
-        if session.ended_by is not None:
+        ended_by = scene.session.ended_by
+        if ended_by is not None:
             raise Refused(
                 "session_ended",
-                f"The session ended while its turn was executed ({session.ended_by}).",
-                members={"ended_by": session.ended_by},
+                f"The session ended while its turn was executed ({ended_by}).",
+                members={"ended_by": ended_by},
             )
-
-    def _watch(self, session: Session) -> None:
-        """Look at the lease when it could be over; one timer per session."""
-        scene = self._scenes.get(session)
-        if scene is None:
-            return
-        now = time.monotonic()
-        if lease_over(session, now):
-            self.sweep(scene.run)
-            return
-        wait_s = session.expires_at - now
-        if wait_s <= 0:  # busy beyond its lease, or at its very end
-            wait_s = 0.05
-        loop = asyncio.get_running_loop()
-        scene.timer = loop.call_later(wait_s + 0.001, self._watch, session)
-
-    def _leave(self, session: Session) -> Scene | None:
-        scene = self._scenes.pop(session, None)
-        if scene is not None and scene.timer is not None:
-            scene.timer.cancel()
-        return scene
-
-    def _release(self, session: Session) -> None:
-        """The session is done: its simulator serves others, its last turn stays."""
-        scene = self._scenes[session]
-        if scene.handle is not None:
-            self._free(scene.handle, kill=False)
-            scene.handle = None
-
-    def _free(self, handle: SimulatorHandle, *, kill: bool) -> None:
-        if kill:
-            handle.discard()
-        else:
-            self._book.begin(handle.release())
-
-    def _forget(self, run: Run) -> None:
-        sessions = [s for s, scene in self._scenes.items() if scene.run is run]
-        for session in sessions:
-            run.remember_end(session, "unknown")
-        self.let_go(sessions)
-
-
-def world_of(run: Run, max_chunk: int) -> Any:
-    """What a simulator process needs to build this run's simulator."""
-    submission = run.submission
-    return resolve(
-        submission["benchmark_id"],
-        submission.get("options"),
-        run.images,
-        max_chunk=max_chunk,
-    ).world

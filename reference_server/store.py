@@ -8,6 +8,7 @@ that was in play is found ready again (CRASH-002).
 from __future__ import annotations
 
 import asyncio
+import contextlib
 from collections.abc import AsyncIterator, Sequence
 from contextlib import asynccontextmanager
 from dataclasses import asdict
@@ -83,6 +84,9 @@ class Store:
         except (sa.exc.SQLAlchemyError, ImportError) as error:
             raise StoreFailed(_one_line(error)) from error
         self._writing = asyncio.Lock()
+        # A database in memory is one connection, and so one transaction at a time.
+        shared = isinstance(self._engine.pool, sa.StaticPool)
+        self._alone = asyncio.Lock() if shared else contextlib.nullcontext()
         if self._url.get_backend_name() == "sqlite":
             sa.event.listen(self._engine.sync_engine, "connect", _tune_sqlite)
 
@@ -108,9 +112,10 @@ class Store:
     @asynccontextmanager
     async def _transaction(self) -> AsyncIterator[AsyncConnection]:
         try:
-            async with self._engine.begin() as connection:
+            async with self._alone, self._engine.begin() as connection:
                 yield connection
-        except sa.exc.SQLAlchemyError as error:
+        except (sa.exc.SQLAlchemyError, OSError) as error:
+            # A server that cannot be reached is told by its driver, not by SQLAlchemy.
             raise StoreFailed(_one_line(error)) from error
 
     async def insert(self, run: Run, key: str | None, body_sha256: str) -> bool:

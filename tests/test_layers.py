@@ -35,9 +35,6 @@ SAY_NOTHING = {"base", "common", "helper", "helpers", "manager", "service", "uti
 FILE_LINES_MAX, FUNCTION_LINES_MAX = 400, 70
 # Where the code wins over the number, and why; an entry too many fails.
 LONGER_FILES = {
-    "reference_server/protocol.py": (440, "the rules stand in one file, on purpose"),
-    "reference_server/stage.py": (450, "turns, faults and leases of one session"),
-    "tests/test_store.py": (540, "failed writes are told by store and stage together"),
     "tests/test_progress.py": (640, "each effect, and the machine that mixes them"),
 }
 
@@ -111,7 +108,7 @@ def test_the_packages_are_found() -> None:
 
 # --- layers ---
 
-PURE = ("protocol", "progress", "run_state", "scoring")
+PURE = ("protocol", "progress", "run_state", "scoring", "spaces")
 
 
 @pytest.mark.parametrize("name", PURE)
@@ -125,7 +122,8 @@ def test_the_rules_know_only_each_other(name: str) -> None:
         and module not in house
         and module.rpartition(".")[0] not in house
     }
-    assert strangers == set()
+    # `from reference_server import x` names the package beside the module.
+    assert strangers - {"reference_server"} == set()
 
 
 @pytest.mark.parametrize("name", PURE)

@@ -380,14 +380,6 @@ def test_an_event_without_a_row_changes_nothing() -> None:
     assert (run.state, run.reason) == ("completed", "because")
 
 
-def test_values_are_clipped_only_where_that_is_declared() -> None:
-    manifest = a_run().manifest
-    action = {"arm": [9.0, -9.0], "grip": [0.5], "head": [1.5]}
-    clipped = progress.clipped([action, ACTION | {"head": [-1e300]}], manifest)
-    assert clipped[0] == {"arm": [9.0, -9.0], "grip": [0.5], "head": [1.0]}
-    assert clipped[1]["head"] == [0.0]
-
-
 def test_only_so_many_ends_are_remembered() -> None:
     run = a_run()
     for number in range(run_state.ENDED_KEPT + 1):

@@ -275,7 +275,7 @@ def ignores_etags() -> None:
 def answers_long_polls_only_at_their_end() -> None:
     """Waiting for a change is no faster than asking now and then."""
 
-    async def wrong(_self: RunBook, _run: Run, timeout_s: float) -> bool:
+    async def wrong(_self: RunBook, _news: asyncio.Event, timeout_s: float) -> bool:
         await asyncio.sleep(timeout_s)
         return True
 

@@ -12,6 +12,7 @@ from typing import Any
 from reference_server import progress
 from reference_server.protocol import Attach, Detach, Heartbeat, Predict
 from reference_server.run_state import Run, Session, SessionEnd
+from reference_server.scenes import Scene
 from reference_server.stage import Stage
 from tests.mutants import mutant, put
 
@@ -93,10 +94,10 @@ def stop_misses_a_session_that_is_opening() -> None:
         run.workers.update(opening)
         return sessions
 
-    async def slow_begin(self: Stage, run: Run, session: Session) -> Any:
-        if session.busy == "opening":
+    async def slow_begin(self: Stage, scene: Scene) -> Any:
+        if scene.session.busy == "opening":
             await asyncio.sleep(0.03)
-        return await begin(self, run, session)
+        return await begin(self, scene)
 
     put(progress, "stop", wrong)
     put(Stage, "_begin", slow_begin)
@@ -112,11 +113,9 @@ def detach_misses_a_session_in_a_turn() -> None:
         if session is None or session.busy is None:
             await right(self, run, command)
 
-    async def slow_play(
-        self: Stage, run: Run, session: Session, command: Predict
-    ) -> Any:
+    async def slow_play(self: Stage, scene: Scene, command: Predict) -> Any:
         await asyncio.sleep(0.03)
-        return await play(self, run, session, command)
+        return await play(self, scene, command)
 
     put(Stage, "detach", wrong)
     put(Stage, "_play", slow_play)

@@ -92,7 +92,7 @@ def lists_the_runs_of_every_account() -> None:
     put(Store, "page", wrong)
     right = RunBook.page
 
-    async def wrong_page(self: RunBook, *arguments: Any) -> list[Run]:
+    async def wrong_page(self: RunBook, *arguments: Any) -> list[Any]:
         get = RunBook.get
 
         async def anybody(

@@ -7,10 +7,11 @@ import time
 from dataclasses import replace
 from typing import Any
 
-from reference_server import progress, protocol, stage
+from reference_server import progress, protocol, scenes, stage
 from reference_server.problems import Refused
 from reference_server.protocol import GUARDS, Attach, Detach, Refuse, Verdict
 from reference_server.run_state import Run, Session
+from reference_server.scenes import Scene, Scenes
 from reference_server.stage import Stage
 from tests.mutants import mutant, put
 from tests.mutants.turns import no_guard, swap
@@ -45,16 +46,16 @@ def restarts_the_episode_on_takeover() -> None:
         return right(run, command, session_id, now)
 
     put(progress, "open_session", wrong)
-    leave = Stage._leave
+    open_scene = Scenes.open
 
-    def wrong_leave(self: Stage, session: Session) -> Any:
-        scene = leave(self, session)
-        if scene is not None and scene.handle is not None and not session.ended_by:
-            scene.handle.discard()
-            scene.handle = None
+    def wrong_open(
+        self: Scenes, run: Run, session: Session, before: Session | None
+    ) -> Scene:
+        scene = open_scene(self, run, session, before)
+        self.free(scene, kill=True)
         return scene
 
-    put(Stage, "_leave", wrong_leave)
+    put(Scenes, "open", wrong_open)
 
 
 @mutant("ATT-005")
@@ -141,7 +142,7 @@ def refuses_to_attach_when_all_is_handed_out() -> None:
 
 
 def _change_lease_over(wrong: Any) -> None:
-    for module in (protocol, progress, stage):
+    for module in (protocol, progress, scenes, stage):
         put(module, "lease_over", wrong)
 
 
@@ -189,6 +190,16 @@ def lets_the_lease_run_from_attach() -> None:
             session.expires_at = before
 
     put(progress, "answer", wrong)
+
+
+@mutant("LEASE-005")
+def counts_its_own_time_against_the_lease() -> None:
+    """A slow simulator throws out the policy that waits for it."""
+
+    def wrong(session: Session, now: float) -> bool:
+        return now > session.expires_at
+
+    _change_lease_over(wrong)
 
 
 @mutant("LEASE-008")

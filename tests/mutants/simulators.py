@@ -10,7 +10,13 @@ from typing import Any
 
 from msgspec.structs import replace as changed
 
-from reference_server import progress, protocol, stage, store, turns, views
+from reference_server import (
+    progress,
+    spaces,
+    store,
+    turns,
+    views,
+)
 from reference_server.protocol import Heartbeat
 from reference_server.run_state import Run, Session, SessionEnd
 from reference_server.stage import Stage
@@ -99,23 +105,12 @@ def accepts_numbers_that_are_not_finite() -> None:
     """A policy that has diverged goes on driving the robot."""
     every = {name: getattr(math, name) for name in dir(math)}
     fake = SimpleNamespace(**(every | {"isfinite": lambda _: True}))
-    put(protocol, "math", fake)
+    put(spaces, "math", fake)
     from reference_server.models import Action, Predict
 
     for model in (Action, Predict):
         model.model_config["allow_inf_nan"] = True
         model.model_rebuild(force=True)
-
-
-@mutant("LEASE-005")
-def counts_its_own_time_against_the_lease() -> None:
-    """A slow simulator throws out the policy that waits for it."""
-
-    def wrong(session: Session, now: float) -> bool:
-        return now > session.expires_at
-
-    for module in (protocol, progress, stage):
-        put(module, "lease_over", wrong)
 
 
 @mutant("EPI-007")

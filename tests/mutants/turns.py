@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from reference_server import progress, protocol, turns
+from reference_server import progress, protocol, spaces, turns
 from reference_server.protocol import (
     GUARDS,
     Predict,
@@ -114,13 +114,13 @@ def refuses_a_repeat_in_flight() -> None:
 @mutant("PRED-013")
 def accepts_vectors_of_any_length() -> None:
     """A policy for another robot moves this one."""
-    right = protocol._vector_misfits
+    right = spaces._vector_misfits
 
     def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> Misfits:
         padded = [*vector, *[0.0] * entry["size"]][: entry["size"]]
         return right(at, padded, entry)
 
-    put(protocol, "_vector_misfits", wrong)
+    put(spaces, "_vector_misfits", wrong)
     _before_playing(
         lambda values, space: {
             name: [*vector, *[0.0] * space[name]["size"]][: space[name]["size"]]
@@ -132,14 +132,14 @@ def accepts_vectors_of_any_length() -> None:
 @mutant("PRED-014")
 def ignores_unknown_names() -> None:
     """A misspelt command is silently not sent to the robot."""
-    right = protocol._misfits
+    right = spaces.misfits
 
     def wrong(actions: Any, manifest: Mapping[str, Any]) -> Misfits:
         space = manifest["action_space"]
         known = [{k: v for k, v in a.items() if k in space} for a in actions]
         return right(known, manifest)
 
-    put(protocol, "_misfits", wrong)
+    put(spaces, "misfits", wrong)
     _before_playing(
         lambda values, space: {k: v for k, v in values.items() if k in space}
     )
@@ -148,14 +148,14 @@ def ignores_unknown_names() -> None:
 @mutant("PRED-014")
 def fills_in_missing_names() -> None:
     """A forgotten command becomes zero, whatever zero does."""
-    right = protocol._misfits
+    right = spaces.misfits
 
     def wrong(actions: Any, manifest: Mapping[str, Any]) -> Misfits:
         space = manifest["action_space"]
         zeros = {name: [0.0] * entry["size"] for name, entry in space.items()}
         return right([{**zeros, **a} for a in actions], manifest)
 
-    put(protocol, "_misfits", wrong)
+    put(spaces, "misfits", wrong)
     _before_playing(
         lambda values, space: {
             **{name: [0.0] * entry["size"] for name, entry in space.items()},
@@ -167,28 +167,26 @@ def fills_in_missing_names() -> None:
 @mutant("PRED-015")
 def accepts_chunks_of_any_length() -> None:
     """One client can keep a simulator for ever."""
-    right = protocol._misfits
+    right = spaces.misfits
 
     def wrong(actions: Any, manifest: Mapping[str, Any]) -> Misfits:
         return right(actions, {**manifest, "max_chunk": len(actions)})
 
-    put(protocol, "_misfits", wrong)
+    put(spaces, "misfits", wrong)
 
 
 @mutant("PRED-017")
 def clips_what_it_should_refuse() -> None:
     """A policy in the wrong unit gets a score instead of an error."""
-    right = protocol._vector_misfits
+    right = spaces._vector_misfits
 
     def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> Misfits:
         return right(at, vector, {**entry, "out_of_range": "clip"})
 
-    put(protocol, "_vector_misfits", wrong)
+    put(spaces, "_vector_misfits", wrong)
     _before_playing(
         lambda values, space: {
-            name: progress._clip(
-                vector, (space[name]["minimum"], space[name]["maximum"])
-            )
+            name: spaces._clip(vector, (space[name]["minimum"], space[name]["maximum"]))
             if space[name]["out_of_range"] == "refuse"
             else vector
             for name, vector in values.items()
@@ -199,20 +197,20 @@ def clips_what_it_should_refuse() -> None:
 @mutant("PRED-018")
 def refuses_what_it_should_clip() -> None:
     """A policy that overshoots by a hair is thrown out."""
-    right = protocol._vector_misfits
+    right = spaces._vector_misfits
 
     def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> Misfits:
         if entry["out_of_range"] == "clip":
             return right(at, vector, {**entry, "out_of_range": "refuse"})
         return right(at, vector, entry)
 
-    put(protocol, "_vector_misfits", wrong)
+    put(spaces, "_vector_misfits", wrong)
 
 
 @mutant("PRED-019")
 def checks_only_the_first_action() -> None:
     """Half a chunk is executed before the bad action is met."""
-    right = protocol._misfits
+    right = spaces.misfits
 
     def wrong(actions: Any, manifest: Mapping[str, Any]) -> Misfits:
         found = right(actions[:1], manifest)
@@ -220,7 +218,7 @@ def checks_only_the_first_action() -> None:
             return right(actions, manifest)
         return found
 
-    put(protocol, "_misfits", wrong)
+    put(spaces, "misfits", wrong)
 
 
 @mutant("PRED-024")
@@ -342,10 +340,10 @@ def calls_a_truncated_episode_terminated() -> None:
 
 def _before_playing(change: Any) -> None:
     """Let `change(values, action_space)` alter every action on its way."""
-    right = progress.clipped
+    right = spaces.clipped
 
     def wrong(actions: Any, manifest: Mapping[str, Any]) -> Any:
         space = manifest["action_space"]
         return right([change(values, space) for values in actions], manifest)
 
-    put(progress, "clipped", wrong)
+    put(spaces, "clipped", wrong)

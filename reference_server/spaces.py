@@ -1,0 +1,112 @@
+"""What a benchmark's spaces say of actions and of the conventions a policy assumes.
+
+The third part of the rules, asked by `protocol`: it knows a manifest and vectors, and
+neither runs nor sessions. Pure. A breach is a pair of a JSON pointer into the request
+and a text for people.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, TypeAlias
+
+Values: TypeAlias = Mapping[str, Sequence[float]]
+Breaches: TypeAlias = list[tuple[str, str]]
+
+
+def misfits(actions: Sequence[Values], manifest: Mapping[str, Any]) -> Breaches:
+    """Every breach of the action space, in the order of the chunk; none if it fits.
+
+    PRED-013 to PRED-017. A chunk that is too long is not looked into.
+    """
+    if len(actions) > manifest["max_chunk"]:
+        return [("/actions", f"a chunk holds at most {manifest['max_chunk']} actions")]
+    space = manifest["action_space"]
+    breaches: Breaches = []
+    for i, values in enumerate(actions):
+        at = f"/actions/{i}/values"
+        breaches += [
+            (f"{at}/{_escape(name)}", "the action space has no such name")
+            for name in values
+            if name not in space
+        ]
+        for name, entry in space.items():
+            if name in values:
+                breaches += _vector_misfits(f"{at}/{name}", values[name], entry)
+            else:
+                breaches.append((f"{at}/{name}", "missing; every name is sent"))
+    return breaches
+
+
+def clipped(
+    actions: Sequence[Values], manifest: Mapping[str, Any]
+) -> list[dict[str, Sequence[float]]]:
+    """PRED-018: values outside a range declared `clip` become the nearest inside."""
+    clip = {
+        name: (entry["minimum"], entry["maximum"])
+        for name, entry in manifest["action_space"].items()
+        if entry["out_of_range"] == "clip"
+    }
+    return [
+        {name: _clip(vector, clip.get(name)) for name, vector in values.items()}
+        for values in actions
+    ]
+
+
+def mismatches(assumes: Mapping[str, Any], manifest: Mapping[str, Any]) -> Breaches:
+    """Every assumption that the benchmark contradicts (ATT-010)."""
+    breaches: Breaches = []
+    rate = assumes.get("control_rate_hz")
+    if rate is not None and rate != manifest["control_rate_hz"]:
+        breaches.append(
+            ("/assumes/control_rate_hz", f"it is {manifest['control_rate_hz']}")
+        )
+    spaces = {
+        "action": manifest["action_space"],
+        "state": manifest["observation_space"]["state"],
+    }
+    for part, space in spaces.items():
+        for name, assumption in (assumes.get(part) or {}).items():
+            at = f"/assumes/{part}/{_escape(name)}"
+            if name not in space:
+                breaches.append((at, "the benchmark has no such name"))
+                continue
+            breaches += [
+                (f"{at}/{member}", f"it is {space[name].get(member)!r}")
+                for member, value in assumption.items()
+                if value != space[name].get(member)
+            ]
+    return breaches
+
+
+def _vector_misfits(
+    at: str, vector: Sequence[float], entry: Mapping[str, Any]
+) -> Breaches:
+    if len(vector) != entry["size"]:
+        return [(at, f"has {len(vector)} numbers, must have {entry['size']}")]
+    if not all(map(math.isfinite, vector)):
+        return [(at, "holds a number that is not finite")]
+    if entry["out_of_range"] != "refuse":
+        return []
+    low, high = entry["minimum"], entry["maximum"]
+    return [
+        (f"{at}/{k}", f"{value} is outside {low[k]} … {high[k]}")
+        for k, value in enumerate(vector)
+        if not low[k] <= value <= high[k]
+    ]
+
+
+def _clip(
+    vector: Sequence[float], bounds: tuple[Sequence[float], Sequence[float]] | None
+) -> Sequence[float]:
+    if bounds is None:
+        return vector
+    return [
+        min(max(v, low), high) for v, low, high in zip(vector, *bounds, strict=True)
+    ]
+
+
+def _escape(name: str) -> str:
+    """A name as one step of a JSON pointer (RFC 6901)."""
+    return name.replace("~", "~0").replace("/", "~1")

@@ -1,0 +1,205 @@
+"""The server without HTTP, over a database in a file: for stories about its parts."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import sqlite3
+import time
+from collections.abc import AsyncIterator, Awaitable, Callable, Coroutine, Iterator
+from contextlib import asynccontextmanager, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from reference_server import progress
+from reference_server.problems import Refused
+from reference_server.protocol import Predict
+from reference_server.run_book import RunBook
+from reference_server.run_state import Episode, Result, Run
+from reference_server.stage import Stage
+from reference_server.store import Store
+from reference_sim import catalog
+from reference_sim.runners.local import SimulatorPool
+from tests.conftest import PATIENCE_S, a_run
+
+
+class Gate:
+    """Holds up the calls of an async method of `owner` until `open` is called.
+
+    after: lets the method do its work first and holds up its answer.
+    """
+
+    def __init__(
+        self,
+        patch: pytest.MonkeyPatch,
+        owner: object,
+        name: str,
+        *,
+        after: bool = False,
+    ) -> None:
+        right = getattr(owner, name)
+        self._reached, self._opened = asyncio.Event(), asyncio.Event()
+
+        async def gated(*arguments: Any, **named: Any) -> Any:
+            answer = await right(*arguments, **named) if after else None
+            self._reached.set()
+            await self._opened.wait()
+            return answer if after else await right(*arguments, **named)
+
+        patch.setattr(owner, name, gated)
+
+    async def reached(self) -> None:
+        """Returns when a call stands before the gate."""
+        await self._reached.wait()
+
+    def open(self) -> None:
+        self._opened.set()
+
+
+Story = Callable[["Parts"], Awaitable[None]]
+
+
+@dataclass
+class Parts:
+    """Store, runs, simulators and stage, put together as `app` does."""
+
+    path: Path
+    store: Store
+    book: RunBook
+    pool: SimulatorPool
+    stage: Stage
+
+    @contextmanager
+    def unwritable(self) -> Iterator[None]:
+        """While it lasts the database takes no write and can still be read."""
+        events = [("UPDATE", "runs"), ("INSERT", "runs"), ("INSERT", "episodes")]
+        with contextlib.closing(sqlite3.connect(self.path)) as database:
+            for event, table in events:
+                database.execute(
+                    f"CREATE TRIGGER full_{event}_{table} BEFORE {event} ON {table} "
+                    "BEGIN SELECT RAISE(ABORT, 'the disk is full'); END"
+                )
+            yield
+            for event, table in events:
+                database.execute(f"DROP TRIGGER full_{event}_{table}")
+
+
+@asynccontextmanager
+async def server(path: Path, active_max: int = 10) -> AsyncIterator[Parts]:
+    store = Store(f"sqlite+aiosqlite:///{path}")
+    book, pool = RunBook(store, active_max), SimulatorPool(4, 0, PATIENCE_S)
+    parts = Parts(path, store, book, pool, Stage(book, pool, 64))
+    await store.open()
+    await book.open()
+    try:
+        yield parts
+    finally:
+        await parts.stage.close()
+        await book.close()
+        await pool.close()
+        await store.close()
+
+
+def tell(path: Path, *stories: Story, active_max: int = 10) -> None:
+    """Each story with a server of its own, over the same database."""
+
+    async def run() -> None:
+        for story in stories:
+            async with asyncio.timeout(PATIENCE_S):
+                async with server(path / "proctor.sqlite", active_max) as parts:
+                    await story(parts)
+
+    asyncio.run(run())
+
+
+def calibration(*tasks: str, run_id: str = "run_1", **changes: Any) -> Run:
+    options = {"tasks": list(tasks) or ["score", "count"]}
+    found = catalog.resolve("calibration", options)
+    submission = {"benchmark_id": "calibration", "policy": {"name": "p"}}
+    plans = found.manifest["episodes"]
+    fields = {
+        "run_id": run_id,
+        "state": "queued",
+        "manifest": found.manifest,
+        "submission": submission | {"options": options},
+        "images": found.images,
+        "episodes": [Episode(i, **plan) for i, plan in enumerate(plans)],
+    }
+    return a_run(**fields | changes)
+
+
+def predict(turn: dict[str, Any], worker_id: str = "w", **values: float) -> Predict:
+    sizes = {"vector": 8, "clipped": 2}
+    names = ("score", "success", "end", "delay_s", "fault", "vector", "clipped")
+    action = {n: [float(values.get(n, 0))] * sizes.get(n, 1) for n in names}
+    return Predict(worker_id, turn["session_id"], turn["seq"] + 1, [action])
+
+
+RESULT = Result("success", 1.0, 1, 1, True, False, 0.0, 1e9)
+
+
+def score(run: Run, index: int) -> None:
+    run.episodes[index].result = RESULT
+    run.scored += 1
+    run.changed.add(index)
+
+
+def failing(
+    patch: pytest.MonkeyPatch, parts: Parts, broken: set[str], error: Exception
+) -> Callable[[str], Awaitable[str]]:
+    """Lets no write of a run in `broken` succeed.
+
+    Returns what waits for the next good write of a run and tells the state in it.
+    """
+    save = parts.store.save
+    written: dict[str, asyncio.Future[str]] = {}
+
+    async def fail(run: Run) -> None:
+        if run.run_id in broken:
+            raise error
+        await save(run)
+        if run.run_id in written:
+            written.pop(run.run_id).set_result(run.state)
+
+    def next_write(run_id: str) -> Awaitable[str]:
+        return written.setdefault(run_id, asyncio.get_running_loop().create_future())
+
+    patch.setattr(parts.store, "save", fail)
+    return next_write
+
+
+@contextmanager
+def refusal(code: str, **members: Any) -> Iterator[None]:
+    with pytest.raises(Refused) as caught:
+        yield
+    assert caught.value.code == code, caught.value.detail
+    assert caught.value.members == members
+
+
+def rows(path: Path, table: str) -> int:
+    with contextlib.closing(sqlite3.connect(path)) as database:
+        (count,) = database.execute(f"SELECT count(*) FROM {table}").fetchone()  # noqa: S608
+    return int(count)
+
+
+def stop(parts: Parts, run: Run, mode: str = "abort") -> None:
+    """As the control plane does it, but for the store."""
+    parts.stage.let_go(progress.stop(run, mode, time.time()))
+
+
+def begun(work: Coroutine[Any, Any, Any]) -> asyncio.Task[Any]:
+    return asyncio.create_task(work)
+
+
+async def nothing_is_held(parts: Parts) -> None:
+    """No simulator is lent and no session is kept that has ended."""
+    await parts.book.close()
+    assert parts.pool.busy == 0
+    assert len(parts.stage._scenes) == 0
+
+
+def no_defect(caplog: pytest.LogCaptureFixture) -> None:
+    assert [r.getMessage() for r in caplog.records if r.levelname == "ERROR"] == []

@@ -1,0 +1,94 @@
+"""The rules are tested to the last branch, each module by the tests that are its own.
+
+One process runs the unit tests of all these modules and notes under which test file
+each branch was taken; what a module is needed for elsewhere does not count for it.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import coverage
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+OWN_TESTS = {
+    "reference_server/problems.py": ("test_problems.py",),
+    "reference_server/progress.py": ("test_progress.py",),
+    "reference_server/protocol.py": ("test_protocol.py",),
+    "reference_server/scoring.py": ("test_scoring.py",),
+    "reference_server/spaces.py": ("test_spaces.py",),
+    "conformance/demands.py": ("test_kit_model.py", "test_kit_model_corners.py"),
+    "conformance/history.py": ("test_kit_model.py", "test_kit_model_corners.py"),
+    "conformance/linear.py": ("test_kit_model.py", "test_kit_model_corners.py"),
+    "conformance/model.py": ("test_kit_model_scores.py",),
+    "conformance/verdicts.py": ("test_kit_verdicts.py",),
+}
+IMPORTED = "imported"
+
+
+class _ByFile:
+    """Tells the measurement whose test runs."""
+
+    def __init__(self, measured: coverage.Coverage) -> None:
+        self._measured = measured
+
+    def pytest_runtest_logstart(self, location: tuple[str, int | None, str]) -> None:
+        self._measured.switch_context(Path(location[0]).name)
+
+
+def measure() -> int:
+    """Write a line for each module that is not covered wholly; returns how many."""
+    files = sorted({f"tests/{name}" for names in OWN_TESTS.values() for name in names})
+    measured = coverage.Coverage(
+        data_file=None,
+        config_file=False,
+        branch=True,
+        include=[str(ROOT / name) for name in OWN_TESTS],
+        context=IMPORTED,
+    )
+    measured.start()
+    # Random examples are no proof that a branch is tested: plain tests have to be.
+    plain = ["-k", "not AnyOrder", "-p", "no:cacheprovider", "-p", "no:xdist", "-q"]
+    code = pytest.main([*plain, *files], plugins=[_ByFile(measured)])
+    measured.stop()
+    missing = []
+    for name, own in OWN_TESTS.items():
+        report = io.StringIO()
+        contexts = [rf"^{IMPORTED}(\|{file})?$" for file in own]
+        covered = measured.report(
+            include=[str(ROOT / name)],
+            contexts=contexts,
+            file=report,
+            show_missing=True,
+        )
+        if covered < 100:
+            missing.append(report.getvalue())
+    sys.stdout.write("\n".join(missing))
+    return len(missing) + int(code)
+
+
+def test_every_branch_of_the_rules_is_tested() -> None:
+    environment = {
+        name: value
+        for name, value in os.environ.items()
+        if not name.startswith(("COVERAGE", "PYTEST"))
+    }
+    done = subprocess.run(
+        [sys.executable, "-m", "tests.test_coverage"],
+        cwd=ROOT,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+if __name__ == "__main__":
+    sys.exit(measure())

@@ -1,0 +1,65 @@
+"""What `make generate` leaves: clean clients, and our own files beside them untouched.
+
+That the committed files are what the generators write is `make generate-check`.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tools import generate
+
+CLIENTS = generate.ROOT / generate.CLIENTS
+NAMES = [config.stem for config in generate.CONFIGS]
+DEBRIS = (
+    "GIT_USER_ID",
+    "GIT_REPO_ID",
+    "repo1.maven",
+    "Build date",
+    "openapitools.client",
+)
+
+
+def test_every_configuration_has_its_client_and_its_readme() -> None:
+    assert {path.name for path in CLIENTS.iterdir() if path.is_dir()} == set(NAMES)
+    for name in NAMES:
+        readme = (CLIENTS / name / "README.md").read_text()
+        assert readme.startswith("# ")
+        assert "```" in readme, "a first request"
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_client_holds_no_debris(name: str) -> None:
+    files = [p for p in generate.generated(generate.ROOT) if p.parts[1] == name]
+    assert len(files) > 50
+    assert not [p for p in files if p.name in (".travis.yml", "git_push.sh", "gradlew")]
+    for path in files:
+        text = (generate.ROOT / path).read_text()
+        assert not [word for word in DEBRIS if word in text], path
+
+
+def test_what_we_write_on_top_is_not_generated() -> None:
+    found = generate.generated(generate.ROOT)
+    assert Path("generated_clients/go/client.go") in found
+    ours = ("example", "interop", "Cargo.lock", "package-lock.json")
+    assert not [path for path in found if set(ours) & set(path.parts)]
+
+
+def test_a_patch_that_finds_nothing_is_an_error(tmp_path: Path) -> None:
+    (tmp_path / "a.rs").write_text("one two\n")
+    patch = {"file": "*.rs", "find": "two", "replace": "three"}
+    generate.tidy(tmp_path, [], [patch])
+    assert (tmp_path / "a.rs").read_text() == "one three\n"
+    with pytest.raises(generate.GenerationError, match="finds nothing"):
+        generate.tidy(tmp_path, [], [patch])
+
+
+def test_tidying_drops_files_and_makes_white_space_uniform(tmp_path: Path) -> None:
+    (tmp_path / ".openapi-generator").mkdir()
+    (tmp_path / "a.go").write_text("x  \n\n\n")
+    (tmp_path / "go.sum").write_text("y")
+    generate.tidy(tmp_path, ["go.sum"], [])
+    assert [path.name for path in tmp_path.iterdir()] == ["a.go"]
+    assert (tmp_path / "a.go").read_text() == "x\n"

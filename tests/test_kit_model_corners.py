@@ -1,0 +1,186 @@
+"""The corners of the kit's model: answers, ends and orders that are seldom met."""
+
+from dataclasses import replace
+from typing import Any, cast
+
+import pytest
+
+from conformance import demands, history
+from conformance.demands import Deviation, Models, advance
+from conformance.history import (
+    Attach,
+    Detach,
+    Episode,
+    Heartbeat,
+    Model,
+    Predict,
+    Read,
+    Request,
+    Rules,
+    Seen,
+    Step,
+    Stop,
+)
+from conformance.linear import Exchanged, explained
+from conformance.spec import load_spec
+
+RULES = Rules.of(load_spec().lifecycle, max_workers=2, max_steps=3, max_attempts=2)
+STEP, END = Step(0.25), Step(0.5, end=1)
+OK, GONE = Seen(200, None, {}), Seen(204, None, None)
+
+
+def one(attempt: int = 1) -> Models:
+    """A run of one episode."""
+    return frozenset({Model("ready", (Episode(attempt),))})
+
+
+def refused(code: str, **members: Any) -> Seen:
+    return Seen(409, code, {"code": code, **members})
+
+
+def turn(session: str, seq: int, steps: list[Step], attempt: int = 1) -> Seen:
+    """An answer whose episode goes on, or the one that is done after an end."""
+    body: dict[str, Any] = {
+        "session_id": session,
+        "seq": seq,
+        "executed_steps": len(steps),
+        "stopped_early": False,
+        "rewards": [step.score for step in steps],
+        "terminated": bool(steps and steps[-1].end),
+        "truncated": False,
+        "done": False,
+    }
+    if steps and steps[-1].end:
+        result = {"index": 0, "outcome": "failure", "score": 0.5}
+        result |= {"steps": len(steps), "attempt": attempt}
+        return Seen(200, None, body | {"done": True, "episode_result": result})
+    episode = {"index": 0, "attempt": attempt, "step": len(steps)}
+    observation = {"state": {"count": [len(steps)]}}
+    return Seen(200, None, body | {"episode": episode, "observation": observation})
+
+
+def shown(state: str, live: int, scored: int, playing: int, pending: int) -> Seen:
+    progress = {
+        "episodes_scored": scored,
+        "episodes_in_progress": playing,
+        "episodes_pending": pending,
+    }
+    body = {"state": state, "live_workers": live, "progress": progress}
+    return Seen(200, None, body)
+
+
+def told(models: Models, *exchanges: tuple[Request, Seen]) -> Models:
+    for request, seen in exchanges:
+        models = advance(RULES, models, request, seen)
+    return models
+
+
+def opened(attempt: int = 1) -> tuple[Request, Seen]:
+    return Attach("a", "k1"), turn("s1", 0, [], attempt)
+
+
+def two_sessions() -> Models:
+    """s1 of worker a plays the first episode, s2 of worker b the second."""
+    second = turn("s2", 0, [])
+    second.body["episode"]["index"] = 1
+    two = frozenset({Model("ready", (Episode(), Episode()))})
+    return told(two, opened(), (Attach("b", "k2"), second))
+
+
+PLAY = Predict("a", "s1", 1, (STEP,))
+LAST = (Predict("a", "s1", 1, (END,)), turn("s1", 1, [END]))
+
+
+# --- single answers ---
+
+
+def test_what_is_no_turn_equals_no_turn() -> None:
+    assert history.frozen(None) == history.frozen([]) == ""
+
+
+def test_what_must_be_absent_is_named() -> None:
+    early = turn("s1", 0, [])
+    body = early.body | {"episode_result": {}}
+    with pytest.raises(Deviation, match="episode_result absent"):
+        told(one(), (opened()[0], replace(early, body=body)))
+
+
+def test_what_is_no_request_demands_nothing() -> None:
+    (model,) = one()
+    assert list(demands.demands(RULES, model, cast(Any, "get_run"))) == []
+
+
+def test_detach_of_what_has_ended_is_done_already() -> None:
+    gone = told(one(), opened(), (Detach("a", "s1"), GONE))
+    assert told(gone, (Detach("a", "s1"), GONE)) == gone
+    with pytest.raises(Deviation, match="DET-002"):
+        told(gone, (Detach("a", "s1"), refused("session_ended")))
+
+
+@pytest.mark.parametrize("state", ["stopped", "completed"])
+def test_abort_of_the_last_attempt_may_complete_the_run(state: str) -> None:
+    played = told(
+        one(attempt=2), opened(attempt=2), (PLAY, turn("s1", 1, [STEP], attempt=2))
+    )
+    after = told(played, (Stop("abort"), OK))
+    assert told(after, (Read(), shown(state, 0, 1, 0, 0)))
+    with pytest.raises(Deviation):
+        told(after, (Read(), shown(state, 0, 0, 0, 1)))
+
+
+def test_abort_ends_a_session_that_is_done() -> None:
+    """It holds no episode, so nothing is given back with it."""
+    draining = told(
+        two_sessions(),
+        (Stop("drain"), OK),
+        LAST,
+        (Stop("abort"), OK),
+    )
+    assert told(draining, (Read(), shown("stopped", 0, 1, 0, 1)))
+    # What became of its kept turn is said nowhere: both are allowed, see STOP-002.
+    assert told(draining, LAST)
+    assert told(draining, (LAST[0], refused("session_ended")))
+
+
+# --- orders ---
+
+
+def at(request: Request, seen: Seen, started_at: float, ended_at: float) -> Exchanged:
+    return Exchanged(request, seen, started_at, ended_at)
+
+
+def test_an_order_that_led_nowhere_is_not_tried_again() -> None:
+    models = told(one(), opened())
+    beats = [at(Heartbeat("a", "s1"), OK, 0, 9) for _ in range(6)]
+    assert explained(RULES, models, beats)
+    wrong = at(Read(), shown("ready", 0, 0, 0, 1), 0, 9)
+    assert not explained(RULES, models, [*beats, wrong])
+
+
+@pytest.mark.parametrize(
+    ("beside", "seen"),
+    [
+        # It was refused itself: it never took its seq.
+        (PLAY, refused("worker_busy")),
+        # It is not the next one.
+        (replace(PLAY, seq=2), turn("s1", 2, [STEP])),
+        # Another session's, or no turn at all.
+        (Predict("b", "s2", 1, (STEP,)), refused("session_ended")),
+        (Heartbeat("a", "s1"), OK),
+    ],
+    ids=["a refused turn", "a later turn", "another's turn", "no turn"],
+)
+def test_only_a_turn_that_has_begun_takes_its_seq(beside: Request, seen: Seen) -> None:
+    models = two_sessions()
+    other = at(replace(PLAY, steps=(END,)), refused("seq_conflict"), 0, 9)
+    assert not explained(RULES, models, [other, at(beside, seen, 0, 9)])
+
+
+def test_a_turn_that_has_begun_explains_only_what_follows_from_it() -> None:
+    models = told(one(), opened())
+    begun = at(PLAY, turn("s1", 1, [STEP]), 0, 9)
+    for due, is_so in ((2, True), (3, False)):
+        ahead = refused("seq_out_of_order", expected_seq=due)
+        other = at(replace(PLAY, seq=3), ahead, 0, 1)
+        found = explained(RULES, models, [other, replace(begun, started_at=0.5)])
+        assert bool(found) == is_so

@@ -1,0 +1,40 @@
+"""Refusals: what a problem says, and when it says to come back."""
+
+import msgspec
+
+from reference_server import models
+from reference_server.problems import RETRY_AFTER_S, Refused, problem_response
+from reference_server.protocol import Refuse
+
+
+def test_a_problem_says_what_happened_and_what_to_do() -> None:
+    verdict = Refuse(
+        "seq_out_of_order",
+        "Turn 9 was asked for.",
+        "PRED-004",
+        (("/seq", "is 9"),),
+        {"expected_seq": 4},
+    )
+    answer = problem_response(Refused.by(verdict))
+    body = msgspec.json.decode(bytes(answer.body))
+    assert (answer.status_code, answer.media_type) == (409, "application/problem+json")
+    assert body["detail"] == "Turn 9 was asked for. Send `expected_seq`."
+    assert body["errors"] == [{"pointer": "/seq", "detail": "is 9"}]
+    assert (body["expected_seq"], body["requirement"]) == (4, "PRED-004")
+    assert "retry-after" not in answer.headers
+    models.Problem.model_validate(body, strict=True)
+
+
+def test_a_problem_says_when_to_come_back_and_who_is_wanted() -> None:
+    for code in ("worker_limit", "no_capacity"):
+        busy = problem_response(Refused(code, "Full."))
+        assert busy.headers["retry-after"] == str(RETRY_AFTER_S)
+    later = problem_response(
+        Refused("unavailable", "Soon.", headers={"Retry-After": "9"})
+    )
+    assert later.headers["retry-after"] == "9"
+    stranger = problem_response(Refused("unauthenticated", "Who?"))
+    assert stranger.headers["www-authenticate"] == "Bearer"
+    body = msgspec.json.decode(bytes(stranger.body))
+    assert "errors" not in body
+    assert "requirement" not in body

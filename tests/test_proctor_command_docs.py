@@ -1,0 +1,121 @@
+"""docs/command.md is a promise: its lines run as pasted, its flags are all."""
+
+from __future__ import annotations
+
+import argparse
+import re
+import shlex
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from reference_client.command import aliases
+from reference_client.command.arguments import build_parser
+from tests.proctor_scenes import Proctor, here
+from tests.test_reference_client_scenes import ROOT, House, ServerProcess
+
+__all__ = ["here"]
+PAGE = (ROOT / "docs" / "command.md").read_text()
+LINES = [
+    line
+    for block in re.findall(r"```console\n(.*?)```", PAGE, re.DOTALL)
+    for line in block.splitlines()
+]
+# Calibration is played in no time; the page shows what people evaluate on.
+HOLD = """
+import policies
+
+def hold(observation):
+    assert observation.state
+    return policies.action(score=1.0, success=1.0, end=1.0)
+"""
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServerProcess]:
+    with ServerProcess(tmp_path_factory.mktemp("server")) as process:
+        yield process
+
+
+def subparsers() -> dict[str, argparse.ArgumentParser]:
+    (actions,) = [
+        action
+        for action in build_parser()._actions
+        if isinstance(action, argparse._SubParsersAction)
+    ]
+    return dict(actions.choices)
+
+
+def test_every_command_and_flag_is_on_the_page() -> None:
+    """Expect each by its full name; and no other flag than gmp's on the page."""
+    known = {"--help"}
+    for name, parser in subparsers().items():
+        assert any(line.startswith(f"proctor {name}") for line in LINES), name
+        known |= set(parser._option_string_actions)
+    said = set(re.findall(r"--[a-z][a-z_-]*", PAGE))
+    short = {flag for flag in known if flag.startswith("--")}
+    assert short - said - {"--help"} == set()
+    strange = {flag.replace("_", "-") for flag in said} - short
+    assert strange == (aliases.FLAGS.keys() | aliases.DROPPED.keys())
+
+
+def test_what_gmp_users_type_is_on_the_page() -> None:
+    for there, here_ in aliases.FLAGS.items():
+        row = f"| `{there.replace('-', '_').replace('__', '--', 1)}` | `{here_}` |"
+        assert row in PAGE
+    for words, command in aliases.COMMANDS.items():
+        assert f"| `gmp {' '.join(words)}` | `proctor {' '.join(command)}` |" in PAGE
+
+
+def test_the_exit_codes_are_on_the_page() -> None:
+    assert re.findall(r"^\| ([0-9, ]+) \|", PAGE, re.MULTILINE) == [
+        "0",
+        "1",
+        "2",
+        "130, 143",
+    ]
+
+
+def test_every_line_runs(
+    server: ServerProcess, here: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """In the order of the page; RUN is a run that the page has submitted.
+
+    Expect exit codes as the page has them: 1 from a partial score alone.
+    """
+    (here / "hold.py").write_text(HOLD)
+    proctor = Proctor(server.url, capsys)
+    run_id = ""
+    codes: list[int] = []
+    for line in LINES:
+        words = shlex.split(line)[1:]
+        if words[0] in aliases.PASSED_ON:
+            continue  # programs of their own, started in test_proctor_command_run
+        if "--watch" in words:
+            # Stopped by draining, so over: but not completed.
+            assert proctor(*_for_this(words, run_id)) == 1
+            continue
+        if "RUN" in words and not run_id:
+            run_id = _submitted(server)
+        if words[0] == "submit":
+            run_id = proctor.json(*_for_this(words, run_id))["run_id"]
+            assert proctor.code == 0
+            continue
+        codes.append(proctor(*_for_this(words, run_id)))
+        if codes[-1] != 0:
+            assert words[0] == "results", (line, proctor.err)
+    assert codes.count(1) == 2
+    assert len(codes) >= 12
+
+
+def _for_this(words: list[str], run_id: str) -> list[str]:
+    exchanged = {"tabletop_state": "calibration", "RUN": run_id}
+    rate = '{"control_rate_hz": 20}'
+    exchanged[rate] = '{"control_rate_hz": 10}'
+    return [exchanged.get(word, word) for word in words]
+
+
+def _submitted(server: ServerProcess) -> str:
+    with House(server.url) as house:
+        return house.submit("score", "score").run_id

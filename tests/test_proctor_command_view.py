@@ -1,0 +1,90 @@
+"""`proctor run --view`: the page while a run is played, and who may not see it."""
+
+from __future__ import annotations
+
+import base64
+import http.client
+import io
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+import PIL.Image
+import pytest
+
+from tests.proctor_scenes import PATIENCE_S, here, options, started, until
+from tests.test_reference_client_scenes import ServerProcess
+
+__all__ = ["here"]
+URL = re.compile(r"Look on at (http://127\.0\.0\.1:\d+/)")
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServerProcess]:
+    with ServerProcess(tmp_path_factory.mktemp("server")) as process:
+        yield process
+
+
+def got(url: str, path: str, **headers: str) -> tuple[int, bytes, dict[str, str]]:
+    place = urlsplit(url).netloc
+    connection = http.client.HTTPConnection(place, timeout=PATIENCE_S)
+    try:
+        connection.request("GET", path, headers=headers)
+        answer = connection.getresponse()
+        return answer.status, answer.read(), dict(answer.getheaders())
+    finally:
+        connection.close()
+
+
+@pytest.mark.parametrize("processes", [[], ["--processes"]])
+def test_the_page_shows_what_the_workers_see(
+    server: ServerProcess, here: Path, processes: list[str]
+) -> None:
+    """A policy held in its second turn. Expect its picture, its times, the score so
+    far; and that no other site and no other path gets anything."""
+    (here / "slow.py").write_text(
+        "import pathlib, time, policies\n"
+        "class Slow(policies.Graded):\n"
+        "    def act(self, observation):\n"
+        "        while observation.step > 0 and not pathlib.Path('go').exists():\n"
+        "            time.sleep(0.01)\n"
+        "        return super().act(observation)\n"
+    )
+    run = ["run", "--policy", "slow:Slow", *options("echo"), "--view", *processes]
+    images = ["--images", "png:64x48"]
+    with started(here, server.url, *run, *images) as process:
+        until(lambda: URL.search((here / "stderr").read_text()), "there is a page")
+        found = URL.search((here / "stderr").read_text())
+        assert found is not None
+        url = found[1]
+        states: list[Any] = []
+
+        def shows_a_worker() -> bool:
+            states.append(json.loads(got(url, "/state.json")[1]))
+            return bool(states[-1]["workers"]) and states[-1]["total"] == 1
+
+        until(shows_a_worker, "it shows the worker")
+        state = states[-1]
+        assert state["title"] == "Slow on calibration"
+        assert (state["scored"], state["total"], state["mean"]) == (0, 1, None)
+        seen = state["workers"]["worker-0"]
+        assert seen["instruction"] == "Calibration task echo."
+        assert (seen["step"], seen["episode_id"]) == (1, "e0000")
+        assert min(seen["think_s"], seen["server_s"], seen["wire_s"]) >= 0
+        data = base64.b64decode(seen["images"]["pattern"])
+        assert PIL.Image.open(io.BytesIO(data)).size == (64, 48)
+
+        status, page, headers = got(url, "/")
+        assert status == 200
+        assert "default-src 'none'" in headers["Content-Security-Policy"]
+        assert re.findall(rb"(?:src|href)=|url\(|https?:", page) == []
+        assert got(url, "/", Host="elsewhere.example")[0] == 403
+        assert got(url, "/../secrets")[0] == 404
+        (here / "go").touch()
+        process.communicate(timeout=PATIENCE_S)
+    assert process.returncode == 0
+    with pytest.raises(OSError, match="refused"):
+        got(url, "/")

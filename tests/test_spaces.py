@@ -1,0 +1,130 @@
+"""What a benchmark's spaces say of actions and assumptions: breach by breach."""
+
+import math
+from typing import Any
+
+import pytest
+
+from reference_server import spaces
+from tests.conftest import ACTION, a_run
+
+MANIFEST = a_run().manifest
+
+
+def pointers(breaches: spaces.Breaches) -> list[str]:
+    assert all(text for _, text in breaches)
+    return [pointer for pointer, _ in breaches]
+
+
+def misfits(*actions: dict[str, list[float]]) -> list[str]:
+    return pointers(spaces.misfits(actions, MANIFEST))
+
+
+def without(name: str) -> dict[str, list[float]]:
+    return {key: vector for key, vector in ACTION.items() if key != name}
+
+
+# --- actions ---
+
+
+@pytest.mark.parametrize(
+    ("action", "pointer"),
+    [
+        (ACTION | {"arm": [0.0]}, "arm"),
+        (ACTION | {"arm": [0.0, 0.0, 0.0]}, "arm"),
+        (ACTION | {"grip": []}, "grip"),
+        (without("grip"), "grip"),
+        (ACTION | {"a/b~c": [0.0]}, "a~1b~0c"),
+        (ACTION | {"arm": [0.0, math.nan]}, "arm"),
+        (ACTION | {"arm": [math.inf, 0.0]}, "arm"),
+        (ACTION | {"head": [-math.inf]}, "head"),
+        (ACTION | {"grip": [1.0000001]}, "grip/0"),
+        (ACTION | {"grip": [-5e-324]}, "grip/0"),
+    ],
+)
+def test_an_action_must_fit(action: dict[str, list[float]], pointer: str) -> None:
+    assert misfits(action) == [f"/actions/0/values/{pointer}"]
+    # PRED-019: where it stands does not help it.
+    assert misfits(ACTION, action) == [f"/actions/1/values/{pointer}"]
+
+
+def test_every_misfit_is_named() -> None:
+    first = {"z": [0.0], "grip": [2.0], "a": [0.0]}
+    assert misfits(first, ACTION, {"arm": [], "grip": [0.0], "head": [0.0]}) == [
+        "/actions/0/values/z",
+        "/actions/0/values/a",
+        "/actions/0/values/arm",
+        "/actions/0/values/grip/0",
+        "/actions/0/values/head",
+        "/actions/2/values/arm",
+    ]
+
+
+@pytest.mark.parametrize("value", [0.0, 1.0, -0.0, 5e-324])
+def test_the_ends_of_a_range_belong_to_it(value: float) -> None:
+    assert misfits(ACTION | {"grip": [value]}) == []
+
+
+def test_only_a_range_that_refuses_has_an_outside() -> None:
+    assert misfits(ACTION | {"head": [-1e300]}) == []
+    assert misfits(ACTION | {"arm": [1e300, -1e300]}) == []
+
+
+def test_a_chunk_has_a_longest_length() -> None:
+    assert misfits(*[ACTION] * 4) == []
+    assert misfits(*[ACTION] * 5) == ["/actions"]
+    assert misfits(*[without("arm")] * 5) == ["/actions"]
+
+
+# --- clipping ---
+
+
+def test_values_are_clipped_only_where_that_is_declared() -> None:
+    action = {"arm": [9.0, -9.0], "grip": [0.5], "head": [1.5]}
+    clipped = spaces.clipped([action, ACTION | {"head": [-1e300]}], MANIFEST)
+    assert clipped[0] == {"arm": [9.0, -9.0], "grip": [0.5], "head": [1.0]}
+    assert clipped[1] == ACTION | {"head": [0.0]}
+
+
+@pytest.mark.parametrize("value", [0.0, -0.0, 5e-324, 0.1, 1.0])
+def test_what_is_inside_is_not_touched(value: float) -> None:
+    (clipped,) = spaces.clipped([ACTION | {"head": [value]}], MANIFEST)
+    assert math.copysign(1.0, clipped["head"][0]) == math.copysign(1.0, value)
+    assert clipped["head"] == [value]
+
+
+# --- conventions ---
+
+
+def test_can_confirm_conventions() -> None:
+    assumes = {
+        "control_rate_hz": 10,
+        "action": {"arm": {"size": 2, "rotation": "none"}},
+        "state": {"joints": {"unit": "rad"}},
+    }
+    assert spaces.mismatches(assumes, MANIFEST) == []
+    nothing: dict[str, Any] = {"control_rate_hz": None, "action": None, "state": {}}
+    assert spaces.mismatches(nothing, MANIFEST) == []
+    assert spaces.mismatches({}, MANIFEST) == []
+
+
+@pytest.mark.parametrize(
+    ("assumes", "wrong"),
+    [
+        ({"control_rate_hz": 20.0}, ["control_rate_hz"]),
+        ({"action": {"arm": {"size": 3}}}, ["action/arm/size"]),
+        ({"action": {"a/b~c": {}}}, ["action/a~1b~0c"]),
+        ({"action": {"arm": {"gripper_open": 1}}}, ["action/arm/gripper_open"]),
+        ({"state": {"joints": {"unit": "deg"}}}, ["state/joints/unit"]),
+        ({"state": {"arm": {}}}, ["state/arm"]),
+        (
+            {"action": {"leg": {}, "arm": {"size": 9}}},
+            ["action/leg", "action/arm/size"],
+        ),
+    ],
+)
+def test_cannot_assume_other_conventions(
+    assumes: dict[str, Any], wrong: list[str]
+) -> None:
+    found = pointers(spaces.mismatches(assumes, MANIFEST))
+    assert found == [f"/assumes/{where}" for where in wrong]

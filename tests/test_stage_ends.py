@@ -1,0 +1,214 @@
+"""A session ends while its turn is carried out: by a stop, a detach, the end."""
+
+import asyncio
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from reference_server import progress
+from reference_server.protocol import Attach, Detach
+from reference_server.store import Store
+from reference_sim.runners.local import SimulatorHandle, SimulatorPool
+from tests.parts import (
+    Gate,
+    Parts,
+    begun,
+    calibration,
+    no_defect,
+    nothing_is_held,
+    predict,
+    refusal,
+    stop,
+    tell,
+)
+
+# --- a stop meets a turn ---
+
+
+@pytest.mark.parametrize("who", ["a new session", "a successor", "a turn"])
+def test_a_stop_before_the_work_begins(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture, who: str
+) -> None:
+    async def story(parts: Parts) -> None:
+        run = await parts.book.add(calibration("count"), None, "")
+        if who == "a new session":
+            work = parts.stage.attach(run, Attach("w", "key"))
+        else:
+            turn = await parts.stage.attach(run, Attach("w", "key"))
+            work = parts.stage.predict(run, predict(turn))
+        if who == "a successor":
+            work.close()
+            work = parts.stage.attach(run, Attach("w", "another", takeover=True))
+        task = begun(work)
+        await asyncio.sleep(0)  # the session is open; its work waits for its turn
+        stop(parts, run)
+        with refusal("session_ended", ended_by="run_stopped"):
+            await task
+        await nothing_is_held(parts)
+        assert run.state == "stopped"
+
+    tell(tmp_path, story)
+    no_defect(caplog)
+
+
+@pytest.mark.parametrize(
+    ("owner", "method"),
+    [(SimulatorPool, "acquire"), (SimulatorHandle, "begin")],
+    ids=["while it waits for a simulator", "while the simulator begins"],
+)
+def test_a_stop_while_a_session_opens(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+    owner: type,
+    method: str,
+) -> None:
+    async def story(parts: Parts) -> None:
+        run = await parts.book.add(calibration("count"), None, "")
+        gate = Gate(monkeypatch, owner, method)
+        opening = begun(parts.stage.attach(run, Attach("w", "key")))
+        await gate.reached()
+        stop(parts, run)
+        gate.open()
+        with refusal("session_ended", ended_by="run_stopped"):
+            await opening
+        await nothing_is_held(parts)
+        assert (run.episodes[0].attempt, run.episodes[0].faults) == (1, 0)
+        progress.resume(run, 0.0)
+        progress.move(run, "capacity")
+        turn = await parts.stage.attach(run, Attach("w", "key"))
+        assert turn["episode"]["attempt"] == 1
+
+    tell(tmp_path, story)
+    no_defect(caplog)
+
+
+@pytest.mark.parametrize(
+    ("method", "attempt"), [("begin", 1), ("play", 2), ("observe", 2)]
+)
+def test_a_stop_when_the_simulator_has_just_answered(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+    method: str,
+    attempt: int,
+) -> None:
+    """The answer comes too late: it is not told, and what it says is not scored."""
+
+    async def story(parts: Parts) -> None:
+        run = await parts.book.add(calibration("count"), None, "")
+        if method != "begin":
+            turn = await parts.stage.attach(run, Attach("w", "key"))
+        if method == "observe":
+            await parts.stage.predict(run, predict(turn))
+        gate = Gate(monkeypatch, SimulatorHandle, method, after=True)
+        work = (
+            parts.stage.predict(run, predict(turn, end=1))
+            if method == "play"
+            else parts.stage.attach(run, Attach("w", "another", takeover=True))
+        )
+        task = begun(work)
+        await gate.reached()
+        stop(parts, run)
+        gate.open()
+        with refusal("session_ended", ended_by="run_stopped"):
+            await task
+        await nothing_is_held(parts)
+        assert (run.state, run.scored) == ("stopped", 0)
+        assert run.episodes[0].attempt == attempt
+
+    tell(tmp_path, story)
+    no_defect(caplog)
+
+
+def test_a_stop_after_the_last_action_and_before_the_result_is_stored(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The result stands, although the turn that brought it is not answered."""
+
+    async def story(parts: Parts) -> None:
+        run = await parts.book.add(calibration("score", "score"), None, "")
+        turn = await parts.stage.attach(run, Attach("w", "key"))
+        gate = Gate(monkeypatch, parts.store, "save")
+        last = begun(parts.stage.predict(run, predict(turn, score=1, end=1)))
+        await gate.reached()
+        stop(parts, run)
+        gate.open()
+        with refusal("session_ended", ended_by="run_stopped"):
+            await last
+        await parts.book.commit(run)
+        stored = await parts.store.load(run.run_id)
+        assert stored is not None
+        assert (stored.state, stored.scored) == ("stopped", 1)
+        await nothing_is_held(parts)
+
+    tell(tmp_path, story)
+
+
+# --- a detach, a loss or the end of the server meets a turn ---
+
+
+def test_a_detach_ends_a_turn_in_the_middle(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    async def story(parts: Parts) -> None:
+        run = await parts.book.add(calibration("count"), None, "")
+        turn = await parts.stage.attach(run, Attach("w", "key"))
+        gate = Gate(monkeypatch, SimulatorHandle, "play")
+        playing = begun(parts.stage.predict(run, predict(turn)))
+        await gate.reached()
+        await parts.stage.detach(run, Detach("w", turn["session_id"]))
+        gate.open()
+        with refusal("session_ended", ended_by="detached"):
+            await playing
+        await nothing_is_held(parts)
+        assert run.episodes[0].attempt == 2
+
+    tell(tmp_path, story)
+    no_defect(caplog)
+
+
+@pytest.mark.parametrize(
+    ("owner", "method"),
+    [
+        (SimulatorHandle, "play"),
+        (SimulatorHandle, "begin"),
+        (SimulatorPool, "acquire"),
+        (Store, "save"),
+    ],
+)
+def test_the_end_of_the_server_is_no_defect(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+    owner: type,
+    method: str,
+) -> None:
+    """Sessions end uncounted, whatever is executed for them; then nothing is left."""
+    work: list[asyncio.Task[Any]] = []
+
+    async def story(parts: Parts) -> None:
+        run = await parts.book.add(calibration("score", "score"), None, "")
+        if method in ("acquire", "begin"):
+            gate = Gate(monkeypatch, owner, method)
+            work.append(begun(parts.stage.attach(run, Attach("w", "key"))))
+        else:
+            turn = await parts.stage.attach(run, Attach("w", "key"))
+            gate = Gate(monkeypatch, owner, method)
+            command = predict(turn, score=1, end=1)
+            work.append(begun(parts.stage.predict(run, command)))
+        await gate.reached()
+        await parts.stage.close()
+        gate.open()
+        with refusal("session_ended", ended_by="unknown"):
+            await work[0]
+        await nothing_is_held(parts)
+
+    async def after(parts: Parts) -> None:
+        run = await parts.book.get("run_1")
+        assert (run.state, [e.attempt for e in run.episodes]) == ("ready", [1, 1])
+        assert run.scored == (method == "save")
+
+    tell(tmp_path, story, after)
+    no_defect(caplog)

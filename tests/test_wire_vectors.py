@@ -1,0 +1,115 @@
+"""The golden vectors of spec/vectors/wire, against this house's codec and models.
+
+Both encodings of a vector hold one value; it comes through our decoder and models, and
+out of our encoder the same; what is marked refused, our server refuses.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import pydantic
+import pytest
+
+from reference_server import messages, models, spaces
+from reference_server.problems import Refused
+from tests.interop.pictures import same
+
+FILES = sorted((Path(__file__).parents[1] / "spec" / "vectors" / "wire").glob("*.json"))
+VECTORS = [
+    vector for file in FILES for vector in json.loads(file.read_text())["vectors"]
+]
+REFUSED = [
+    pytest.param(media_type, body, id=f"{vector['id']}-{media_type[-7:]}")
+    for vector in VECTORS
+    if vector.get("refused")
+    for media_type, body in (
+        (messages.JSON, vector.get("json", "").encode()),
+        (messages.MSGPACK, base64.b64decode(vector.get("msgpack", ""))),
+    )
+    if body
+]
+ACCEPTED = [
+    pytest.param(vector, id=vector["id"])
+    for vector in VECTORS
+    if not vector.get("refused")
+]
+UNBOUNDED = {
+    "max_chunk": 4,
+    "action_space": {"vector": {"size": 1, "out_of_range": "unbounded"}},
+}
+
+
+def in_json(value: Any) -> Any:
+    """The structure of a MessagePack body as JSON has it: bin becomes Base64."""
+    if isinstance(value, bytes):
+        return base64.b64encode(value).decode()
+    if isinstance(value, dict):
+        return {name: in_json(item) for name, item in value.items()}
+    if isinstance(value, list):
+        return [in_json(item) for item in value]
+    return value
+
+
+def execute(media_type: str, body: bytes) -> None:
+    """What the server does with a predict before it looks at a session."""
+    message = messages.validate(models.Predict, messages.decode(body, media_type))
+    actions = [action.values for action in message.actions]
+    if breaches := spaces.misfits(actions, UNBOUNDED):
+        raise Refused("invalid_request", "Misfits.", errors=list(breaches))
+
+
+def test_there_are_vectors_of_every_kind() -> None:
+    assert {file.stem for file in FILES} >= {"images", "problems", "tensors", "turns"}
+    assert len({vector["id"] for vector in VECTORS}) == len(VECTORS)
+    assert len(REFUSED) >= 12
+
+
+@pytest.mark.parametrize("vector", ACCEPTED)
+def test_both_encodings_hold_one_value(vector: dict[str, Any]) -> None:
+    packed = base64.b64decode(vector["msgpack"])
+    structure = messages.decode(packed, messages.MSGPACK)
+    assert same(in_json(structure), json.loads(vector["json"]))
+    assert msgspec.msgpack.encode(structure) == packed
+
+
+@pytest.mark.parametrize("vector", ACCEPTED)
+def test_our_models_and_encoder_give_it_back(vector: dict[str, Any]) -> None:
+    structure = messages.decode(base64.b64decode(vector["msgpack"]), messages.MSGPACK)
+    for name in vector.get("may_drop", ()):
+        del structure[name]  # our models are those of the version that we speak
+    model = getattr(models, vector["schema"])
+    again = model.model_validate(structure).model_dump(exclude_unset=True)
+    assert same(in_json(again), in_json(structure))
+    for media_type in (messages.JSON, messages.MSGPACK):
+        body = messages.encoded(again, media_type).body
+        assert same(in_json(messages.decode(bytes(body), media_type)), in_json(again))
+
+
+@pytest.mark.parametrize(("media_type", "body"), REFUSED)
+def test_what_is_marked_refused_is_refused(media_type: str, body: bytes) -> None:
+    with pytest.raises(Refused) as refusal:
+        execute(media_type, body)
+    assert refusal.value.code in ("malformed_body", "invalid_request")
+
+
+def test_the_same_with_a_number_is_accepted() -> None:
+    """The control: only what is marked in the vectors is refused."""
+    sound = {"session_id": "s", "seq": 1, "actions": [{"values": {"vector": [0.5]}}]}
+    execute(messages.JSON, json.dumps(sound).encode())
+    execute(messages.MSGPACK, msgspec.msgpack.encode(sound))
+
+
+@pytest.mark.parametrize("vector", ACCEPTED)
+def test_the_generated_client_decodes_it(vector: dict[str, Any]) -> None:
+    import proctor_client
+
+    model = getattr(proctor_client, vector["schema"])
+    decoded = model.from_json(vector["json"])
+    again = model.from_json(decoded.to_json())
+    assert again == decoded
+    assert isinstance(decoded, pydantic.BaseModel)
