@@ -35,7 +35,7 @@ def build(settings: Settings, tokens: Tokens) -> Versioned:
         settings.max_simulators, settings.spare_simulators, settings.turn_timeout_s
     )
     book = RunBook(store, settings.max_active_runs)
-    stage = Stage(book, pool, settings.max_chunk)
+    stage = Stage(book, pool)
     routes = Routes(settings, Benchmarks(settings.max_chunk), book, stage)
 
     @asynccontextmanager

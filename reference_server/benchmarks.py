@@ -14,6 +14,7 @@ from typing import Any
 import msgspec
 
 from reference_server.problems import Refused
+from reference_server.run_state import Run
 from reference_sim import catalog
 
 
@@ -89,9 +90,40 @@ class Benchmarks:
         found = catalog.resolve(
             benchmark_id, options, images, max_chunk=self._max_chunk
         )
-        canonical = msgspec.json.encode(found.manifest, order="deterministic")
-        digest = hashlib.sha256(canonical).hexdigest()
-        return ResolvedRun(found.manifest, digest, found.images)
+        return ResolvedRun(found.manifest, digest(found.manifest), found.images)
+
+
+def world_of(run: Run) -> catalog.World:
+    """What a simulator process needs to build this run's simulator.
+
+    Refused when the benchmark is not the one that the run was submitted to: a score is
+    of one manifest.
+    """
+    submission = run.submission
+    benchmark_id = submission["benchmark_id"]
+    if benchmark_id not in catalog.benchmark_ids():
+        raise Refused(
+            "benchmark_unavailable", f"{benchmark_id} is not offered here any more."
+        )
+    found = catalog.resolve(
+        benchmark_id,
+        submission.get("options"),
+        run.images,
+        max_chunk=run.manifest["max_chunk"],
+    )
+    if digest(found.manifest) != run.manifest_sha256:
+        raise Refused(
+            "benchmark_unavailable",
+            f"{benchmark_id} has changed since this run was submitted: what it offers "
+            "now has another manifest. Submit another run.",
+        )
+    return found.world
+
+
+def digest(manifest: Mapping[str, Any]) -> str:
+    """The `manifest_sha256` of a manifest with its episodes."""
+    canonical = msgspec.json.encode(manifest, order="deterministic")
+    return hashlib.sha256(canonical).hexdigest()
 
 
 async def _unavailable(benchmark_id: str) -> str | None:

@@ -12,9 +12,9 @@ from collections.abc import Awaitable, Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from reference_server.benchmarks import world_of
 from reference_server.protocol import lease_over
 from reference_server.run_state import Run, Session
-from reference_sim.catalog import resolve
 from reference_sim.runners.local import SimulatorHandle, SimulatorPool
 
 
@@ -37,19 +37,17 @@ class Scene:
 class Scenes:
     """The scene of every session that has not ended; without one nothing is held.
 
-    max_chunk: the most actions in a turn. begin: does work that nobody waits for.
+    begin: does work that nobody waits for.
     over: is called with the run of a session whose lease is over.
     """
 
     def __init__(
         self,
         pool: SimulatorPool,
-        max_chunk: int,
         begin: Callable[[Awaitable[None]], object],
         over: Callable[[Run], object],
     ) -> None:
         self._pool = pool
-        self._max_chunk = max_chunk
         self._begin = begin
         self._over = over
         self._scenes: dict[Session, Scene] = {}
@@ -97,7 +95,7 @@ class Scenes:
         if scene.handle is not None:
             return 0.0
         started = time.perf_counter()
-        scene.handle = await self._pool.acquire(world_of(scene.run, self._max_chunk))
+        scene.handle = await self._pool.acquire(world_of(scene.run))
         if scene.session.ended_by is not None:
             self.free(scene, kill=False)
         return time.perf_counter() - started
@@ -129,14 +127,3 @@ class Scenes:
             wait_s = 0.05
         loop = asyncio.get_running_loop()
         scene.timer = loop.call_later(wait_s + 0.001, self._watch, scene)
-
-
-def world_of(run: Run, max_chunk: int) -> Any:
-    """What a simulator process needs to build this run's simulator."""
-    submission = run.submission
-    return resolve(
-        submission["benchmark_id"],
-        submission.get("options"),
-        run.images,
-        max_chunk=max_chunk,
-    ).world

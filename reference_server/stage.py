@@ -49,9 +49,9 @@ log = logging.getLogger("proctor.stage")
 class Stage:
     """Every session of this process."""
 
-    def __init__(self, book: RunBook, pool: SimulatorPool, max_chunk: int) -> None:
+    def __init__(self, book: RunBook, pool: SimulatorPool) -> None:
         self._book = book
-        self._scenes = Scenes(pool, max_chunk, book.begin, self.sweep)
+        self._scenes = Scenes(pool, book.begin, self.sweep)
         book.forget = self._scenes.forget
 
     # --- operations of the data plane ---

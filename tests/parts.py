@@ -15,6 +15,7 @@ from typing import Any
 import pytest
 
 from reference_server import progress
+from reference_server.benchmarks import digest
 from reference_server.problems import Refused
 from reference_server.protocol import Predict
 from reference_server.run_book import RunBook
@@ -91,7 +92,7 @@ class Parts:
 async def server(path: Path, active_max: int = 10) -> AsyncIterator[Parts]:
     store = Store(f"sqlite+aiosqlite:///{path}")
     book, pool = RunBook(store, active_max), SimulatorPool(4, 0, PATIENCE_S)
-    parts = Parts(path, store, book, pool, Stage(book, pool, 64))
+    parts = Parts(path, store, book, pool, Stage(book, pool))
     await store.open()
     await book.open()
     try:
@@ -124,6 +125,7 @@ def calibration(*tasks: str, run_id: str = "run_1", **changes: Any) -> Run:
         "run_id": run_id,
         "state": "queued",
         "manifest": found.manifest,
+        "manifest_sha256": digest(found.manifest),
         "submission": submission | {"options": options},
         "images": found.images,
         "episodes": [Episode(i, **plan) for i, plan in enumerate(plans)],
@@ -172,9 +174,9 @@ def failing(
 
 
 @contextmanager
-def refusal(code: str, **members: Any) -> Iterator[None]:
+def refusal(code: str, **members: Any) -> Iterator[pytest.ExceptionInfo[Refused]]:
     with pytest.raises(Refused) as caught:
-        yield
+        yield caught
     assert caught.value.code == code, caught.value.detail
     assert caught.value.members == members
 

@@ -21,10 +21,10 @@ from reference_client.observation import observation_of
 from reference_client.policies import BadMapping, BadPolicy, Mapping, load
 from reference_client.policies.pictures import fitted
 from reference_client.policy import chunk_of
-from tests.proctor_scenes import Proctor, here
+from tests.proctor_scenes import Proctor, here, server
 from tests.test_reference_client_scenes import ROOT, House, ServerProcess
 
-__all__ = ["here"]
+__all__ = ["here", "server"]
 PAGE = (ROOT / "docs" / "policies.md").read_text()
 READY = {
     re.findall(r"# (\w+)\.toml", text)[0]: tomllib.loads(text)
@@ -38,12 +38,6 @@ SEEN = Observation(
     episode_id="e0001",
     step=3,
 )
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServerProcess]:
-    with ServerProcess(tmp_path_factory.mktemp("server")) as process:
-        yield process
 
 
 @pytest.fixture

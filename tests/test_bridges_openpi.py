@@ -19,10 +19,10 @@ from websockets.sync.server import Server, ServerConnection, serve
 from reference_client import ProctorError
 from reference_client.policies.ndarray import BadMessage, pack, unpack
 from reference_client.policies.openpi import PolicyServer
-from tests.proctor_scenes import Proctor, here, options
+from tests.proctor_scenes import Proctor, here, options, server
 from tests.test_reference_client_scenes import ServerProcess
 
-__all__ = ["here"]
+__all__ = ["here", "server"]
 # {"actions": float32 2x3, "n": np.float64(1.5), "i": uint8, "t", "l", "b": bool}
 GOLDEN = bytes.fromhex(
     "86a7616374696f6e7384c40b5f5f6e6461727261795f5fc3c40464617461c418000000000000803f"
@@ -101,14 +101,8 @@ def serving() -> Iterator[Callable[..., Policies]]:
         return made[-1]
 
     yield make
-    for server in made:
-        server.close()
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServerProcess]:
-    with ServerProcess(tmp_path_factory.mktemp("server")) as process:
-        yield process
+    for one in made:
+        one.close()
 
 
 @pytest.fixture

@@ -10,7 +10,6 @@ import json
 import re
 import shlex
 import tomllib
-from collections.abc import Iterator
 
 import pytest
 import yaml
@@ -18,17 +17,11 @@ import yaml
 from reference_client.command import aliases
 from reference_client.command.main import main
 from reference_client.plan import WORKER_ID
-from tests.proctor_scenes import Proctor, here, options
+from tests.proctor_scenes import Proctor, here, options, server
 from tests.test_reference_client_scenes import ROOT, ServerProcess
 
-__all__ = ["here"]
+__all__ = ["here", "server"]
 pytestmark = pytest.mark.usefixtures("here")
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServerProcess]:
-    with ServerProcess(tmp_path_factory.mktemp("server")) as process:
-        yield process
 
 
 @pytest.fixture

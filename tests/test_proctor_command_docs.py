@@ -5,17 +5,16 @@ from __future__ import annotations
 import argparse
 import re
 import shlex
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from reference_client.command import aliases
 from reference_client.command.arguments import build_parser
-from tests.proctor_scenes import Proctor, here
+from tests.proctor_scenes import Proctor, here, server
 from tests.test_reference_client_scenes import ROOT, House, ServerProcess
 
-__all__ = ["here"]
+__all__ = ["here", "server"]
 PAGE = (ROOT / "docs" / "command.md").read_text()
 LINES = [
     line
@@ -30,12 +29,6 @@ def hold(observation):
     assert observation.state
     return policies.action(score=1.0, success=1.0, end=1.0)
 """
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServerProcess]:
-    with ServerProcess(tmp_path_factory.mktemp("server")) as process:
-        yield process
 
 
 def subparsers() -> dict[str, argparse.ArgumentParser]:

@@ -20,19 +20,21 @@ import pytest
 
 from reference_client.command.main import main
 from tests.conftest import descendants, until_none_lives
-from tests.proctor_scenes import PATIENCE_S, Proctor, here, options, started, until
+from tests.proctor_scenes import (
+    PATIENCE_S,
+    Proctor,
+    here,
+    options,
+    server,
+    started,
+    until,
+)
 from tests.test_reference_client_scenes import House, ServerProcess
 
-__all__ = ["here"]
+__all__ = ["here", "server"]
 pytestmark = pytest.mark.usefixtures("here")
 RESUME = re.compile(r"^  (proctor run .*)$", re.MULTILINE)
 HELD = ["run", "--policy", "policies:Held"]
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServerProcess]:
-    with ServerProcess(tmp_path_factory.mktemp("server")) as process:
-        yield process
 
 
 @pytest.fixture

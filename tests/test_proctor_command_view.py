@@ -7,7 +7,6 @@ import http.client
 import io
 import json
 import re
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
@@ -15,17 +14,11 @@ from urllib.parse import urlsplit
 import PIL.Image
 import pytest
 
-from tests.proctor_scenes import PATIENCE_S, here, options, started, until
+from tests.proctor_scenes import PATIENCE_S, here, options, server, started, until
 from tests.test_reference_client_scenes import ServerProcess
 
-__all__ = ["here"]
+__all__ = ["here", "server"]
 URL = re.compile(r"Look on at (http://127\.0\.0\.1:\d+/)")
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServerProcess]:
-    with ServerProcess(tmp_path_factory.mktemp("server")) as process:
-        yield process
 
 
 def got(url: str, path: str, **headers: str) -> tuple[int, bytes, dict[str, str]]:

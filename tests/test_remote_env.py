@@ -15,6 +15,7 @@ from gymnasium.utils.env_checker import check_env
 
 from reference_client import ProctorError
 from reference_client.remote_env import ENV_ID, RemoteEnv, RunDone
+from tests.proctor_scenes import server
 from tests.test_reference_client_scenes import (
     ROOT,
     TOKEN,
@@ -23,14 +24,9 @@ from tests.test_reference_client_scenes import (
     action,
 )
 
+__all__ = ["server"]
 # What check_env advises about bounds, which are the benchmark's to choose.
 ADVICE = ("symmetric and normalized space", "is probably too (low|high)")
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServerProcess]:
-    with ServerProcess(tmp_path_factory.mktemp("server")) as process:
-        yield process
 
 
 @pytest.fixture

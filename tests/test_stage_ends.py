@@ -23,6 +23,32 @@ from tests.parts import (
     tell,
 )
 
+# --- a run meets another server ---
+
+
+@pytest.mark.parametrize(
+    ("what", "change"),
+    [
+        ("is not offered", {"submission": {"benchmark_id": "gone"}}),
+        ("has changed", {"manifest_sha256": "0" * 64}),
+    ],
+)
+def test_a_run_is_not_played_on_another_benchmark(
+    tmp_path: Path, what: str, change: dict[str, Any]
+) -> None:
+    """A score is of one manifest. Nothing is counted, and the run stays as it is."""
+
+    async def story(parts: Parts) -> None:
+        run = await parts.book.add(calibration("count", **change), None, "")
+        with refusal("benchmark_unavailable") as refused:
+            await parts.stage.attach(run, Attach("w", "key"))
+        assert what in refused.value.detail
+        await nothing_is_held(parts)
+        assert (run.state, run.episodes[0].attempt) == ("ready", 1)
+
+    tell(tmp_path, story)
+
+
 # --- a stop meets a turn ---
 
 

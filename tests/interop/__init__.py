@@ -1,0 +1,1 @@
+"""Every client against a server: proxy, scenarios and programs; see docs/interop.md."""

@@ -1,0 +1,169 @@
+"""How the interop program of each language is built and started.
+
+Sources are copied to .cache/interop/ and built there, so that nothing a build leaves
+can reach the repository. A language whose toolchain is missing is never built. It must
+not know what a scenario is.
+"""
+
+from __future__ import annotations
+
+import filecmp
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+CLIENTS = ROOT / "generated_clients"
+CACHE = ROOT / ".cache" / "interop"
+LEFT_BY_BUILDS = {"__pycache__", "build", "dist", "node_modules", "target"}
+BUILD_S = 1800.0
+
+
+class CannotRun(Exception):
+    """A program is not there to be run, for its build failed."""
+
+
+@dataclass(frozen=True)
+class Language:
+    """One client and its interop program.
+
+    tools: executables that must be on PATH. version: prints the toolchain's version.
+    steps: commands that build, in the copied directory. command: starts the program.
+    """
+
+    name: str
+    tools: tuple[str, ...]
+    version: tuple[str, ...]
+    command: Callable[[Path], list[str]]
+    steps: tuple[tuple[str, ...], ...] = ()
+    environment: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def directory(self) -> Path:
+        return CACHE / self.name / "src"
+
+    def missing(self) -> str:
+        """Why this language cannot be built here; empty when it can."""
+        absent = [tool for tool in self.tools if shutil.which(tool) is None]
+        return f"{' and '.join(absent)} not found" if absent else ""
+
+    def toolchain(self) -> str:
+        said = subprocess.run(self.version, capture_output=True, text=True, check=True)
+        return (said.stdout or said.stderr).splitlines()[0].strip()
+
+    def build(self) -> None:
+        """Bring the program up to date; CannotRun holds what the compiler said."""
+        mirror(CLIENTS / self.name, self.directory)
+        for step in self.steps:
+            done = subprocess.run(
+                ("nice", *step),
+                cwd=self.directory,
+                env=self.env(),
+                capture_output=True,
+                text=True,
+                timeout=BUILD_S,
+                check=False,
+            )
+            if done.returncode != 0:
+                said = (done.stdout + done.stderr).strip()[-3000:]
+                raise CannotRun(f"{' '.join(step)} failed:\n{said}")
+
+    def env(self) -> dict[str, str]:
+        base = CACHE / self.name
+        return os.environ | {
+            k: v.format(base=base) for k, v in self.environment.items()
+        }
+
+
+def mirror(source: Path, target: Path) -> None:
+    """Make `target` the same as `source`, but for what builds left in it."""
+    target.mkdir(parents=True, exist_ok=True)
+    wanted = {path.relative_to(source) for path in source.rglob("*") if path.is_file()}
+    wanted = {path for path in wanted if not LEFT_BY_BUILDS & set(path.parts)}
+    for path in [path for path in target.rglob("*") if path.is_file()]:
+        name = path.relative_to(target)
+        if name not in wanted and not LEFT_BY_BUILDS & set(name.parts):
+            path.unlink()
+    for name in wanted:
+        old, new = target / name, source / name
+        if not old.exists() or not filecmp.cmp(old, new, shallow=False):
+            old.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(new, old)
+
+
+LANGUAGES = (
+    Language(
+        "python",
+        tools=(),
+        version=(sys.executable, "--version"),
+        command=lambda at: [sys.executable, str(at / "interop" / "interop.py")],
+    ),
+    Language(
+        "typescript",
+        tools=("node", "npm"),
+        version=("node", "--version"),
+        steps=(("npm", "ci", "--ignore-scripts"), ("npx", "tsc")),
+        command=lambda at: ["node", str(at / "dist" / "interop" / "interop.js")],
+        environment={"npm_config_cache": "{base}/npm"},
+    ),
+    Language(
+        "go",
+        tools=("go",),
+        version=("go", "version"),
+        steps=(
+            ("go", "vet", "./..."),
+            ("go", "build", "-o", "build/", "./interop", "./example"),
+        ),
+        command=lambda at: [str(at / "build" / "interop")],
+        environment={"GOMAXPROCS": "2", "GOFLAGS": "-buildvcs=false -mod=readonly"},
+    ),
+    Language(
+        "rust",
+        tools=("cargo",),
+        version=("cargo", "--version"),
+        steps=(("cargo", "build", "--locked", "--examples", "--jobs", "2"),),
+        command=lambda at: [str(at / "target" / "debug" / "examples" / "interop")],
+    ),
+    Language(
+        "java",
+        tools=("java", "javac", "mvn"),
+        version=("java", "-version"),
+        steps=(
+            ("mvn", "-q", "-B", "package", "dependency:copy-dependencies"),
+            (
+                *("javac", "-cp", "target/classes:target/dependency/*"),
+                *("-d", "build", "example/Worker.java", "example/Main.java"),
+                "interop/Interop.java",
+            ),
+        ),
+        command=lambda at: [
+            *(
+                "java",
+                "-cp",
+                f"{at}/build:{at}/target/classes:{at}/target/dependency/*",
+            ),
+            "Interop",
+        ],
+    ),
+    Language(
+        "cpp",
+        tools=("g++", "cmake", "make"),
+        version=("g++", "--version"),
+        steps=(
+            ("cmake", "-S", ".", "-B", "../build", "-DPROCTOR_PROGRAMS=ON"),
+            ("make", "-C", "../build", "-j2"),
+        ),
+        command=lambda at: [str(at.parent / "build" / "interop")],
+        environment={"CXXFLAGS": "-O0"},
+    ),
+)
+# Generated and packaged; there is no toolchain for them where this is developed.
+NOT_COMPILED = {
+    "csharp": "no interop program; generated only",
+    "kotlin": "no interop program; generated only",
+    "swift": "no interop program; generated only",
+}

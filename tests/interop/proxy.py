@@ -1,0 +1,169 @@
+"""A gateway between a client and a server that loses answers on purpose.
+
+It stands in front of one server, keeps a record of what passed, and can drop the first
+answer to each kind of request after the server has acted, or kill the server at one
+predict. It knows which operation a path is, and nothing of what the bodies mean, except
+that a run's `endpoint` must lead back through it.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import socket
+import threading
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from types import TracebackType
+from typing import Self
+from urllib.parse import urlsplit
+
+import httpx
+
+KINDS = {
+    "submit": re.compile(r"POST /v1/runs"),
+    "attach": re.compile(r"PUT /v1/runs/[^/]+/workers/[^/]+"),
+    "predict": re.compile(r"POST /v1/runs/[^/]+/workers/[^/]+/predict"),
+}
+HOP_BY_HOP = {"connection", "content-length", "host", "keep-alive", "transfer-encoding"}
+
+
+@dataclass(frozen=True)
+class Passed:
+    """One request as it arrived: its kind, its body, its Idempotency-Key."""
+
+    kind: str
+    body: bytes
+    key: str | None
+
+
+class Proxy:
+    """A server on a free port of this machine: `url` leads to `upstream`.
+
+    drop: kinds whose first answer is lost after the server gave it.
+    crash_at: the number of the predict (from 1) whose answer is lost in a crash.
+    crash: called then; it returns when the server is back, with its URL.
+    """
+
+    def __init__(
+        self,
+        upstream: str,
+        *,
+        drop: Iterable[str] = (),
+        crash_at: int = 0,
+        crash: Callable[[], str] | None = None,
+    ) -> None:
+        self.upstream = upstream
+        self.passed: list[Passed] = []
+        self.dropped: list[str] = []
+        self._to_drop, self._crash_at, self._crash = set(drop), crash_at, crash
+        self._lock = threading.Lock()
+        # The environment may name a proxy; this machine is never behind it.
+        self._client = httpx.Client(trust_env=False, timeout=60.0)
+        proxy = self
+
+        class Handler(BaseHTTPRequestHandler):
+            protocol_version = "HTTP/1.1"
+
+            def _pass(self) -> None:
+                proxy.handle(self)
+
+            do_GET = do_POST = do_PUT = do_DELETE = _pass  # noqa: N815
+
+            def log_message(self, format: str, *arguments: object) -> None:  # noqa: A002
+                """The record is `passed`."""
+
+        self._server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+        self._server.daemon_threads = True
+        self.url = f"http://127.0.0.1:{self._server.server_address[1]}"
+        self._thread = threading.Thread(target=self._server.serve_forever, daemon=True)
+
+    def __enter__(self) -> Self:
+        self._thread.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self._server.shutdown()
+        self._server.server_close()
+        self._thread.join()
+        self._client.close()
+
+    def handle(self, request: BaseHTTPRequestHandler) -> None:
+        body = request.rfile.read(int(request.headers.get("Content-Length") or 0))
+        kind = self._kind(f"{request.command} {urlsplit(request.path).path}")
+        with self._lock:
+            self.passed.append(Passed(kind, body, request.headers["Idempotency-Key"]))
+            predicts = sum(passed.kind == "predict" for passed in self.passed)
+        headers = [
+            (k, v) for k, v in request.headers.items() if k.lower() not in HOP_BY_HOP
+        ]
+        try:
+            answer = self._client.request(
+                request.command,
+                self.upstream + request.path,
+                content=body,
+                headers=headers,
+            )
+        except httpx.TransportError:
+            return hang_up(request)
+        if kind == "predict" and predicts == self._crash_at and self._crash is not None:
+            with self._lock:
+                self.dropped.append("crash")
+                self.upstream = self._crash()
+            return hang_up(request)
+        with self._lock:
+            if kind in self._to_drop:
+                self._to_drop.remove(kind)
+                self.dropped.append(kind)
+                return hang_up(request)
+        return self._answer(request, answer)
+
+    def repeats(self, kind: str) -> list[Passed]:
+        """Requests of a kind that are the same as an earlier one."""
+        found: list[Passed] = []
+        seen: set[Passed] = set()
+        for passed in self.passed:
+            if passed.kind == kind and passed in seen:
+                found.append(passed)
+            seen.add(passed)
+        return found
+
+    def _answer(self, request: BaseHTTPRequestHandler, answer: httpx.Response) -> None:
+        content = answer.content
+        if request.path.startswith("/v1/runs") and b'"endpoint"' in content:
+            content = json.dumps(self._through_here(json.loads(content))).encode()
+        request.send_response_only(answer.status_code)
+        for name, value in answer.headers.items():
+            if name not in HOP_BY_HOP | {"content-encoding"}:
+                request.send_header(name, value)
+        if answer.status_code != 204:
+            request.send_header("Content-Length", str(len(content)))
+        request.end_headers()
+        request.wfile.write(content)
+
+    def _through_here(self, value: object) -> object:
+        if isinstance(value, list):
+            return [self._through_here(item) for item in value]
+        if isinstance(value, dict):
+            return {
+                name: self.url if name == "endpoint" else self._through_here(item)
+                for name, item in value.items()
+            }
+        return value
+
+    @staticmethod
+    def _kind(line: str) -> str:
+        found = [kind for kind, pattern in KINDS.items() if pattern.fullmatch(line)]
+        return found[0] if found else "other"
+
+
+def hang_up(request: BaseHTTPRequestHandler) -> None:
+    """Close the connection without a word, as a gateway that dies."""
+    request.close_connection = True
+    request.connection.shutdown(socket.SHUT_RDWR)

@@ -1,0 +1,325 @@
+"""What every client must see, and the judgement on what its program said.
+
+A program plays a scenario and prints what it saw; here stands what it should have seen:
+computed from the specification, or read from the server with a client that is none of
+those under test. It must not know in which language a program is written.
+"""
+
+from __future__ import annotations
+
+import itertools
+import json
+import struct
+import subprocess
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import httpx
+
+from tests.interop import pictures
+from tests.interop.proxy import Proxy
+
+PATIENCE_S = 120.0
+VECTORS = Path(__file__).resolve().parents[2] / "spec" / "vectors" / "wire"
+VECTOR = [-0.0, 0.1, 5e-324, 1.7976931348623157e308, 2.0**53 - 1, 1 / 3, -2.5e-8, 1e22]
+ACTION_SIZES = {
+    **dict.fromkeys(("score", "success", "end", "delay_s", "fault"), 1),
+    "vector": 8,
+    "clipped": 2,
+}
+# What a language cannot do, with the reason; the matrix shows it.
+LIMITS = {
+    ("typescript", "echo"): "JSON.stringify writes −0 as `0`: its sign is lost",
+    (
+        "cpp",
+        "echo",
+    ): "Boost.JSON 1.81 reads some numbers one unit in the last place off",
+    (
+        "cpp",
+        "vectors",
+    ): "Boost.JSON 1.81 reads some numbers one unit in the last place off",
+    ("go", "echo"): "−0 is written as `-0`, which many a server reads as the integer 0",
+}
+
+
+class Wrong(Exception):
+    """A program saw something else than it should have."""
+
+
+@dataclass
+class Server:
+    """The server under which the programs run.
+
+    restart: kills it, starts it again and returns its URL; None where nobody can.
+    """
+
+    url: str
+    token: str
+    restart: Callable[[], str] | None = None
+
+    def read(self, path: str) -> dict[str, Any]:
+        """One GET by hand, outside every client."""
+        headers = {"Authorization": f"Bearer {self.token}"}
+        with httpx.Client(
+            base_url=self.url, headers=headers, trust_env=False
+        ) as client:
+            answer = client.get(path).raise_for_status().json()
+        assert isinstance(answer, dict)
+        return answer
+
+
+@dataclass(frozen=True)
+class Program:
+    """The interop program of one language."""
+
+    language: str
+    command: Sequence[str]
+    env: Mapping[str, str]
+
+    def play(self, scenario: str, url: str, token: str) -> dict[str, Any]:
+        """What the program saw; raises Wrong with its last words if it failed."""
+        try:
+            done = subprocess.run(
+                [*self.command, scenario, url, token],
+                env=dict(self.env),
+                capture_output=True,
+                text=True,
+                timeout=PATIENCE_S,
+                check=False,
+            )
+        except subprocess.TimeoutExpired:
+            raise Wrong(f"no answer within {PATIENCE_S:.0f} s") from None
+        if done.returncode != 0:
+            raise Wrong(
+                f"exit {done.returncode}: {(done.stdout + done.stderr)[-1500:]}"
+            )
+        try:
+            seen = json.loads(done.stdout)
+        except ValueError:
+            raise Wrong(f"no JSON: {done.stdout[-500:]!r}") from None
+        if not isinstance(seen, dict):
+            raise Wrong(f"no object: {done.stdout[-500:]!r}")
+        return seen
+
+
+def expect(what: str, seen: object, wanted: object) -> None:
+    if seen != wanted:
+        raise Wrong(f"{what} is {seen!r}, expected {wanted!r}")
+
+
+def expect_refusal(
+    seen: Mapping[str, Any], status: int, code: str, **more: Any
+) -> None:
+    wanted = {"status": status, "code": code, "side_effects": "none"} | more
+    expect("the problem", {name: seen.get(name) for name in wanted}, wanted)
+
+
+def expect_run(server: Server, seen: Mapping[str, Any], score: float) -> list[Any]:
+    """The run is complete with this score, here and there; returns its episodes."""
+    expect("score", seen["score"], score)
+    expect("complete", seen["complete"], True)
+    told = server.read(f"/v1/runs/{seen['run_id']}/score")
+    expect("the server's score", told["score"], score)
+    page = server.read(f"/v1/runs/{seen['run_id']}/episodes")
+    episodes = page["episodes"]
+    assert isinstance(episodes, list)
+    return episodes
+
+
+def submit(server: Server, program: Program) -> None:
+    seen = program.play("submit", server.url, server.token)
+    first, second = seen["run_ids"]
+    expect("the run of the repeated submit", second, first)
+    expect("runs listed under this id", seen["listed"], 1)
+    limits = server.read("/v1")["limits"]
+    expect("limits.max_workers", seen["max_workers"], limits["max_workers"])
+    expect("sizes of the action space", seen["action_sizes"], ACTION_SIZES)
+
+
+def two_workers(server: Server, program: Program) -> None:
+    seen = program.play("two_workers", server.url, server.token)
+    expect_run(server, seen, 0.5)
+    played = seen["played"]
+    expect("workers", sorted(played), ["worker-0", "worker-1"])
+    expect("episodes played", sorted(itertools.chain(*played.values())), list(range(8)))
+    if not all(played.values()):
+        raise Wrong(f"one worker played everything: {played}")
+
+
+def chunks(server: Server, program: Program) -> None:
+    seen = program.play("chunks", server.url, server.token)
+    wanted = {
+        "executed": [4, 4, 2],
+        "counts": [[1, 2, 3, 4], [5, 6, 7, 8], [9, 10]],
+        "rewards": [4, 4, 2],
+        "stopped_early": [False, False, True],
+        "truncated": [False, False, True],
+        "done": True,
+        "steps": 10,
+    }
+    expect("the turns", seen, wanted)
+
+
+def echo(server: Server, program: Program) -> None:
+    seen = program.play("echo", server.url, server.token)
+    expect("codec", seen["codec"], "raw")
+    expect("size", seen["size"], [48, 64, 3])
+    expect("image", seen["image"], pictures.pattern(48, 64, count=1).hex())
+    expect("tensors", seen["tensors"], pictures.tensors())
+    wanted = [struct.pack(">d", number).hex() for number in VECTOR]
+    expect("vector", tolerated(program.language, seen["vector"], wanted), wanted)
+
+
+def tolerated(language: str, seen: list[str], wanted: list[str]) -> list[str]:
+    """The numbers seen, as bits in hexadecimal digits; what LIMITS allows is mended."""
+    if (language, "echo") not in LIMITS or len(seen) != len(wanted):
+        return seen
+    off = 1 if language == "cpp" else 0
+    minus_zero = "8" + "0" * 15 if language != "cpp" else None
+    return [
+        want
+        if abs(int(bits, 16) - int(want, 16)) <= off
+        or (want == minus_zero and bits == "0" * 16)
+        else bits
+        for bits, want in zip(seen, wanted, strict=True)
+    ]
+
+
+def lost_answer(server: Server, program: Program) -> None:
+    with Proxy(server.url, drop=("submit", "attach", "predict")) as proxy:
+        seen = program.play("lost_answer", proxy.url, server.token)
+    expect("answers lost", sorted(proxy.dropped), ["attach", "predict", "submit"])
+    for kind in ("submit", "attach", "predict"):
+        if not proxy.repeats(kind):
+            raise Wrong(f"{kind} was not repeated with the same body and key")
+    expect("counts", seen["counts"], [1, 2, 3, 4, 5, 6])
+    expect("done", seen["done"], True)
+    (episode,) = server.read(f"/v1/runs/{seen['run_id']}/episodes")["episodes"]
+    expect("steps", episode["result"]["steps"], 6)
+    expect("attempt", episode["attempt"], 1)
+
+
+def lost_session(server: Server, program: Program) -> None:
+    seen = program.play("lost_session", server.url, server.token)
+    (episode,) = expect_run(server, seen, 1.0)
+    expect("sessions", seen["sessions"], 2)
+    expect("attempt", seen["attempt"], 2)
+    expect("the server's attempt", episode["result"]["attempt"], 2)
+
+
+def restart(server: Server, program: Program) -> None:
+    if server.restart is None:
+        raise CannotJudge("nobody can restart this server; give RESTART_CMD")
+
+    def crash() -> str:
+        assert server.restart is not None
+        server.url = server.restart()
+        return server.url
+
+    with Proxy(server.url, crash_at=6, crash=crash) as proxy:
+        seen = program.play("restart", proxy.url, server.token)
+    expect("crashes", proxy.dropped, ["crash"])
+    episodes = expect_run(server, seen, 0.625)
+    scores = [episode["result"]["score"] for episode in episodes]
+    expect("scores", scores, [0.25, 0.5, 0.75, 1.0])
+    expect("attempts", [e["result"]["attempt"] for e in episodes], [1, 1, 1, 1])
+
+
+def worker_limit(server: Server, program: Program) -> None:
+    seen = program.play("worker_limit", server.url, server.token)
+    expect_refusal(seen["problem"], 429, "worker_limit", retryable=True)
+    if not (seen["problem"]["retry_after_s"] or 0) > 0:
+        raise Wrong(f"Retry-After is {seen['problem']['retry_after_s']!r}")
+    expect_run(server, seen, 1.0)
+
+
+def stop_resume(server: Server, program: Program) -> None:
+    seen = program.play("stop_resume", server.url, server.token)
+    expect("state after the stop", seen["stopped"], "stopped")
+    expect_refusal(seen["problem"], 409, "session_ended", ended_by="run_stopped")
+    expect("episodes after the resume", seen["after"], [1, 2])
+    episodes = expect_run(server, seen, (0.5 + 0.25 + 1.0) / 3)
+    scores = [episode["result"]["score"] for episode in episodes]
+    expect("scores", scores, [0.5, 0.25, 1.0])
+
+
+def problems(server: Server, program: Program) -> None:
+    seen = program.play("problems", server.url, server.token)["problems"]
+    unknown, missing, stranger, vector, order = seen
+    never = {"retryable": False}
+    expect_refusal(unknown, 422, "invalid_request", pointers=["/benchmark_id"], **never)
+    expect_refusal(missing, 404, "not_found", **never)
+    expect_refusal(stranger, 401, "unauthenticated", **never)
+    expect_refusal(vector, 422, "invalid_request", **never)
+    expect("pointers", vector["pointers"], ["/actions/0/values/vector"])
+    expect_refusal(order, 409, "seq_out_of_order", expected_seq=1, **never)
+
+
+def score(server: Server, program: Program) -> None:
+    seen = program.play("score", server.url, server.token)
+    told = server.read(f"/v1/runs/{seen['run_id']}/score")
+    expect("score", seen["score"], 0.4)
+    expect("success rate", seen["success_rate"], 0.2)
+    expect("successes", seen["success"], 1)
+    interval = told["success_interval"]
+    expect("interval", seen["interval"], [interval["low"], interval["high"]])
+    expect("splits", seen["splits"], {"even": 0.5, "odd": 0.25})
+    expect("pages", seen["pages"], 3)
+    scores = [1.0, 0.5, 0.25, 0.0, 0.25]
+    wanted = [[index, scores[index], 1000 + index] for index in range(5)]
+    expect("episodes", seen["episodes"], wanted)
+
+
+def vectors(_server: Server, program: Program) -> None:
+    """The golden vectors need no server."""
+    seen = program.play("vectors", str(VECTORS), "-")
+    for file in sorted(VECTORS.glob("*.json")):
+        for vector in json.loads(file.read_text())["vectors"]:
+            if vector.get("refused"):
+                continue  # what servers refuse
+            said = seen.get(vector["id"], "refused")
+            if said == "refused":
+                raise Wrong(f"vector {vector['id']} does not decode")
+            again, wanted = json.loads(said), json.loads(vector["json"])
+            for name in vector.get("may_drop", ()):
+                again.pop(name, None)
+                wanted.pop(name)
+            off = 1 if (program.language, "vectors") in LIMITS else 0
+            if not pictures.same(again, wanted, ulps=off):
+                raise Wrong(f"vector {vector['id']} came back as {said}")
+
+
+class CannotJudge(Exception):
+    """A scenario cannot be played here."""
+
+
+SCENARIOS: dict[str, Callable[[Server, Program], None]] = {
+    "submit": submit,
+    "two_workers": two_workers,
+    "chunks": chunks,
+    "echo": echo,
+    "lost_answer": lost_answer,
+    "lost_session": lost_session,
+    "restart": restart,
+    "worker_limit": worker_limit,
+    "stop_resume": stop_resume,
+    "problems": problems,
+    "score": score,
+    "vectors": vectors,
+}
+MEANING = {
+    "submit": "a submit repeated with its Idempotency-Key makes one run",
+    "two_workers": "two workers play one run at the same time",
+    "chunks": "chunks of actions, all observations, the step limit",
+    "echo": "image, tensors and numbers arrive bit for bit",
+    "lost_answer": "lost answers to submit, attach and predict: nothing happens twice",
+    "lost_session": "a lease that ends: the worker attaches again and goes on",
+    "restart": "the server is killed in the middle and started again",
+    "worker_limit": "429 with Retry-After: the worker waits its turn",
+    "stop_resume": "a run is stopped and resumed; scored episodes are kept",
+    "problems": "refusals arrive as typed problems",
+    "score": "the score, its interval and the pages of episodes",
+    "vectors": "golden vectors of spec/vectors/wire",
+}
