@@ -5,8 +5,9 @@
     score = evaluate(MyPolicy, url="http://127.0.0.1:8460", benchmark="tabletop")
     print(score.score)
 
-A policy is a class with `reset(instruction)` and `act(observation)`, see `Policy`. What
-a bridge, an environment or a command is built of stands in `session` and `runs`.
+A policy is a class with `reset(instruction)` and `act(observation)`, see `Policy`. The
+command `proctor` is in `command`, policies that exist already are in `policies`, and a
+Gymnasium environment is in `remote_env`. All are built of `session` and `runs`.
 """
 
 from reference_client.errors import ProctorError, RunFailed, RunStopped

@@ -15,6 +15,9 @@ from proctor_client import ApiException, Problem, Run
 # client beside those of x-problems.
 UNREACHABLE = "unreachable"
 BAD_ANSWER = "bad_answer"
+# What ends in a process of its own: the process, or the policy in it.
+WORKER_DIED = "worker_died"
+POLICY_FAILED = "policy_failed"
 
 _HERE = {
     "unauthenticated": "Here that is the argument `token`, or PROCTOR_TOKEN.",
@@ -86,6 +89,17 @@ class RunStopped(ProctorError):
         )
         super().__init__("run_stopped", detail, retryable=True)
         self.run = run
+
+
+class PolicyFailed(ProctorError):
+    """The policy of a worker process raised: `code` is `policy_failed`.
+
+    detail: what and where. traceback: the whole of it, as Python prints it.
+    """
+
+    def __init__(self, detail: str, traceback: str) -> None:
+        super().__init__(POLICY_FAILED, detail)
+        self.traceback = traceback
 
 
 def how_to_resume(run_id: str) -> str:

@@ -1,45 +1,28 @@
 """An evaluation from submit to score: a run, its workers, and what becomes of both.
 
-The thread that calls `evaluate` watches; each worker plays in a thread of its own. A
-round lasts until every worker has found nothing more to play. Then the run says whether
-it is completed, or whether there is something again: what a dead session has left.
+`evaluate` is what a Python program calls; the command `proctor run` calls `perform`,
+with a staff and words of its own.
 """
 
 from __future__ import annotations
 
-import json
 import os
 import sys
 import threading
-import time
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any, TypeVar
+from collections.abc import Callable, Mapping
+from typing import Any
 
-from proctor_client import (
-    Assumptions,
-    CalibrationOptions,
-    ImageChoice,
-    PolicyInfo,
-    Run,
-    Score,
-    SubmitRun,
-)
+from proctor_client import Assumptions, PolicyInfo, Run, Score
 
 from reference_client.connection import Connection
-from reference_client.errors import ProctorError, RunFailed, RunStopped, how_to_resume
-from reference_client.patience import Interrupted, Patience
+from reference_client.errors import RunFailed, RunStopped, how_to_resume
+from reference_client.patience import Patience
+from reference_client.plan import Plan, exactly, submission
 from reference_client.policy import Policy
-from reference_client.progress import Board, Progress, ProgressLine, line_for_people
+from reference_client.progress import Board, Progress, line_for_people
+from reference_client.rounds import Evaluation
 from reference_client.runs import Desk
-from reference_client.session import Seat
-from reference_client.worker import Worker
-
-Model = TypeVar("Model", Assumptions, CalibrationOptions, ImageChoice)
-
-WATCH_S = 0.5
-# Workers get this long to finish a request or a thought when the evaluation ends early.
-FAREWELL_S = 5.0
+from reference_client.staff import Engagement, Staff, Threads
 
 
 def evaluate(
@@ -81,202 +64,85 @@ def evaluate(
     ValueError for arguments that cannot be meant, and whatever the policy raises.
     Workers detach first, also on Ctrl-C; the run stays, and `run_id` goes on with it.
     """
-    if benchmark is None and run_id is None:
-        raise ValueError("give benchmark=... for a new run, or run_id=... to go on")
-    if workers < 1:
-        raise ValueError("workers must be at least 1")
-    choices: dict[str, Any] = {
-        "policy": PolicyInfo(name=name or _name_of(policy)),
-        "idle_timeout_s": idle_timeout_s,
-        "images": _exactly(ImageChoice, "images", images),
-        "options": _exactly(CalibrationOptions, "options", options),
-    }
-    assumptions = _exactly(Assumptions, "assumes", assumes)
-    token = token or os.environ.get("PROCTOR_TOKEN")
-    board, stop = Board(), threading.Event()
-    with Connection(url, token, requests=2 * workers + 1) as connection:
-        patience = Patience(connection.url, patience_s, stop, board.teller("run"))
-        desk = Desk(connection.control, patience)
-        desk.greet(workers)
-        run, policies = _open(desk, benchmark, run_id, choices, [policy] * workers)
-        data = connection.data(run.endpoint)
-        team = [
-            Worker(
-                Seat(data, run, f"{worker_prefix}-{i}"),
-                player,
-                patience,
-                board,
-                takeover=takeover,
-                assumes=assumptions,
-            )
-            for i, player in enumerate(policies)
-        ]
-        return _Evaluation(run, team, desk, board, stop, takeover, progress).score()
+    plan = Plan(
+        url=url,
+        token=token or os.environ.get("PROCTOR_TOKEN"),
+        worker_ids=tuple(f"{worker_prefix}-{i}" for i in range(workers)),
+        submission=None
+        if benchmark is None or run_id is not None
+        else submission(
+            benchmark,
+            PolicyInfo(name=name or _name_of(policy)),
+            images=images,
+            options=options,
+            idle_timeout_s=idle_timeout_s,
+        ),
+        run_id=run_id,
+        benchmark=benchmark,
+        takeover=takeover,
+        assumes=exactly(Assumptions, "assumes", assumes),
+        patience_s=patience_s,
+    )
+    return _evaluated(plan, Threads(policy), progress)
 
 
-@dataclass
-class _Evaluation:
-    """A run that is there, until it has its score."""
-
-    run: Run
-    team: list[Worker]
-    desk: Desk
-    board: Board
-    stop: threading.Event
-    takeover: bool
-    progress: Callable[[Progress], None] | None
-    _failures: list[BaseException] = field(default_factory=list)
-    _retired: dict[str, ProctorError] = field(default_factory=dict)
-    _so_far: Progress = field(init=False)
-
-    def score(self) -> Score:
-        self._so_far = Progress(
-            self.run.run_id, self.run.progress.episodes_total, 0, None, None
-        )
-        line: ProgressLine | None = None
-        if self.progress is None:
-            self.progress = line = line_for_people()
-        try:
-            return self._play()
-        except KeyboardInterrupt:
-            run_id = self.run.run_id
-            sys.stderr.write(f"\nRun {run_id} is left; {how_to_resume(run_id)}.\n")
-            raise
-        except (RunFailed, RunStopped):
-            raise
-        except BaseException as error:
-            run_id = self.run.run_id
-            error.add_note(f"Run {run_id} is left; {how_to_resume(run_id)}.")
-            raise
-        finally:
-            if line is not None:
-                line.end()
-
-    def _play(self) -> Score:
-        self._report(scored=True)
-        held = self.takeover
-        while self.desk.work_is_left(self.run.run_id, held=held):
-            self._play_round()
-            held = False
-        score = self.desk.score(self.run.run_id)
-        self._show(score)
-        return score
-
-    def _play_round(self) -> None:
-        """Every worker plays until it finds nothing more.
-
-        Raises what the first of them failed with.
-        """
-        threads = {
-            threading.Thread(
-                target=self._work, args=[worker], name=worker.worker_id, daemon=True
-            ): worker
-            for worker in self.team
-        }
-        try:
-            for thread in threads:
-                thread.start()
-            while any(thread.is_alive() for thread in threads):
-                if self.board.wait(WATCH_S):
-                    self._report(scored=self.board.take_scored())
-        finally:
-            self._part(threads)
-        if self._failures:
-            raise self._failures[0]
-        self.team = [w for w in self.team if w.worker_id not in self._retired]
-        if not self.team:
-            raise next(iter(self._retired.values()))
-
-    def _work(self, worker: Worker) -> None:
-        try:
-            worker.play()
-        except Interrupted:
-            pass
-        except BaseException as error:  # noqa: BLE001 - raised again by the watcher
-            if isinstance(error, ProctorError) and error.code == "session_superseded":
-                # Who took it over may leave the others to us.
-                self._retired[worker.worker_id] = error
-            else:
-                self._failures.append(error)
-                self.stop.set()
-        finally:
-            self.board.stir()
-
-    def _part(self, threads: Mapping[threading.Thread, Worker]) -> None:
-        """After this no worker has a session, whatever its thread still does."""
-        if not any(thread.is_alive() for thread in threads):
-            return
-        self.stop.set()
-        deadline = time.monotonic() + FAREWELL_S
-        for thread, worker in threads.items():
-            if thread.is_alive():
-                thread.join(max(0.0, deadline - time.monotonic()))
-            if thread.is_alive():
-                worker.let_go()
-
-    def _report(self, *, scored: bool) -> None:
-        if self.progress is None:
-            return
-        if scored:
-            try:
-                self._show(self.desk.glance(self.run.run_id))
-            except (ProctorError, Interrupted):
-                pass  # it is told next time; workers know better what to bear
-            else:
-                return
-        self._so_far = replace(self._so_far, waiting=self.board.waiting())
-        self.progress(self._so_far)
-
-    def _show(self, score: Score) -> None:
-        counts = score.counts
-        self._so_far = Progress(
-            run_id=score.run_id,
-            episodes_total=counts.total,
-            episodes_scored=counts.total - counts.unscored,
-            mean=score.mean,
-            waiting=self.board.waiting(),
-        )
-        if self.progress is not None:
-            self.progress(self._so_far)
+def _evaluated(
+    plan: Plan, staff: Staff, progress: Callable[[Progress], None] | None
+) -> Score:
+    """`perform` for a Python program: what is left behind is told in its words."""
+    line = line_for_people() if progress is None else None
+    opened: list[Run] = []
+    try:
+        return perform(plan, staff, progress=progress or line, opened=opened.append)
+    except KeyboardInterrupt:
+        if opened:
+            sys.stderr.write(f"\n{_left(opened[0])}\n")
+        raise
+    except (RunFailed, RunStopped):
+        raise
+    except BaseException as error:
+        if opened:
+            error.add_note(_left(opened[0]))
+        raise
+    finally:
+        if line is not None and opened:
+            line.end()
 
 
-def _open(
-    desk: Desk,
-    benchmark: str | None,
-    run_id: str | None,
-    choices: Mapping[str, Any],
-    makers: Sequence[Callable[[], Policy]],
-) -> tuple[Run, list[Policy]]:
-    """A new run, or that of `run_id`; and the policies, which are made before it.
+def perform(
+    plan: Plan,
+    staff: Staff,
+    *,
+    progress: Callable[[Progress], None] | None = None,
+    opened: Callable[[Run], object] = lambda _run: None,
+    say: Callable[[str], None] = lambda _line: None,
+    board: Board | None = None,
+) -> Score:
+    """Open the run of `plan`, have `staff` play it, and return its score.
 
-    So a policy that cannot be made leaves no run behind, and a server that would refuse
-    the run does not wait for the policies to load.
+    opened: is given the run as soon as there is one. say: takes lines about workers
+    that have ended. board: what the workers tell, for who wants to see more of it.
+    Raises as `evaluate`.
     """
-    if run_id is None:
-        submission = SubmitRun(benchmark_id=str(benchmark), **choices)
-        desk.check(submission.benchmark_id)
-        policies = [make() for make in makers]
-        return desk.submit(submission), policies
-    run = desk.read(run_id)
-    if benchmark not in (None, run.benchmark_id):
-        raise ValueError(
-            f"run {run_id} is of benchmark {run.benchmark_id!r}, not {benchmark!r}"
-        )
-    policies = [make() for make in makers]
-    return desk.take_up(run_id), policies
+    board, stop = board or Board(), threading.Event()
+    workers = len(plan.worker_ids)
+    with Connection(plan.url, plan.token, requests=2 * workers + 1) as connection:
+        patience = Patience(connection.url, plan.patience_s, stop, board.teller("run"))
+        desk = Desk(connection.control, patience)
+        try:
+            desk.greet(workers)
+            run = plan.open(desk, lambda: staff.prepare(plan.worker_ids))
+            opened(run)
+            team = staff.players(Engagement(plan, run, connection, patience, board))
+            return Evaluation(
+                run, team, desk, board, stop, plan.takeover, progress, say
+            ).score()
+        finally:
+            staff.dismiss()
 
 
-def _exactly(
-    model: type[Model], name: str, members: Mapping[str, Any] | None
-) -> Model | None:
-    """The model of what was given; ValueError for what the model would drop."""
-    if members is None:
-        return None
-    given = json.loads(json.dumps(members))
-    made = model.from_dict(given)
-    if made is None or made.to_dict() != given:
-        raise ValueError(f"{name} has members that the protocol does not know: {given}")
-    return made
+def _left(run: Run) -> str:
+    return f"Run {run.run_id} is left; {how_to_resume(run.run_id)}."
 
 
 def _name_of(policy: Callable[[], Policy]) -> str:

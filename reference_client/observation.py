@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 from proctor_client import Image, Tensor, Turn
+from proctor_client import Observation as WireObservation
 
 from reference_client.errors import BAD_ANSWER, ProctorError
 
@@ -50,14 +51,23 @@ def observation_of(turn: Turn) -> Observation:
     """
     if turn.episode is None or turn.observation is None:
         raise _broken("the turn", "has no observation, and is not done")
-    seen = turn.observation
+    episode = turn.episode
+    return decoded(
+        turn.observation, episode.instruction, episode.episode_id, episode.step
+    )
+
+
+def decoded(
+    seen: WireObservation, instruction: str, episode_id: str, step: int
+) -> Observation:
+    """One of a turn's observations; raises as `observation_of`."""
     return Observation(
         state={name: tuple(map(float, v)) for name, v in seen.state.items()},
         images={name: _pixels(name, image) for name, image in seen.images.items()},
         tensors={name: _array(name, tensor) for name, tensor in seen.tensors.items()},
-        instruction=turn.episode.instruction,
-        episode_id=turn.episode.episode_id,
-        step=turn.episode.step,
+        instruction=instruction,
+        episode_id=episode_id,
+        step=step,
     )
 
 

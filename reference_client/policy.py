@@ -13,6 +13,7 @@ from reference_client.errors import ProctorError
 from reference_client.observation import Observation
 
 Vector: TypeAlias = Sequence[float] | npt.NDArray[Any]
+Chunk: TypeAlias = Sequence[Mapping[str, Vector]]
 
 
 class Policy(Protocol):
@@ -21,7 +22,7 @@ class Policy(Protocol):
     def reset(self, instruction: str) -> None:
         """Called when an episode begins, or begins again: forget what was before."""
 
-    def act(self, observation: Observation) -> Sequence[Mapping[str, Vector]]:
+    def act(self, observation: Observation) -> Chunk:
         """The next actions, to be executed in order: 1 to the benchmark's `max_chunk`.
 
         An action maps every name of the benchmark's action space to its vector of
@@ -29,7 +30,7 @@ class Policy(Protocol):
         """
 
 
-def chunk_of(actions: Sequence[Mapping[str, Vector]]) -> list[Action]:
+def chunk_of(actions: Chunk) -> list[Action]:
     """What `act` returned, as the wire has it.
 
     Raises ProctorError `invalid_request`, with pointers as the server's would be, for

@@ -10,6 +10,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TextIO
 
+from proctor_client import Turn
+
+from reference_client.observation import Observation
+
 
 @dataclass(frozen=True, slots=True)
 class Progress:
@@ -25,6 +29,21 @@ class Progress:
     episodes_scored: int
     mean: float | None
     waiting: str | None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Glimpse:
+    """One turn of a worker, for who looks on.
+
+    observation: what the policy saw. turn: what came of its actions. think_s: how long
+    the policy took; turn_s: how long the answer took, of it the server `turn.timing`.
+    """
+
+    worker_id: str
+    observation: Observation
+    turn: Turn
+    think_s: float
+    turn_s: float
 
 
 class Board:
@@ -53,6 +72,12 @@ class Board:
         """An episode has a score."""
         self._scored = True
         self._news.set()
+
+    def attached(self, session_id: str) -> None:
+        """A session is open; for who wants to know, which the watcher does not."""
+
+    def looked(self, glimpse: Glimpse) -> None:
+        """A turn was answered; the same."""
 
     def stir(self) -> None:
         """Something else has happened: the watcher should look."""

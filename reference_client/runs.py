@@ -7,7 +7,19 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 
-from proctor_client import ApiException, ApiResponse, ControlApi, Run, Score, SubmitRun
+from proctor_client import (
+    ApiException,
+    ApiResponse,
+    Benchmark,
+    BenchmarkSummary,
+    ControlApi,
+    Episode,
+    Run,
+    Score,
+    StopMode,
+    StopRun,
+    SubmitRun,
+)
 
 from reference_client.connection import TIMEOUTS_S
 from reference_client.errors import ProctorError, RunFailed, RunStopped
@@ -40,15 +52,24 @@ class Desk:
                 f"{service.limits.max_workers}. Ask for fewer.",
             )
 
-    def check(self, benchmark_id: str) -> None:
-        """Whether a run of the benchmark can be asked for at all."""
-        benchmark = self._patience.until_answered(
+    def benchmarks(self) -> list[BenchmarkSummary]:
+        return self._patience.until_answered(
+            lambda: self._control.list_benchmarks(_request_timeout=TIMEOUTS_S)
+        ).benchmarks
+
+    def benchmark(self, benchmark_id: str) -> Benchmark:
+        return self._patience.until_answered(
             lambda: self._control.get_benchmark(
                 benchmark_id, _request_timeout=TIMEOUTS_S
             )
         )
+
+    def check(self, benchmark_id: str) -> Benchmark:
+        """The benchmark, if a run of it can be asked for at all."""
+        benchmark = self.benchmark(benchmark_id)
         if benchmark.unavailable_reason is not None:
             raise ProctorError("benchmark_unavailable", benchmark.unavailable_reason)
+        return benchmark
 
     def submit(self, submission: SubmitRun) -> Run:
         """Makes one run, however often the request has to be repeated."""
@@ -62,6 +83,24 @@ class Desk:
     def read(self, run_id: str) -> Run:
         return self._patience.until_answered(
             lambda: self._control.get_run(run_id, _request_timeout=TIMEOUTS_S)
+        )
+
+    def latest(self, most: int) -> list[Run]:
+        """The account's newest runs."""
+        return self._patience.until_answered(
+            lambda: self._control.list_runs(limit=most, _request_timeout=TIMEOUTS_S)
+        ).runs
+
+    def stop(self, run_id: str, mode: StopMode) -> Run:
+        return self._patience.until_answered(
+            lambda: self._control.stop_run(
+                run_id, StopRun(mode=mode), _request_timeout=TIMEOUTS_S
+            )
+        )
+
+    def resume(self, run_id: str) -> Run:
+        return self._patience.until_answered(
+            lambda: self._control.resume_run(run_id, _request_timeout=TIMEOUTS_S)
         )
 
     def take_up(self, run_id: str) -> Run:
@@ -78,11 +117,7 @@ class Desk:
             if state == "failed" and not run.retryable:
                 raise RunFailed(run)
             if state in ("stopped", "failed"):
-                return self._patience.until_answered(
-                    lambda: self._control.resume_run(
-                        run_id, _request_timeout=TIMEOUTS_S
-                    )
-                )
+                return self.resume(run_id)
             return run
         raise AssertionError("changes never end")
 
@@ -120,6 +155,24 @@ class Desk:
         return self._patience.until_answered(
             lambda: self._control.get_score(run_id, _request_timeout=TIMEOUTS_S)
         )
+
+    def episodes(self, run_id: str) -> list[Episode]:
+        """All of them, however many pages the server makes of it."""
+        found: list[Episode] = []
+        cursor: str | None = None
+        while True:
+            page = self._patience.until_answered(
+                partial(
+                    self._control.list_episodes,
+                    run_id,
+                    cursor=cursor,
+                    _request_timeout=TIMEOUTS_S,
+                )
+            )
+            found += page.episodes
+            cursor = page.next_cursor
+            if cursor is None:
+                return found
 
     def glance(self, run_id: str) -> Score:
         """The score if it is to be had at once; nobody is told that it was not."""

@@ -2,7 +2,6 @@
 
 Here stands what makes a lost answer harmless: a request is repeated as it was, under
 its attach_key or seq, and the server answers it once more without doing it once more.
-A gym environment or a bridge to another policy server would be built on this.
 """
 
 from __future__ import annotations
@@ -19,6 +18,7 @@ from proctor_client import (
     AttachWorker,
     DataApi,
     Heartbeat,
+    Observe,
     Predict,
     Run,
     Turn,
@@ -79,12 +79,18 @@ class Session:
         )
         return cls(seat, patience, turn)
 
-    def predict(self, actions: Sequence[Action]) -> Turn:
-        """Has a chunk executed, exactly once; returns the turn."""
+    def predict(
+        self, actions: Sequence[Action], *, observe: Observe | None = None
+    ) -> Turn:
+        """Has a chunk executed, exactly once; returns the turn.
+
+        observe: `all` for an observation after each step, the last of an episode too.
+        """
         request = Predict(
             session_id=self.turn.session_id,
             seq=self.turn.seq + 1,
             actions=list(actions),
+            observe=observe,
         )
         seat = self._seat
         try:
@@ -126,18 +132,20 @@ class Session:
         if self._over:
             return
         self._over = True
-        seat = self._seat
-        hurried = Patience(
-            self._patience.url, MARGIN_S, threading.Event(), lambda _why: None
-        )
-        try:
-            hurried.until_answered(
-                lambda: seat.data.detach_worker(
-                    seat.run.run_id,
-                    seat.worker_id,
-                    self.turn.session_id,
-                    _request_timeout=MARGIN_S,
-                )
+        detach(self._seat, self._patience.url, self.turn.session_id)
+
+
+def detach(seat: Seat, url: str, session_id: str) -> None:
+    """End a session, whoever opened it; never raises. `url` is the server's."""
+    hurried = Patience(url, MARGIN_S, threading.Event(), lambda _why: None)
+    try:
+        hurried.until_answered(
+            lambda: seat.data.detach_worker(
+                seat.run.run_id,
+                seat.worker_id,
+                session_id,
+                _request_timeout=MARGIN_S,
             )
-        except (ProctorError, Interrupted):
-            return
+        )
+    except (ProctorError, Interrupted):
+        return

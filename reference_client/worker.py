@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from dataclasses import replace
 
 from proctor_client import Assumptions
@@ -11,7 +12,7 @@ from reference_client.heartbeat import Heart
 from reference_client.observation import observation_of
 from reference_client.patience import Patience
 from reference_client.policy import Policy, chunk_of
-from reference_client.progress import Board
+from reference_client.progress import Board, Glimpse
 from reference_client.session import Seat, Session
 
 # Sessions in a row that ended before their first turn: then something is wrong that
@@ -71,6 +72,9 @@ class Worker:
                 session.detach()
             self._patience.pause(0.05 * (2**barren - 1))
 
+    def part(self) -> None:
+        """Nothing to do: what it waits for ends with `stop` of its patience."""
+
     def let_go(self) -> None:
         """Detach whatever it does; for the thread that does not wait for it longer."""
         if self._session is not None:
@@ -85,6 +89,7 @@ class Worker:
         )
         # Once: two clients that both insisted would fence each other out for ever.
         self._takeover = False
+        self._board.attached(self._session.turn.session_id)
         return self._session
 
     def _play(self, session: Session) -> None:
@@ -92,12 +97,23 @@ class Worker:
         is_new = True  # after a takeover an episode goes on, but for another policy
         with Heart(turn.lease.idle_timeout_s, session.beat) as heart:
             while not turn.done:
+                began_at = time.perf_counter()
                 with heart.thinking():
                     observation = observation_of(turn)
                     if is_new or observation.step == 0:
                         self._policy.reset(observation.instruction)
                     is_new = False
                     actions = chunk_of(self._policy.act(observation))
+                thought_at = time.perf_counter()
                 turn = session.predict(actions)
+                self._board.looked(
+                    Glimpse(
+                        self.worker_id,
+                        observation,
+                        turn,
+                        think_s=thought_at - began_at,
+                        turn_s=time.perf_counter() - thought_at,
+                    )
+                )
                 if turn.episode_result is not None:
                     self._board.scored()

@@ -138,10 +138,10 @@ class _RelayHandler(BaseHTTPRequestHandler):
 
     def _pass_on(self, body: bytes, fate: str) -> None:
         upstream = http.client.HTTPConnection(self.server.upstream, timeout=DEADLINE_S)
-        upstream.request(self.command, self.path, body, dict(self.headers.items()))
-        answer = upstream.getresponse()
-        content = answer.read()
-        upstream.close()
+        with contextlib.closing(upstream):
+            upstream.request(self.command, self.path, body, dict(self.headers.items()))
+            answer = upstream.getresponse()
+            content = answer.read()
         if fate == "lose_answer":
             self.close_connection = True
             return

@@ -1,0 +1,193 @@
+"""The commands that ask: submit, status, stop, resume, results, benchmarks.
+
+Each returns its exit code, and raises ProctorError for what the server refuses.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import threading
+import time
+from collections.abc import Iterator
+from typing import Any
+
+from proctor_client import PolicyInfo, Run, StopMode, SubmitRun
+
+from reference_client import plan
+from reference_client.command import words
+from reference_client.command.endings import DONE, NOT_COMPLETE, CannotMean
+from reference_client.command.words import Follower, Printer
+from reference_client.connection import Connection
+from reference_client.patience import Patience
+from reference_client.progress import Progress
+from reference_client.runs import Desk
+
+PATIENCE_S = 10.0
+LATEST = 20
+OVER = frozenset({"completed", "failed", "stopped"})
+
+
+@contextlib.contextmanager
+def desk_of(args: argparse.Namespace, printer: Printer) -> Iterator[Desk]:
+    """The server that the flags name."""
+    patience_s = PATIENCE_S if args.patience_s is None else args.patience_s
+    with Connection(args.url, args.token, requests=2) as connection:
+        yield Desk(
+            connection.control,
+            Patience(connection.url, patience_s, threading.Event(), _teller(printer)),
+        )
+
+
+def submit(args: argparse.Namespace, printer: Printer) -> int:
+    with desk_of(args, printer) as desk:
+        desk.greet(args.max_workers or 1)
+        if args.run_id is not None:
+            run = desk.take_up(args.run_id)
+        else:
+            submission = submission_of(args)
+            desk.check(submission.benchmark_id)
+            run = desk.submit(submission)
+        if args.wait:
+            run = _until_ready(desk, run, args.timeout)
+    if args.print_endpoint:
+        printer.answer(run.endpoint, run.endpoint)
+    else:
+        printer.answer(run.to_dict(), words.run_facts(run))
+    return NOT_COMPLETE if run.state.value in ("queued", "failed") and args.wait else 0
+
+
+def status(args: argparse.Namespace, printer: Printer) -> int:
+    run_id = run_id_of(args)
+    with desk_of(args, printer) as desk:
+        if run_id is None:
+            runs = desk.latest(LATEST)
+            printer.answer([run.to_dict() for run in runs], words.run_list(runs))
+            return DONE
+        run = _watched(desk, run_id, printer) if args.watch else desk.read(run_id)
+    printer.answer(run.to_dict(), words.run_facts(run))
+    state = run.state.value
+    failed = state == "failed" or (args.watch and state != "completed")
+    return NOT_COMPLETE if failed else DONE
+
+
+def stop(args: argparse.Namespace, printer: Printer) -> int:
+    mode = StopMode("drain" if args.drain else "abort")
+    with desk_of(args, printer) as desk:
+        run = desk.stop(_needed(args), mode)
+    printer.answer(run.to_dict(), words.run_facts(run))
+    return DONE
+
+
+def resume(args: argparse.Namespace, printer: Printer) -> int:
+    with desk_of(args, printer) as desk:
+        run = desk.resume(_needed(args))
+    printer.answer(run.to_dict(), words.run_facts(run))
+    return DONE
+
+
+def results(args: argparse.Namespace, printer: Printer) -> int:
+    run_id = _needed(args)
+    with desk_of(args, printer) as desk:
+        score = desk.score(run_id)
+        episodes = desk.episodes(run_id) if args.episodes else None
+    value: dict[str, Any] = score.to_dict()
+    tables = [
+        words.score_facts(score),
+        words.groups("task", score.by_task),
+        words.groups("split", score.by_split),
+    ]
+    if episodes is not None:
+        value["episodes"] = [episode.to_dict() for episode in episodes]
+        tables.append(words.episode_list(episodes))
+    printer.answer(value, *tables)
+    return DONE if score.complete else NOT_COMPLETE
+
+
+def benchmarks(args: argparse.Namespace, printer: Printer) -> int:
+    with desk_of(args, printer) as desk:
+        if args.benchmark is None:
+            found = desk.benchmarks()
+            value = [one.to_dict() for one in found]
+            printer.answer(value, words.benchmark_list(found))
+        else:
+            one = desk.benchmark(args.benchmark)
+            printer.answer(one.to_dict(), *words.benchmark_tables(one))
+    return DONE
+
+
+def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRun:
+    """What the flags ask for. Raises CannotMean."""
+    if args.benchmark is None:
+        raise CannotMean(
+            "say what to evaluate on: --benchmark NAME (`proctor benchmarks` lists "
+            "them), or --run-id RUN to go on with a run"
+        )
+    name = args.name or name or "unnamed"
+    try:
+        return plan.submission(
+            args.benchmark,
+            PolicyInfo(
+                name=f"{name} ({args.type})" if args.type else name,
+                version=args.policy_version,
+                submitter=args.submitter,
+                homepage=args.homepage,
+            ),
+            images=args.images,
+            options=args.options,
+            idle_timeout_s=args.idle_timeout_s,
+            max_workers=args.max_workers,
+        )
+    except ValueError as error:
+        raise CannotMean(str(error)) from error
+
+
+def run_id_of(args: argparse.Namespace) -> str | None:
+    if args.run and args.run_id and args.run != args.run_id:
+        raise CannotMean(f"two runs are named: {args.run} and {args.run_id}")
+    run_id: str | None = args.run or args.run_id
+    return run_id
+
+
+def _needed(args: argparse.Namespace) -> str:
+    run_id = run_id_of(args)
+    if run_id is None:
+        raise CannotMean("name the run; `proctor status` lists your latest")
+    return run_id
+
+
+def _until_ready(desk: Desk, run: Run, timeout_s: float | None) -> Run:
+    """The run when it is not queued any more, or when the time is up."""
+    deadline = None if timeout_s is None else time.monotonic() + timeout_s
+    for changed in desk.changes(run.run_id):
+        run = changed
+        late = deadline is not None and time.monotonic() > deadline
+        if run.state.value != "queued" or late:
+            break
+    return run
+
+
+def _watched(desk: Desk, run_id: str, printer: Printer) -> Run:
+    with Follower(printer) as follower:
+        for run in desk.changes(run_id):
+            progress = run.progress
+            follower(
+                Progress(
+                    run_id,
+                    progress.episodes_total,
+                    progress.episodes_scored,
+                    desk.score(run_id).mean,
+                    run.reason,
+                )
+            )
+            if run.state.value in OVER:
+                return run
+    raise AssertionError("changes never end")
+
+
+def _teller(printer: Printer) -> Any:
+    def tell(what: str | None) -> None:
+        if what is not None:
+            printer.say(what)
+
+    return tell

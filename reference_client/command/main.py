@@ -1,0 +1,107 @@
+"""`proctor COMMAND …`: finds what is meant, does it, and ends with an exit code.
+
+Every error is one line on the standard error; with --json it is on the standard output
+as well.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import os
+import sys
+import traceback
+from collections.abc import Callable, Sequence
+
+from reference_client.command import control, running
+from reference_client.command.aliases import PASSED_ON, translated
+from reference_client.command.arguments import build_parser
+from reference_client.command.endings import (
+    CANNOT,
+    INTERRUPTED,
+    CannotMean,
+    code_of,
+    line_of,
+)
+from reference_client.command.words import Printer
+from reference_client.errors import ProctorError
+
+COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
+    "submit": control.submit,
+    "run": running.run,
+    "status": control.status,
+    "stop": control.stop,
+    "resume": control.resume,
+    "results": control.results,
+    "benchmarks": control.benchmarks,
+}
+# Command → the module that it starts, what that needs, which extra brings both.
+PROGRAMS = {
+    "serve": ("reference_server", ("reference_server", "uvicorn"), "house"),
+    "conformance": ("conformance", ("conformance", "hypothesis"), "kit"),
+}
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Returns the exit code; see reference_client.command.endings."""
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    as_json = "--json" in given
+    try:
+        words, notes = translated(given)
+        for note in notes:
+            Printer(as_json=as_json).say(f"proctor: {note}")
+        if words and words[0] in PASSED_ON:
+            return start(words[0], words[1:])
+        args = build_parser().parse_args(words)
+        _complete(args)
+        printer = Printer(as_json=args.json)
+        return _answered(args, printer)
+    except CannotMean as error:
+        _told("usage", str(error), as_json=as_json)
+        return CANNOT
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except BrokenPipeError:  # `proctor results | head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return CANNOT
+
+
+def start(command: str, arguments: Sequence[str]) -> int:
+    """Becomes the program; returns only if it is not installed."""
+    module, needed, extra = PROGRAMS[command]
+    missing = [name for name in needed if importlib.util.find_spec(name) is None]
+    if missing:
+        raise CannotMean(
+            f"{command} needs {missing[0]}, which is not installed here: "
+            f"pip install 'proctor-eval[{extra}]'"
+        )
+    os.execv(sys.executable, [sys.executable, "-m", module, *arguments])  # noqa: S606
+
+
+def _answered(args: argparse.Namespace, printer: Printer) -> int:
+    try:
+        return COMMANDS[args.command](args, printer)
+    except ProctorError as error:
+        if args.debug:
+            traceback.print_exc()
+        _told(error.code, line_of(error), as_json=args.json)
+        return code_of(error, has_run=False)
+    except CannotMean:
+        if args.debug:
+            traceback.print_exc()
+        raise
+    except ValueError as error:  # a URL, an id: what could not be sent
+        raise CannotMean(" ".join(str(error).split())) from error
+
+
+def _complete(args: argparse.Namespace) -> None:
+    if args.host is not None or args.port is not None:
+        args.url = f"http://{args.host or '127.0.0.1'}:{args.port or 8460}"
+    args.token = args.token or os.environ.get("PROCTOR_TOKEN") or None
+
+
+def _told(code: str, line: str, *, as_json: bool) -> None:
+    printer = Printer(as_json=as_json)
+    printer.say(f"proctor: {line}")
+    if as_json:
+        printer.answer({"error": {"code": code, "detail": line}})

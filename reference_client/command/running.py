@@ -1,0 +1,286 @@
+"""`proctor run`: from a policy's name to its score, or to the command that goes on.
+
+The first Ctrl-C has the workers detach, the second ends at once.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import json
+import os
+import shlex
+import signal
+import sys
+import traceback
+from collections.abc import Callable
+from types import FrameType
+from typing import Any, Self
+
+from proctor_client import Assumptions, Run, Score
+
+from reference_client.command import words
+from reference_client.command.arguments import DEFAULT_URL
+from reference_client.command.control import submission_of
+from reference_client.command.endings import (
+    DONE,
+    NOT_COMPLETE,
+    CannotMean,
+    code_of,
+    line_of,
+)
+from reference_client.command.words import Follower, Printer
+from reference_client.errors import PolicyFailed, ProctorError, RunFailed
+from reference_client.evaluation import perform
+from reference_client.plan import Plan, exactly
+from reference_client.policies import BadMapping, BadPolicy, Mapping, load
+from reference_client.policies.blame import blamed
+from reference_client.policy import Policy
+from reference_client.processes import Processes
+from reference_client.progress import Board, Progress
+from reference_client.staff import Staff, Threads
+from reference_client.view.server import View
+
+PATIENCE_S = 300.0
+
+
+def run(args: argparse.Namespace, printer: Printer) -> int:
+    """Returns the exit code; the answer and every error have been printed."""
+    if args.policy is None:
+        raise CannotMean("say which policy: --policy my_module:MyPolicy")
+    try:
+        mapping = Mapping.read(args.mapping) if args.mapping else None
+        plan = _plan(args, mapping)
+    except (ValueError, BadMapping) as error:
+        raise CannotMean(str(error)) from error
+    return _Run(args, printer).perform(plan, mapping)
+
+
+def resume_command(args: argparse.Namespace, run_id: str) -> str:
+    """What goes on with the run; the token, a secret, is not in it."""
+    command = ["proctor", "run", "--run-id", run_id, "--policy", args.policy]
+    flags: list[tuple[str, Any, Any]] = [
+        ("--mapping", args.mapping, None),
+        ("--workers", args.workers, None),
+        ("--worker-ids", args.worker_ids, None),
+        ("--worker-prefix", args.worker_prefix, "worker"),
+        ("--patience-s", args.patience_s, None),
+        ("--url", args.url, os.environ.get("PROCTOR_URL") or DEFAULT_URL),
+    ]
+    for flag, value, default in flags:
+        if value != default:
+            command += [flag, f"{value:g}" if isinstance(value, float) else str(value)]
+    if args.assumes:
+        command += ["--assumes", json.dumps(args.assumes)]
+    command += [f"--{name}" for name in ("processes", "view") if getattr(args, name)]
+    return shlex.join(command)
+
+
+class _Run:
+    """One evaluation, and how it ends."""
+
+    def __init__(self, args: argparse.Namespace, printer: Printer) -> None:
+        self._args = args
+        self._printer = printer
+        self._follower = Follower(printer)
+        self._run: Run | None = None
+        self._view: View | None = None
+
+    def perform(self, plan: Plan, mapping: Mapping | None) -> int:
+        signals = Signals()
+        with contextlib.ExitStack() as stack:
+            stack.enter_context(signals)
+            stack.enter_context(self._follower)
+            # A program reads our standard output: what a policy prints is not for it.
+            stack.enter_context(contextlib.redirect_stdout(sys.stderr))
+            try:
+                board, staff = self._staffed(mapping, stack)
+                signals.at_once = getattr(staff, "kill", _nothing)
+                score = perform(
+                    plan,
+                    staff,
+                    progress=self._news,
+                    opened=self._opened,
+                    say=self._printer.say,
+                    board=board,
+                )
+            except KeyboardInterrupt:
+                return self._left(128 + signals.number, "interrupted", "Interrupted.")
+            except (BadPolicy, BadMapping, ValueError) as error:
+                if self._run is None:
+                    raise CannotMean(str(error)) from error
+                return self._policy_raised(error)
+            except ProctorError as error:
+                return self._refused(error)
+            except Exception as error:  # noqa: BLE001 - a policy may raise anything
+                return self._policy_raised(error)
+        return self._scored(score)
+
+    def _staffed(
+        self, mapping: Mapping | None, stack: contextlib.ExitStack
+    ) -> tuple[Board, Staff]:
+        args = self._args
+        board, view = Board(), None
+        if args.view:
+            view = self._view = stack.enter_context(_opened_view(args.view_port))
+            self._printer.say(f"Look on at {view.url}")
+            board = view.board
+        staff: Staff
+        if args.processes:
+            staff = Processes(args.policy, args.mapping, view.sent if view else None)
+            if view is not None:
+                view.look = staff.look
+        else:
+            try:
+                make = load(args.policy, mapping)
+            except BadPolicy:
+                raise
+            except Exception as error:
+                raise _in_policy(error) from error
+            staff = Threads(_telling(make))
+        return board, staff
+
+    def _opened(self, run: Run) -> None:
+        self._run = run
+        policy = f"{run.policy.name} on {run.benchmark_id}"
+        self._printer.say(f"Run {run.run_id}: {policy}")
+        if self._view is not None:
+            self._view.title = policy
+
+    def _news(self, progress: Progress) -> None:
+        self._follower(progress)
+        if self._view is not None:
+            self._view.progress = progress
+
+    def _scored(self, score: Score) -> int:
+        self._printer.answer(
+            score.to_dict(),
+            words.score_facts(score),
+            words.groups("task", score.by_task),
+        )
+        return DONE if score.complete else NOT_COMPLETE
+
+    def _refused(self, error: ProctorError) -> int:
+        if self._args.debug:
+            whole = getattr(error, "traceback", None) or traceback.format_exc()
+            self._printer.say(whole.rstrip())
+        return self._left(
+            code_of(error, has_run=self._run is not None),
+            error.code,
+            line_of(error),
+            goes_on=not isinstance(error, RunFailed) or error.retryable,
+        )
+
+    def _policy_raised(self, error: Exception) -> int:
+        return self._refused(_in_policy(error))
+
+    def _left(self, code: int, kind: str, line: str, *, goes_on: bool = True) -> int:
+        """Tells why it ends, and how it goes on."""
+        self._follower.end()
+        say = self._printer.say
+        say(f"proctor: {line}")
+        value: dict[str, Any] = {"error": {"code": kind, "detail": line}}
+        if self._run is not None:
+            run_id, latest = self._run.run_id, self._follower.latest
+            value["run_id"] = run_id
+            if latest is not None:
+                say(f"Run {run_id} keeps its scores: {words.done(latest)} are scored.")
+            if goes_on:
+                value["resume"] = resume_command(self._args, run_id)
+                say(f"To go on with it:\n  {value['resume']}")
+        if self._printer.as_json:
+            self._printer.answer(value)
+        return code
+
+
+class Signals:
+    """SIGINT and SIGTERM: the first is KeyboardInterrupt, the second ends at once.
+
+    at_once: is called before that end. A context, for the main thread.
+    """
+
+    def __init__(self) -> None:
+        self.at_once: Callable[[], object] = _nothing
+        self.number = int(signal.SIGINT)
+        self._heard = 0
+        self._before: dict[int, Any] = {}
+
+    def __enter__(self) -> Self:
+        for number in (signal.SIGINT, signal.SIGTERM):
+            self._before[number] = signal.signal(number, self._hear)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for number, handler in self._before.items():
+            signal.signal(number, handler)
+
+    def _hear(self, number: int, frame: FrameType | None) -> None:
+        self._heard += 1
+        if self._heard > 1:
+            if os.isatty(2):
+                os.write(2, b"\x1b[?25h")  # the bar has hidden the cursor
+            os.write(2, b"proctor: ended at once; sessions end with their leases\n")
+            self.at_once()
+            os._exit(128 + number)
+        self.number = number
+        os.write(2, b"\nLeaving: the workers detach. Again ends at once.\n")
+        raise KeyboardInterrupt
+
+
+def _plan(args: argparse.Namespace, mapping: Mapping | None) -> Plan:
+    if args.worker_ids:
+        if args.workers is not None:
+            raise CannotMean("--worker-ids and --workers say both how many there are")
+        worker_ids = tuple(filter(None, map(str.strip, args.worker_ids.split(","))))
+    else:
+        worker_ids = tuple(
+            f"{args.worker_prefix}-{i}" for i in range(args.workers or 1)
+        )
+    is_new = args.run_id is None
+    return Plan(
+        url=args.url,
+        token=args.token,
+        worker_ids=worker_ids,
+        submission=submission_of(args, _policy_name(args.policy)) if is_new else None,
+        run_id=args.run_id,
+        benchmark=args.benchmark,
+        takeover=args.takeover,
+        assumes=exactly(Assumptions, "--assumes", args.assumes),
+        patience_s=PATIENCE_S if args.patience_s is None else args.patience_s,
+        vet=None if mapping is None else mapping.check,
+    )
+
+
+def _policy_name(reference: str) -> str:
+    if reference.startswith("openpi:"):
+        return "openpi"
+    return reference.rpartition(":")[2] or reference
+
+
+def _telling(make: Callable[[], Policy]) -> Callable[[], Policy]:
+    """What a policy raises while it is made is its own fault, told as that."""
+
+    def telling() -> Policy:
+        try:
+            return make()
+        except (BadPolicy, ProctorError):
+            raise
+        except Exception as error:
+            raise _in_policy(error) from error
+
+    return telling
+
+
+def _opened_view(port: int) -> View:
+    try:
+        return View(port)
+    except (OSError, OverflowError) as error:
+        raise CannotMean(f"--view-port {port} cannot be had: {error}") from error
+
+
+def _in_policy(error: Exception) -> PolicyFailed:
+    return PolicyFailed(blamed(error), "".join(traceback.format_exception(error)))
+
+
+def _nothing() -> None:
+    """For threads there is nothing to kill."""

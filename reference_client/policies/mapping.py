@@ -1,0 +1,339 @@
+"""Our names to another house's, and its answer to our actions: a declared mapping.
+
+A TOML file with two tables. `[observation]` has an entry for each key of the request,
+`[action]` says where in the answer the numbers stand, and `[action.values]` which of
+them are which of our vectors. docs/policies.md explains every member. Nothing in such a
+file is executed.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable
+from collections.abc import Mapping as Lookup
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Any, Self, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+from proctor_client import Benchmark
+
+from reference_client.observation import Observation
+from reference_client.policies.pictures import fitted
+from reference_client.policy import Chunk
+
+Array = npt.NDArray[Any]
+
+_WORDS: Lookup[str, Callable[[Observation], Any]] = {
+    "instruction": lambda seen: seen.instruction,
+    "episode_id": lambda seen: seen.episode_id,
+    "step": lambda seen: seen.step,
+    "first_step": lambda seen: seen.step == 0,
+}
+_GROUPS = ("state", "images", "tensors")
+Row = TypeVar("Row", "Entry", "Vector")
+
+
+class BadMapping(ValueError):
+    """The file is no mapping, or not one for this benchmark; the message says why."""
+
+
+class MisfitAnswer(ValueError):
+    """The policy's answer is not what the mapping says."""
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One key of the request: where its value comes from, and what is done to it.
+
+    source: `state.NAME`, `images.NAME`, `tensors.NAME`, or a word; several states are
+    joined. Then, in this order: take, scale, offset for vectors; resize, layout, unit
+    for images; dtype, leading for both.
+    """
+
+    source: tuple[str, ...] = ()
+    value: Any = None
+    take: Any = None
+    scale: Any = 1.0
+    offset: Any = 0.0
+    dtype: str | None = None
+    resize: tuple[int, int] | None = None
+    pad: bool = True
+    layout: str = "hwc"
+    unit: bool = False
+    leading: int = 0
+
+    def of(self, seen: Observation) -> Any:
+        if not self.source:
+            return self.value
+        if self.source[0] in _WORDS:
+            word = _WORDS[self.source[0]](seen)
+            return [word] if self.leading else word
+        group = self.source[0].partition(".")[0]
+        array = self._picture(seen) if group == "images" else self._vector(seen)
+        if self.dtype is not None:
+            array = array.astype(self.dtype)
+        return array.reshape((1,) * self.leading + array.shape)
+
+    def _picture(self, seen: Observation) -> Array:
+        picture: Array = seen.images[self.source[0].partition(".")[2]]
+        if self.resize is not None:
+            picture = fitted(picture, *self.resize, pad=self.pad)
+        if self.unit:
+            picture = picture.astype(np.float32) / np.float32(255)
+        return np.moveaxis(picture, -1, 0) if self.layout == "chw" else picture
+
+    def _vector(self, seen: Observation) -> Array:
+        parts = [_part(seen, *name.split(".", 1)) for name in self.source]
+        vector = parts[0] if len(parts) == 1 else np.concatenate(parts)
+        if self.source[0].startswith("tensors."):
+            return vector
+        vector = np.asarray(_taken(vector, self.take) * self.scale + self.offset)
+        return vector.astype(np.float32) if self.dtype is None else vector
+
+
+@dataclass(frozen=True, slots=True)
+class Vector:
+    """One vector of our action: what of the answer it is.
+
+    source: key of the answer, where it is not the table's. Then, in this order:
+    columns, threshold, scale, offset, cumulate, relative_to, clip; or `value`, a
+    constant. cumulate: each row adds to those before, as with velocities. relative_to:
+    `state.NAME`, to whose value before the chunk the rows are added.
+    """
+
+    source: str | None = None
+    columns: Any = None
+    threshold: float | None = None
+    scale: Any = 1.0
+    offset: Any = 0.0
+    cumulate: bool = False
+    relative_to: str | None = None
+    clip: tuple[float, float] | None = None
+    value: Any = None
+
+    def of(self, rows: Array, seen: Observation) -> Array:
+        """rows: (actions, numbers) of the answer. Returns (actions, size)."""
+        chosen = _taken(rows, self.columns)
+        if self.threshold is not None:
+            chosen = (chosen > self.threshold).astype(np.float64)
+        chosen = np.asarray(chosen * self.scale + self.offset)
+        if self.cumulate:
+            chosen = np.cumsum(chosen, axis=0)
+        if self.relative_to is not None:
+            chosen = chosen + _part(seen, *self.relative_to.split(".", 1))
+        return chosen if self.clip is None else np.clip(chosen, *self.clip)
+
+
+@dataclass(frozen=True, slots=True)
+class Mapping:
+    """What `request` and `chunk` do is what the file says."""
+
+    name: str
+    entries: Lookup[str, Entry]
+    source: str | None
+    execute: int | None
+    leading: int
+    vectors: Lookup[str, Vector]
+
+    @classmethod
+    def read(cls, path: str | Path) -> Self:
+        """Raises BadMapping."""
+        try:
+            document = tomllib.loads(Path(path).read_text(encoding="utf-8"))
+        except OSError as error:
+            raise BadMapping(f"cannot read {path}: {error.strerror}") from error
+        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+            raise BadMapping(f"{path} is no TOML: {error}") from error
+        return cls.of(document, str(path))
+
+    @classmethod
+    def of(cls, document: Lookup[str, Any], name: str = "mapping") -> Self:
+        """From what such a file holds. Raises BadMapping."""
+        _known(name, document, {"observation", "action"})
+        action = _table(f"{name}: action", document.get("action"))
+        at = f"{name}: action"
+        _known(at, action, {"from", "execute", "leading", "values"})
+        entries = _table(f"{name}: observation", document.get("observation"))
+        vectors = _table(f"{at}.values", action.get("values"))
+        return cls(
+            name=name,
+            entries={
+                key: _entry(f'{name}: observation."{key}"', table)
+                for key, table in entries.items()
+            },
+            source=action.get("from"),
+            execute=action.get("execute"),
+            leading=action.get("leading", 0),
+            vectors={
+                key: _read(Vector, f'{name}: action.values."{key}"', table)
+                for key, table in vectors.items()
+            },
+        )
+
+    def check(self, benchmark: Benchmark) -> None:
+        """Raises BadMapping if this is not for the benchmark, saying what it has."""
+        space = benchmark.observation_space
+        known = {
+            f"{group}.{name}" for group in _GROUPS for name in getattr(space, group)
+        }
+        wanted = [
+            (f'observation."{key}"', source)
+            for key, entry in self.entries.items()
+            for source in entry.source
+            if source not in _WORDS
+        ]
+        wanted += [
+            (f"action.values.{name}", vector.relative_to)
+            for name, vector in self.vectors.items()
+            if vector.relative_to is not None
+        ]
+        for who, source in wanted:
+            if source not in known:
+                raise BadMapping(
+                    f"{self.name}: {who} is from {source}; {benchmark.benchmark_id} "
+                    f"has {_listed(known)}"
+                )
+        if set(self.vectors) != set(benchmark.action_space):
+            raise BadMapping(
+                f"{self.name}: action.values has {_listed(self.vectors)}; an action of "
+                f"{benchmark.benchmark_id} has {_listed(benchmark.action_space)}"
+            )
+
+    def request(self, seen: Observation) -> dict[str, Any]:
+        """The observation under their keys."""
+        return {key: entry.of(seen) for key, entry in self.entries.items()}
+
+    def chunk(self, answer: Any, seen: Observation) -> Chunk:
+        """Their answer to `seen` as a chunk of our actions. Raises MisfitAnswer."""
+        columns: dict[str, Array] = {}
+        for name, vector in self.vectors.items():
+            if vector.value is None:
+                rows = self._rows(answer, vector.source or self.source)
+                try:
+                    columns[name] = vector.of(rows, seen)
+                except (IndexError, ValueError) as error:
+                    raise MisfitAnswer(f"{self.name}: {name}: {error}") from error
+        length = min((len(column) for column in columns.values()), default=1)
+        if length == 0:
+            raise MisfitAnswer(f"{self.name}: the policy answered no actions")
+        constants = {
+            name: np.broadcast_to(
+                np.atleast_1d(vector.value), (length, np.size(vector.value))
+            )
+            for name, vector in self.vectors.items()
+            if vector.value is not None
+        }
+        whole = columns | constants
+        return [
+            {name: whole[name][i] for name in self.vectors}
+            for i in range(min(length, self.execute or length))
+        ]
+
+    def _rows(self, answer: Any, source: str | None) -> Array:
+        """(actions, numbers) at `source` of the answer."""
+        found = answer
+        if source is not None:
+            # Some answer a chunk as a list of actions instead of an action of lists.
+            many = isinstance(answer, list)
+            found = [self._at(one, source) for one in (answer if many else [answer])]
+            found = found if many else found[0]
+        try:
+            rows = np.asarray(found, dtype=np.float64)
+        except (TypeError, ValueError) as error:
+            raise MisfitAnswer(f"{self.name}: {source}: {error}") from error
+        if rows.ndim > self.leading:
+            rows = rows.reshape(rows.shape[self.leading :])
+        rows = np.atleast_1d(rows)
+        if rows.ndim == 1:
+            rows = rows[np.newaxis]
+        if rows.ndim != 2:
+            raise MisfitAnswer(
+                f"{self.name}: {source or 'the answer'} has shape {np.shape(found)}; "
+                "a chunk is (actions, numbers)"
+            )
+        return rows
+
+    def _at(self, answer: Any, source: str) -> Any:
+        if isinstance(answer, Lookup) and source in answer:
+            return answer[source]
+        has = _listed(answer) if isinstance(answer, Lookup) else type(answer).__name__
+        raise MisfitAnswer(
+            f"{self.name}: the policy's answer has no {source}, but {has}"
+        )
+
+
+def _part(seen: Observation, group: str, name: str) -> Array:
+    return np.asarray(getattr(seen, group)[name])
+
+
+def _taken(array: Array, which: Any) -> Array:
+    """Columns by `"first:last"`, by a list of indices, or all."""
+    if which is None:
+        return array
+    if isinstance(which, str):
+        first, last = (int(end) for end in which.split(":"))
+        if last > array.shape[-1]:
+            raise IndexError(f"{which} of {array.shape[-1]} numbers")
+        return array[..., first:last]
+    return array[..., which]
+
+
+def _entry(at: str, table: Any) -> Entry:
+    entry = _read(Entry, at, table)
+    if bool(entry.source) == (entry.value is not None):
+        raise BadMapping(f"{at} needs either `from` or `value`")
+    if entry.layout not in ("hwc", "chw"):
+        raise BadMapping(f"{at}: layout is hwc or chw, not {entry.layout!r}")
+    for source in entry.source:
+        if source not in _WORDS and source.partition(".")[0] not in _GROUPS:
+            raise BadMapping(
+                f"{at}: from is state.NAME, images.NAME, tensors.NAME, "
+                f"{', '.join(_WORDS)}; not {source!r}"
+            )
+    if len(entry.source) > 1 and not all(s.startswith("state.") for s in entry.source):
+        raise BadMapping(f"{at}: only states can be joined")
+    if entry.dtype is not None and not _is_of_numbers(entry.dtype):
+        raise BadMapping(f"{at}: dtype {entry.dtype} is none of numbers")
+    return entry
+
+
+def _is_of_numbers(dtype: str) -> bool:
+    try:
+        return np.dtype(dtype).kind in "biuf"
+    except TypeError:
+        return False
+
+
+def _read(row: type[Row], at: str, table: Any) -> Row:
+    table = _table(at, table, may_be_empty=True)
+    names = {"from" if f.name == "source" else f.name for f in fields(row)}
+    _known(at, table, names)
+    members: dict[str, Any] = {}
+    for key, given in table.items():
+        value = np.asarray(given) if key in ("scale", "offset") else given
+        if key in ("resize", "clip"):
+            value = tuple(given)
+        if key == "from":
+            value = tuple([given] if isinstance(given, str) else given)
+            if row is Vector:
+                value = given
+        members["source" if key == "from" else key] = value
+    return row(**members)
+
+
+def _table(at: str, table: Any, *, may_be_empty: bool = False) -> Lookup[str, Any]:
+    if not isinstance(table, Lookup) or not (table or may_be_empty):
+        raise BadMapping(f"{at} is missing or no table")
+    return table
+
+
+def _known(at: str, table: Lookup[str, Any], names: set[str]) -> None:
+    strangers = set(table) - names
+    if strangers:
+        raise BadMapping(f"{at}: unknown {_listed(strangers)}; known {_listed(names)}")
+
+
+def _listed(names: Any) -> str:
+    return ", ".join(sorted(map(str, names)))

@@ -1,0 +1,109 @@
+"""A policy server that speaks openpi's protocol: a WebSocket, one frame each way.
+
+The server's first frame is metadata. Then each request is a frame, and so is its
+answer; a frame of text is the traceback of an error. The protocol has no reset, no
+number and no session: a request is the whole of what the server knows, so one that was
+lost is sent again on a new connection.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import time
+from collections.abc import Callable, Mapping
+from typing import Any, Self, TypeVar
+
+from websockets.exceptions import InvalidURI, WebSocketException
+from websockets.sync.client import ClientConnection, connect
+
+from reference_client.errors import POLICY_FAILED, ProctorError
+from reference_client.policies.ndarray import BadMessage, pack, unpack
+
+PAUSE_S = 0.2
+OPEN_S = 5.0
+FIRST_CONTACT_S = 3.0  # a mistyped URL is told before there is a run
+
+Answer = TypeVar("Answer")
+
+
+class PolicyServer:
+    """The server at `url`, ws:// or wss://; connects when it is first asked.
+
+    OPENPI_API_KEY of the environment is sent as its API key. patience_s: how long a
+    server is waited for that is not there. The first answer may take minutes, while the
+    network is compiled; that is waited for without end.
+    """
+
+    def __init__(self, url: str, *, patience_s: float = 60.0) -> None:
+        self._url = url
+        self._patience_s = patience_s
+        self._socket: ClientConnection | None = None
+        self._open = contextlib.ExitStack()
+        self.metadata: Any = None
+
+    @classmethod
+    def greeted(cls, url: str) -> Self:
+        """Connected. Raises ProctorError `policy_failed` if no server is there."""
+        server = cls(url)
+        server._patiently(server._connected, FIRST_CONTACT_S)
+        return server
+
+    def infer(self, request: Mapping[str, Any]) -> Any:
+        """Raises ProctorError `policy_failed`, with the last line of its traceback."""
+        frame = pack(request)
+
+        def exchange() -> str | bytes:
+            socket = self._connected()
+            socket.send(frame)
+            return socket.recv()
+
+        return self._read(self._patiently(exchange, self._patience_s))
+
+    def _patiently(self, attempt: Callable[[], Answer], patience_s: float) -> Answer:
+        deadline = time.monotonic() + patience_s
+        while True:
+            try:
+                return attempt()
+            except InvalidURI as error:
+                raise self._failed(f"has no URL of a WebSocket: {error}") from error
+            except (OSError, WebSocketException) as error:
+                self._drop()
+                if time.monotonic() > deadline:
+                    raise self._failed(f"does not answer ({error})") from error
+                time.sleep(PAUSE_S)
+
+    def _connected(self) -> ClientConnection:
+        if self._socket is None:
+            key = os.environ.get("OPENPI_API_KEY")
+            connecting = connect(
+                self._url,
+                compression=None,
+                max_size=None,
+                open_timeout=OPEN_S,
+                # Its server thinks in the loop that would answer a ping.
+                ping_interval=None,
+                additional_headers={"Authorization": f"Api-Key {key}"} if key else None,
+                proxy=None,
+            )
+            self._socket = self._open.enter_context(connecting)
+            self.metadata = self._read(self._socket.recv())
+        return self._socket
+
+    def _read(self, frame: str | bytes) -> Any:
+        if isinstance(frame, str):
+            self._drop()  # its server closes after an error
+            last = frame.strip().rpartition("\n")[2]
+            raise self._failed(f"failed: {last}")
+        try:
+            return unpack(frame)
+        except BadMessage as error:
+            self._drop()
+            raise self._failed(f"answered what {error}") from error
+
+    def _drop(self) -> None:
+        self._socket = None
+        self._open.close()
+
+    def _failed(self, what: str) -> ProctorError:
+        return ProctorError(POLICY_FAILED, f"The policy server at {self._url} {what}.")

@@ -1,0 +1,36 @@
+"""Pictures as other houses want them: resized without distortion, the rest black.
+
+The same arithmetic as openpi's `resize_with_pad`, which its policies were fed with; a
+half pixel elsewhere is another picture to a network.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+
+def fitted(
+    picture: npt.NDArray[Any], height: int, width: int, *, pad: bool = True
+) -> npt.NDArray[np.uint8]:
+    """uint8 (h, w, channels) to (height, width, channels), bilinear.
+
+    pad: keep the proportions and leave bars of zeros; otherwise stretch.
+    """
+    import PIL.Image
+
+    if picture.shape[:2] == (height, width):
+        return picture
+    have_h, have_w, channels = picture.shape
+    flat = picture[:, :, 0] if channels == 1 else picture
+    image = PIL.Image.fromarray(np.ascontiguousarray(flat))
+    ratio = max(have_w / width, have_h / height)
+    inner = (int(have_w / ratio), int(have_h / ratio)) if pad else (width, height)
+    small = np.asarray(image.resize(inner, PIL.Image.Resampling.BILINEAR))
+    small = small.reshape(inner[1], inner[0], channels)
+    out = np.zeros((height, width, channels), np.uint8)
+    top, left = (height - inner[1]) // 2, (width - inner[0]) // 2
+    out[top : top + inner[1], left : left + inner[0]] = small
+    return out

@@ -1,0 +1,173 @@
+"""Which policy a reference means: `module:name`, `file.py:name`, `openpi:ws://host:8000`.
+
+A name is a class or a function without arguments, which makes a policy for each worker;
+or a function of the observation, which is one. Modules are found as `python -m` finds
+them: in the current folder first. This file runs the user's code and nobody else's.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import inspect
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from reference_client.errors import POLICY_FAILED, ProctorError
+from reference_client.observation import Observation
+from reference_client.policies.mapping import Mapping, MisfitAnswer
+from reference_client.policy import Chunk, Policy
+
+
+class BadPolicy(ValueError):
+    """The reference names nothing that can be a policy; the message says why."""
+
+
+def load(reference: str, mapping: Mapping | None = None) -> Callable[[], Policy]:
+    """What makes a policy for each worker.
+
+    mapping: the policy is given what it says, instead of an Observation. Raises
+    BadPolicy; what the user's own module raises while it is imported passes through.
+    """
+    kind, _, rest = reference.partition(":")
+    if kind == "openpi":
+        return _openpi(rest, mapping)
+    made = _named(reference)
+    if mapping is None:
+        return _makes(made, reference)
+    return lambda: _Asked(_answers(made, reference), mapping)
+
+
+def _openpi(url: str, mapping: Mapping | None) -> Callable[[], Policy]:
+    from reference_client.policies.openpi import PolicyServer
+
+    if not url.startswith(("ws://", "wss://")):
+        raise BadPolicy(
+            f"openpi: takes a URL like openpi:ws://127.0.0.1:8000, not {url!r}"
+        )
+    if mapping is None:
+        raise BadPolicy(
+            "openpi: needs --mapping FILE, which says under what names its policy "
+            "wants the observation; docs/policies.md has ready ones"
+        )
+    return lambda: _Asked(PolicyServer.greeted(url).infer, mapping)
+
+
+def _named(reference: str) -> Any:
+    place, _, name = reference.rpartition(":")
+    if not place or not name:
+        raise BadPolicy(f"a policy is given as my_module:MyPolicy, not {reference!r}")
+    module = _module(place)
+    found: Any = module
+    for part in name.split("."):
+        if not hasattr(found, part):
+            raise BadPolicy(f"{place} has no {name}")
+        found = getattr(found, part)
+    if not callable(found):
+        raise BadPolicy(f"{reference} is no class or function, but {found!r:.60}")
+    return found
+
+
+def _module(place: str) -> ModuleType:
+    if place.endswith(".py"):
+        path = Path(place)
+        if not path.is_file():
+            raise BadPolicy(f"there is no file {place}")
+        # What stands beside it can be imported by it, as when it is run.
+        _seek(path.resolve().parent)
+        spec = importlib.util.spec_from_file_location(path.stem, path)
+        assert spec is not None
+        assert spec.loader is not None
+        module = importlib.util.module_from_spec(spec)
+        sys.modules[path.stem] = module
+        spec.loader.exec_module(module)
+        return module
+    _seek(Path.cwd())
+    try:
+        return importlib.import_module(place)
+    except ModuleNotFoundError as error:
+        if error.name is None or not f"{place}.".startswith(f"{error.name}."):
+            raise  # of what the module itself imports
+        raise BadPolicy(f"there is no module {error.name} here") from error
+
+
+def _seek(folder: Path) -> None:
+    if str(folder) not in sys.path:
+        sys.path.insert(0, str(folder))
+
+
+def _makes(made: Any, reference: str) -> Callable[[], Policy]:
+    if not inspect.isclass(made) and _arguments(made) > 0:
+        return lambda: _Function(made)
+
+    def make() -> Policy:
+        policy = made()
+        if callable(getattr(policy, "act", None)):
+            if not callable(getattr(policy, "reset", None)):
+                raise BadPolicy(
+                    f"{reference} makes a policy without reset(instruction)"
+                )
+            return policy  # type: ignore[no-any-return]
+        if callable(policy):
+            return _Function(policy)
+        raise BadPolicy(f"{reference} makes a {type(policy).__name__} without act()")
+
+    return make
+
+
+def _answers(made: Any, reference: str) -> Any:
+    """The function of one request, with `reset` beside it if the policy has that."""
+    if not inspect.isclass(made) and _arguments(made) > 0:
+        return made
+    policy = made()
+    for name in ("infer", "act", "__call__"):
+        if callable(getattr(policy, name, None)):
+            return getattr(policy, name)
+    raise BadPolicy(f"{reference} makes a {type(policy).__name__} without infer()")
+
+
+def _arguments(function: Callable[..., object]) -> int:
+    """How many it needs."""
+    return sum(
+        parameter.default is parameter.empty
+        and parameter.kind
+        in (parameter.POSITIONAL_ONLY, parameter.POSITIONAL_OR_KEYWORD)
+        for parameter in inspect.signature(function).parameters.values()
+    )
+
+
+class _Function:
+    """A function of the observation that answers with an action or a chunk."""
+
+    def __init__(self, function: Callable[[Observation], Any]) -> None:
+        self._function = function
+
+    def reset(self, instruction: str) -> None:
+        """A function has no memory."""
+
+    def act(self, observation: Observation) -> Chunk:
+        answer = self._function(observation)
+        return [answer] if hasattr(answer, "keys") else answer
+
+
+class _Asked:
+    """What is asked in the words of its mapping."""
+
+    def __init__(self, ask: Any, mapping: Mapping) -> None:
+        self._ask = ask
+        self._mapping = mapping
+        self._reset = getattr(getattr(ask, "__self__", None), "reset", None)
+
+    def reset(self, instruction: str) -> None:
+        if callable(self._reset):
+            self._reset(*[instruction][: min(1, _arguments(self._reset))])
+
+    def act(self, observation: Observation) -> Chunk:
+        answer = self._ask(self._mapping.request(observation))
+        try:
+            return self._mapping.chunk(answer, observation)
+        except MisfitAnswer as error:
+            raise ProctorError(POLICY_FAILED, str(error)) from error

@@ -1,0 +1,1 @@
+"""A page for who looks on: what each worker sees, how it scores, how long it takes."""

@@ -1,0 +1,44 @@
+"""What a worker's latest turn looks like: small pictures and a few numbers.
+
+Made only when somebody asks, from what the worker keeps anyway.
+"""
+
+from __future__ import annotations
+
+import base64
+import io
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from reference_client.progress import Glimpse
+
+WIDEST = 320  # pixels, of a picture on the page
+
+
+def shown(glimpse: Glimpse) -> dict[str, Any]:
+    """JSON-able: texts, times in seconds, and JPEG pictures in base64 by camera."""
+    turn, seen = glimpse.turn, glimpse.observation
+    return {
+        "instruction": seen.instruction,
+        "episode_id": seen.episode_id,
+        "step": seen.step + turn.executed_steps,
+        "task": turn.episode.task if turn.episode else "",
+        "think_s": glimpse.think_s,
+        "server_s": turn.timing.total_s,
+        "wire_s": max(0.0, glimpse.turn_s - turn.timing.total_s),
+        "done": turn.done,
+        "images": {name: _jpeg(picture) for name, picture in seen.images.items()},
+    }
+
+
+def _jpeg(picture: npt.NDArray[np.uint8]) -> str:
+    import PIL.Image
+
+    flat = picture[:, :, 0] if picture.shape[2] < 3 else picture[:, :, :3]
+    every = -(-picture.shape[1] // WIDEST)
+    image = PIL.Image.fromarray(np.ascontiguousarray(flat[::every, ::every]))
+    file = io.BytesIO()
+    image.save(file, "JPEG", quality=80)
+    return base64.b64encode(file.getvalue()).decode()

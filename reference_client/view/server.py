@@ -1,0 +1,121 @@
+"""Serves the live view, on this machine only.
+
+Nothing is computed for it until somebody looks: workers leave a reference to their
+latest turn, and pictures are made when the page asks. A page of another site cannot ask
+(the Host header is checked, for a name may lead here), and the page loads nothing from
+anywhere.
+"""
+
+from __future__ import annotations
+
+import json
+import threading
+from collections.abc import Callable
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from importlib.resources import files
+from typing import Any, Self
+
+from reference_client.progress import Board, Glimpse, Progress
+from reference_client.view.frames import shown
+
+LOOPBACK = "127.0.0.1"
+POLICY = (
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
+    "img-src data:; connect-src 'self'; frame-ancestors 'none'; base-uri 'none'"
+)
+
+
+class Watched(Board):
+    """A board that keeps each worker's latest turn: an assignment, no more."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.latest: dict[str, Glimpse] = {}
+
+    def looked(self, glimpse: Glimpse) -> None:
+        self.latest[glimpse.worker_id] = glimpse
+
+
+class View:
+    """The page at `url`, while the context lasts.
+
+    port: 0 takes a free one. Raises OSError if it cannot be had.
+    """
+
+    def __init__(self, port: int) -> None:
+        self.board = Watched()
+        self.title = ""
+        self.progress: Progress | None = None
+        # For workers in processes of their own: has them send what they see.
+        self.look: Callable[[], object] | None = None
+        self._sent: dict[str, Any] = {}
+        self._server = _Server((LOOPBACK, port), _Page)
+        self._server.view = self
+        self.url = f"http://{LOOPBACK}:{self._server.server_address[1]}/"
+
+    def __enter__(self) -> Self:
+        threading.Thread(
+            target=self._server.serve_forever, args=[0.1], daemon=True
+        ).start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._server.shutdown()
+        self._server.server_close()
+
+    def sent(self, worker_id: str, report: dict[str, Any]) -> None:
+        """What a worker's process shows of itself."""
+        self._sent[worker_id] = report
+
+    def state(self) -> dict[str, Any]:
+        """What the page shows, JSON-able."""
+        if self.look is not None:
+            self.look()  # for the next time
+        glimpses = dict(self.board.latest)
+        progress = self.progress
+        return {
+            "title": self.title,
+            "run_id": progress.run_id if progress else "",
+            "scored": progress.episodes_scored if progress else 0,
+            "total": progress.episodes_total if progress else 0,
+            "mean": progress.mean if progress else None,
+            "waiting": progress.waiting if progress else None,
+            "workers": {name: shown(glimpse) for name, glimpse in glimpses.items()}
+            | self._sent,
+        }
+
+
+class _Server(ThreadingHTTPServer):
+    daemon_threads = True
+    view: View
+
+
+class _Page(BaseHTTPRequestHandler):
+    server: _Server
+    protocol_version = "HTTP/1.1"
+
+    def do_GET(self) -> None:
+        port = self.server.server_address[1]
+        if self.headers.get("Host") not in (f"{LOOPBACK}:{port}", f"localhost:{port}"):
+            self._answer(403, "text/plain", b"this page is for this machine alone")
+        elif self.path == "/":
+            page = files("reference_client.view").joinpath("page.html").read_bytes()
+            self._answer(200, "text/html; charset=utf-8", page)
+        elif self.path == "/state.json":
+            state = json.dumps(self.server.view.state()).encode()
+            self._answer(200, "application/json", state)
+        else:
+            self._answer(404, "text/plain", b"nothing here")
+
+    def log_message(self, *_: object) -> None:
+        """The terminal is the command's."""
+
+    def _answer(self, status: int, kind: str, body: bytes) -> None:
+        self.send_response(status)
+        self.send_header("Content-Type", kind)
+        self.send_header("Content-Length", str(len(body)))
+        self.send_header("Content-Security-Policy", POLICY)
+        self.send_header("Cache-Control", "no-store")
+        self.send_header("X-Content-Type-Options", "nosniff")
+        self.end_headers()
+        self.wfile.write(body)
