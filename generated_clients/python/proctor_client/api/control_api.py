@@ -594,8 +594,8 @@ class ControlApi:
     def get_run(
         self,
         run_id: Annotated[str, Field(strict=True)],
-        if_none_match: Annotated[Optional[Annotated[str, Field(strict=True, max_length=200)]], Field(description="The ETag of the last answer; while it still holds, the answer is 304.")] = None,
-        prefer: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds.")] = None,
+        if_none_match: Annotated[Optional[Annotated[str, Field(strict=True, max_length=200)]], Field(description="The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none.")] = None,
+        prefer: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request`.")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
             None,
@@ -615,9 +615,9 @@ class ControlApi:
 
         :param run_id: (required)
         :type run_id: str
-        :param if_none_match: The ETag of the last answer; while it still holds, the answer is 304.
+        :param if_none_match: The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none.
         :type if_none_match: str
-        :param prefer: `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds.
+        :param prefer: `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request`.
         :type prefer: str
         :param proctor_version: The protocol version the caller was written for.
         :type proctor_version: str
@@ -675,8 +675,8 @@ class ControlApi:
     def get_run_with_http_info(
         self,
         run_id: Annotated[str, Field(strict=True)],
-        if_none_match: Annotated[Optional[Annotated[str, Field(strict=True, max_length=200)]], Field(description="The ETag of the last answer; while it still holds, the answer is 304.")] = None,
-        prefer: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds.")] = None,
+        if_none_match: Annotated[Optional[Annotated[str, Field(strict=True, max_length=200)]], Field(description="The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none.")] = None,
+        prefer: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request`.")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
             None,
@@ -696,9 +696,9 @@ class ControlApi:
 
         :param run_id: (required)
         :type run_id: str
-        :param if_none_match: The ETag of the last answer; while it still holds, the answer is 304.
+        :param if_none_match: The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none.
         :type if_none_match: str
-        :param prefer: `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds.
+        :param prefer: `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request`.
         :type prefer: str
         :param proctor_version: The protocol version the caller was written for.
         :type proctor_version: str
@@ -756,8 +756,8 @@ class ControlApi:
     def get_run_without_preload_content(
         self,
         run_id: Annotated[str, Field(strict=True)],
-        if_none_match: Annotated[Optional[Annotated[str, Field(strict=True, max_length=200)]], Field(description="The ETag of the last answer; while it still holds, the answer is 304.")] = None,
-        prefer: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds.")] = None,
+        if_none_match: Annotated[Optional[Annotated[str, Field(strict=True, max_length=200)]], Field(description="The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none.")] = None,
+        prefer: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request`.")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
             None,
@@ -777,9 +777,9 @@ class ControlApi:
 
         :param run_id: (required)
         :type run_id: str
-        :param if_none_match: The ETag of the last answer; while it still holds, the answer is 304.
+        :param if_none_match: The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none.
         :type if_none_match: str
-        :param prefer: `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds.
+        :param prefer: `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request`.
         :type prefer: str
         :param proctor_version: The protocol version the caller was written for.
         :type proctor_version: str
@@ -1452,7 +1452,7 @@ class ControlApi:
     def list_episodes(
         self,
         run_id: Annotated[str, Field(strict=True)],
-        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before.")] = None,
+        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before; opaque to the caller.")] = None,
         limit: Annotated[Optional[Annotated[int, Field(le=1000, strict=True, ge=1)]], Field(description="Most items wanted on a page; 100 when absent.")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
@@ -1473,7 +1473,7 @@ class ControlApi:
 
         :param run_id: (required)
         :type run_id: str
-        :param cursor: `next_cursor` of the page before.
+        :param cursor: `next_cursor` of the page before; opaque to the caller.
         :type cursor: str
         :param limit: Most items wanted on a page; 100 when absent.
         :type limit: int
@@ -1532,7 +1532,7 @@ class ControlApi:
     def list_episodes_with_http_info(
         self,
         run_id: Annotated[str, Field(strict=True)],
-        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before.")] = None,
+        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before; opaque to the caller.")] = None,
         limit: Annotated[Optional[Annotated[int, Field(le=1000, strict=True, ge=1)]], Field(description="Most items wanted on a page; 100 when absent.")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
@@ -1553,7 +1553,7 @@ class ControlApi:
 
         :param run_id: (required)
         :type run_id: str
-        :param cursor: `next_cursor` of the page before.
+        :param cursor: `next_cursor` of the page before; opaque to the caller.
         :type cursor: str
         :param limit: Most items wanted on a page; 100 when absent.
         :type limit: int
@@ -1612,7 +1612,7 @@ class ControlApi:
     def list_episodes_without_preload_content(
         self,
         run_id: Annotated[str, Field(strict=True)],
-        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before.")] = None,
+        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before; opaque to the caller.")] = None,
         limit: Annotated[Optional[Annotated[int, Field(le=1000, strict=True, ge=1)]], Field(description="Most items wanted on a page; 100 when absent.")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
@@ -1633,7 +1633,7 @@ class ControlApi:
 
         :param run_id: (required)
         :type run_id: str
-        :param cursor: `next_cursor` of the page before.
+        :param cursor: `next_cursor` of the page before; opaque to the caller.
         :type cursor: str
         :param limit: Most items wanted on a page; 100 when absent.
         :type limit: int
@@ -1765,7 +1765,7 @@ class ControlApi:
     @validate_call
     def list_runs(
         self,
-        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before.")] = None,
+        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before; opaque to the caller.")] = None,
         limit: Annotated[Optional[Annotated[int, Field(le=1000, strict=True, ge=1)]], Field(description="Most items wanted on a page; 100 when absent.")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
@@ -1784,7 +1784,7 @@ class ControlApi:
         """The caller's runs, newest first
 
 
-        :param cursor: `next_cursor` of the page before.
+        :param cursor: `next_cursor` of the page before; opaque to the caller.
         :type cursor: str
         :param limit: Most items wanted on a page; 100 when absent.
         :type limit: int
@@ -1841,7 +1841,7 @@ class ControlApi:
     @validate_call
     def list_runs_with_http_info(
         self,
-        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before.")] = None,
+        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before; opaque to the caller.")] = None,
         limit: Annotated[Optional[Annotated[int, Field(le=1000, strict=True, ge=1)]], Field(description="Most items wanted on a page; 100 when absent.")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
@@ -1860,7 +1860,7 @@ class ControlApi:
         """The caller's runs, newest first
 
 
-        :param cursor: `next_cursor` of the page before.
+        :param cursor: `next_cursor` of the page before; opaque to the caller.
         :type cursor: str
         :param limit: Most items wanted on a page; 100 when absent.
         :type limit: int
@@ -1917,7 +1917,7 @@ class ControlApi:
     @validate_call
     def list_runs_without_preload_content(
         self,
-        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before.")] = None,
+        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before; opaque to the caller.")] = None,
         limit: Annotated[Optional[Annotated[int, Field(le=1000, strict=True, ge=1)]], Field(description="Most items wanted on a page; 100 when absent.")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
@@ -1936,7 +1936,7 @@ class ControlApi:
         """The caller's runs, newest first
 
 
-        :param cursor: `next_cursor` of the page before.
+        :param cursor: `next_cursor` of the page before; opaque to the caller.
         :type cursor: str
         :param limit: Most items wanted on a page; 100 when absent.
         :type limit: int
@@ -2653,7 +2653,7 @@ class ControlApi:
     def submit_run(
         self,
         submit_run: SubmitRun,
-        idempotency_key: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="Makes a repeated submit return the first run instead of making another.")] = None,
+        idempotency_key: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request`.")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
             None,
@@ -2673,7 +2673,7 @@ class ControlApi:
 
         :param submit_run: (required)
         :type submit_run: SubmitRun
-        :param idempotency_key: Makes a repeated submit return the first run instead of making another.
+        :param idempotency_key: Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request`.
         :type idempotency_key: str
         :param proctor_version: The protocol version the caller was written for.
         :type proctor_version: str
@@ -2729,7 +2729,7 @@ class ControlApi:
     def submit_run_with_http_info(
         self,
         submit_run: SubmitRun,
-        idempotency_key: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="Makes a repeated submit return the first run instead of making another.")] = None,
+        idempotency_key: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request`.")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
             None,
@@ -2749,7 +2749,7 @@ class ControlApi:
 
         :param submit_run: (required)
         :type submit_run: SubmitRun
-        :param idempotency_key: Makes a repeated submit return the first run instead of making another.
+        :param idempotency_key: Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request`.
         :type idempotency_key: str
         :param proctor_version: The protocol version the caller was written for.
         :type proctor_version: str
@@ -2805,7 +2805,7 @@ class ControlApi:
     def submit_run_without_preload_content(
         self,
         submit_run: SubmitRun,
-        idempotency_key: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="Makes a repeated submit return the first run instead of making another.")] = None,
+        idempotency_key: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request`.")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
             None,
@@ -2825,7 +2825,7 @@ class ControlApi:
 
         :param submit_run: (required)
         :type submit_run: SubmitRun
-        :param idempotency_key: Makes a repeated submit return the first run instead of making another.
+        :param idempotency_key: Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request`.
         :type idempotency_key: str
         :param proctor_version: The protocol version the caller was written for.
         :type proctor_version: str

@@ -31,7 +31,7 @@ class BenchmarkSummary(BaseModel):
     benchmark_id: StrictStr
     version: StrictStr
     title: StrictStr
-    manifest_sha256: Annotated[str, Field(strict=True)]
+    manifest_sha256: Annotated[str, Field(strict=True)] = Field(description="The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.")
     episodes_total: Annotated[int, Field(strict=True, ge=1)]
     additional_properties: Dict[str, Any] = {}
     __properties: ClassVar[List[str]] = ["benchmark_id", "version", "title", "manifest_sha256", "episodes_total"]

@@ -39,7 +39,7 @@ class Run(BaseModel):
     retryable: Optional[StrictBool] = Field(description="Whether a failed run may be resumed; null in other states.")
     benchmark_id: StrictStr
     benchmark_version: StrictStr
-    manifest_sha256: Annotated[str, Field(strict=True)]
+    manifest_sha256: Annotated[str, Field(strict=True)] = Field(description="The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.")
     policy: PolicyInfo
     max_workers: StrictInt
     idle_timeout_s: Union[StrictFloat, StrictInt]

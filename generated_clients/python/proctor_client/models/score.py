@@ -34,7 +34,7 @@ class Score(BaseModel):
     """ # noqa: E501
     run_id: StrictStr
     benchmark_id: StrictStr
-    manifest_sha256: Annotated[str, Field(strict=True)]
+    manifest_sha256: Annotated[str, Field(strict=True)] = Field(description="The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.")
     state: RunState
     complete: StrictBool
     score: Optional[Union[StrictFloat, StrictInt]] = Field(description="Null until complete.")

@@ -20,7 +20,7 @@ from typing_extensions import Self
 
 class SessionEnd(str, Enum):
     """
-    What ended the session, as far as the server still knows.
+    What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended.
     """
 
     """

@@ -1,0 +1,20 @@
+/* What `spec/calibration.md` says of actions. */
+#pragma once
+
+#include <vector>
+
+#include "model/Action.h"
+
+namespace worker {
+
+using proctor::model::Action;
+
+/// One action of `calibration`; its success is a score above one half.
+inline Action act(double score) {
+    Action action;
+    action.setValues({{"score", {score}}, {"success", {score > 0.5 ? 1.0 : 0.0}}, {"end", {0}}, {"delay_s", {0}}, {"fault", {0}},
+                      {"vector", std::vector<double>(8)}, {"clipped", {0, 0}}});
+    return action;
+}
+
+} // namespace worker

@@ -1,0 +1,47 @@
+/* Plays the benchmark `calibration` with a scripted policy, or goes on with a run:
+ *
+ *     worker URL TOKEN [RUN_ID]
+ */
+#include <future>
+#include <iostream>
+
+#include "calibration.hpp"
+#include "worker.hpp"
+
+using namespace worker;
+
+static void evaluate(std::string const& url, std::string const& token, std::string run_id) {
+    ControlApi control(connect(url, token));
+    CalibrationOptions options;
+    options.setTasks(std::vector<CalibrationTask>(8, "score"));
+    PolicyInfo info;
+    info.setName("scripted");
+    auto submit = std::make_shared<SubmitRun>();
+    submit->setBenchmarkId("calibration");
+    submit->setPolicy(info);
+    submit->setOptions(options);
+    auto const key = unique();
+    auto run = run_id.empty() ? ask([&] { return control.submitRun(submit, key, version); })
+                              : ask([&] { return control.resumeRun(run_id, version); });
+    run_id = run->getRunId();
+    std::cout << "run " << run_id << ": " << run->getProgress().getEpisodesTotal() << " episodes" << std::endl;
+    auto policy = [](Turn const& turn) { return std::vector<Action>(5, act(turn.getEpisode().getIndex() % 5 / 4.0)); };
+    auto report = [](EpisodeResult const& r) {
+        std::ostringstream line;
+        line << "  episode " << r.getIndex() << " (" << r.getTask() << "): " << r.getOutcome() << ", score " << r.getScore() << "\n";
+        std::cout << line.str() << std::flush;
+    };
+    std::vector<std::future<void>> team;
+    for (auto const name : {"worker-0", "worker-1"})
+        team.push_back(std::async(std::launch::async, [&, name] { play(url, token, run_id, name, policy, report); }));
+    for (auto& member : team) member.get();
+    auto score = ask([&] { return control.getScore(run_id, version); });
+    std::cout << "score " << score->getScore().value_or(-1) << std::endl;
+}
+
+int main(int count, char** arguments) try {
+    evaluate(arguments[1], arguments[2], count > 3 ? arguments[3] : "");
+} catch (std::exception const& error) {
+    std::cerr << error.what() << "\nA run is kept: call again with its id to go on.\n";
+    return 1;
+}

@@ -1,0 +1,64 @@
+// Plays the benchmark `calibration` with a scripted policy, or goes on with a run:
+//
+//	go run ./example URL TOKEN [RUN_ID]
+package main
+
+import (
+	"fmt"
+	"os"
+	"sync"
+
+	"proctor"
+	. "proctor/example/worker"
+)
+
+func evaluate(server *Server, runID string) error {
+	submit := server.Control.SubmitRun(server.Context).IdempotencyKey(Key()).SubmitRun(proctor.SubmitRun{
+		BenchmarkId: "calibration", Policy: proctor.PolicyInfo{Name: "scripted"},
+		Options: &proctor.CalibrationOptions{Tasks: []proctor.CalibrationTask{"score", "score", "score", "score"}},
+	})
+	send := submit.Execute
+	if runID != "" {
+		send = server.Control.ResumeRun(server.Context, runID).Execute
+	}
+	run, err := Ask(send)
+	if err != nil {
+		return err
+	}
+	fmt.Printf("run %s: %d episodes\n", run.RunId, run.Progress.EpisodesTotal)
+	policy := func(turn *proctor.Turn) []proctor.Action {
+		action := Act(float64(turn.Episode.Index%5) / 4)
+		return []proctor.Action{action, action, action, action}
+	}
+	report := func(r *proctor.EpisodeResult) {
+		fmt.Printf("  episode %d (%s): %s, score %g\n", r.Index, r.Task, r.Outcome, r.Score)
+	}
+	var team sync.WaitGroup
+	failures := make([]error, 2)
+	for i := range failures {
+		team.Add(1)
+		go func() {
+			defer team.Done()
+			failures[i] = server.Play(run.RunId, fmt.Sprintf("worker-%d", i), policy, report)
+		}()
+	}
+	team.Wait()
+	for _, err := range failures {
+		if err != nil {
+			return err
+		}
+	}
+	score, err := Ask(server.Control.GetScore(server.Context, run.RunId).Execute)
+	if err == nil {
+		fmt.Printf("score %g\n", score.GetScore())
+	}
+	return err
+}
+
+func main() {
+	arguments := append(os.Args[1:], "")
+	if err := evaluate(At(arguments[0], arguments[1]), arguments[2]); err != nil {
+		fmt.Fprintf(os.Stderr, "%v\nA run is kept: call again with its id to go on.\n", err)
+		os.Exit(1)
+	}
+}

@@ -1,0 +1,1569 @@
+/*
+ * Generated from spec/openapi.yaml by `make generate`; never edited by hand.
+ */
+
+
+package proctor.client.api;
+
+import proctor.client.ApiCallback;
+import proctor.client.ApiClient;
+import proctor.client.ApiException;
+import proctor.client.ApiResponse;
+import proctor.client.Configuration;
+import proctor.client.Pair;
+import proctor.client.ProgressRequestBody;
+import proctor.client.ProgressResponseBody;
+
+import com.google.gson.reflect.TypeToken;
+
+import java.io.IOException;
+
+
+import proctor.client.model.Benchmark;
+import proctor.client.model.BenchmarkList;
+import proctor.client.model.EpisodeList;
+import proctor.client.model.Problem;
+import proctor.client.model.Run;
+import proctor.client.model.RunList;
+import proctor.client.model.Score;
+import proctor.client.model.Service;
+import proctor.client.model.StopRun;
+import proctor.client.model.SubmitRun;
+
+import java.lang.reflect.Type;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+public class ControlApi {
+    private ApiClient localVarApiClient;
+    private int localHostIndex;
+    private String localCustomBaseUrl;
+
+    public ControlApi() {
+        this(Configuration.getDefaultApiClient());
+    }
+
+    public ControlApi(ApiClient apiClient) {
+        this.localVarApiClient = apiClient;
+    }
+
+    public ApiClient getApiClient() {
+        return localVarApiClient;
+    }
+
+    public void setApiClient(ApiClient apiClient) {
+        this.localVarApiClient = apiClient;
+    }
+
+    public int getHostIndex() {
+        return localHostIndex;
+    }
+
+    public void setHostIndex(int hostIndex) {
+        this.localHostIndex = hostIndex;
+    }
+
+    public String getCustomBaseUrl() {
+        return localCustomBaseUrl;
+    }
+
+    public void setCustomBaseUrl(String customBaseUrl) {
+        this.localCustomBaseUrl = customBaseUrl;
+    }
+
+    /**
+     * Build call for describeService
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The service. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call describeServiceCall(@javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1";
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] {  };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call describeServiceValidateBeforeCall(@javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        return describeServiceCall(proctorVersion, _callback);
+
+    }
+
+    /**
+     * What this server is, speaks and allows
+     *
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return Service
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The service. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public Service describeService(@javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<Service> localVarResp = describeServiceWithHttpInfo(proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * What this server is, speaks and allows
+     *
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;Service&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The service. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<Service> describeServiceWithHttpInfo(@javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = describeServiceValidateBeforeCall(proctorVersion, null);
+        Type localVarReturnType = new TypeToken<Service>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * What this server is, speaks and allows (asynchronously)
+     *
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The service. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call describeServiceAsync(@javax.annotation.Nullable String proctorVersion, final ApiCallback<Service> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = describeServiceValidateBeforeCall(proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<Service>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for getBenchmark
+     * @param benchmarkId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The benchmark. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call getBenchmarkCall(@javax.annotation.Nonnull String benchmarkId, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/benchmarks/{benchmark_id}"
+            .replace("{" + "benchmark_id" + "}", localVarApiClient.escapeString(benchmarkId.toString()));
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call getBenchmarkValidateBeforeCall(@javax.annotation.Nonnull String benchmarkId, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'benchmarkId' is set
+        if (benchmarkId == null) {
+            throw new ApiException("Missing the required parameter 'benchmarkId' when calling getBenchmark(Async)");
+        }
+
+        return getBenchmarkCall(benchmarkId, proctorVersion, _callback);
+
+    }
+
+    /**
+     * One benchmark with its spaces, conventions and rules
+     *
+     * @param benchmarkId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return Benchmark
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The benchmark. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public Benchmark getBenchmark(@javax.annotation.Nonnull String benchmarkId, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<Benchmark> localVarResp = getBenchmarkWithHttpInfo(benchmarkId, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * One benchmark with its spaces, conventions and rules
+     *
+     * @param benchmarkId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;Benchmark&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The benchmark. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<Benchmark> getBenchmarkWithHttpInfo(@javax.annotation.Nonnull String benchmarkId, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = getBenchmarkValidateBeforeCall(benchmarkId, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<Benchmark>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * One benchmark with its spaces, conventions and rules (asynchronously)
+     *
+     * @param benchmarkId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The benchmark. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call getBenchmarkAsync(@javax.annotation.Nonnull String benchmarkId, @javax.annotation.Nullable String proctorVersion, final ApiCallback<Benchmark> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = getBenchmarkValidateBeforeCall(benchmarkId, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<Benchmark>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for getRun
+     * @param runId  (required)
+     * @param ifNoneMatch The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. (optional)
+     * @param prefer &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60;. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The run. </td><td>  * Proctor-Version -  <br>  * ETag - Changes whenever any member of the run changes. <br>  </td></tr>
+        <tr><td> 304 </td><td> Unchanged since the ETag in If-None-Match. </td><td>  -  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call getRunCall(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String ifNoneMatch, @javax.annotation.Nullable String prefer, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/runs/{run_id}"
+            .replace("{" + "run_id" + "}", localVarApiClient.escapeString(runId.toString()));
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (ifNoneMatch != null) {
+            localVarHeaderParams.put("If-None-Match", localVarApiClient.parameterToString(ifNoneMatch));
+        }
+
+
+        if (prefer != null) {
+            localVarHeaderParams.put("Prefer", localVarApiClient.parameterToString(prefer));
+        }
+
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call getRunValidateBeforeCall(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String ifNoneMatch, @javax.annotation.Nullable String prefer, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'runId' is set
+        if (runId == null) {
+            throw new ApiException("Missing the required parameter 'runId' when calling getRun(Async)");
+        }
+
+        return getRunCall(runId, ifNoneMatch, prefer, proctorVersion, _callback);
+
+    }
+
+    /**
+     * State, progress and the reason for both; can wait for a change
+     *
+     * @param runId  (required)
+     * @param ifNoneMatch The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. (optional)
+     * @param prefer &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60;. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return Run
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The run. </td><td>  * Proctor-Version -  <br>  * ETag - Changes whenever any member of the run changes. <br>  </td></tr>
+        <tr><td> 304 </td><td> Unchanged since the ETag in If-None-Match. </td><td>  -  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public Run getRun(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String ifNoneMatch, @javax.annotation.Nullable String prefer, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<Run> localVarResp = getRunWithHttpInfo(runId, ifNoneMatch, prefer, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * State, progress and the reason for both; can wait for a change
+     *
+     * @param runId  (required)
+     * @param ifNoneMatch The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. (optional)
+     * @param prefer &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60;. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;Run&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The run. </td><td>  * Proctor-Version -  <br>  * ETag - Changes whenever any member of the run changes. <br>  </td></tr>
+        <tr><td> 304 </td><td> Unchanged since the ETag in If-None-Match. </td><td>  -  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<Run> getRunWithHttpInfo(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String ifNoneMatch, @javax.annotation.Nullable String prefer, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = getRunValidateBeforeCall(runId, ifNoneMatch, prefer, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<Run>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * State, progress and the reason for both; can wait for a change (asynchronously)
+     *
+     * @param runId  (required)
+     * @param ifNoneMatch The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. (optional)
+     * @param prefer &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60;. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The run. </td><td>  * Proctor-Version -  <br>  * ETag - Changes whenever any member of the run changes. <br>  </td></tr>
+        <tr><td> 304 </td><td> Unchanged since the ETag in If-None-Match. </td><td>  -  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call getRunAsync(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String ifNoneMatch, @javax.annotation.Nullable String prefer, @javax.annotation.Nullable String proctorVersion, final ApiCallback<Run> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = getRunValidateBeforeCall(runId, ifNoneMatch, prefer, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<Run>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for getScore
+     * @param runId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The score. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call getScoreCall(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/runs/{run_id}/score"
+            .replace("{" + "run_id" + "}", localVarApiClient.escapeString(runId.toString()));
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call getScoreValidateBeforeCall(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'runId' is set
+        if (runId == null) {
+            throw new ApiException("Missing the required parameter 'runId' when calling getScore(Async)");
+        }
+
+        return getScoreCall(runId, proctorVersion, _callback);
+
+    }
+
+    /**
+     * The score, or its bounds while episodes are missing
+     *
+     * @param runId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return Score
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The score. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public Score getScore(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<Score> localVarResp = getScoreWithHttpInfo(runId, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * The score, or its bounds while episodes are missing
+     *
+     * @param runId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;Score&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The score. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<Score> getScoreWithHttpInfo(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = getScoreValidateBeforeCall(runId, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<Score>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * The score, or its bounds while episodes are missing (asynchronously)
+     *
+     * @param runId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The score. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call getScoreAsync(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String proctorVersion, final ApiCallback<Score> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = getScoreValidateBeforeCall(runId, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<Score>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for listBenchmarks
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> All benchmarks, sorted by id. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call listBenchmarksCall(@javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/benchmarks";
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call listBenchmarksValidateBeforeCall(@javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        return listBenchmarksCall(proctorVersion, _callback);
+
+    }
+
+    /**
+     * The benchmarks offered here
+     *
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return BenchmarkList
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> All benchmarks, sorted by id. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public BenchmarkList listBenchmarks(@javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<BenchmarkList> localVarResp = listBenchmarksWithHttpInfo(proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * The benchmarks offered here
+     *
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;BenchmarkList&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> All benchmarks, sorted by id. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<BenchmarkList> listBenchmarksWithHttpInfo(@javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = listBenchmarksValidateBeforeCall(proctorVersion, null);
+        Type localVarReturnType = new TypeToken<BenchmarkList>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * The benchmarks offered here (asynchronously)
+     *
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> All benchmarks, sorted by id. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call listBenchmarksAsync(@javax.annotation.Nullable String proctorVersion, final ApiCallback<BenchmarkList> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = listBenchmarksValidateBeforeCall(proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<BenchmarkList>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for listEpisodes
+     * @param runId  (required)
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call listEpisodesCall(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/runs/{run_id}/episodes"
+            .replace("{" + "run_id" + "}", localVarApiClient.escapeString(runId.toString()));
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        if (cursor != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("cursor", cursor));
+        }
+
+        if (limit != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("limit", limit));
+        }
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call listEpisodesValidateBeforeCall(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'runId' is set
+        if (runId == null) {
+            throw new ApiException("Missing the required parameter 'runId' when calling listEpisodes(Async)");
+        }
+
+        return listEpisodesCall(runId, cursor, limit, proctorVersion, _callback);
+
+    }
+
+    /**
+     * Every episode with its result so far, in manifest order
+     *
+     * @param runId  (required)
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return EpisodeList
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public EpisodeList listEpisodes(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<EpisodeList> localVarResp = listEpisodesWithHttpInfo(runId, cursor, limit, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * Every episode with its result so far, in manifest order
+     *
+     * @param runId  (required)
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;EpisodeList&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<EpisodeList> listEpisodesWithHttpInfo(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = listEpisodesValidateBeforeCall(runId, cursor, limit, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<EpisodeList>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * Every episode with its result so far, in manifest order (asynchronously)
+     *
+     * @param runId  (required)
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call listEpisodesAsync(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback<EpisodeList> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = listEpisodesValidateBeforeCall(runId, cursor, limit, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<EpisodeList>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for listRuns
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call listRunsCall(@javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/runs";
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        if (cursor != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("cursor", cursor));
+        }
+
+        if (limit != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("limit", limit));
+        }
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call listRunsValidateBeforeCall(@javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        return listRunsCall(cursor, limit, proctorVersion, _callback);
+
+    }
+
+    /**
+     * The caller&#39;s runs, newest first
+     *
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return RunList
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public RunList listRuns(@javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<RunList> localVarResp = listRunsWithHttpInfo(cursor, limit, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * The caller&#39;s runs, newest first
+     *
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;RunList&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<RunList> listRunsWithHttpInfo(@javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = listRunsValidateBeforeCall(cursor, limit, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<RunList>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * The caller&#39;s runs, newest first (asynchronously)
+     *
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call listRunsAsync(@javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback<RunList> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = listRunsValidateBeforeCall(cursor, limit, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<RunList>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for resumeRun
+     * @param runId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The run as it is now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call resumeRunCall(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/runs/{run_id}/resume"
+            .replace("{" + "run_id" + "}", localVarApiClient.escapeString(runId.toString()));
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "POST", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call resumeRunValidateBeforeCall(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'runId' is set
+        if (runId == null) {
+            throw new ApiException("Missing the required parameter 'runId' when calling resumeRun(Async)");
+        }
+
+        return resumeRunCall(runId, proctorVersion, _callback);
+
+    }
+
+    /**
+     * Go on with the episodes that have no score yet
+     *
+     * @param runId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return Run
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The run as it is now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public Run resumeRun(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<Run> localVarResp = resumeRunWithHttpInfo(runId, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * Go on with the episodes that have no score yet
+     *
+     * @param runId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;Run&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The run as it is now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<Run> resumeRunWithHttpInfo(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = resumeRunValidateBeforeCall(runId, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<Run>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * Go on with the episodes that have no score yet (asynchronously)
+     *
+     * @param runId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The run as it is now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call resumeRunAsync(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String proctorVersion, final ApiCallback<Run> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = resumeRunValidateBeforeCall(runId, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<Run>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for stopRun
+     * @param runId  (required)
+     * @param stopRun  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The run as it is now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call stopRunCall(@javax.annotation.Nonnull String runId, @javax.annotation.Nonnull StopRun stopRun, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = stopRun;
+
+        // create path and map variables
+        String localVarPath = "/v1/runs/{run_id}/stop"
+            .replace("{" + "run_id" + "}", localVarApiClient.escapeString(runId.toString()));
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+            "application/json"
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "POST", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call stopRunValidateBeforeCall(@javax.annotation.Nonnull String runId, @javax.annotation.Nonnull StopRun stopRun, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'runId' is set
+        if (runId == null) {
+            throw new ApiException("Missing the required parameter 'runId' when calling stopRun(Async)");
+        }
+
+        // verify the required parameter 'stopRun' is set
+        if (stopRun == null) {
+            throw new ApiException("Missing the required parameter 'stopRun' when calling stopRun(Async)");
+        }
+
+        return stopRunCall(runId, stopRun, proctorVersion, _callback);
+
+    }
+
+    /**
+     * Stop now (abort) or after the episodes in play (drain)
+     *
+     * @param runId  (required)
+     * @param stopRun  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return Run
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The run as it is now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public Run stopRun(@javax.annotation.Nonnull String runId, @javax.annotation.Nonnull StopRun stopRun, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<Run> localVarResp = stopRunWithHttpInfo(runId, stopRun, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * Stop now (abort) or after the episodes in play (drain)
+     *
+     * @param runId  (required)
+     * @param stopRun  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;Run&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The run as it is now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<Run> stopRunWithHttpInfo(@javax.annotation.Nonnull String runId, @javax.annotation.Nonnull StopRun stopRun, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = stopRunValidateBeforeCall(runId, stopRun, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<Run>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * Stop now (abort) or after the episodes in play (drain) (asynchronously)
+     *
+     * @param runId  (required)
+     * @param stopRun  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The run as it is now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call stopRunAsync(@javax.annotation.Nonnull String runId, @javax.annotation.Nonnull StopRun stopRun, @javax.annotation.Nullable String proctorVersion, final ApiCallback<Run> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = stopRunValidateBeforeCall(runId, stopRun, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<Run>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for submitRun
+     * @param submitRun  (required)
+     * @param idempotencyKey Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with &#x60;invalid_request&#x60;. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 201 </td><td> The run exists (or existed already under this Idempotency-Key). </td><td>  * Proctor-Version -  <br>  * Location - Where the run is read. <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call submitRunCall(@javax.annotation.Nonnull SubmitRun submitRun, @javax.annotation.Nullable String idempotencyKey, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = submitRun;
+
+        // create path and map variables
+        String localVarPath = "/v1/runs";
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+            "application/json"
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (idempotencyKey != null) {
+            localVarHeaderParams.put("Idempotency-Key", localVarApiClient.parameterToString(idempotencyKey));
+        }
+
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "POST", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call submitRunValidateBeforeCall(@javax.annotation.Nonnull SubmitRun submitRun, @javax.annotation.Nullable String idempotencyKey, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'submitRun' is set
+        if (submitRun == null) {
+            throw new ApiException("Missing the required parameter 'submitRun' when calling submitRun(Async)");
+        }
+
+        return submitRunCall(submitRun, idempotencyKey, proctorVersion, _callback);
+
+    }
+
+    /**
+     * Ask for one evaluation of one policy on one benchmark
+     *
+     * @param submitRun  (required)
+     * @param idempotencyKey Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with &#x60;invalid_request&#x60;. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return Run
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 201 </td><td> The run exists (or existed already under this Idempotency-Key). </td><td>  * Proctor-Version -  <br>  * Location - Where the run is read. <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public Run submitRun(@javax.annotation.Nonnull SubmitRun submitRun, @javax.annotation.Nullable String idempotencyKey, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<Run> localVarResp = submitRunWithHttpInfo(submitRun, idempotencyKey, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * Ask for one evaluation of one policy on one benchmark
+     *
+     * @param submitRun  (required)
+     * @param idempotencyKey Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with &#x60;invalid_request&#x60;. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;Run&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 201 </td><td> The run exists (or existed already under this Idempotency-Key). </td><td>  * Proctor-Version -  <br>  * Location - Where the run is read. <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<Run> submitRunWithHttpInfo(@javax.annotation.Nonnull SubmitRun submitRun, @javax.annotation.Nullable String idempotencyKey, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = submitRunValidateBeforeCall(submitRun, idempotencyKey, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<Run>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * Ask for one evaluation of one policy on one benchmark (asynchronously)
+     *
+     * @param submitRun  (required)
+     * @param idempotencyKey Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with &#x60;invalid_request&#x60;. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 201 </td><td> The run exists (or existed already under this Idempotency-Key). </td><td>  * Proctor-Version -  <br>  * Location - Where the run is read. <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call submitRunAsync(@javax.annotation.Nonnull SubmitRun submitRun, @javax.annotation.Nullable String idempotencyKey, @javax.annotation.Nullable String proctorVersion, final ApiCallback<Run> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = submitRunValidateBeforeCall(submitRun, idempotencyKey, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<Run>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+}

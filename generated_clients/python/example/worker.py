@@ -1,0 +1,150 @@
+"""A worker loop on the generated client: the least that a policy needs to be evaluated.
+
+    PYTHONPATH=generated_clients/python python .../example/worker.py URL TOKEN [RUN_ID]
+
+It plays the benchmark `calibration` with a scripted policy, or goes on with a run. The
+same loop stands in every language of generated_clients/; see docs/clients.md.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+import uuid
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from typing import TypeVar
+
+import urllib3
+from proctor_client import (
+    Action, ApiClient,
+    ApiException,
+    AttachWorker,
+    CalibrationOptions,
+    Configuration,
+    ControlApi,
+    DataApi,
+    EpisodeResult,
+    PolicyInfo,
+    Predict,
+    Problem,
+    Run,
+    SubmitRun,
+    Turn,
+)
+
+T = TypeVar("T")
+PATIENCE_S = 60.0
+
+
+class Refused(Exception):
+    """The server said no: `problem` says why and what to do."""
+
+    def __init__(self, status: int, problem: Problem, retry_after_s: float | None) -> None:
+        super().__init__(f"{problem.detail} [{problem.code}]")
+        self.status, self.problem, self.retry_after_s = status, problem, retry_after_s
+
+
+class Server:
+    """The control plane of one server, and the data planes that its runs name."""
+
+    def __init__(self, url: str, token: str) -> None:
+        self.token = token
+        self.control = ControlApi(self._client(url))
+
+    def data(self, run: Run) -> DataApi:
+        return DataApi(self._client(run.endpoint))
+
+    def _client(self, host: str) -> ApiClient:
+        return ApiClient(Configuration(host=host, access_token=self.token, retries=False))
+
+    def once(self, request: Callable[[], T]) -> T:
+        """Send a request; a refusal becomes Refused."""
+        try:
+            return request()
+        except ApiException as error:
+            if not isinstance(error.data, Problem):
+                raise
+            wait = (error.headers or {}).get("Retry-After")
+            raise Refused(error.status, error.data, float(wait) if wait else None) from error
+
+    def ask(self, request: Callable[[], T]) -> T:
+        """Send a request until it is answered: a repeat executes nothing twice."""
+        deadline, pause = time.monotonic() + PATIENCE_S, 0.1
+        while True:
+            try:
+                return self.once(request)
+            except Refused as error:
+                if not error.problem.retryable or time.monotonic() > deadline:
+                    raise
+                time.sleep(error.retry_after_s or pause)
+            except (ApiException, urllib3.exceptions.HTTPError):
+                if time.monotonic() > deadline:
+                    raise
+                time.sleep(pause)
+            pause = min(2 * pause, 2.0)
+
+    def play(self, run_id: str, worker_id: str, policy: Callable[[Turn], list[Action]],
+             report: Callable[[EpisodeResult], None]) -> None:
+        """Play until no episode is left; a lost session is replaced by a new one."""
+        while True:
+            data = self.data(self.until_open(run_id))
+            attach = AttachWorker(attach_key=uuid.uuid4().hex)
+            try:
+                turn = self.ask(lambda: data.attach_worker(run_id, worker_id, attach))
+                while not turn.done:
+                    chunk = Predict(session_id=turn.session_id, seq=turn.seq + 1,
+                                    actions=policy(turn))
+                    turn = self.ask(lambda: data.predict(run_id, worker_id, chunk))
+                    if turn.episode_result is not None:
+                        report(turn.episode_result)
+                return
+            except Refused as error:
+                why = error.problem
+                if why.code == "illegal_transition" and why.state == "completed":
+                    return  # the other workers have played the rest
+                if why.code != "session_ended" or why.ended_by in ("run_stopped", "run_failed"):
+                    raise
+
+    def until_open(self, run_id: str) -> Run:
+        """The run, as soon as workers may attach."""
+        while (run := self.ask(lambda: self.control.get_run(run_id))).state.value == "queued":
+            time.sleep(0.1)
+        return run
+
+
+def act(score: float, **values: list[float]) -> Action:
+    """One action of `calibration`; its success is a score above one half."""
+    still = {"end": [0.0], "delay_s": [0.0], "fault": [0.0],
+             "vector": [0.0] * 8, "clipped": [0.0] * 2}
+    return Action(values={**still, "score": [score],
+                          "success": [float(score > 0.5)], **values})
+
+
+def main(url: str, token: str, run_id: str | None = None) -> None:
+    server = Server(url, token)
+    if run_id is None:
+        key, options = uuid.uuid4().hex, CalibrationOptions(tasks=["score"] * 8, max_steps=20)
+        submit = SubmitRun(benchmark_id="calibration", policy=PolicyInfo(name="scripted"), options=options)
+        run = server.ask(lambda: server.control.submit_run(submit, idempotency_key=key))
+    else:
+        run = server.ask(lambda: server.control.resume_run(run_id))
+    print(f"run {run.run_id}: {run.progress.episodes_total} episodes")
+
+    def report(result: EpisodeResult) -> None:
+        print(f"  episode {result.index} ({result.task}): {result.outcome.value}, score {result.score}")
+
+    def policy(turn: Turn) -> list[Action]:
+        return [act((turn.episode.index % 5) / 4)] * 5
+
+    with ThreadPoolExecutor(2) as pool:
+        list(pool.map(lambda i: server.play(run.run_id, f"worker-{i}", policy, report), range(2)))
+    score = server.ask(lambda: server.control.get_score(run.run_id))
+    print(f"score {score.score}")
+
+
+if __name__ == "__main__":
+    try:
+        main(*sys.argv[1:])
+    except Refused as error:
+        sys.exit(f"{error}\nA run is kept: call again with its id to go on.")

@@ -1,0 +1,46 @@
+//! Plays the benchmark `calibration` with a scripted policy, or goes on with a run:
+//!
+//!     cargo run --example worker -- URL TOKEN [RUN_ID]
+
+mod calibration;
+mod worker;
+
+use proctor_client::apis::control_api;
+use proctor_client::models::{CalibrationOptions, CalibrationTask, EpisodeResult, PolicyInfo, SubmitRun, Turn};
+use calibration::act;
+use worker::{ask, at, play, unique, Failure};
+
+async fn evaluate(url: &str, token: &str, run_id: Option<&String>) -> Result<(), Failure> {
+    let control = at(url, token);
+    let options = CalibrationOptions { tasks: Some(vec![CalibrationTask::Score; 8]), ..Default::default() };
+    let policy_info = PolicyInfo::new("scripted".to_owned());
+    let mut submit = SubmitRun::new("calibration".to_owned(), policy_info);
+    submit.options = Some(Box::new(options));
+    let key = unique();
+    let run = match run_id {
+        Some(id) => ask(|| control_api::resume_run(&control, id, None)).await?,
+        None => ask(|| control_api::submit_run(&control, submit.clone(), Some(&key), None)).await?,
+    };
+    println!("run {}: {} episodes", run.run_id, run.progress.episodes_total);
+    let policy = |turn: Turn| async move {
+        let index = turn.episode.map_or(0, |episode| episode.index);
+        vec![act(f64::from(index % 5) / 4.0); 5]
+    };
+    let report = |r: &EpisodeResult| println!("  episode {} ({}): {}, score {}", r.index, r.task, r.outcome, r.score);
+    tokio::try_join!(
+        play(&control, &run.run_id, "worker-0", policy, report),
+        play(&control, &run.run_id, "worker-1", policy, report),
+    )?;
+    let score = ask(|| control_api::get_score(&control, &run.run_id, None)).await?;
+    println!("score {}", score.score.unwrap_or(f64::NAN));
+    Ok(())
+}
+
+#[tokio::main]
+async fn main() {
+    let arguments: Vec<String> = std::env::args().collect();
+    if let Err(failure) = evaluate(&arguments[1], &arguments[2], arguments.get(3)).await {
+        eprintln!("{failure}\nA run is kept: call again with its id to go on.");
+        std::process::exit(1);
+    }
+}

@@ -1,0 +1,37 @@
+/* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
+
+use crate::models;
+use serde::{Deserialize, Serialize};
+
+#[derive(Clone, Default, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Limits {
+    /// Longest request body that is read.
+    #[serde(rename = "max_body_bytes")]
+    pub max_body_bytes: i64,
+    /// Most live workers a run may ask for.
+    #[serde(rename = "max_workers")]
+    pub max_workers: i32,
+    /// Most actions in one predict; a benchmark may allow fewer.
+    #[serde(rename = "max_chunk")]
+    pub max_chunk: i32,
+    #[serde(rename = "idle_timeout_s_min")]
+    pub idle_timeout_s_min: f64,
+    #[serde(rename = "idle_timeout_s_max")]
+    pub idle_timeout_s_max: f64,
+    /// Longest wait that a long-poll is granted.
+    #[serde(rename = "wait_s_max")]
+    pub wait_s_max: i32,
+}
+
+impl Limits {
+    pub fn new(max_body_bytes: i64, max_workers: i32, max_chunk: i32, idle_timeout_s_min: f64, idle_timeout_s_max: f64, wait_s_max: i32) -> Limits {
+        Limits {
+            max_body_bytes,
+            max_workers,
+            max_chunk,
+            idle_timeout_s_min,
+            idle_timeout_s_max,
+            wait_s_max,
+        }
+    }
+}

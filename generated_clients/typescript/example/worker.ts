@@ -1,0 +1,145 @@
+/* A worker loop on the generated client: the least that a policy needs to be evaluated.
+ *
+ *     npm ci && npm run build && node dist/example/worker.js URL TOKEN [RUN_ID]
+ *
+ * It plays the benchmark `calibration` with a scripted policy, or goes on with a run. The
+ * same loop stands in every language of generated_clients/; see docs/clients.md.
+ */
+
+import { randomUUID } from "node:crypto";
+import {
+  Configuration, ControlApi, DataApi, FetchError, ResponseError,
+  type Action, type EpisodeResult, type Problem, type Run, type Turn,
+} from "../src";
+
+const PATIENCE_MS = 60_000;
+
+export const sleep = (ms: number) => new Promise((done) => setTimeout(done, ms));
+
+/** The server said no: `problem` says why and what to do. */
+export class Refused extends Error {
+  constructor(readonly status: number, readonly problem: Problem, readonly retryAfterS: number | null) {
+    super(`${problem.detail} [${problem.code}]`);
+  }
+}
+
+/** No answer, or one that does not speak the protocol, as from a gateway. */
+export class Lost extends Error {}
+
+/** The control plane of one server, and the data planes that its runs name. */
+export class Server {
+  readonly control: ControlApi;
+
+  constructor(url: string, private readonly token: string) {
+    this.control = new ControlApi(this.at(url));
+  }
+
+  data(run: Run): DataApi {
+    return new DataApi(this.at(run.endpoint));
+  }
+
+  private at(basePath: string): Configuration {
+    return new Configuration({ basePath, accessToken: this.token });
+  }
+
+  /** Send a request; a refusal becomes Refused. */
+  async once<T>(request: () => Promise<T>): Promise<T> {
+    try {
+      return await request();
+    } catch (error) {
+      if (error instanceof ResponseError) {
+        const problem = await error.response.json().catch(() => ({}));
+        if (typeof problem.code !== "string") throw new Lost(`status ${error.response.status}`);
+        const wait = error.response.headers.get("Retry-After");
+        throw new Refused(error.response.status, problem, wait ? Number(wait) : null);
+      }
+      if (error instanceof FetchError || error instanceof TypeError) throw new Lost(String(error.cause ?? error));
+      throw error;
+    }
+  }
+
+  /** Send a request until it is answered: a repeat executes nothing twice. */
+  async ask<T>(request: () => Promise<T>): Promise<T> {
+    const deadline = Date.now() + PATIENCE_MS;
+    for (let pause = 100; ; pause = Math.min(2 * pause, 2000)) {
+      try {
+        return await this.once(request);
+      } catch (error) {
+        const again = error instanceof Lost || (error instanceof Refused && error.problem.retryable);
+        if (!again || Date.now() > deadline) throw error;
+        const wait = error instanceof Refused ? error.retryAfterS : null;
+        await sleep(wait ? 1000 * wait : pause);
+      }
+    }
+  }
+
+  /** Play until no episode is left; a lost session is replaced by a new one. */
+  async play(
+    runId: string, workerId: string,
+    policy: (turn: Turn) => Promise<Action[]>, report: (result: EpisodeResult) => void,
+  ): Promise<void> {
+    for (;;) {
+      const data = this.data(await this.untilOpen(runId));
+      const attachWorker = { attach_key: randomUUID() };
+      try {
+        let turn = await this.ask(() => data.attachWorker({ runId, workerId, attachWorker }));
+        while (!turn.done) {
+          const predict = { session_id: turn.session_id, seq: turn.seq + 1, actions: await policy(turn) };
+          turn = await this.ask(() => data.predict({ runId, workerId, predict }));
+          if (turn.episode_result) report(turn.episode_result);
+        }
+        return;
+      } catch (error) {
+        if (!(error instanceof Refused)) throw error;
+        const { code, state, ended_by } = error.problem;
+        if (code === "illegal_transition" && state === "completed") return; // others played the rest
+        if (code !== "session_ended" || ended_by === "run_stopped" || ended_by === "run_failed") throw error;
+      }
+    }
+  }
+
+  /** The run, as soon as workers may attach. */
+  async untilOpen(runId: string): Promise<Run> {
+    for (;;) {
+      const run = await this.ask(() => this.control.getRun({ runId }));
+      if (run.state !== "queued") return run;
+      await sleep(100);
+    }
+  }
+}
+
+/** One action of `calibration`; its success is a score above one half. */
+export function act(score: number, values: Record<string, number[]> = {}): Action {
+  return {
+    values: {
+      score: [score], success: [score > 0.5 ? 1 : 0], end: [0], delay_s: [0], fault: [0],
+      vector: Array(8).fill(0), clipped: [0, 0], ...values,
+    },
+  };
+}
+
+async function main(url: string, token: string, runId?: string): Promise<void> {
+  const server = new Server(url, token);
+  const submitRun = {
+    benchmark_id: "calibration", policy: { name: "scripted" },
+    options: { tasks: Array(8).fill("score"), max_steps: 20 },
+  };
+  const idempotencyKey = randomUUID();
+  const run = runId
+    ? await server.ask(() => server.control.resumeRun({ runId }))
+    : await server.ask(() => server.control.submitRun({ submitRun, idempotencyKey }));
+  console.log(`run ${run.run_id}: ${run.progress.episodes_total} episodes`);
+  const report = (r: EpisodeResult) => console.log(`  episode ${r.index} (${r.task}): ${r.outcome}, score ${r.score}`);
+  const policy = async (turn: Turn) => Array(5).fill(act((turn.episode!.index % 5) / 4));
+  await Promise.all([0, 1].map((i) => server.play(run.run_id, `worker-${i}`, policy, report)));
+  const score = await server.ask(() => server.control.getScore({ runId: run.run_id }));
+  console.log(`score ${score.score}`);
+}
+
+if (require.main === module) {
+  const [url, token, runId] = process.argv.slice(2);
+  main(url, token, runId).catch((error) => {
+    console.error(`${error.message}\nA run is kept: call again with its id to go on.`);
+    process.exit(1);
+  });
+}

@@ -1,0 +1,772 @@
+/* tslint:disable */
+/* eslint-disable */
+/*
+ * Generated from spec/openapi.yaml by `make generate`; never edited by hand.
+ */
+
+import * as runtime from '../runtime';
+import {
+    type Benchmark,
+    BenchmarkFromJSON,
+    BenchmarkToJSON,
+} from '../models/Benchmark';
+import {
+    type BenchmarkList,
+    BenchmarkListFromJSON,
+    BenchmarkListToJSON,
+} from '../models/BenchmarkList';
+import {
+    type EpisodeList,
+    EpisodeListFromJSON,
+    EpisodeListToJSON,
+} from '../models/EpisodeList';
+import {
+    type Problem,
+    ProblemFromJSON,
+    ProblemToJSON,
+} from '../models/Problem';
+import {
+    type Run,
+    RunFromJSON,
+    RunToJSON,
+} from '../models/Run';
+import {
+    type RunList,
+    RunListFromJSON,
+    RunListToJSON,
+} from '../models/RunList';
+import {
+    type Score,
+    ScoreFromJSON,
+    ScoreToJSON,
+} from '../models/Score';
+import {
+    type Service,
+    ServiceFromJSON,
+    ServiceToJSON,
+} from '../models/Service';
+import {
+    type StopRun,
+    StopRunFromJSON,
+    StopRunToJSON,
+} from '../models/StopRun';
+import {
+    type SubmitRun,
+    SubmitRunFromJSON,
+    SubmitRunToJSON,
+} from '../models/SubmitRun';
+
+export interface DescribeServiceRequest {
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface GetBenchmarkRequest {
+    /**
+     *
+     */
+    benchmarkId: string;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface GetRunRequest {
+    /**
+     *
+     */
+    runId: string;
+    /**
+     * The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none.
+     */
+    ifNoneMatch?: string;
+    /**
+     * `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request`.
+     */
+    prefer?: string;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface GetScoreRequest {
+    /**
+     *
+     */
+    runId: string;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface ListBenchmarksRequest {
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface ListEpisodesRequest {
+    /**
+     *
+     */
+    runId: string;
+    /**
+     * `next_cursor` of the page before; opaque to the caller.
+     */
+    cursor?: string;
+    /**
+     * Most items wanted on a page; 100 when absent.
+     */
+    limit?: number;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface ListRunsRequest {
+    /**
+     * `next_cursor` of the page before; opaque to the caller.
+     */
+    cursor?: string;
+    /**
+     * Most items wanted on a page; 100 when absent.
+     */
+    limit?: number;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface ResumeRunRequest {
+    /**
+     *
+     */
+    runId: string;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface StopRunRequest {
+    /**
+     *
+     */
+    runId: string;
+    /**
+     *
+     */
+    stopRun: StopRun;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface SubmitRunRequest {
+    /**
+     *
+     */
+    submitRun: SubmitRun;
+    /**
+     * Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request`.
+     */
+    idempotencyKey?: string;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+/**
+ *
+ */
+export class ControlApi extends runtime.BaseAPI {
+
+    /**
+     * Creates request options for describeService without sending the request
+     */
+    async describeServiceRequestOpts(requestParameters: DescribeServiceRequest): Promise<runtime.RequestOpts> {
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+
+        let urlPath = `/v1`;
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * What this server is, speaks and allows
+     */
+    async describeServiceRaw(requestParameters: DescribeServiceRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<Service>> {
+        const requestOptions = await this.describeServiceRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => ServiceFromJSON(jsonValue));
+    }
+
+    /**
+     * What this server is, speaks and allows
+     */
+    async describeService(requestParameters: DescribeServiceRequest = {}, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<Service> {
+        const response = await this.describeServiceRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for getBenchmark without sending the request
+     */
+    async getBenchmarkRequestOpts(requestParameters: GetBenchmarkRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['benchmarkId'] == null) {
+            throw new runtime.RequiredError(
+                'benchmarkId',
+                'Required parameter "benchmarkId" was null or undefined when calling getBenchmark().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/benchmarks/{benchmark_id}`;
+        urlPath = urlPath.replace('{benchmark_id}', encodeURIComponent(String(requestParameters['benchmarkId'])));
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * One benchmark with its spaces, conventions and rules
+     */
+    async getBenchmarkRaw(requestParameters: GetBenchmarkRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<Benchmark>> {
+        const requestOptions = await this.getBenchmarkRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => BenchmarkFromJSON(jsonValue));
+    }
+
+    /**
+     * One benchmark with its spaces, conventions and rules
+     */
+    async getBenchmark(requestParameters: GetBenchmarkRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<Benchmark> {
+        const response = await this.getBenchmarkRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for getRun without sending the request
+     */
+    async getRunRequestOpts(requestParameters: GetRunRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['runId'] == null) {
+            throw new runtime.RequiredError(
+                'runId',
+                'Required parameter "runId" was null or undefined when calling getRun().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['ifNoneMatch'] != null) {
+            headerParameters['If-None-Match'] = String(requestParameters['ifNoneMatch']);
+        }
+
+        if (requestParameters['prefer'] != null) {
+            headerParameters['Prefer'] = String(requestParameters['prefer']);
+        }
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/runs/{run_id}`;
+        urlPath = urlPath.replace('{run_id}', encodeURIComponent(String(requestParameters['runId'])));
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * State, progress and the reason for both; can wait for a change
+     */
+    async getRunRaw(requestParameters: GetRunRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<Run>> {
+        const requestOptions = await this.getRunRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => RunFromJSON(jsonValue));
+    }
+
+    /**
+     * State, progress and the reason for both; can wait for a change
+     */
+    async getRun(requestParameters: GetRunRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<Run> {
+        const response = await this.getRunRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for getScore without sending the request
+     */
+    async getScoreRequestOpts(requestParameters: GetScoreRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['runId'] == null) {
+            throw new runtime.RequiredError(
+                'runId',
+                'Required parameter "runId" was null or undefined when calling getScore().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/runs/{run_id}/score`;
+        urlPath = urlPath.replace('{run_id}', encodeURIComponent(String(requestParameters['runId'])));
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * The score, or its bounds while episodes are missing
+     */
+    async getScoreRaw(requestParameters: GetScoreRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<Score>> {
+        const requestOptions = await this.getScoreRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => ScoreFromJSON(jsonValue));
+    }
+
+    /**
+     * The score, or its bounds while episodes are missing
+     */
+    async getScore(requestParameters: GetScoreRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<Score> {
+        const response = await this.getScoreRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for listBenchmarks without sending the request
+     */
+    async listBenchmarksRequestOpts(requestParameters: ListBenchmarksRequest): Promise<runtime.RequestOpts> {
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/benchmarks`;
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * The benchmarks offered here
+     */
+    async listBenchmarksRaw(requestParameters: ListBenchmarksRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<BenchmarkList>> {
+        const requestOptions = await this.listBenchmarksRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => BenchmarkListFromJSON(jsonValue));
+    }
+
+    /**
+     * The benchmarks offered here
+     */
+    async listBenchmarks(requestParameters: ListBenchmarksRequest = {}, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<BenchmarkList> {
+        const response = await this.listBenchmarksRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for listEpisodes without sending the request
+     */
+    async listEpisodesRequestOpts(requestParameters: ListEpisodesRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['runId'] == null) {
+            throw new runtime.RequiredError(
+                'runId',
+                'Required parameter "runId" was null or undefined when calling listEpisodes().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        if (requestParameters['cursor'] != null) {
+            queryParameters['cursor'] = requestParameters['cursor'];
+        }
+
+        if (requestParameters['limit'] != null) {
+            queryParameters['limit'] = requestParameters['limit'];
+        }
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/runs/{run_id}/episodes`;
+        urlPath = urlPath.replace('{run_id}', encodeURIComponent(String(requestParameters['runId'])));
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * Every episode with its result so far, in manifest order
+     */
+    async listEpisodesRaw(requestParameters: ListEpisodesRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<EpisodeList>> {
+        const requestOptions = await this.listEpisodesRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => EpisodeListFromJSON(jsonValue));
+    }
+
+    /**
+     * Every episode with its result so far, in manifest order
+     */
+    async listEpisodes(requestParameters: ListEpisodesRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<EpisodeList> {
+        const response = await this.listEpisodesRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for listRuns without sending the request
+     */
+    async listRunsRequestOpts(requestParameters: ListRunsRequest): Promise<runtime.RequestOpts> {
+        const queryParameters: any = {};
+
+        if (requestParameters['cursor'] != null) {
+            queryParameters['cursor'] = requestParameters['cursor'];
+        }
+
+        if (requestParameters['limit'] != null) {
+            queryParameters['limit'] = requestParameters['limit'];
+        }
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/runs`;
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * The caller\'s runs, newest first
+     */
+    async listRunsRaw(requestParameters: ListRunsRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<RunList>> {
+        const requestOptions = await this.listRunsRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => RunListFromJSON(jsonValue));
+    }
+
+    /**
+     * The caller\'s runs, newest first
+     */
+    async listRuns(requestParameters: ListRunsRequest = {}, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<RunList> {
+        const response = await this.listRunsRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for resumeRun without sending the request
+     */
+    async resumeRunRequestOpts(requestParameters: ResumeRunRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['runId'] == null) {
+            throw new runtime.RequiredError(
+                'runId',
+                'Required parameter "runId" was null or undefined when calling resumeRun().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/runs/{run_id}/resume`;
+        urlPath = urlPath.replace('{run_id}', encodeURIComponent(String(requestParameters['runId'])));
+
+        return {
+            path: urlPath,
+            method: 'POST',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * Go on with the episodes that have no score yet
+     */
+    async resumeRunRaw(requestParameters: ResumeRunRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<Run>> {
+        const requestOptions = await this.resumeRunRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => RunFromJSON(jsonValue));
+    }
+
+    /**
+     * Go on with the episodes that have no score yet
+     */
+    async resumeRun(requestParameters: ResumeRunRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<Run> {
+        const response = await this.resumeRunRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for stopRun without sending the request
+     */
+    async stopRunRequestOpts(requestParameters: StopRunRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['runId'] == null) {
+            throw new runtime.RequiredError(
+                'runId',
+                'Required parameter "runId" was null or undefined when calling stopRun().'
+            );
+        }
+
+        if (requestParameters['stopRun'] == null) {
+            throw new runtime.RequiredError(
+                'stopRun',
+                'Required parameter "stopRun" was null or undefined when calling stopRun().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        headerParameters['Content-Type'] = 'application/json';
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/runs/{run_id}/stop`;
+        urlPath = urlPath.replace('{run_id}', encodeURIComponent(String(requestParameters['runId'])));
+
+        return {
+            path: urlPath,
+            method: 'POST',
+            headers: headerParameters,
+            query: queryParameters,
+            body: StopRunToJSON(requestParameters['stopRun']),
+        };
+    }
+
+    /**
+     * Stop now (abort) or after the episodes in play (drain)
+     */
+    async stopRunRaw(requestParameters: StopRunRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<Run>> {
+        const requestOptions = await this.stopRunRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => RunFromJSON(jsonValue));
+    }
+
+    /**
+     * Stop now (abort) or after the episodes in play (drain)
+     */
+    async stopRun(requestParameters: StopRunRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<Run> {
+        const response = await this.stopRunRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for submitRun without sending the request
+     */
+    async submitRunRequestOpts(requestParameters: SubmitRunRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['submitRun'] == null) {
+            throw new runtime.RequiredError(
+                'submitRun',
+                'Required parameter "submitRun" was null or undefined when calling submitRun().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        headerParameters['Content-Type'] = 'application/json';
+
+        if (requestParameters['idempotencyKey'] != null) {
+            headerParameters['Idempotency-Key'] = String(requestParameters['idempotencyKey']);
+        }
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/runs`;
+
+        return {
+            path: urlPath,
+            method: 'POST',
+            headers: headerParameters,
+            query: queryParameters,
+            body: SubmitRunToJSON(requestParameters['submitRun']),
+        };
+    }
+
+    /**
+     * Ask for one evaluation of one policy on one benchmark
+     */
+    async submitRunRaw(requestParameters: SubmitRunRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<Run>> {
+        const requestOptions = await this.submitRunRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => RunFromJSON(jsonValue));
+    }
+
+    /**
+     * Ask for one evaluation of one policy on one benchmark
+     */
+    async submitRun(requestParameters: SubmitRunRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<Run> {
+        const response = await this.submitRunRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+}

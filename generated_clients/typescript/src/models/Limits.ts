@@ -1,0 +1,93 @@
+/* tslint:disable */
+/* eslint-disable */
+/*
+ * Generated from spec/openapi.yaml by `make generate`; never edited by hand.
+ */
+
+import { mapValues } from '../runtime';
+/**
+ *
+ * @export
+ * @interface Limits
+ */
+export interface Limits {
+    [key: string]: any | any;
+    /**
+     * Longest request body that is read.
+     */
+    max_body_bytes: number;
+    /**
+     * Most live workers a run may ask for.
+     */
+    max_workers: number;
+    /**
+     * Most actions in one predict; a benchmark may allow fewer.
+     */
+    max_chunk: number;
+    /**
+     *
+     */
+    idle_timeout_s_min: number;
+    /**
+     *
+     */
+    idle_timeout_s_max: number;
+    /**
+     * Longest wait that a long-poll is granted.
+     */
+    wait_s_max: number;
+}
+
+/**
+ * Check if a given object implements the Limits interface.
+ */
+export function instanceOfLimits(value: object): value is Limits {
+    if (!('max_body_bytes' in value) || value['max_body_bytes'] === undefined) return false;
+    if (!('max_workers' in value) || value['max_workers'] === undefined) return false;
+    if (!('max_chunk' in value) || value['max_chunk'] === undefined) return false;
+    if (!('idle_timeout_s_min' in value) || value['idle_timeout_s_min'] === undefined) return false;
+    if (!('idle_timeout_s_max' in value) || value['idle_timeout_s_max'] === undefined) return false;
+    if (!('wait_s_max' in value) || value['wait_s_max'] === undefined) return false;
+    return true;
+}
+
+export function LimitsFromJSON(json: any): Limits {
+    return LimitsFromJSONTyped(json, false);
+}
+
+export function LimitsFromJSONTyped(json: any, ignoreDiscriminator: boolean): Limits {
+    if (json == null) {
+        return json;
+    }
+    return {
+
+            ...json,
+        'max_body_bytes': json['max_body_bytes'],
+        'max_workers': json['max_workers'],
+        'max_chunk': json['max_chunk'],
+        'idle_timeout_s_min': json['idle_timeout_s_min'],
+        'idle_timeout_s_max': json['idle_timeout_s_max'],
+        'wait_s_max': json['wait_s_max'],
+    };
+}
+
+export function LimitsToJSON(json: any): Limits {
+    return LimitsToJSONTyped(json, false);
+}
+
+export function LimitsToJSONTyped(value?: Limits | null, ignoreDiscriminator: boolean = false): any {
+    if (value == null) {
+        return value;
+    }
+
+    return {
+
+            ...value,
+        'max_body_bytes': value['max_body_bytes'],
+        'max_workers': value['max_workers'],
+        'max_chunk': value['max_chunk'],
+        'idle_timeout_s_min': value['idle_timeout_s_min'],
+        'idle_timeout_s_max': value['idle_timeout_s_max'],
+        'wait_s_max': value['wait_s_max'],
+    };
+}

@@ -1,0 +1,250 @@
+"""Build every client, play every scenario through it, judge: `make interop`.
+
+Runs from the repository's root as `python -m tools.interop`. Without --url it judges
+the clients at a reference server of its own. The matrix goes to the console, as JUnit
+to report/interop.xml and, of a whole run, to docs/interop.md. What was not run is never
+green. Ends with 1 if something failed, 2 if something was not run, else with 0.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shlex
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+from tests.conftest import TOKENS, House
+from tests.interop.clients import LANGUAGES, NOT_COMPILED, ROOT, CannotRun, Language
+from tests.interop.scenarios import (
+    LIMITS,
+    MEANING,
+    SCENARIOS,
+    CannotJudge,
+    Program,
+    Server,
+    Wrong,
+)
+
+PAGE = ROOT / "docs" / "interop.md"
+JUNIT = ROOT / "report" / "interop.xml"
+PASSED, FAILED, NOT_RUN = "passed", "failed", "not run"
+MARKS = {PASSED: "✔", FAILED: "**failed**", NOT_RUN: "not run"}
+
+
+@dataclass(frozen=True)
+class Cell:
+    """The outcome of one scenario in one language."""
+
+    outcome: str
+    why: str = ""
+    seconds: float = 0.0
+
+
+@dataclass
+class Matrix:
+    """Outcomes by language and scenario, and the toolchains that made them."""
+
+    cells: dict[str, dict[str, Cell]] = field(default_factory=dict)
+    toolchains: dict[str, str] = field(default_factory=dict)
+
+    def outcomes(self) -> list[str]:
+        return [cell.outcome for row in self.cells.values() for cell in row.values()]
+
+    def exit_code(self) -> int:
+        seen = self.outcomes()
+        if FAILED in seen:
+            return 1
+        return 2 if NOT_RUN in seen or not seen else 0
+
+
+def play(language: Language, server: Server, names: list[str], matrix: Matrix) -> None:
+    """Build one client and put its row into the matrix."""
+    row = matrix.cells.setdefault(language.name, {})
+    if missing := language.missing():
+        row |= {name: Cell(NOT_RUN, missing) for name in names}
+        return
+    matrix.toolchains[language.name] = language.toolchain()
+    started = time.monotonic()
+    try:
+        language.build()
+    except (CannotRun, subprocess.TimeoutExpired) as error:
+        row |= {name: Cell(FAILED, f"the build: {error}") for name in names}
+        return
+    print(f"{language.name}: built in {time.monotonic() - started:.0f} s", flush=True)
+    program = Program(
+        language.name, language.command(language.directory), language.env()
+    )
+    for name in names:
+        row[name] = judge(name, server, program)
+        print(f"  {name:<14} {row[name].outcome} {row[name].why}".rstrip(), flush=True)
+
+
+def judge(name: str, server: Server, program: Program) -> Cell:
+    started = time.monotonic()
+    try:
+        SCENARIOS[name](server, program)
+    except CannotJudge as error:
+        return Cell(NOT_RUN, str(error))
+    except (Wrong, KeyError, TypeError, ValueError) as error:
+        # A member that is missing or misshapen in what the program said is its fault.
+        why = f"{type(error).__name__}: {error}"
+        return Cell(FAILED, why, time.monotonic() - started)
+    return Cell(PASSED, seconds=time.monotonic() - started)
+
+
+def table(matrix: Matrix) -> list[str]:
+    """The matrix in Markdown, languages as columns, with a note for every limit."""
+    languages = list(matrix.cells)
+    notes: dict[str, int] = {}
+    lines = [
+        f"| scenario | {' | '.join(languages)} |",
+        "|---" * (len(languages) + 1) + "|",
+    ]
+    for name in SCENARIOS:
+        marks = []
+        for language in languages:
+            cell = matrix.cells[language].get(name, Cell(NOT_RUN))
+            mark = MARKS[cell.outcome]
+            limit = LIMITS.get((language, name)) if cell.outcome == PASSED else None
+            if limit:
+                mark += f" [{notes.setdefault(f'{language}: {limit}', len(notes) + 1)}]"
+            marks.append(mark)
+        lines.append(f"| {name}: {MEANING[name]} | {' | '.join(marks)} |")
+    lines += ["", *(f"[{number}] {note}." for note, number in notes.items())]
+    return lines
+
+
+def page(matrix: Matrix) -> str:
+    whys = {
+        f"{language}: {cell.why.splitlines()[0]}"
+        for language, row in matrix.cells.items()
+        for cell in row.values()
+        if cell.outcome != PASSED and cell.why
+    }
+    built = [f"{name} ({version})" for name, version in matrix.toolchains.items()]
+    others = ", ".join(f"{name} ({why})" for name, why in NOT_COMPILED.items())
+    parts = [
+        "# Every client, every scenario",
+        "",
+        "Written by `make interop`, which builds the client of each language, plays",
+        "the scenarios against a reference server and judges what the client saw. A",
+        "gateway in between loses answers and kills the server. *not run* is no pass.",
+        "",
+        *table(matrix),
+        "",
+        *(f"- {why}" for why in sorted(whys)),
+        *([""] if whys else []),
+        f"Toolchains: {'; '.join(built)}.",
+        "",
+        f"Not run at all: {others}.",
+        "",
+        "The programs are `generated_clients/<language>/interop/`; what they should",
+        "see stands in `tests/interop/scenarios.py`. `make interop URL=... TOKEN=...`",
+        "plays them against another server; `LANGUAGES=...` and `ONLY=...` choose.",
+        "Builds stay in `.cache/interop/`.",
+    ]
+    return "\n".join(parts) + "\n"
+
+
+def junit(matrix: Matrix) -> bytes:
+    outcomes = matrix.outcomes()
+    suite = ET.Element(
+        "testsuite",
+        name="interop",
+        tests=str(len(outcomes)),
+        failures=str(outcomes.count(FAILED)),
+        skipped=str(outcomes.count(NOT_RUN)),
+    )
+    for language, row in matrix.cells.items():
+        for name, cell in row.items():
+            case = ET.SubElement(
+                suite, "testcase", classname=f"interop.{language}", name=name
+            )
+            case.set("time", f"{cell.seconds:.3f}")
+            if cell.outcome == FAILED:
+                ET.SubElement(case, "failure", message=cell.why[:200]).text = cell.why
+            elif cell.outcome == NOT_RUN:
+                ET.SubElement(case, "skipped", message=cell.why)
+    text: bytes = ET.tostring(suite, encoding="utf-8", xml_declaration=True)
+    return text
+
+
+@contextmanager
+def the_server(arguments: argparse.Namespace) -> Iterator[Server]:
+    """The server of --url, or one of our own."""
+    if arguments.url:
+        command = shlex.split(os.environ.get("RAW_RESTART_CMD", ""))
+
+        def restart() -> str:
+            subprocess.run(command, check=True)
+            return str(arguments.url)
+
+        token = os.environ.get("PROCTOR_TOKEN", "")
+        yield Server(arguments.url.rstrip("/"), token, restart if command else None)
+        return
+    with tempfile.TemporaryDirectory() as directory:
+        house = House(Path(directory))
+
+        def again() -> str:
+            house.end(signal.SIGKILL)
+            house.start()
+            return house.url
+
+        try:
+            yield Server(house.url, TOKENS["alice"], again)
+        finally:
+            house.end(signal.SIGTERM)
+
+
+def chosen(text: str, known: list[str]) -> list[str]:
+    wanted = [name for name in text.split(",") if name] or known
+    if strangers := set(wanted) - set(known):
+        raise SystemExit(
+            f"interop: no {', '.join(sorted(strangers))}; have {', '.join(known)}"
+        )
+    return wanted
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    said = os.environ.get  # `make interop URL=... LANGUAGES=... ONLY=...`
+    for flag, meaning in (
+        ("url", "of another server; PROCTOR_TOKEN is its token"),
+        ("languages", "comma-separated; all when absent"),
+        ("only", "comma-separated scenarios; all when absent"),
+    ):
+        default = said(flag.upper(), "")
+        parser.add_argument(f"--{flag}", default=default, help=meaning)
+    arguments = parser.parse_args()
+    languages = {language.name: language for language in LANGUAGES}
+    rows = chosen(arguments.languages, list(languages))
+    names = chosen(arguments.only, list(SCENARIOS))
+    matrix = Matrix()
+    with the_server(arguments) as server:
+        for name in rows:
+            play(languages[name], server, names, matrix)
+    print("\n".join(["", *table(matrix)]))
+    JUNIT.parent.mkdir(exist_ok=True)
+    JUNIT.write_bytes(junit(matrix))
+    if (
+        not arguments.url
+        and len(rows) == len(languages)
+        and len(names) == len(SCENARIOS)
+    ):
+        PAGE.write_text(page(matrix))
+    return matrix.exit_code()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
