@@ -68,7 +68,7 @@ metaworld-table: metaworld ## Play its experts both ways, rewrite docs/metaworld
 	@OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python tools/metaworld_table.py $(ARGS)
 
 test: setup lint generate-check ## Lint, check generated files, run our own tests
-	@$(python) -m pytest tests --numprocesses auto --maxprocesses 8
+	@$(python) -m pytest tests --numprocesses auto --maxprocesses 8 --dist worksteal
 
 lint: setup ## Check style and types
 	@$(python) -m ruff check --quiet .

@@ -9,7 +9,6 @@ from starlette.responses import Response
 
 from reference_server import (
     auth,
-    benchmarks,
     messages,
     operations,
     problems,
@@ -135,16 +134,14 @@ def answers_for_unknown_benchmarks() -> None:
 @mutant("BEN-003")
 def hashes_a_benchmark_anew_each_time() -> None:
     """Two runs on the same benchmark cannot be compared."""
-    right = Benchmarks._resolved
+    right = Benchmarks.view
     count = iter(range(10**9))
 
-    def wrong(self: Benchmarks, *arguments: Any) -> Any:
-        found = right(self, *arguments)
-        return benchmarks.ResolvedRun(
-            found.manifest, f"{next(count):064x}", found.images
-        )
+    async def wrong(self: Benchmarks, benchmark_id: str) -> Any:
+        shown = await right(self, benchmark_id)
+        return shown | {"manifest_sha256": f"{next(count):064x}"}
 
-    put(Benchmarks, "_resolved", wrong)
+    put(Benchmarks, "view", wrong)
 
 
 # --- runs ---
