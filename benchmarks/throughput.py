@@ -176,7 +176,7 @@ def measure(url: str, token: str, workers: int, seconds: float) -> list[dict[str
 def main() -> int:
     arguments = argparse.ArgumentParser(description=__doc__)
     arguments.add_argument("--workers", type=int, default=16)
-    arguments.add_argument("--seconds", type=float, default=4.0)
+    arguments.add_argument("--seconds", type=float, default=2.0)
     options = arguments.parse_args()
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
     token = "throughput"  # noqa: S105 - opens nothing but this server

@@ -104,6 +104,7 @@ def _serve(
         access_log=False,
         server_header=False,
         timeout_graceful_shutdown=5,
+        timeout_keep_alive=75,  # a policy may think for longer than the usual 5 s
     )
     port = listener.getsockname()[1]
     server = Server(config, _greeting(settings.host, port, secret), app.end)
