@@ -1,6 +1,6 @@
 """How much of the simulator's own speed is left when it is played over the protocol.
 
-`python benchmarks/throughput.py` plays the same control steps of `tabletop_state` in
+`python tools/throughput.py` plays the same control steps of `tabletop_state` in
 bare Python loops, one process each, and through a whole reference server with the same
 number of workers, in turn (A B A B …) on the same cores, and prints the ratio for each
 length of chunk. Sessions, exactly-once, scoring and the store are at work as always.
