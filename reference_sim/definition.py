@@ -115,8 +115,10 @@ def without_mujoco() -> str | None:
 
 def without_pictures() -> str | None:
     """Why nothing with cameras can be played here; starts a process the first time."""
+    if reason := without_mujoco():
+        return reason  # trying to draw would blame the graphics
     try:
         rendering.find_backend()
     except rendering.RenderingUnavailable as unavailable:
         return str(unavailable)
-    return without_mujoco()
+    return None
