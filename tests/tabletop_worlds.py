@@ -2,26 +2,24 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import xml.etree.ElementTree as ET
-from collections.abc import Callable
 
 import numpy as np
 
-from reference_sim.interface import Action, Observation, Simulator, StepOutcome
+from reference_sim.interface import Action, Observation, Simulator
 from reference_sim.physical import PhysicalSimulator
 from reference_sim.tabletop.experts import TabletopExpert
 from reference_sim.tabletop.layout import CAMERAS, HOME_RAD, SUBSTEPS
 from reference_sim.tabletop.scene import TabletopScene, scene_mjcf
 from reference_sim.tabletop.tasks import TASKS
 from reference_sim.tabletop.variation import SPLITS
+from tests.physical_worlds import Policy, bits, play
 
 WIDTH, HEIGHT = 64, 48
 HOME: Action = {"joint_position": list(HOME_RAD), "gripper": [1.0]}
 ALL = [(task, split) for task in TASKS for split in SPLITS]
 
-Policy = Callable[[Observation], Action]
 Tabletop = PhysicalSimulator[TabletopScene]
 
 
@@ -39,14 +37,6 @@ def scene_elements(tag: str) -> dict[str, dict[str, str]]:
     """Of the scene's XML: name → attributes."""
     root = ET.fromstring(scene_mjcf())  # noqa: S314 - our own file
     return {one.get("name", ""): dict(one.attrib) for one in root.iter(tag)}
-
-
-def play(sim: Simulator, policy: Policy, steps: int) -> list[StepOutcome]:
-    """Plays on until the task ends or the steps are used up."""
-    outcomes: list[StepOutcome] = []
-    while len(outcomes) < steps and not (outcomes and outcomes[-1].terminated):
-        outcomes.append(sim.step(policy(sim.observe())))
-    return outcomes
 
 
 def expert(sim: Simulator, task: str, seed: int, split: str = "") -> Policy:
@@ -74,15 +64,6 @@ def waving() -> Policy:
         return {"joint_position": joints.tolist(), "gripper": [swing.uniform()]}
 
     return act
-
-
-def bits(seen: Observation) -> str:
-    digest = hashlib.sha256()
-    for name, values in sorted(seen.state.items()):
-        digest.update(name.encode() + values.tobytes())
-    for name, image in sorted(seen.images.items()):
-        digest.update(name.encode() + image.tobytes())
-    return digest.hexdigest()
 
 
 def waving_bits(seed: int) -> list[str]:

@@ -6,17 +6,15 @@ that changes it. None is skipped.
 
 from __future__ import annotations
 
-import hashlib
 import itertools
 import json
 import multiprocessing
-from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 
 import numpy as np
 import pytest
 
-from reference_sim.interface import Action, Observation, Simulator, StepOutcome
+from reference_sim.interface import Action, Observation, Simulator
 from reference_sim.mobile_bimanual.benchmark import MAX_STEPS
 from reference_sim.mobile_bimanual.experts import (
     MobileBimanualExpert,
@@ -43,6 +41,7 @@ from reference_sim.mobile_bimanual.tasks import (
     TwoHandedLift,
 )
 from reference_sim.physical import PhysicalSimulator
+from tests.physical_worlds import Policy, bits, play
 
 WIDTH, HEIGHT = 64, 48
 STILL: Action = {
@@ -52,7 +51,6 @@ STILL: Action = {
 }
 MODES = tuple(ACTION_CHANNELS)
 
-Policy = Callable[[Observation], Action]
 Sim = PhysicalSimulator[MobileBimanualScene]
 
 
@@ -65,14 +63,6 @@ def make(*, cameras: bool = False, control: str = "joint_position") -> Sim:
         cameras=tuple(CAMERAS) if cameras else (),
         camera_size=(WIDTH, HEIGHT),
     )
-
-
-def play(sim: Simulator, policy: Policy, steps: int) -> list[StepOutcome]:
-    """Plays on until the task ends or the steps are used up."""
-    outcomes: list[StepOutcome] = []
-    while len(outcomes) < steps and not (outcomes and outcomes[-1].terminated):
-        outcomes.append(sim.step(policy(sim.observe())))
-    return outcomes
 
 
 def expert(
@@ -101,15 +91,6 @@ def anything(control: str = MODES[0]) -> Policy:
         }
 
     return choose
-
-
-def bits(seen: Observation) -> str:
-    digest = hashlib.sha256()
-    for name, values in sorted(seen.state.items()):
-        digest.update(name.encode() + values.tobytes())
-    for name, image in sorted(seen.images.items()):
-        digest.update(name.encode() + image.tobytes())
-    return digest.hexdigest()
 
 
 def lively_bits(control: str) -> list[str]:

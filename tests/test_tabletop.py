@@ -22,15 +22,14 @@ from reference_sim.tabletop import benchmark, layout, variation
 from reference_sim.tabletop.experts import tabletop_arm
 from reference_sim.tabletop.scene import scene_mjcf
 from reference_sim.tabletop.tasks import TASKS
+from tests.physical_worlds import bits, play
 from tests.tabletop_worlds import (
     ALL,
     HEIGHT,
     HOME,
     WIDTH,
     Tabletop,
-    bits,
     expert,
-    play,
     scene_elements,
     tabletop,
     waving,

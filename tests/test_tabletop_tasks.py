@@ -11,7 +11,8 @@ from reference_sim.tabletop import layout, tasks, variation
 from reference_sim.tabletop.benchmark import MAX_STEPS
 from reference_sim.tabletop.scene import TabletopScene
 from reference_sim.tabletop.tasks import TASKS
-from tests.tabletop_worlds import ALL, Tabletop, expert, play, scene_elements, tabletop
+from tests.physical_worlds import play
+from tests.tabletop_worlds import ALL, Tabletop, expert, scene_elements, tabletop
 
 CUBE = layout.CUBE_HALF_M
 Arrange = Callable[[TabletopScene], None]
