@@ -14,6 +14,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from conformance.expect import SetUpFailed, Violation
+from conformance.spec import Operation
 from conformance.wire import Answer, Wire
 
 if TYPE_CHECKING:
@@ -68,6 +69,12 @@ class Run:
             self._remember(str(how.get("worker_id")), answer.json)
         return answer
 
+    def base_url_of(self, operation: Operation) -> str:
+        """Where an operation on this run is served: its endpoint, or the service."""
+        if operation.is_data_plane:
+            return str(self.body["endpoint"]).rstrip("/")
+        return self.wire.base_url
+
     def _remember(self, worker_id: str, turn: Any) -> None:
         session_id = turn.get("session_id") if isinstance(turn, dict) else None
         if isinstance(session_id, str):
@@ -79,14 +86,19 @@ class Run:
         A server that cannot stop is asked to end the sessions one by one.
         """
         with contextlib.suppress(Violation, SetUpFailed):
-            how: dict[str, Any] = {"timeout_s": _ABANDON_S}
-            if self.call("stop_run", json={"mode": "abort"}, **how).status == 200:
+            abort = {"mode": "abort"}
+            stopped = self.call("stop_run", json=abort, timeout_s=_ABANDON_S)
+            if stopped.status == 200:
                 return
             if not self._sessions or self.get()["state"] in _ENDED:
                 return
             for worker_id, session_id in self._sessions.items():
-                how["params"] = {"session_id": session_id}
-                self.call("detach_worker", worker_id=worker_id, **how)
+                self.call(
+                    "detach_worker",
+                    worker_id=worker_id,
+                    params={"session_id": session_id},
+                    timeout_s=_ABANDON_S,
+                )
 
     def _given(self, operation_id: str, status: int = 200, **how: Any) -> Any:
         return self.story.given(

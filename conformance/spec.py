@@ -82,8 +82,8 @@ class Spec:
         self.lifecycle: Mapping[str, Any] = document["x-lifecycle"]
         self.requirements: list[dict[str, Any]] = document["x-requirements"]
         self.operations = {o.operation_id: o for o in self._read_operations()}
-        self._validators: dict[tuple[Any, ...], Any] = {}
-        self._filters: dict[tuple[Any, ...], Callable[[Any], bool]] = {}
+        # Of each schema: a quick look that lets valid bodies pass, and who explains.
+        self._judges: dict[tuple[Any, ...], tuple[Callable[[Any], bool], Any]] = {}
 
     def _read_operations(self) -> Iterator[Operation]:
         for path, item in self.document["paths"].items():
@@ -148,18 +148,18 @@ class Spec:
         return self._faults(key, schema, body)
 
     def _faults(self, key: tuple[Any, ...], schema: Any, body: Any) -> list[str]:
-        validator = self._validators.get(key)
-        if validator is None:
+        if key not in self._judges:
             schema = _with_ranges(schema)
-            validator = _Validator(schema, format_checker=_FORMATS)
-            self._validators[key] = validator
+            explains = _Validator(schema, format_checker=_FORMATS)
             knows_bytes = MSGPACK in key
-            self._filters[key] = validator.is_valid if knows_bytes else _filter(schema)
-        if self._filters[key](body):
+            passes = explains.is_valid if knows_bytes else _filter(schema)
+            self._judges[key] = passes, explains
+        passes, explains = self._judges[key]
+        if passes(body):
             return []
         return [
             f"{error.json_path}: {error.message[:300]}"
-            for error in validator.iter_errors(body)
+            for error in explains.iter_errors(body)
         ]
 
 

@@ -58,17 +58,9 @@ class Stage:
 
     async def attach(self, run: Run, command: Attach) -> dict[str, Any]:
         """The session's latest turn; turn 0 for a new session."""
-        while True:
-            verdict = decide(run, command, self.sweep(run))
-            match verdict:
-                case Refuse():
-                    raise Refused.by(verdict)
-                case Wait(session):
-                    run = await self._after(run, session)
-                case Replay(session):
-                    return self._again(session)
-                case _:
-                    break
+        run, again = await self._decided(run, command)
+        if again is not None:
+            return again
         old = run.workers.get(command.worker_id)
         session_id = secrets.token_urlsafe(24)  # ATT-009
         session = progress.open_session(run, command, session_id, time.monotonic())
@@ -78,17 +70,9 @@ class Stage:
 
     async def predict(self, run: Run, command: Predict) -> dict[str, Any]:
         """The turn; executed once, however often it is asked for."""
-        while True:
-            verdict = decide(run, command, self.sweep(run))
-            match verdict:
-                case Refuse():
-                    raise Refused.by(verdict)
-                case Wait(session):
-                    run = await self._after(run, session)
-                case Replay(session):
-                    return self._again(session)
-                case _:
-                    break
+        run, again = await self._decided(run, command)
+        if again is not None:
+            return again
         session = run.workers[command.worker_id]
         scene = self._scenes.of(session)
         assert scene is not None, "a session that has not ended has its scene"
@@ -114,6 +98,26 @@ class Stage:
         progress.close_session(run, session, "detached", time.time())
         self.let_go([session])
         await self._book.commit(run)
+
+    async def _decided(
+        self, run: Run, command: Attach | Predict
+    ) -> tuple[Run, dict[str, Any] | None]:
+        """The run, and the turn to show again if the command was carried out before.
+
+        The command is accepted as the run is now: nothing may be awaited before it is
+        carried out.
+        """
+        while True:
+            verdict = decide(run, command, self.sweep(run))
+            match verdict:
+                case Refuse():
+                    raise Refused.by(verdict)
+                case Wait(session):
+                    run = await self._after(run, session)
+                case Replay(session):
+                    return run, self._again(session)
+                case _:
+                    return run, None
 
     # --- what the control plane and the clock do to sessions ---
 

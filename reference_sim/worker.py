@@ -206,7 +206,6 @@ class _Stage:
                 self._simulator.close()
             self._simulator = self._world = self._episode = None
             os.environ.update(command.environment)
-            CANVAS.begin_episode()
             self._simulator, self._world = catalog.make(world), world
         return Built()
 

@@ -143,34 +143,20 @@ def protocol(url: str, token: str, workers: int, seconds: float, chunk: int) -> 
     return sum(one.steps for one in crew) / seconds
 
 
-def measure(url: str, token: str, workers: int, seconds: float) -> list[dict[str, Any]]:
-    rows = []
+def measure(url: str, token: str, workers: int, seconds: float) -> None:
+    """Prints a line for each length of chunk: medians, and the worst share."""
     for chunk in (1, 8, 32):
-        pairs = [
-            (
-                bare(workers, seconds, chunk),
-                protocol(url, token, workers, seconds, chunk),
-            )
-            for _ in range(ROUNDS)
-        ]
-        shares = [ours / theirs for theirs, ours in pairs]
-        rows.append(
-            {
-                "chunk": chunk,
-                "workers": workers,
-                "bare_steps_per_s": statistics.median(theirs for theirs, _ in pairs),
-                "protocol_steps_per_s": statistics.median(ours for _, ours in pairs),
-                "share": statistics.median(shares),
-                "share_worst": min(shares),
-            }
-        )
+        bares, ours = [], []
+        for _ in range(ROUNDS):
+            bares.append(bare(workers, seconds, chunk))
+            ours.append(protocol(url, token, workers, seconds, chunk))
+        shares = [own / plain for own, plain in zip(ours, bares, strict=True)]
         print(
-            f"chunk {chunk:2}: bare {rows[-1]['bare_steps_per_s']:6.0f} steps/s, "
-            f"protocol {rows[-1]['protocol_steps_per_s']:6.0f}, "
-            f"share {rows[-1]['share']:.2f} (worst {rows[-1]['share_worst']:.2f})",
+            f"chunk {chunk:2}: bare {statistics.median(bares):6.0f} steps/s, "
+            f"protocol {statistics.median(ours):6.0f}, "
+            f"share {statistics.median(shares):.2f} (worst {min(shares):.2f})",
             flush=True,
         )
-    return rows
 
 
 def main() -> int:

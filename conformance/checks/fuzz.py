@@ -128,10 +128,7 @@ def _send(
     """Send a generated request; None if HTTP itself cannot carry it."""
     if story.random.random() < _DEEP:
         _lead_deeper(worker, case)
-    base_url = story.wire.base_url
-    if operation.is_data_plane:
-        base_url = worker.run.body["endpoint"].rstrip("/")
-    made = case.as_transport_kwargs(base_url=base_url)
+    made = case.as_transport_kwargs(base_url=worker.run.base_url_of(operation))
     headers = {
         name: value
         for name, value in made["headers"].items()

@@ -307,9 +307,7 @@ def test_err_010_cannot_use_other_methods(story: Story) -> None:
     base_of: dict[str, str] = {}
     for operation in story.spec.operations.values():
         methods_of.setdefault(operation.path, set()).add(operation.method)
-        endpoint = worker.run.body["endpoint"].rstrip("/")
-        base = endpoint if operation.is_data_plane else story.wire.base_url
-        base_of[operation.path] = base
+        base_of[operation.path] = worker.run.base_url_of(operation)
     for template, methods in methods_of.items():
         for method in {"GET", "PUT", "POST", "DELETE", "PATCH"} - methods:
             path = base_of[template] + template.format(**names)
