@@ -223,7 +223,7 @@ def measure(names: Iterable[str], seeds: int, processes: int) -> list[Outcome]:
 
 def page(names: Iterable[str], outcomes: Sequence[Outcome]) -> str:
     sections = [_section(name, outcomes) for name in names]
-    return _HEAD + "\n".join(sections)
+    return _HEAD + "".join(sections)
 
 
 _HEAD = f"""# Tasks
