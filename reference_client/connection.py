@@ -1,4 +1,4 @@
-"""One server as this client reaches it: the generated APIs, set up once."""
+"""One server as this client reaches it: its control plane, and the data planes."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ from types import TracebackType
 from typing import Self
 from urllib.parse import urlsplit
 
-from proctor_client import ApiClient, Configuration, ControlApi, DataApi
+from proctor_client import ApiClient, Configuration, ControlApi
 
+from reference_client.data_plane import DataPlane
 from reference_client.errors import BAD_ANSWER, ProctorError
 
 PROTOCOL_VERSION = "1.0"
@@ -31,10 +32,11 @@ class Connection:
         self._token = token
         self._requests = requests
         self._clients: dict[str, ApiClient] = {}
+        self._planes: list[DataPlane] = []
         self.control = ControlApi(self._client(self.url))
 
-    def data(self, endpoint: str) -> DataApi:
-        """The data plane at a run's `endpoint`.
+    def data(self, endpoint: str) -> DataPlane:
+        """The data plane at a run's `endpoint`, for one worker.
 
         Raises ProctorError `bad_answer` if the token would travel there in clear.
         """
@@ -44,9 +46,17 @@ class Connection:
                 f"{self.url} sends workers to {endpoint}, where the token would travel "
                 "in clear. Ask the operator to set the server's public URL.",
             )
-        return DataApi(self._client(endpoint.rstrip("/")))
+        headers = {"User-Agent": USER_AGENT, "Proctor-Version": PROTOCOL_VERSION}
+        if self._token is not None:
+            headers["Authorization"] = f"Bearer {self._token}"
+        client = self._client(endpoint.rstrip("/"))
+        plane = DataPlane(endpoint, client, headers, TIMEOUTS_S)
+        self._planes.append(plane)
+        return plane
 
     def close(self) -> None:
+        for plane in self._planes:
+            plane.close()
         for client in self._clients.values():
             client.rest_client.pool_manager.clear()
 

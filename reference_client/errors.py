@@ -6,6 +6,7 @@ members of the spec's schema Problem. This file knows no socket and sends nothin
 
 from __future__ import annotations
 
+import http.client
 from collections.abc import Sequence
 
 import urllib3.exceptions
@@ -18,6 +19,9 @@ BAD_ANSWER = "bad_answer"
 # What ends in a process of its own: the process, or the policy in it.
 WORKER_DIED = "worker_died"
 POLICY_FAILED = "policy_failed"
+
+# What the generated client and the data plane raise when no answer comes.
+SILENCE = (urllib3.exceptions.HTTPError, http.client.HTTPException, OSError)
 
 _HERE = {
     "unauthenticated": "Here that is the argument `token`, or PROCTOR_TOKEN.",
@@ -107,7 +111,7 @@ def how_to_resume(run_id: str) -> str:
 
 
 def from_failure(error: Exception, url: str) -> ProctorError:
-    """What the generated client raised while it called the server at `url`."""
+    """What was raised while the server at `url` was called."""
     if isinstance(error, ApiException) and error.status:
         return _from_answer(error, url)
     if _is_silence(error):
@@ -130,7 +134,7 @@ def from_failure(error: Exception, url: str) -> ProctorError:
 def _is_silence(error: Exception) -> bool:
     if isinstance(error, ApiException):  # without a status
         return str(error.reason).startswith("SSLError")
-    return isinstance(error, urllib3.exceptions.HTTPError)
+    return isinstance(error, SILENCE)
 
 
 def _from_answer(error: ApiException, url: str) -> ProctorError:

@@ -1,13 +1,10 @@
 """What a policy sees: numbers, pictures and tensors, decoded from a turn.
 
-The wire's schema Observation has blobs in base64; here they are numpy arrays over the
-decoded bytes. A faster encoding of the wire would replace `_blob` alone.
+Pixels and tensors are numpy arrays over the bytes that came: nothing is copied.
 """
 
 from __future__ import annotations
 
-import base64
-import binascii
 import io
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -15,10 +12,10 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-from proctor_client import Image, Tensor, Turn
-from proctor_client import Observation as WireObservation
 
 from reference_client.errors import BAD_ANSWER, ProctorError
+from reference_client.messages import Image, Tensor, Turn
+from reference_client.messages import Observation as WireObservation
 
 # channels → what pillow calls them
 _MODES = {1: "L", 2: "LA", 3: "RGB", 4: "RGBA"}
@@ -49,7 +46,7 @@ def observation_of(turn: Turn) -> Observation:
 
     Raises ProctorError `bad_answer` if it is missing or does not decode.
     """
-    if turn.episode is None or turn.observation is None:
+    if not turn.episode or not turn.observation:
         raise _broken("the turn", "has no observation, and is not done")
     episode = turn.episode
     return decoded(
@@ -62,7 +59,7 @@ def decoded(
 ) -> Observation:
     """One of a turn's observations; raises as `observation_of`."""
     return Observation(
-        state={name: tuple(map(float, v)) for name, v in seen.state.items()},
+        state={name: tuple(v) for name, v in seen.state.items()},
         images={name: _pixels(name, image) for name, image in seen.images.items()},
         tensors={name: _array(name, tensor) for name, tensor in seen.tensors.items()},
         instruction=instruction,
@@ -73,14 +70,13 @@ def decoded(
 
 def _pixels(name: str, image: Image) -> npt.NDArray[np.uint8]:
     shape = (image.height, image.width, image.channels)
-    data = _blob(name, image.data)
-    if image.codec.value == "raw":
-        return _view(name, data, np.dtype(np.uint8), shape)
-    return _decompressed(name, data, image.codec.value, shape)
+    if image.codec == "raw":
+        return _view(name, image.data, np.dtype(np.uint8), shape)
+    return _decompressed(name, image.data, image.codec, shape)
 
 
 def _decompressed(
-    name: str, data: bytes, codec: str, shape: tuple[int, int, int]
+    name: str, data: memoryview, codec: str, shape: tuple[int, int, int]
 ) -> npt.NDArray[np.uint8]:
     # Only who asks for compressed images needs pillow.
     import PIL.Image
@@ -101,24 +97,19 @@ def _decompressed(
 
 def _array(name: str, tensor: Tensor) -> npt.NDArray[Any]:
     """C order, little-endian; a bool is one byte."""
-    dtype = np.dtype(tensor.dtype.value).newbyteorder("<")
-    return _view(name, _blob(name, tensor.data), dtype, tuple(tensor.shape))
+    dtype = np.dtype(tensor.dtype).newbyteorder("<")
+    return _view(name, tensor.data, dtype, tuple(tensor.shape))
 
 
 def _view(
-    name: str, data: bytes, dtype: np.dtype[Any], shape: tuple[int, ...]
+    name: str, data: memoryview, dtype: np.dtype[Any], shape: tuple[int, ...]
 ) -> npt.NDArray[Any]:
     try:
-        return np.frombuffer(data, dtype).reshape(shape)
+        array = np.frombuffer(data, dtype).reshape(shape)
     except ValueError as error:
         raise _broken(name, f"does not have its announced size: {error}") from error
-
-
-def _blob(name: str, data: str) -> bytes:
-    try:
-        return base64.b64decode(data, validate=True)
-    except binascii.Error as error:
-        raise _broken(name, f"is not base64: {error}") from error
+    array.flags.writeable = False
+    return array
 
 
 def _broken(name: str, what: str) -> ProctorError:

@@ -15,18 +15,18 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TypeVar
 
-import urllib3.exceptions
+import msgspec
 from proctor_client import ApiException
 
-from reference_client.errors import ProctorError, from_failure
+from reference_client.errors import SILENCE, ProctorError, from_failure
 
 Answer = TypeVar("Answer")
 
 FIRST_PAUSE_S = 0.1
 LONGEST_PAUSE_S = 5.0
 
-# What the generated client raises: refusals, silence, answers that break the schema.
-FAILURES = (ApiException, urllib3.exceptions.HTTPError, ValueError)
+# Refusals, silence, answers that break the schema.
+FAILURES = (ApiException, *SILENCE, msgspec.MsgspecError, ValueError)
 
 # Answers of a healthy server that is full: waiting is right, however long it takes.
 _FULL = frozenset({"worker_limit", "no_capacity"})

@@ -7,13 +7,13 @@ from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
-from proctor_client import Action
 
 from reference_client.errors import ProctorError
 from reference_client.observation import Observation
 
 Vector: TypeAlias = Sequence[float] | npt.NDArray[Any]
 Chunk: TypeAlias = Sequence[Mapping[str, Vector]]
+WireAction: TypeAlias = dict[str, dict[str, list[float]]]
 
 
 class Policy(Protocol):
@@ -30,8 +30,8 @@ class Policy(Protocol):
         """
 
 
-def chunk_of(actions: Chunk) -> list[Action]:
-    """What `act` returned, as the wire has it.
+def chunk_of(actions: Chunk) -> list[WireAction]:
+    """What `act` returned, as the wire has it: schema Action.
 
     Raises ProctorError `invalid_request`, with pointers as the server's would be, for
     what cannot be put into JSON. Names, sizes and ranges are the server's to judge.
@@ -43,15 +43,15 @@ def chunk_of(actions: Chunk) -> list[Action]:
     return [_action(f"/actions/{i}/values", values) for i, values in enumerate(actions)]
 
 
-def _action(at: str, values: Mapping[str, Vector]) -> Action:
+def _action(at: str, values: Mapping[str, Vector]) -> WireAction:
     if not isinstance(values, Mapping):
         raise _misfit(at, f"is a {type(values).__name__}, not a dict of vectors")
-    return Action(
-        values={
+    return {
+        "values": {
             name: _numbers(f"{at}/{_escape(name)}", vector)
             for name, vector in values.items()
         }
-    )
+    }
 
 
 def _escape(name: str) -> str:

@@ -10,8 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TextIO
 
-from proctor_client import Turn
-
+from reference_client.messages import Turn
 from reference_client.observation import Observation
 
 

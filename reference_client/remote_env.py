@@ -18,13 +18,15 @@ from collections.abc import Mapping
 from typing import Any, SupportsFloat, cast
 
 import gymnasium
-from proctor_client import Assumptions, Observe, PolicyInfo, Run, Turn
+import msgspec
+from proctor_client import Assumptions, Observe, PolicyInfo, Run
 from pydantic_core import to_jsonable_python
 
 from reference_client import spaces
 from reference_client.connection import Connection
 from reference_client.errors import ProctorError
 from reference_client.heartbeat import Heart
+from reference_client.messages import Turn
 from reference_client.observation import Observation, decoded, observation_of
 from reference_client.patience import Patience
 from reference_client.plan import exactly, submission
@@ -168,7 +170,7 @@ class RemoteEnv(gymnasium.Env[spaces.Seen, dict[str, Any]]):
                 raise
             self._leave()
             return self._lost(before, error.detail)
-        if turn.fault is not None:
+        if turn.fault:
             self._in_episode = False
             self._seen = None
             return self._lost(before, turn.fault.detail)
@@ -186,8 +188,8 @@ class RemoteEnv(gymnasium.Env[spaces.Seen, dict[str, Any]]):
             "episode_id": seen.episode_id,
             "instruction": seen.instruction,
         }
-        if turn.episode_result is not None:
-            info["episode_result"] = to_jsonable_python(turn.episode_result.to_dict())
+        if turn.episode_result:
+            info["episode_result"] = msgspec.to_builtins(turn.episode_result)
         placed = spaces.placed(seen, self._space)
         return placed, sum(turn.rewards), turn.terminated, turn.truncated, info
 
@@ -202,7 +204,7 @@ class RemoteEnv(gymnasium.Env[spaces.Seen, dict[str, Any]]):
         return spaces.placed(before, self._space), 0.0, False, True, {"lost": why}
 
     def _info(self, turn: Turn) -> dict[str, Any]:
-        if turn.episode is None:
+        if not turn.episode:
             return {}
         return {
             "episode_id": turn.episode.episode_id,

@@ -12,21 +12,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Self
 
-from proctor_client import (
-    Action,
-    Assumptions,
-    AttachWorker,
-    DataApi,
-    Heartbeat,
-    Observe,
-    Predict,
-    Run,
-    Turn,
-)
+from proctor_client import Assumptions, AttachWorker, Heartbeat, Observe, Run
 
-from reference_client.connection import TIMEOUTS_S
+from reference_client.data_plane import DataPlane
 from reference_client.errors import ProctorError, from_failure
+from reference_client.messages import Turn
 from reference_client.patience import FAILURES, Interrupted, Patience
+from reference_client.policy import WireAction
 
 # How much longer than its lease a busy worker is waited for, and how long a detach is
 # tried: a lease ends what no detach reaches.
@@ -40,7 +32,7 @@ OVER = frozenset({"session_ended", "session_superseded"})
 class Seat:
     """Which worker of which run plays, and where."""
 
-    data: DataApi
+    data: DataPlane
     run: Run
     worker_id: str
 
@@ -72,34 +64,28 @@ class Session:
         )
         run = seat.run
         turn = patience.until_answered(
-            lambda: seat.data.attach_worker(
-                run.run_id, seat.worker_id, request, _request_timeout=TIMEOUTS_S
-            ),
+            lambda: seat.data.attach_worker(run.run_id, seat.worker_id, request),
             limits_s={"worker_busy": run.idle_timeout_s + MARGIN_S},
         )
         return cls(seat, patience, turn)
 
     def predict(
-        self, actions: Sequence[Action], *, observe: Observe | None = None
+        self, actions: Sequence[WireAction], *, observe: Observe | None = None
     ) -> Turn:
         """Has a chunk executed, exactly once; returns the turn.
 
         observe: `all` for an observation after each step, the last of an episode too.
         """
-        request = Predict(
-            session_id=self.turn.session_id,
-            seq=self.turn.seq + 1,
-            actions=list(actions),
-            observe=observe,
-        )
-        seat = self._seat
+        seat, before = self._seat, self.turn
         try:
             self.turn = self._patience.until_answered(
                 lambda: seat.data.predict(
                     seat.run.run_id,
                     seat.worker_id,
-                    request,
-                    _request_timeout=TIMEOUTS_S,
+                    before.session_id,
+                    before.seq + 1,
+                    actions,
+                    observe=observe,
                 )
             )
         except ProctorError as error:

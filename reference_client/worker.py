@@ -115,5 +115,5 @@ class Worker:
                         turn_s=time.perf_counter() - thought_at,
                     )
                 )
-                if turn.episode_result is not None:
+                if turn.episode_result:
                     self._board.scored()

@@ -5,19 +5,23 @@ from __future__ import annotations
 import logging
 from collections.abc import AsyncIterator, Callable, Mapping
 from contextlib import asynccontextmanager
+from typing import Any
 
-from starlette.applications import Starlette
-from starlette.datastructures import MutableHeaders
-from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import Response
-from starlette.routing import Route
+from starlette.routing import Route, Router
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from reference_server.auth import Tokens
 from reference_server.benchmarks import Benchmarks
 from reference_server.operations import VERSION, Operation, perform
 from reference_server.problems import Refused, problem_response
+from reference_server.push.addresses import Gate
+from reference_server.push.driver import Driver
+from reference_server.push.orders import OrderDesk
+from reference_server.push.protocols import PROTOCOLS
+from reference_server.push.seal import Sealer
+from reference_server.profiles import tables
 from reference_server.routes import Routes
 from reference_server.run_book import RunBook
 from reference_server.settings import Settings
@@ -27,8 +31,10 @@ from reference_sim.runners.local import SimulatorPool
 
 log = logging.getLogger("proctor.app")
 
+_VERSION_HEADER = (b"proctor-version", VERSION.encode())
 
-def build(settings: Settings, tokens: Tokens) -> Versioned:
+
+def build(settings: Settings, tokens: Tokens) -> Served:
     """One server: its parts, put together. Nothing runs before the lifespan begins."""
     store = Store(settings.database_url)
     pool = SimulatorPool(
@@ -36,92 +42,109 @@ def build(settings: Settings, tokens: Tokens) -> Versioned:
     )
     book = RunBook(store, settings.max_active_runs)
     stage = Stage(book, pool)
-    routes = Routes(settings, Benchmarks(settings.max_chunk), book, stage)
+    gate = Gate(settings.allow_private_policies)
+    sealer = Sealer(settings.sealing_key_path)
+    driver = Driver(book, stage, gate, sealer, settings.max_body_bytes)
+    orders = OrderDesk(gate, sealer, tuple(PROTOCOLS))
+    routes = Routes(settings, Benchmarks(settings.max_chunk), book, stage, orders)
 
     @asynccontextmanager
-    async def lifespan(_app: Starlette) -> AsyncIterator[None]:
+    async def lifespan(_app: Any) -> AsyncIterator[None]:
         await store.open()
+        sealer.open()
         await book.open()
         await pool.start()
+        driver.open()
         try:
             yield
         finally:
+            await driver.close()
             await stage.close()
             await book.close()
             await pool.close()
             await store.close()
 
-    app = Starlette(
+    router = Router(
         routes=[
-            _route(path, operations, tokens, settings.max_body_bytes)
-            for path, operations in routes.table().items()
+            Route(path, _Endpoint(operations, tokens, settings.max_body_bytes))
+            for path, operations in (routes.table() | tables(routes)).items()
         ],
-        exception_handlers={
-            404: _not_found,
-            405: _not_allowed,
-            StoreFailed: _unavailable,
-            Exception: _failed,
-        },
+        default=_not_found,
+        redirect_slashes=False,
         lifespan=lifespan,
     )
-    app.router.redirect_slashes = False
-    served = Versioned(app)
-    served.end = book.end
-    return served
+    return Served(router, book.end)
 
 
-def _route(
-    path: str, operations: Mapping[str, Operation], tokens: Tokens, max_body: int
-) -> Route:
-    """One route per path, so that a 405 can name every method the path has."""
+class _Endpoint:
+    """One path for every method, so that a 405 can name those that the path has."""
 
-    async def endpoint(request: Request) -> Response:
-        operation = operations.get(request.method)
+    def __init__(
+        self, operations: Mapping[str, Operation], tokens: Tokens, max_body: int
+    ) -> None:
+        self._operations = operations
+        self._tokens = tokens
+        self._max_body = max_body
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        operation = self._operations.get(scope["method"])
         if operation is None:
-            allowed = ", ".join(sorted(operations))
-            raise HTTPException(405, headers={"Allow": allowed})
-        return await perform(request, operation, tokens, max_body)
+            response = self._not_allowed(scope["method"])
+        else:
+            request = Request(scope, receive)
+            response = await perform(request, operation, self._tokens, self._max_body)
+        await response(scope, receive, send)
 
-    route = Route(path, endpoint)
-    route.methods = None  # every method arrives here
-    return route
-
-
-async def _not_found(_request: Request, _error: Exception) -> Response:
-    return problem_response(Refused("not_found", "There is no such path."))
-
-
-async def _not_allowed(request: Request, error: Exception) -> Response:
-    headers = getattr(error, "headers", None) or {}
-    detail = f"{request.method} is not a method of this path."
-    return problem_response(Refused("method_not_allowed", detail, headers=headers))
+    def _not_allowed(self, method: str) -> Response:
+        detail = f"{method} is not a method of this path."
+        allowed = {"Allow": ", ".join(sorted(self._operations))}
+        return problem_response(Refused("method_not_allowed", detail, headers=allowed))
 
 
-async def _unavailable(_request: Request, error: Exception) -> Response:
-    log.error("the store failed: %s", error)
-    return problem_response(Refused("unavailable", "The store does not answer."))
+async def _not_found(scope: Scope, receive: Receive, send: Send) -> None:
+    refused = Refused("not_found", "There is no such path.")
+    await problem_response(refused)(scope, receive, send)
 
 
-async def _failed(_request: Request, error: Exception) -> Response:
-    log.error("a request failed", exc_info=error)
-    return problem_response(Refused("internal_error", "The server has a defect."))
+class Served:
+    """What holds for every answer: its version, and that a defect is a problem too.
 
-
-class Versioned:
-    """VER-001: every answer names the version it was made under.
+    One layer around the router, not a framework's stack of them: a turn passes every
+    layer three times.
 
     end: to be called when the server begins to end; answers those who wait.
     """
 
-    end: Callable[[], None]
-
-    def __init__(self, app: ASGIApp) -> None:
+    def __init__(self, app: ASGIApp, end: Callable[[], None]) -> None:
         self._app = app
+        self.end = end
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] != "http":
+            await self._app(scope, receive, send)
+            return
+        begun = False
+
         async def send_versioned(message: Message) -> None:
+            nonlocal begun
             if message["type"] == "http.response.start":
-                MutableHeaders(scope=message)["Proctor-Version"] = VERSION
+                begun = True
+                message["headers"].append(_VERSION_HEADER)  # VER-001
             await send(message)
 
-        await self._app(scope, receive, send_versioned)
+        try:
+            await self._app(scope, receive, send_versioned)
+        except Exception as error:
+            if begun:  # nothing can be said any more; the connection is closed
+                raise
+            await _problem_of(error)(scope, receive, send_versioned)
+
+
+def _problem_of(error: Exception) -> Response:
+    if isinstance(error, StoreFailed):
+        log.error("the store failed: %s", error)
+        refused = Refused("unavailable", "The store does not answer.")
+    else:
+        log.error("a request failed", exc_info=error)
+        refused = Refused("internal_error", "The server has a defect.")
+    return problem_response(refused)

@@ -7,9 +7,9 @@ Every fault of a body becomes a refusal with JSON pointers.
 from __future__ import annotations
 
 import secrets
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from datetime import datetime
-from itertools import zip_longest
+from functools import lru_cache
 from typing import Any, TypeVar
 
 import msgspec
@@ -108,16 +108,23 @@ def media_type_of(request: Request, readable: Sequence[str]) -> str:
 def acceptable(request: Request, writable: Sequence[str]) -> str:
     """The media type to answer in; of equals the first, which is JSON (ENC-001)."""
     header = ",".join(request.headers.getlist("accept")) or "*/*"
-    ranges = [_range(part) for part in header.split(",")]
+    best = _best(header, tuple(writable))
+    if not best:
+        raise Refused(
+            "not_acceptable", f"{' and '.join(writable)} are what is written here."
+        )
+    return best
+
+
+@lru_cache(maxsize=64)
+def _best(accept: str, writable: Sequence[str]) -> str:
+    """Of equals the first; empty if none will do. Clients repeat themselves."""
+    ranges = [_range(part) for part in accept.split(",")]
     best, best_q = "", 0.0
     for media_type in writable:
         q = _weight(media_type, ranges)
         if q > best_q:
             best, best_q = media_type, q
-    if not best:
-        raise Refused(
-            "not_acceptable", f"{' and '.join(writable)} are what is written here."
-        )
     return best
 
 
@@ -151,41 +158,44 @@ class InParts(Response):
 
 
 def in_parts(content: Any) -> Sequence[bytes | memoryview]:
-    """MessagePack in parts to be sent one after another, large blobs uncopied.
+    """MessagePack in parts to be sent one after another, large images uncopied.
 
-    What stands around a blob is encoded with a mark in its place, which nobody can
+    What stands around an image is encoded with a mark in its place, which nobody can
     guess, and cut there: no encoder of ours is needed for that.
     """
-    blobs: list[memoryview] = []
+    large = _large_images(content)
+    if not large:
+        return [msgspec.msgpack.encode(content)]
     mark = secrets.token_bytes(16)
-
-    def note(blob: memoryview) -> msgspec.Raw:
-        blobs.append(blob)
-        return msgspec.Raw(_BIN_32 + len(blob).to_bytes(4, "big") + mark)
-
-    whole = msgspec.msgpack.encode(_with_large_blobs(content, note))
-    if not blobs:
-        return [whole]
-    parts: list[bytes | memoryview] = []
-    for around, blob in zip_longest(whole.split(mark), blobs):
-        parts += [around] if blob is None else [around, blob]
+    marked = {
+        name: image | {"data": msgspec.Raw(_bin_header(image["data"]) + mark)}
+        for name, image in large.items()
+    }
+    observation = content["observation"]
+    images = observation["images"] | marked
+    turn = content | {"observation": observation | {"images": images}}
+    first, *others = msgspec.msgpack.encode(turn).split(mark)
+    parts: list[bytes | memoryview] = [first]
+    for image, around in zip(large.values(), others, strict=True):
+        parts += [image["data"], around]
     return parts
 
 
-def _with_large_blobs(content: Any, note: Callable[[memoryview], msgspec.Raw]) -> Any:
-    """A turn whose large images are replaced by what `note` makes of them."""
+def _large_images(content: Any) -> dict[str, Any]:
+    """Those of a turn's observation that are not worth a copy, in its order."""
     if not isinstance(content, dict) or not isinstance(
         content.get("observation"), dict
     ):
-        return content
-    observation = content["observation"]
-    images = {
-        name: image | {"data": note(image["data"])}
+        return {}
+    return {
+        name: image
+        for name, image in content["observation"]["images"].items()
         if len(image["data"]) >= LARGE_BYTES
-        else image
-        for name, image in observation["images"].items()
     }
-    return content | {"observation": observation | {"images": images}}
+
+
+def _bin_header(blob: memoryview) -> bytes:
+    return _BIN_32 + len(blob).to_bytes(4, "big")
 
 
 def _range(part: str) -> tuple[str, float]:

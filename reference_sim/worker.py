@@ -4,8 +4,8 @@ A frame is a length (4 bytes, big-endian) and that much MessagePack; nothing on 
 socket can carry code. One command is answered by one reply; while a chunk is long,
 `Busy` frames say that steps are still being made.
 
-The process never outlives its parent: a thread does nothing but read, and ends the
-process at end-of-file. It is forked by `runners/nursery.py`, or started with the number
+The process never outlives its parent: a thread does nothing but wait for the other end
+to be closed, and ends the process then. It is forked by `runners/nursery.py`, or started with the number
 of its socket's descriptor as `python -m reference_sim.worker FD`.
 """
 
@@ -13,15 +13,14 @@ from __future__ import annotations
 
 import logging
 import os
+import select
 import signal
 import socket
 import struct
 import sys
 import threading
 import time
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from queue import SimpleQueue
+from collections.abc import Sequence
 from typing import Any, Never
 
 import msgspec
@@ -152,18 +151,16 @@ def frame(message: Command | Reply) -> bytearray:
 
 
 class _Clock:
-    """Adds up where the time of one command goes."""
+    """Adds up where the time of one command goes: each lap to one part of it."""
 
     def __init__(self) -> None:
         self._spent = {"simulate_s": 0.0, "render_s": 0.0, "encode_s": 0.0}
+        self._at = time.perf_counter()
 
-    @contextmanager
-    def running(self, part: str) -> Iterator[None]:
-        started = time.perf_counter()
-        try:
-            yield
-        finally:
-            self._spent[part] += time.perf_counter() - started
+    def lap(self, part: str) -> None:
+        now = time.perf_counter()
+        self._spent[part] += now - self._at
+        self._at = now
 
     def timing(self) -> Timing:
         return Timing(**self._spent)
@@ -213,16 +210,16 @@ class _Stage:
         simulator, world = self._standing()
         clock = _Clock()
         CANVAS.begin_episode()
-        with clock.running("simulate_s"):
-            self._episode = Episode(
-                simulator,
-                command.task,
-                command.seed,
-                split=command.split,
-                max_steps=command.max_steps,
-                success_rule=command.success_rule,
-                score_is_success=command.task in world.success_scored_tasks,
-            )
+        self._episode = Episode(
+            simulator,
+            command.task,
+            command.seed,
+            split=command.split,
+            max_steps=command.max_steps,
+            success_rule=command.success_rule,
+            score_is_success=command.task in world.success_scored_tasks,
+        )
+        clock.lap("simulate_s")
         observation = self._look(clock)
         return Beginning(self._episode.instruction, observation, clock.timing())
 
@@ -231,13 +228,9 @@ class _Stage:
         clock = _Clock()
         rewards: list[float] = []
         observations: list[EncodedObservation] = []
-        steps = episode.play(command.actions)
         heard_of = time.perf_counter()
-        while True:
-            with clock.running("simulate_s"):
-                reward = next(steps, None)
-            if reward is None:
-                break
+        for reward in episode.play(command.actions):
+            clock.lap("simulate_s")
             rewards.append(reward)
             if command.observe_all:
                 # There are more of them than the canvas has halves.
@@ -245,6 +238,7 @@ class _Stage:
             if time.perf_counter() - heard_of > BUSY_INTERVAL_S:
                 heard_of = time.perf_counter()
                 self._connection.sendall(frame(Busy()))
+        clock.lap("simulate_s")
         return Played(
             executed=len(rewards),
             rewards=rewards,
@@ -266,10 +260,10 @@ class _Stage:
     ) -> EncodedObservation:
         simulator, world = self._standing()
         CANVAS.turn_page()
-        with clock.running("render_s"):
-            observation = simulator.observe()
-        with clock.running("encode_s"):
-            encoded = encode(observation, world.image_codec, canvas)
+        observation = simulator.observe()
+        clock.lap("render_s")
+        encoded = encode(observation, world.image_codec, canvas)
+        clock.lap("encode_s")
         if news := CANVAS.news():
             self._connection.sendall(frame(Mapped(*news)))
         return encoded
@@ -292,31 +286,27 @@ def log_to_stderr() -> None:
 def serve(connection: socket.socket) -> Never:
     """Obeys until the parent is gone, which ends the process."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to handle
-    commands: SimpleQueue[bytes] = SimpleQueue()
-    threading.Thread(target=_listen, args=(connection, commands), daemon=True).start()
+    threading.Thread(target=_end_with, args=(connection,), daemon=True).start()
     stage = _Stage(connection)
+    commands = connection.makefile("rb")
     connection.sendall(frame(Hello(os.getpid())))
-    while True:
-        connection.sendall(frame(stage.answer(_commands.decode(commands.get()))))
+    while header := commands.read(HEADER.size):
+        (length,) = HEADER.unpack(header)
+        command = _commands.decode(commands.read(length))
+        connection.sendall(frame(stage.answer(command)))
+    os._exit(0)
 
 
-def _listen(connection: socket.socket, commands: SimpleQueue[bytes]) -> None:
-    while True:
-        (length,) = HEADER.unpack(_receive(connection, HEADER.size))
-        commands.put(_receive(connection, length))
+def _end_with(connection: socket.socket) -> None:
+    """Ends the process when the parent hangs up, whatever the main thread is doing.
 
-
-def _receive(connection: socket.socket, length: int) -> bytes:
-    received = bytearray()
-    while len(received) < length:
-        try:
-            part = connection.recv(length - len(received))
-        except OSError:
-            part = b""
-        if not part:
-            os._exit(0)  # the parent is gone, whatever the main thread is doing
-        received += part
-    return bytes(received)
+    It asks for no news of data: a command wakes the thread that obeys, and no other.
+    """
+    hang_up = select.poll()
+    # Where there is no such flag, POLLHUP comes unasked.
+    hang_up.register(connection, getattr(select, "POLLRDHUP", 0))
+    hang_up.poll()
+    os._exit(0)
 
 
 if __name__ == "__main__":

@@ -12,11 +12,19 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import numpy as np
 import pytest
-from proctor_client import ImageChoice, ImageCodec, PolicyInfo, Predict, SubmitRun
+from proctor_client import (
+    Action,
+    ImageChoice,
+    ImageCodec,
+    PolicyInfo,
+    Predict,
+    SubmitRun,
+)
 
-from reference_client import Observation, ProctorError
+from reference_client import Observation, ProctorError, messages
 from reference_client.observation import observation_of
 from reference_client.policies import BadMapping, BadPolicy, Mapping, load
 from reference_client.policies.pictures import fitted
@@ -337,9 +345,9 @@ def _first_turn(house: House, benchmark: str, policy: Any) -> Any:
         )
     )
     turn = house.attach(run.run_id, "w")
-    seen = observation_of(turn)
+    seen = observation_of(msgspec.json.decode(turn.to_json(), type=messages.Turn))
     policy.reset(seen.instruction)
-    actions = chunk_of(policy.act(seen))
+    actions = [Action(values=one["values"]) for one in chunk_of(policy.act(seen))]
     turn = house.data.predict(
         run.run_id,
         "w",

@@ -14,10 +14,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from proctor_client import Predict
+from proctor_client import Action, Predict
 
 from reference_client import Observation, ProctorError, evaluate
-from reference_client.policy import chunk_of
 from tests.test_reference_client_scenes import (
     ANY_ANSWER,
     DEADLINE_S,
@@ -226,7 +225,7 @@ def test_takeover_goes_on_where_a_crashed_program_stood(
 ) -> None:
     run = house.submit("count", idle_timeout_s=5)
     turn = house.attach(run.run_id, "worker-0")
-    chunk = chunk_of([action(), action(), action()])
+    chunk = [Action(values=action())] * 3
     house.data.predict(
         run.run_id,
         "worker-0",

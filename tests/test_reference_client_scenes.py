@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import http.client
-import json
 import os
 import re
 import signal
@@ -23,6 +22,7 @@ from pathlib import Path
 from typing import Any, Self, TypeVar
 from urllib.parse import urlsplit
 
+import msgspec
 import pytest
 from proctor_client import (
     ApiClient,
@@ -125,7 +125,9 @@ class _RelayHandler(BaseHTTPRequestHandler):
     def _relay(self) -> None:
         body = self.rfile.read(int(self.headers.get("Content-Length", 0)))
         operation = operation_of(self.command, self.path)
-        self.server.seen.append((operation, json.loads(body) if body else {}))
+        packed = self.headers.get("Content-Type") == "application/msgpack"
+        decode = msgspec.msgpack.decode if packed else msgspec.json.decode
+        self.server.seen.append((operation, decode(body) if body else {}))
         fates = self.server.fates.get(operation)
         fate = fates.popleft() if fates else "pass"
         if fate == "lose_request":

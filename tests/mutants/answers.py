@@ -192,10 +192,10 @@ def speaks_any_version() -> None:
 def does_not_name_its_version() -> None:
     """Nobody knows by which rules an answer was made."""
 
-    async def wrong(self: app.Versioned, scope: Any, receive: Any, send: Any) -> None:
+    async def wrong(self: app.Served, scope: Any, receive: Any, send: Any) -> None:
         await self._app(scope, receive, send)
 
-    put(app.Versioned, "__call__", wrong)
+    put(app.Served, "__call__", wrong)
 
 
 @mutant("ERR-003")

@@ -1,0 +1,216 @@
+"""The client's hot path: views and no copies, and memory that is never taken away."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from proctor_client import AttachWorker
+from urllib3.util.wait import wait_for_read
+
+from reference_client.connection import Connection
+from reference_client.data_plane import JSON, MSGPACK, DataPlane
+from reference_client.errors import ProctorError, from_failure
+from reference_client.messages import Turn
+from reference_client.observation import observation_of
+from reference_client.patience import FAILURES
+from tests.test_reference_client_scenes import (
+    DEADLINE_S,
+    TOKEN,
+    House,
+    ServerProcess,
+    action,
+    serving,
+)
+
+PIXELS = bytes(range(12))
+
+
+@pytest.fixture(scope="module")
+def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
+    directory = tmp_path_factory.mktemp("server")
+    with ServerProcess(directory) as server, House(server.url) as house:
+        yield house
+
+
+class Played:
+    """One worker of a calibration run on the real server."""
+
+    def __init__(self, plane: DataPlane, run_id: str) -> None:
+        self._plane, self._run_id = plane, run_id
+        self.turn = plane.attach_worker(run_id, "w", AttachWorker(attach_key="k"))
+
+    def step(self, **values: float) -> Turn:
+        session_id, seq = self.turn.session_id, self.turn.seq + 1
+        actions = [{"values": action(**values)}]
+        self.turn = self._plane.predict(self._run_id, "w", session_id, seq, actions)
+        return self.turn
+
+
+@pytest.fixture
+def echoing(house: House) -> Iterator[Played]:
+    run = house.submit("echo")
+    with Connection(run.endpoint, TOKEN, requests=1) as connection:
+        yield Played(connection.data(run.endpoint), run.run_id)
+
+
+def memory_of(turn: Turn) -> Any:
+    assert turn.observation
+    return turn.observation.images["pattern"].data.obj
+
+
+def test_an_image_is_a_view_of_the_answer(echoing: Played) -> None:
+    turn = echoing.step()
+    assert isinstance(memory_of(turn), bytearray)
+    seen = observation_of(turn).images["pattern"]
+    assert np.shares_memory(seen, np.frombuffer(memory_of(turn), np.uint8))
+    assert not seen.flags.writeable
+
+
+def test_what_somebody_looks_at_is_not_written_over(echoing: Played) -> None:
+    kept = []
+    for _ in range(6):
+        pattern = observation_of(echoing.step()).images["pattern"]
+        kept.append((pattern, pattern.copy()))
+    assert all(np.array_equal(view, copy) for view, copy in kept)
+    first, last = kept[0][1], kept[-1][1]
+    assert not np.array_equal(first, last), "or being written over would not show"
+
+
+def test_memory_at_which_nobody_looks_is_used_again(echoing: Played) -> None:
+    assert len({id(memory_of(echoing.step())) for _ in range(8)}) <= 3
+
+
+# A server of a few canned answers
+
+
+def a_turn(seq: int) -> dict[str, Any]:
+    image = {"codec": "raw", "width": 2, "height": 2, "channels": 3, "data": PIXELS}
+    times = ("total_s", "queue_s", "simulate_s", "render_s", "encode_s")
+    return {
+        "session_id": "s",
+        "seq": seq,
+        "observation": {"state": {}, "images": {"c": image}, "tensors": {}},
+        "executed_steps": 1,
+        "stopped_early": False,
+        "rewards": [0],
+        "terminated": False,
+        "truncated": False,
+        "done": False,
+        "lease": {"expires_at": "2026-01-01T00:00:00Z", "idle_timeout_s": 1},
+        "timing": dict.fromkeys(times, 0),
+        "of_a_later_version": {"x": 1},
+    }
+
+
+class Canned(ThreadingHTTPServer):
+    """Answers everything with `body` as `media_type`.
+
+    asked_in: the media types of what was asked. connections: how many were opened.
+    """
+
+    daemon_threads = True
+
+    def __init__(self, media_type: str, body: bytes) -> None:
+        super().__init__(("127.0.0.1", 0), _Answering)
+        self.media_type, self.body = media_type, body
+        self.asked_in: list[str] = []
+        self.connections = 0
+        self.hangs_up = False
+        self.url = f"http://127.0.0.1:{self.server_address[1]}"
+
+
+class _Answering(BaseHTTPRequestHandler):
+    protocol_version = "HTTP/1.1"
+    server: Canned
+
+    def setup(self) -> None:
+        self.server.connections += 1
+        super().setup()
+
+    def _answer(self) -> None:
+        self.rfile.read(int(self.headers["Content-Length"]))
+        self.server.asked_in.append(self.headers["Content-Type"])
+        self.send_response_only(200)
+        self.send_header("Content-Type", self.server.media_type)
+        self.send_header("Content-Length", str(len(self.server.body)))
+        self.end_headers()
+        self.wfile.write(self.server.body)
+        self.close_connection = self.server.hangs_up  # and says nothing of it
+
+    do_PUT = do_POST = _answer  # noqa: N815 - http.server's names
+
+
+@contextlib.contextmanager
+def canned(media_type: str, body: bytes) -> Iterator[tuple[Canned, DataPlane]]:
+    with (
+        serving(Canned(media_type, body)) as server,
+        Connection(server.url, "t", requests=1) as connection,
+    ):
+        yield server, connection.data(server.url)
+
+
+def ask(plane: DataPlane, seq: int = 1) -> Turn:
+    return plane.predict("r", "w", "s", seq, [{"values": {"a": [0.5]}}])
+
+
+@pytest.mark.parametrize(
+    ("media_type", "encode"),
+    [(JSON, msgspec.json.encode), (MSGPACK, msgspec.msgpack.encode)],
+)
+def test_a_server_is_asked_in_what_it_answers(media_type: str, encode: Any) -> None:
+    with canned(media_type, encode(a_turn(1))) as (server, plane):
+        for seq in (1, 2):
+            turn = ask(plane, seq)
+            assert turn.observation
+            assert bytes(turn.observation.images["c"].data) == PIXELS
+        assert server.asked_in == [JSON, media_type]
+        assert server.connections == 1
+
+
+def test_a_connection_that_was_hung_up_is_opened_again() -> None:
+    with canned(MSGPACK, msgspec.msgpack.encode(a_turn(1))) as (server, plane):
+        server.hangs_up = True
+        for _ in range(3):
+            assert ask(plane).seq == 1
+            # While the policy thinks, the end of the connection arrives.
+            assert wait_for_read(plane.connection.sock, DEADLINE_S)
+        assert server.connections == 3
+
+
+TURN = msgspec.json.encode(a_turn(1))
+
+
+@pytest.mark.parametrize(
+    ("media_type", "body"),
+    [
+        ("text/html", b"<h1>Welcome</h1>"),
+        (JSON, b"{"),
+        (JSON, TURN.replace(b'"seq":1', b'"seq":"1"')),
+        (JSON, TURN.replace(b'"session_id":"s",', b"")),
+        (JSON, TURN.replace(b'"data":"', b'"data":"*')),
+        (MSGPACK, TURN),
+    ],
+)
+def test_what_is_no_turn_is_told(media_type: str, body: bytes) -> None:
+    with canned(media_type, body) as (_, plane), pytest.raises(FAILURES) as caught:
+        ask(plane)
+    assert isinstance(caught.value, Exception)
+    error = from_failure(caught.value, "http://x")
+    assert (error.code, error.retryable) == ("bad_answer", False)
+
+
+def test_nobody_there_is_silence() -> None:
+    with canned(JSON, TURN) as (server, plane):
+        pass
+    with pytest.raises(FAILURES) as caught:
+        ask(plane)
+    assert isinstance(caught.value, Exception)
+    error = from_failure(caught.value, server.url)
+    assert isinstance(error, ProctorError)
+    assert (error.code, error.retryable) == ("unreachable", True)
