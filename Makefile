@@ -1,20 +1,18 @@
 # Everything a person or a machine runs in this repository. `make help` lists it.
 # Needs GNU make, a network and any Python >= 3.11 (PYTHON=... names one).
 
-.DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup conformance serve test lint generate generate-check lock kill-matrix experts clean
-.PHONY: metaworld metaworld-check metaworld-table
+.PHONY: help setup conformance conformance-policy serve test lint generate generate-check
+.PHONY: lock kill-matrix experts bench clean metaworld metaworld-check metaworld-table interop
 # Robot middleware likes to set it, and its plugins break our pytest.
 unexport PYTHONPATH
 
 python := .venv/bin/python
-generator := .venv-generate/bin/python
 environment = @found=$$(sh tools/find_python.sh "$(PYTHON)") && "$$found" tools/setup.py
 packages := $(wildcard */__init__.py generated_clients/python/*/__init__.py)
 
 help: ## Show this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-15s %s\n", $$1, $$2 } \
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-18s %s\n", $$1, $$2 } \
 		/^# +[A-Z_0-9]+=/ { print "  " substr($$0, 2) }' $(MAKEFILE_LIST)
 
 setup: .venv/ready ## Install everything that is needed into .venv
@@ -23,11 +21,8 @@ setup: .venv/ready ## Install everything that is needed into .venv
 .venv/ready: requirements/dev.txt pyproject.toml tools/setup.py $(packages)
 	$(environment) dev
 
-.venv-generate/ready: requirements/generate.txt tools/setup.py
-	$(environment) generate
-
-.venv-metaworld/ready: requirements/metaworld.txt pyproject.toml tools/setup.py $(packages)
-	$(environment) metaworld
+.venv-%/ready: requirements/%.txt pyproject.toml tools/setup.py $(packages)
+	$(environment) $*
 
 # Tokens travel by environment, never on a command line; `value` keeps any $ in them.
 export RAW_RESTART_CMD = $(value RESTART_CMD)
@@ -49,14 +44,17 @@ conformance: setup ## Judge a server; without URL, the reference server
 		$${RAW_RESTART_CMD:+--restart-cmd "$$RAW_RESTART_CMD"} \
 		$${SEED:+--seed "$$SEED"} $${ONLY:+--only "$$ONLY"} $(ARGS)
 
+conformance-policy: setup ## Judge a policy server: URL=... TOKEN=... ARGS='...'
+	@$(python) -m conformance.policy --url "$$URL" $(ARGS)
+
 # These need an older MuJoCo than ours, and so an environment of their own.
 apart := $(findstring metaworld,$(BENCHMARK))$(findstring gymnasium_robotics,$(BENCHMARK))
 
 serve: $(if $(apart),metaworld,setup) ## Run the reference server
 #                   BENCHMARK=gymnasium:CartPole-v1 or as in docs/benchmarks.md
-#                   ARGS='...' for its options
+#                   PROFILE=ebench,flageval; ARGS='...' for its options
 	@$(if $(apart),.venv-metaworld/bin/python,$(python)) -m reference_server \
-		$${BENCHMARK:+--benchmarks "$$BENCHMARK"} $(ARGS)
+		$${BENCHMARK:+--benchmarks "$$BENCHMARK"} $${PROFILE:+--profiles "$$PROFILE"} $(ARGS)
 
 metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics apart
 	@:
@@ -76,25 +74,27 @@ lint: setup ## Check style and types
 	@$(python) -m mypy
 
 generate: .venv-generate/ready ## Rewrite models and clients from spec/
-	@$(generator) tools/generate.py
+	@.venv-generate/bin/python tools/generate.py
 
 generate-check: .venv-generate/ready ## Fail if generated files differ from spec/
-	@$(generator) tools/generate.py --check
+	@.venv-generate/bin/python tools/generate.py --check
 
-interop: setup ## Play every scenario through the client of every language
+interop: setup ## Play every scenario through each language's client
 #                   URL=... TOKEN=... RESTART_CMD='...' LANGUAGES=go,rust ONLY=echo
 	@$(python) -m tools.interop
 
 lock: .venv-generate/ready ## Resolve requirements/*.in into hashed locks
-	@$(generator) tools/lock.py
+	@.venv-generate/bin/python tools/lock.py
 
-kill-matrix: setup ## Judge the kit on broken servers, rewrite docs/kill-matrix.md
+kill-matrix: setup ## Judge the kit on broken servers, rewrite its page
 	@$(python) -m tests.mutants.kill --write
 
 experts: setup ## Measure the scripted experts, rewrite docs/tasks.md
 	@$(python) tools/experts.py --write $(ARGS)
 
-clean: ## Remove environments, caches and reports (not the server's data in var/)
-	rm -rf .venv .venv-generate .venv-metaworld .cache .hypothesis .mypy_cache .pytest_cache
-	rm -rf .ruff_cache .schemathesis .coverage* build dist report *.egg-info
+bench: setup .venv-bench/ready ## Measure beside the alternatives, rewrite docs/performance.md
+	@$(python) -m benchmarks $(ARGS)
+
+clean: ## Remove environments, caches, reports; not data in var/
+	rm -rf .venv .venv-* .cache .hypothesis .*_cache .schemathesis .coverage* build dist report *.egg-info
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -2,9 +2,10 @@
 
 All inputs are resolved together first and each lock is cut from that one
 answer, so a package has the same version in every lock; save `metaworld`, which
-overrides some and keeps the rest. Run by `make lock` inside the generator
-environment (it needs uv). The locks must not name an index, a file path or a
-machine; hashes come from the registry's own records.
+overrides some and keeps the rest, and `bench`, which holds strangers only and is
+resolved alone. Run by `make lock` inside the generator environment (it needs uv);
+`tools/lock.py bench` makes that lock and no other. The locks must not name an index, a
+file path or a machine; hashes come from the registry's own records.
 """
 
 import os
@@ -15,6 +16,7 @@ from pathlib import Path
 
 REQUIREMENTS = Path(__file__).parent.parent / "requirements"
 LOCKS = ("kit", "house", "dev", "generate")
+ALONE = ("bench",)
 OVERRIDDEN = {"metaworld": "metaworld-overrides.txt"}
 UV = Path(sys.executable).with_name("uv")
 COMPILE = (
@@ -50,8 +52,8 @@ def overridden(constraint: str, overrides: Path) -> str:
     return "\n".join(line.rstrip(" \\") for line in kept)
 
 
-def lock(name: str, constraint: str, *options: str) -> None:
-    """Cut one lock from what was resolved together."""
+def lock(name: str, constraint: str = os.devnull, *options: str) -> None:
+    """Cut one lock from what was resolved together; without a constraint, alone."""
     with tempfile.TemporaryDirectory() as scratch:
         cut = Path(scratch, f"{name}.txt")
         arguments = (f"{name}.in", "-c", constraint, "--output-file", str(cut))
@@ -63,6 +65,10 @@ def lock(name: str, constraint: str, *options: str) -> None:
 
 
 def main() -> None:
+    for name in ALONE:
+        lock(name)
+    if sys.argv[1:] == list(ALONE):
+        return
     with tempfile.TemporaryDirectory() as scratch:
         together = f"{scratch}/together.txt"
         resolve(*(f"{name}.in" for name in LOCKS), "--output-file", together)

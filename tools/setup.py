@@ -2,9 +2,10 @@
 
 Run by make with any Python >= 3.11; uses nothing but the standard library.
 `dev` is .venv with the project installed in place, `metaworld` is the house alone
-beside another MuJoCo, `generate` is for the tools that write committed files. An
-environment whose lock has not changed is kept. It knows nothing of what the packages
-are for; whether cameras can be rendered is asked of reference_sim.rendering.
+beside another MuJoCo, `generate` is for the tools that write committed files, `bench`
+has the peers that we are measured against. An environment whose lock has not changed is
+kept. It knows nothing of what the packages are for; whether cameras can be rendered is
+asked of reference_sim.rendering.
 """
 
 import fcntl
@@ -20,6 +21,7 @@ from typing import Self
 
 ROOT = Path(__file__).resolve().parent.parent
 ENVIRONMENTS = {
+    "bench": ".venv-bench",
     "dev": ".venv",
     "generate": ".venv-generate",
     "metaworld": ".venv-metaworld",

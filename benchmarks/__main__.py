@@ -1,0 +1,120 @@
+"""`python -m benchmarks`: measures, writes results.json and docs/performance.md.
+
+`make bench` runs all of it, on a machine that should have nothing else to do. With
+`--try` few rounds are played and nothing is written; `page` measures nothing and writes
+the page anew from results.json. Growth has a command of its own, see growth.py.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+
+from benchmarks import line_up, page, picture, report, results, round_trips, throughput
+
+EVERYBODY = (
+    *("tcp", *line_up.PEERS),
+    *("ours msgpack", "ours msgpack small", "ours json"),
+)
+PLAN = {
+    "state": EVERYBODY,
+    "camera": EVERYBODY,
+    "cameras": (*EVERYBODY, "ours json jpeg", "ours json jpeg files"),
+}
+ROUNDS, ROUNDS_TRIED = 200, 5
+PARTS = ("round_trips", "throughput")
+BUSY = 0.25  # load of each core from which on figures are not to be trusted
+
+
+def main() -> int:
+    options = _options()
+    if line_up.PEERS_PYTHON.exists() or _needs_no_peers(options):
+        _measure(options)
+        return 0
+    print("the peers are not installed: python tools/setup.py bench", file=sys.stderr)
+    return 2
+
+
+def _needs_no_peers(options: argparse.Namespace) -> bool:
+    asked = options.only or EVERYBODY
+    return "round_trips" not in options.parts or not set(asked) & set(line_up.PEERS)
+
+
+def _measure(options: argparse.Namespace) -> None:
+    load = os.getloadavg()[0]
+    if load > BUSY * (os.cpu_count() or 1):
+        _say(f"this machine is busy (load {load:.1f}): trust ratios at most")
+    if "round_trips" in options.parts:
+        _round_trips(options)
+    if "throughput" in options.parts:
+        body = {
+            "measured_on": results.machine(),
+            **throughput.measure(options.try_, _say),
+        }
+        if options.try_:
+            _say(throughput.tables(body))
+        else:
+            results.update("throughput", body)
+    if not options.try_:
+        write()
+
+
+def _round_trips(options: argparse.Namespace) -> None:
+    before = results.machine()  # the load is that of the moment before
+    plan = {
+        scenario: [
+            name for name in PLAN[scenario] if name in (options.only or PLAN[scenario])
+        ]
+        for scenario in options.scenarios
+    }
+    if not _needs_no_peers(options):
+        before["peers"] = round_trips.peers_versions()
+    rounds = ROUNDS_TRIED if options.try_ else ROUNDS
+    body = {
+        "measured_on": before,
+        **round_trips.measure(plan, options.rounds or rounds, _say),
+    }
+    for promise in report.promises(body):
+        kept = "kept" if promise.kept else "NOT KEPT"
+        _say(f"{promise.measured:7.2f} ({promise.bound}) {kept}: {promise.text}")
+    if not options.try_:
+        results.update("round_trips", body)
+
+
+def write() -> None:
+    """The page and the picture, from whatever results.json holds."""
+    sections = results.read()
+    if section := sections.get("round_trips"):
+        page.put("round_trips", report.tables(section))
+        picture.FILE.write_text(picture.svg(section))
+    if section := sections.get("throughput"):
+        page.put("throughput", throughput.tables(section))
+
+
+def _options() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="python -m benchmarks", description=__doc__.partition("\n")[2]
+    )
+    every = ", ".join((*PARTS, "page"))
+    parser.add_argument("parts", nargs="*", default=PARTS, help=f"some of {every}")
+    parser.add_argument("--scenarios", nargs="+", choices=PLAN, default=list(PLAN))
+    parser.add_argument("--only", nargs="+", choices=PLAN["cameras"], metavar="NAME")
+    parser.add_argument("--rounds", type=int, help=f"instead of {ROUNDS}")
+    parser.add_argument(
+        "--try", action="store_true", dest="try_", help="short, and writes nothing"
+    )
+    options = parser.parse_args()
+    if strange := set(options.parts) - {*PARTS, "page"}:
+        parser.error(f"there is no part {', '.join(strange)}; there are {every}")
+    if options.only or options.scenarios != list(PLAN):
+        options.try_ = True  # the page shows everybody
+    return options
+
+
+def _say(text: str) -> None:
+    print(text, flush=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

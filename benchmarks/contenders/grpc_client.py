@@ -1,0 +1,32 @@
+"""dm_env_rpc, with the real client: DmEnvAdaptor on a channel of its package."""
+
+from __future__ import annotations
+
+import numpy as np
+from dm_env_rpc.v1 import connection, dm_env_adaptor
+
+from benchmarks.contenders import player
+from benchmarks.observations import ACTION_SIZES, SCENARIOS, STATE_SIZES
+
+
+def connect(address: str, scenario: str) -> player.Turn:
+    stream = connection.create_secure_channel_and_connect(address)
+    environment, _ = dm_env_adaptor.create_and_join_world(stream, {}, {})
+    cameras = SCENARIOS[scenario].cameras
+    joints = ACTION_SIZES["joint_position"]
+
+    def turn(action: list[float]) -> player.Seen:
+        values = np.array(action)
+        step = environment.step(
+            {"joint_position": values[:joints], "gripper": values[joints:]}
+        )
+        seen = step.observation
+        return {name: seen[name] for name in STATE_SIZES}, {
+            name: seen[name] for name in cameras
+        }
+
+    return turn
+
+
+if __name__ == "__main__":
+    player.main(connect)

@@ -1,0 +1,54 @@
+"""OpenEnv, with the real client: EnvClient over its WebSocket, as it comes."""
+
+from __future__ import annotations
+
+import asyncio
+import atexit
+import base64
+from typing import Any
+
+import numpy as np
+from openenv.core import EnvClient
+from openenv.core.client_types import StepResult
+from openenv.core.env_server.types import State
+
+from benchmarks.contenders import player
+from benchmarks.contenders.openenv_models import StillLifeAction, StillLifeObservation
+from benchmarks.observations import ACTION_SIZES, SCENARIOS
+
+
+class Client(EnvClient):  # type: ignore[misc,unused-ignore]
+    def _step_payload(self, action: Any) -> dict[str, Any]:
+        return {"joint_position": action.joint_position, "gripper": action.gripper}
+
+    def _parse_result(self, payload: dict[str, Any]) -> Any:
+        seen = StillLifeObservation(**payload["observation"])
+        return StepResult(observation=seen, reward=None, done=payload["done"])
+
+    def _parse_state(self, payload: dict[str, Any]) -> Any:
+        return State(**payload)
+
+
+def connect(address: str, scenario: str) -> player.Turn:
+    runner = asyncio.Runner()
+    client = Client(f"http://{address}")
+    runner.run(client.connect())
+    runner.run(client.reset())
+    atexit.register(lambda: runner.run(client.close()))
+    shown = SCENARIOS[scenario]
+    shape = (shown.height, shown.width, 3)
+    joints = ACTION_SIZES["joint_position"]
+
+    def turn(action: list[float]) -> player.Seen:
+        asked = StillLifeAction(joint_position=action[:joints], gripper=action[joints:])
+        seen = runner.run(client.step(asked)).observation
+        return seen.state, {
+            name: np.frombuffer(base64.b64decode(data), np.uint8).reshape(shape)
+            for name, data in seen.images.items()
+        }
+
+    return turn
+
+
+if __name__ == "__main__":
+    player.main(connect)

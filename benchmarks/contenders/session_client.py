@@ -1,0 +1,49 @@
+"""Proctor's predict, by the client that people get: reference_client's session.
+
+`python -m … URL SCENARIO`. It checks the policy's chunk, chooses MessagePack by
+itself, counts turns, would repeat what is lost, and hands out the Observation that a
+policy sees.
+"""
+
+from __future__ import annotations
+
+import threading
+
+from proctor_client import SubmitRun
+
+from benchmarks.contenders import player
+from benchmarks.contenders.ours_client import TOKEN
+from benchmarks.observations import ACTION_SIZES
+from reference_client.connection import Connection
+from reference_client.observation import observation_of
+from reference_client.patience import Patience
+from reference_client.policy import chunk_of
+from reference_client.runs import Desk
+from reference_client.session import Seat, Session
+
+_JOINTS = ACTION_SIZES["joint_position"]
+
+
+def connect(url: str, scenario: str) -> player.Turn:
+    connection = Connection(url, TOKEN, requests=1)
+    patience = Patience(url, 30.0, threading.Event(), print)
+    submission = {
+        "benchmark_id": f"still_life_{scenario}",
+        "policy": {"name": "round trips"},
+        "max_workers": 1,
+    }
+    asked = SubmitRun.from_dict(submission)
+    assert asked is not None
+    run = Desk(connection.control, patience).submit(asked)
+    session = Session.attach(Seat(connection.data(run.endpoint), run, "w"), patience)
+
+    def turn(action: list[float]) -> player.Seen:
+        values = {"joint_position": action[:_JOINTS], "gripper": action[_JOINTS:]}
+        seen = observation_of(session.predict(chunk_of([values])))
+        return seen.state, seen.images
+
+    return turn
+
+
+if __name__ == "__main__":
+    player.main(connect)

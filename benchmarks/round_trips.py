@@ -1,0 +1,104 @@
+"""The round trip of predict, beside what one would take instead: section `round_trips`.
+
+For each scenario all contenders stand at once and play in turn (rounds.py). The faster
+a contender, the more turns it plays in a round: what a round gives each is time. Nobody
+is left out in silence: a contender that fails ends the measuring.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import statistics
+import subprocess
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from benchmarks import line_up, observations, rounds
+from benchmarks.relay import Weight
+from benchmarks.results import Json
+
+WARM_UP_TURNS = 30
+TURNS_MAX = 20
+SHARE_S = 0.02  # of a round, for a contender that is slower than that many turns
+_VERSIONS = """
+import importlib.metadata, json, platform, sys
+found = {name: importlib.metadata.version(name) for name in sys.argv[1:]}
+print(json.dumps({"python": platform.python_version(), **found}))
+"""
+PEERS_PACKAGES = (
+    *("dm-env-rpc", "fastapi", "grpcio", "openenv-core", "openpi-client", "requests"),
+    *("uvicorn", "uvloop", "websockets"),
+)
+
+Say = Callable[[str], None]
+
+
+def measure(plan: Mapping[str, Sequence[str]], count: int, say: Say) -> Json:
+    """The section. plan: scenario → names of contenders. count: rounds."""
+    return {
+        "seed": observations.SEED,
+        "rounds": count,
+        "warm_up_turns": WARM_UP_TURNS,
+        "scenarios": {
+            scenario: _scenario(scenario, names, count, say)
+            for scenario, names in plan.items()
+        },
+    }
+
+
+def _scenario(scenario: str, names: Sequence[str], count: int, say: Say) -> Json:
+    with (
+        tempfile.TemporaryDirectory() as scratch,
+        contextlib.ExitStack() as standing,
+    ):
+        pairs = []
+        for name in names:
+            say(f"{scenario}: starting {name}")
+            contender = line_up.contender(name, scenario, Path(scratch))
+            pairs.append(standing.enter_context(rounds.Pair(contender)))
+        turns = {pair.name: _warmed_up(pair) for pair in pairs}
+        say(f"{scenario}: playing {count} rounds")
+        played = rounds.play(pairs, count, turns)
+        weights = {pair.name: pair.weight for pair in pairs}
+    shown = {name: _summary(played[name], weights[name]) for name in names}
+    for name, one in shown.items():
+        say(f"  {name:21} p50 {one['p50_ms']:8.3f} ms   p99 {one['p99_ms']:8.3f} ms")
+    return shown
+
+
+def _warmed_up(pair: rounds.Pair) -> int:
+    """How many turns it shall play in a round."""
+    pair.play(2, whole=True)
+    tried = rounds.Played()
+    pair.play(2, tried)
+    slow = statistics.mean(tried.ns) / 1e9 > SHARE_S
+    if not slow:
+        tried = rounds.Played()
+        pair.play(WARM_UP_TURNS, tried)
+    return max(1, min(TURNS_MAX, int(SHARE_S * 1e9 / statistics.median(tried.ns))))
+
+
+def _summary(played: rounds.Played, weight: Weight) -> Json:
+    turns = len(played.ns)
+    percentiles = statistics.quantiles(played.ns, n=100, method="inclusive")
+    return {
+        "turns": turns,
+        "p50_ms": round(percentiles[49] / 1e6, 4),
+        "p99_ms": round(percentiles[98] / 1e6, 4),
+        "up_bytes": weight.up,
+        "down_bytes": weight.down,
+        # Per turn in ms, and so per thousand turns in seconds.
+        "server_cpu_s": round(played.server_cpu_s / turns * 1000, 4),
+        "client_cpu_s": round(played.client_cpu_s / turns * 1000, 4),
+    }
+
+
+def peers_versions() -> dict[str, Any]:
+    """Of the peers' own environment. Raises FileNotFoundError if it is not there."""
+    command = [str(line_up.PEERS_PYTHON), "-c", _VERSIONS, *PEERS_PACKAGES]
+    told = subprocess.run(command, check=True, capture_output=True, text=True)
+    versions: dict[str, Any] = json.loads(told.stdout)
+    return versions

@@ -1,0 +1,21 @@
+"""The reference server, with still lifes in its catalog.
+
+`python -m benchmarks.still_life.server`, with the options of the server. Everything is
+the server's own; its catalog and that of its simulator processes offer still lifes
+beside the rest. There is a way for everybody, the Gymnasium adapter, but then its work
+would be measured with the server's.
+"""
+
+from __future__ import annotations
+
+import sys
+
+from benchmarks.still_life.world import BENCHMARKS
+from reference_server.__main__ import main
+from reference_sim import catalog
+from reference_sim.runners import process
+
+if __name__ == "__main__":
+    catalog._BENCHMARKS.update(BENCHMARKS)  # noqa: SLF001 - see above
+    process._NURSERY = "benchmarks.still_life.nursery"  # noqa: SLF001
+    sys.exit(main())

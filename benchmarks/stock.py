@@ -1,0 +1,212 @@
+"""Databases that are full of finished runs, and a server on each.
+
+It must not know how the store keeps a run: one run is stored by the store itself, the
+others are copies of its rows. Linux only: it reads /proc.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import http.client
+import json
+import os
+import sqlite3
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+from reference_server.benchmarks import digest
+from reference_server.run_state import Episode, Outcome, Result, Run
+from reference_server.store import Store
+from reference_sim import catalog
+
+ROOT = Path(__file__).resolve().parent.parent
+TOKEN = "growth"  # noqa: S105 - opens nothing but this server
+HEADERS = {"Authorization": f"Bearer {TOKEN}", "Content-Type": "application/json"}
+FIRST_FINISHED, FIRST_READY = 10, 10**6
+READY_RUNS = 120
+TASKS = ("score", "count", "delay", "echo")
+
+
+@dataclass(frozen=True)
+class Shelf:
+    """One database: what its column is called and what is stored in it.
+
+    runs: finished runs. episodes: of each run, all scored. same: ask for the same run
+    again and again, as who watches it does; else for another one each time.
+    """
+
+    name: str
+    runs: int
+    episodes: int
+    same: bool = False
+
+    @property
+    def file(self) -> str:
+        return f"{self.runs}x{self.episodes}.sqlite"
+
+
+# --- what is stored ---
+
+
+def a_run(episodes: int, state: str) -> Run:
+    """A calibration run; finished means that every episode is scored."""
+    tasks = [TASKS[index % len(TASKS)] for index in range(episodes)]
+    options = {"tasks": tasks, "max_steps": 10_000}
+    found = catalog.resolve("calibration", options)
+    policy = {"name": "growth"}
+    run = Run(
+        run_id=f"template_{state}",
+        number=0,
+        account="bench",
+        state="queued",
+        reason=None,
+        retryable=None,
+        manifest=found.manifest,
+        manifest_sha256=digest(found.manifest),
+        submission={"benchmark_id": "calibration", "policy": policy}
+        | {"options": options},
+        max_workers=4,
+        idle_timeout_s=600.0,
+        images=found.images,
+        created_at_wall=1.7e9,
+        updated_at_wall=1.7e9,
+        queue_until_wall=0.0,
+        episodes=[
+            Episode(index, plan["task"], plan["split"], plan["seed"])
+            for index, plan in enumerate(found.manifest["episodes"])
+        ],
+    )
+    if state == "completed":
+        for episode in run.episodes:
+            score = episode.index / episodes
+            won: Outcome = "success" if episode.index % 3 else "failure"
+            ended_at = 1.7e9 + episode.index
+            episode.result = Result(won, score, 1, 7, True, False, score / 4, ended_at)
+            run.changed.add(episode.index)
+    run.state = "completed" if state == "completed" else "ready"
+    return run
+
+
+async def store_templates(path: Path, episodes: int) -> None:
+    store = Store(f"sqlite+aiosqlite:///{path}")
+    await store.open()
+    for state in ("completed", "ready"):
+        run = a_run(episodes, state)
+        changed, run.changed = run.changed, set()
+        await store.insert(run, None, "")
+        run.changed = changed
+        await store.save(run)
+    await store.close()
+
+
+def copy_rows(database: sqlite3.Connection, table: str, source: str) -> None:
+    """Insert into a table its own rows as `source` shows them: ?-less SQL of ours."""
+    names = [row[1] for row in database.execute(f"PRAGMA table_info({table})")]
+    replaced = {"number": "copies.n", "run_id": "copies.run_id"}
+    if table == "episodes":
+        del replaced["run_id"]
+    into = ", ".join(f'"{name}"' for name in names)
+    shown = ", ".join(replaced.get(name, f't."{name}"') for name in names)
+    database.execute(
+        f"INSERT INTO {table} ({into}) SELECT {shown} FROM copies, {table} AS t "  # noqa: S608
+        f"WHERE t.number = {source} ORDER BY copies.n"
+    )
+
+
+def fill(path: Path, shelf: Shelf) -> None:
+    """Finished runs numbered from 1, and behind them runs that wait for a worker."""
+    asyncio.run(store_templates(path, shelf.episodes))
+    with contextlib.closing(sqlite3.connect(path)) as database:
+        find = "SELECT number FROM runs WHERE run_id = ?"
+        for state, first, count in (
+            ("completed", FIRST_FINISHED, shelf.runs),
+            ("ready", FIRST_READY, READY_RUNS),
+        ):
+            (source,) = database.execute(find, [f"template_{state}"]).fetchone()
+            database.execute("CREATE TEMP TABLE copies (n INTEGER, run_id TEXT)")
+            database.executemany(
+                "INSERT INTO copies VALUES (?, ?)",
+                [(first + n, f"{state}_{n}") for n in range(count)],
+            )
+            copy_rows(database, "runs", source)
+            copy_rows(database, "episodes", source)
+            database.execute("DELETE FROM episodes WHERE number = ?", [source])
+            database.execute("DELETE FROM runs WHERE number = ?", [source])
+            database.execute("DROP TABLE copies")
+        database.commit()
+        database.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+
+
+# --- the server ---
+
+
+class House:
+    """A server on one database, and one kept connection to it."""
+
+    def __init__(self, path: Path, **settings: str) -> None:
+        chosen = {
+            "PROCTOR_PORT": "0",
+            "PROCTOR_TOKENS": f"bench:read+run:{TOKEN}",
+            "PROCTOR_DATABASE": str(path),
+            "PROCTOR_MAX_ACTIVE_RUNS": "100000",
+            "PROCTOR_WAIT_S_MAX": "120",
+        }
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "reference_server"],
+            cwd=ROOT,
+            env=os.environ | chosen | settings,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        assert self.process.stdout is not None
+        self.netloc = urlsplit(self.process.stdout.readline().split()[-1]).netloc
+        self._connection = http.client.HTTPConnection(self.netloc)
+
+    def ask(self, method: str, path: str, body: Any = None, **headers: str) -> Any:
+        """The decoded answer; anything but a success ends the program."""
+        data = None if body is None else json.dumps(body)
+        self._connection.request(method, path, data, HEADERS | headers)
+        answer = self._connection.getresponse()
+        read = answer.read()
+        if answer.status >= 300:
+            raise RuntimeError(f"{method} {path}: {answer.status} {read[:300]!r}")
+        self.etag = answer.headers.get("ETag")
+        return json.loads(read) if read else None
+
+    def memory_mb(self) -> float:
+        status = Path(f"/proc/{self.process.pid}/status").read_text()
+        (line,) = (li for li in status.splitlines() if li.startswith("VmRSS"))
+        return int(line.split()[1]) / 1024
+
+    def cpu_s(self) -> float:
+        stat = Path(f"/proc/{self.process.pid}/stat").read_text()
+        spent = stat.rpartition(")")[2].split()[11:13]
+        return sum(map(int, spent)) / os.sysconf("SC_CLK_TCK")
+
+    def written_bytes(self) -> int:
+        counts = Path(f"/proc/{self.process.pid}/io").read_text().splitlines()
+        (line,) = (li for li in counts if li.startswith("write_bytes"))
+        return int(line.split()[1])
+
+    def end(self) -> None:
+        self._connection.close()
+        self.process.terminate()
+        self.process.wait()
+        assert self.process.stdout is not None
+        self.process.stdout.close()
+
+
+@contextmanager
+def house(path: Path, **settings: str) -> Iterator[House]:
+    server = House(path, **settings)
+    try:
+        yield server
+    finally:
+        server.end()

@@ -1,0 +1,264 @@
+"""How much of the simulator's speed is left over the protocol: section `throughput`.
+
+The same control steps are played in bare Python loops, one process each, and through a
+whole reference server with as many workers, in turn (A B A B …) on the same cores.
+Sessions, exactly-once, scoring and the store are at work as always.
+
+A client here is a thread with one kept connection, MessagePack both ways: what a policy
+costs is its own affair, what a client costs is counted.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import multiprocessing
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from benchmarks import page
+from benchmarks.contenders.ours_client import TOKEN, Connection
+from benchmarks.results import Json
+from benchmarks.rounds import ROOT
+
+ACTIONS: dict[str, dict[str, list[float]]] = {
+    "tabletop_state": {
+        "joint_position": [0.0, 0.3, 0.0, 1.6, 0.0, 1.2416, 0.0],
+        "gripper": [1.0],
+    },
+    "mobile_bimanual": {
+        "joint_position": [0.0] * 12,
+        "gripper": [0.0] * 4,
+        "base_motion": [0.0] * 3,
+    },
+}
+ROUNDS, SECONDS = 3, 2.0
+SECONDS_TRIED = 0.5
+
+
+class Case(NamedTuple):
+    """chunk: actions in a turn."""
+
+    benchmark: str
+    workers: int
+    chunk: int
+
+
+CASES = (
+    *(Case("tabletop_state", workers, 1) for workers in (1, 2, 4, 8, 16)),
+    *(Case("tabletop_state", 16, chunk) for chunk in (8, 32)),
+    Case("mobile_bimanual", 4, 1),
+)
+
+
+def measure(trying: bool, say: Callable[[str], None]) -> Json:
+    """The section. trying: once each, and short."""
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"  # processes are the parallelism
+    seconds, rounds = (SECONDS_TRIED, 1) if trying else (SECONDS, ROUNDS)
+    with _server() as url:
+        rows = [_row(case, url, seconds, rounds, say) for case in CASES]
+    return {"seconds": seconds, "rounds": rounds, "rows": rows}
+
+
+def _row(
+    case: Case, url: str, seconds: float, rounds: int, say: Callable[[str], None]
+) -> Json:
+    bares, ours = [], []
+    for _ in range(rounds):
+        bares.append(bare(case, seconds))
+        ours.append(protocol(case, url, seconds))
+    shares = [own / plain for own, plain in zip(ours, bares, strict=True)]
+    row = {
+        **case._asdict(),
+        "bare_steps_per_s": round(statistics.median(bares), 1),
+        "protocol_steps_per_s": round(statistics.median(ours), 1),
+        "share": round(statistics.median(shares), 3),
+        "share_worst": round(min(shares), 3),
+    }
+    say(f"{row}")
+    return row
+
+
+# Bare
+
+
+def bare(case: Case, seconds: float) -> float:
+    """Control steps per second of all processes together."""
+    spawn = multiprocessing.get_context("spawn")
+    counted = spawn.SimpleQueue()
+    together = spawn.Barrier(case.workers)
+    crew = [
+        spawn.Process(target=bare_loop, args=(case, number, seconds, together, counted))
+        for number in range(case.workers)
+    ]
+    for one in crew:
+        one.start()
+    told = [float(counted.get()) for _ in crew]
+    for one in crew:
+        one.join()
+    return sum(told)
+
+
+def bare_loop(
+    case: Case, number: int, seconds: float, together: Any, counted: Any
+) -> None:
+    """Plays the benchmark's episodes, observes after each chunk; until time is over."""
+    from reference_sim import catalog
+    from reference_sim.episode import Episode
+
+    resolved = catalog.resolve(case.benchmark)
+    simulator = catalog.make(resolved.world)
+    episodes = itertools.cycle(resolved.episodes[number:] + resolved.episodes[:number])
+    chunk, steps = [ACTIONS[case.benchmark]] * case.chunk, 0
+    simulator.reset(resolved.episodes[0].task, 0, resolved.episodes[0].split)
+    simulator.observe()  # the first picture takes long
+    together.wait()
+    began = time.monotonic()
+    while time.monotonic() < began + seconds:
+        plan = next(episodes)
+        episode = Episode(
+            simulator,
+            plan.task,
+            plan.seed,
+            split=plan.split,
+            max_steps=resolved.manifest["max_steps"],
+            success_rule=resolved.manifest["success_rule"],
+        )
+        simulator.observe()
+        while not episode.ended and time.monotonic() < began + seconds:
+            steps += sum(1 for _ in episode.play(chunk))
+            simulator.observe()
+    counted.put(steps / (time.monotonic() - began))
+
+
+# Over the protocol
+
+
+class Worker:
+    """One worker of a run; when there is nothing left to play, of a run of its own."""
+
+    def __init__(self, case: Case, url: str, run_id: str, number: int) -> None:
+        self._case = case
+        self._connection = Connection(url, "msgpack")
+        self._attach(run_id, f"w{number}")
+
+    def _attach(self, run_id: str, worker_id: str) -> None:
+        self._predict, turn = self._connection.attach(run_id, worker_id)
+        self._session_id, self._seq = turn.session_id, turn.seq
+
+    def play(self, seconds: float, together: threading.Barrier) -> float:
+        """Returns steps per second."""
+        actions = [{"values": ACTIONS[self._case.benchmark]}] * self._case.chunk
+        steps = 0
+        together.wait()
+        began = time.monotonic()
+        while time.monotonic() < began + seconds:
+            self._seq += 1
+            body = {
+                "session_id": self._session_id,
+                "seq": self._seq,
+                "actions": actions,
+            }
+            turn = self._connection.turn("POST", self._predict, body)
+            steps += turn.executed_steps
+            if turn.done:
+                benchmark_id = self._case.benchmark
+                self._attach(self._connection.submit(benchmark_id=benchmark_id), "w")
+        return steps / (time.monotonic() - began)
+
+    def close(self) -> None:
+        self._connection.close()
+
+
+def protocol(case: Case, url: str, seconds: float) -> float:
+    """Control steps per second of all workers together."""
+    control = Connection(url, "json")
+    run_id = control.submit(benchmark_id=case.benchmark, max_workers=case.workers)
+    crew = [Worker(case, url, run_id, number) for number in range(case.workers)]
+    together = threading.Barrier(case.workers)
+    with ThreadPoolExecutor(case.workers) as threads:
+        plays = [threads.submit(one.play, seconds, together) for one in crew]
+        total = sum(play.result() for play in plays)
+    control.stop(run_id)
+    control.close()
+    for one in crew:
+        one.close()
+    return total
+
+
+@contextlib.contextmanager
+def _server() -> Iterator[str]:
+    with tempfile.TemporaryDirectory() as scratch:
+        settings = {
+            "PROCTOR_PORT": "0",
+            "PROCTOR_TOKENS": f"bench:read+run:{TOKEN}",
+            "PROCTOR_DATABASE": str(Path(scratch, "bench.sqlite")),
+        }
+        server = subprocess.Popen(
+            [sys.executable, "-m", "reference_server"],
+            cwd=ROOT,
+            env={**os.environ, **settings},
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        try:
+            assert server.stdout is not None
+            yield server.stdout.readline().split()[-1]
+        finally:
+            server.terminate()
+            server.communicate()
+
+
+def tables(section: Json) -> str:
+    rows = [
+        [
+            f"`{row['benchmark']}`",
+            str(row["workers"]),
+            str(row["chunk"]),
+            f"{row['bare_steps_per_s']:.0f}",
+            f"{row['protocol_steps_per_s']:.0f}",
+            f"{row['share']:.2f}",
+            f"{row['share_worst']:.2f}",
+        ]
+        for row in section["rows"]
+    ]
+    head = [
+        *("", "workers", "actions in a turn", "bare, steps/s"),
+        *("over the protocol, steps/s", "share", "worst share"),
+    ]
+    return "\n\n".join([page.table(head, rows), _cost(section), _where(section)])
+
+
+def _cost(section: Json) -> str:
+    """What a turn of one step costs beside the step."""
+    row = next(
+        row
+        for row in reversed(section["rows"])
+        if row["chunk"] == 1 and row["benchmark"] == "tabletop_state"
+    )
+    cores = section["measured_on"]["cores"]
+    step_ms = 1000 * cores / row["bare_steps_per_s"]
+    turn_ms = 1000 * cores / row["protocol_steps_per_s"] - step_ms
+    return (
+        f"With {row['workers']} workers a turn costs {turn_ms:.2f} ms of the {cores} "
+        "cores together, client included, where a step of this small world costs "
+        f"{step_ms:.2f} ms. Policies that answer with chunks pay that once a chunk."
+    )
+
+
+def _where(section: Json) -> str:
+    on = section["measured_on"]
+    loads = " ".join(map(str, on["load_before"]))
+    return (
+        f"Medians of {section['rounds']} rounds of {section['seconds']:g} s, measured "
+        f"on {on['date']}: {on['cores']} cores, load before {loads}."
+    )
