@@ -6,8 +6,11 @@ Pixels and tensors are numpy arrays over the bytes that came: nothing is copied.
 from __future__ import annotations
 
 import io
+import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -31,6 +34,7 @@ class Observation:
     instruction: what the robot shall do in this episode.
     episode_id: which episode this is; an id, without meaning.
     step: actions executed in this attempt so far; 0 in an episode's first observation.
+    turn: all that came with it, as the wire has it; for policies that pass it on.
     """
 
     state: Mapping[str, tuple[float, ...]]
@@ -39,6 +43,7 @@ class Observation:
     instruction: str
     episode_id: str
     step: int
+    turn: Turn | None = field(default=None, repr=False)
 
 
 def observation_of(turn: Turn) -> Observation:
@@ -50,22 +55,39 @@ def observation_of(turn: Turn) -> Observation:
         raise _broken("the turn", "has no observation, and is not done")
     episode = turn.episode
     return decoded(
-        turn.observation, episode.instruction, episode.episode_id, episode.step
+        turn.observation, episode.instruction, episode.episode_id, episode.step, turn
     )
 
 
 def decoded(
-    seen: WireObservation, instruction: str, episode_id: str, step: int
+    seen: WireObservation,
+    instruction: str,
+    episode_id: str,
+    step: int,
+    turn: Turn | None = None,
 ) -> Observation:
     """One of a turn's observations; raises as `observation_of`."""
     return Observation(
         state={name: tuple(v) for name, v in seen.state.items()},
-        images={name: _pixels(name, image) for name, image in seen.images.items()},
+        images=_pictures(seen.images),
         tensors={name: _array(name, tensor) for name, tensor in seen.tensors.items()},
         instruction=instruction,
         episode_id=episode_id,
         step=step,
+        turn=turn,
     )
+
+
+def _pictures(images: Mapping[str, Image]) -> dict[str, npt.NDArray[np.uint8]]:
+    """Several compressed ones at once: pillow decodes without the interpreter."""
+    compressed = [image for image in images.values() if image.codec != "raw"]
+    spread = _threads().map if len(compressed) > 1 else map
+    return dict(zip(images, spread(_pixels, images, images.values()), strict=True))
+
+
+@lru_cache(maxsize=1)
+def _threads() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(os.cpu_count(), thread_name_prefix="proctor-decode")
 
 
 def _pixels(name: str, image: Image) -> npt.NDArray[np.uint8]:

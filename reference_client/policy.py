@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any, Protocol, TypeAlias
 
@@ -60,6 +62,16 @@ def _escape(name: str) -> str:
 
 
 def _numbers(at: str, vector: Vector) -> list[float]:
+    plain = vector.tolist() if isinstance(vector, np.ndarray) else vector
+    if isinstance(plain, list | tuple):
+        with contextlib.suppress(TypeError, OverflowError):
+            if all(map(math.isfinite, plain)):
+                return list(map(float, plain))
+    return _looked_into(at, vector)
+
+
+def _looked_into(at: str, vector: Vector) -> list[float]:
+    """Of what is no plain list of finite numbers: what it is, or what is wrong."""
     try:
         numbers = np.asarray(vector, dtype=np.float64)
     except (TypeError, ValueError) as error:

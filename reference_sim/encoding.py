@@ -7,6 +7,10 @@ owns its bytes: a simulator may go on drawing into the same buffer.
 from __future__ import annotations
 
 import io
+import os
+from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
+from functools import lru_cache, partial
 from typing import NotRequired, TypedDict
 
 import numpy as np
@@ -62,14 +66,27 @@ def encode(
             name: np.asarray(vector, dtype=np.float64).tolist()
             for name, vector in observation.state.items()
         },
-        "images": {
-            name: encode_image(pixels, codec, canvas)
-            for name, pixels in observation.images.items()
-        },
+        "images": _encoded_images(observation.images, codec, canvas),
         "tensors": {
             name: encode_tensor(tensor) for name, tensor in observation.tensors.items()
         },
     }
+
+
+def _encoded_images(
+    images: Mapping[str, NDArray[np.uint8]], codec: str, canvas: Canvas | None
+) -> dict[str, EncodedImage]:
+    """Several cameras are compressed at once: Pillow lets go of the interpreter."""
+    encoded = partial(encode_image, codec=codec, canvas=canvas)
+    many = len(images) > 1 and codec != "raw"
+    spread = _threads().map if many else map
+    return dict(zip(images, spread(encoded, images.values()), strict=True))
+
+
+@lru_cache(maxsize=1)
+def _threads() -> ThreadPoolExecutor:
+    """Made when first needed, which is after the process was forked."""
+    return ThreadPoolExecutor(os.cpu_count(), thread_name_prefix="encode")
 
 
 def encode_image(

@@ -5,8 +5,8 @@ socket can carry code. One command is answered by one reply; while a chunk is lo
 `Busy` frames say that steps are still being made.
 
 The process never outlives its parent: a thread does nothing but wait for the other end
-to be closed, and ends the process then. It is forked by `runners/nursery.py`, or started with the number
-of its socket's descriptor as `python -m reference_sim.worker FD`.
+to be closed, and ends the process then. It is forked by `runners/nursery.py`, or is
+started with its socket's descriptor as `python -m reference_sim.worker FD`.
 """
 
 from __future__ import annotations
