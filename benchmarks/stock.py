@@ -22,7 +22,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 from reference_server.benchmarks import digest
-from reference_server.run_state import Episode, Outcome, Result, Run
+from reference_server.run_state import Episode, Outcome, Result, Run, State
 from reference_server.store import Store
 from reference_sim import catalog
 
@@ -55,17 +55,26 @@ class Shelf:
 # --- what is stored ---
 
 
-def a_run(episodes: int, state: str) -> Run:
-    """A calibration run; finished means that every episode is scored."""
-    tasks = [TASKS[index % len(TASKS)] for index in range(episodes)]
+def a_run(length: int, state: State) -> Run:
+    """A calibration run; completed means that every episode is scored."""
+    tasks = [TASKS[index % len(TASKS)] for index in range(length)]
     options = {"tasks": tasks, "max_steps": 10_000}
     found = catalog.resolve("calibration", options)
     policy = {"name": "growth"}
-    run = Run(
+    episodes = [
+        Episode(index, plan["task"], plan["split"], plan["seed"])
+        for index, plan in enumerate(found.manifest["episodes"])
+    ]
+    for episode in episodes if state == "completed" else ():
+        score = episode.index / length
+        won: Outcome = "success" if episode.index % 3 else "failure"
+        ended_at = 1.7e9 + episode.index
+        episode.result = Result(won, score, 1, 7, True, False, score / 4, ended_at)
+    return Run(
         run_id=f"template_{state}",
         number=0,
         account="bench",
-        state="queued",
+        state=state,
         reason=None,
         retryable=None,
         manifest=found.manifest,
@@ -78,36 +87,24 @@ def a_run(episodes: int, state: str) -> Run:
         created_at_wall=1.7e9,
         updated_at_wall=1.7e9,
         queue_until_wall=0.0,
-        episodes=[
-            Episode(index, plan["task"], plan["split"], plan["seed"])
-            for index, plan in enumerate(found.manifest["episodes"])
-        ],
+        episodes=episodes,
     )
-    if state == "completed":
-        for episode in run.episodes:
-            score = episode.index / episodes
-            won: Outcome = "success" if episode.index % 3 else "failure"
-            ended_at = 1.7e9 + episode.index
-            episode.result = Result(won, score, 1, 7, True, False, score / 4, ended_at)
-            run.changed.add(episode.index)
-    run.state = "completed" if state == "completed" else "ready"
-    return run
 
 
-async def store_templates(path: Path, episodes: int) -> None:
+async def store_templates(path: Path, length: int) -> None:
     store = Store(f"sqlite+aiosqlite:///{path}")
     await store.open()
-    for state in ("completed", "ready"):
-        run = a_run(episodes, state)
-        changed, run.changed = run.changed, set()
+    states: tuple[State, ...] = ("completed", "ready")
+    for state in states:
+        run = a_run(length, state)
         await store.insert(run, None, "")
-        run.changed = changed
+        run.changed = {e.index for e in run.episodes if e.result is not None}
         await store.save(run)
     await store.close()
 
 
-def copy_rows(database: sqlite3.Connection, table: str, source: str) -> None:
-    """Insert into a table its own rows as `source` shows them: ?-less SQL of ours."""
+def copy_rows(database: sqlite3.Connection, table: str, source: int) -> None:
+    """Copy what a table has of the run `source`, once for each row of `copies`."""
     names = [row[1] for row in database.execute(f"PRAGMA table_info({table})")]
     replaced = {"number": "copies.n", "run_id": "copies.run_id"}
     if table == "episodes":
@@ -121,7 +118,7 @@ def copy_rows(database: sqlite3.Connection, table: str, source: str) -> None:
 
 
 def fill(path: Path, shelf: Shelf) -> None:
-    """Finished runs numbered from 1, and behind them runs that wait for a worker."""
+    """Finished runs from FIRST_FINISHED on, and behind them runs for a worker."""
     asyncio.run(store_templates(path, shelf.episodes))
     with contextlib.closing(sqlite3.connect(path)) as database:
         find = "SELECT number FROM runs WHERE run_id = ?"

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from conformance.judge import Tally
-from conformance.ledger import PROFILES
+from conformance.ledger import POLICY, PROFILES
 from conformance.plugin import DEAD, TALLY, VERDICT, requirement_of, story_of
 from conformance.settings import Settings
 from conformance.spec import load_spec
@@ -95,7 +95,8 @@ def execute(
 
 def list_checks(chosen: Settings | None = None) -> list[list[str]]:
     """Give id, name and docstring of the checks (of all), without a server."""
-    everything = Settings(profiles=list(PROFILES), service={"profiles": PROFILES})
+    profiles = [*PROFILES, POLICY]
+    everything = Settings(profiles=profiles, service={"profiles": profiles})
     listing = _Listing()
     code = _run_pytest(chosen or everything, listing, 0, "--collect-only")
     if code not in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED):

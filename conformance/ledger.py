@@ -9,10 +9,12 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from conformance.spec import SPEC_DIRECTORY, load_spec
+from conformance.spec import SPEC_DIRECTORY, load_policy_spec, load_profiles, load_spec
 
 _SCORING_LINE = re.compile(r"^- \[(?P<id>SCORE-\d{3})\] (?P<text>.+)$", re.MULTILINE)
-PROFILES = ("core", "msgpack", "crash")
+PROFILES = ("core", "msgpack", "compare", "push", "crash", "ebench", "flageval")
+POLICY = "policy"  # not of a server, but of a policy server, which is judged alone
+NEVER_ANNOUNCED = ("core", "crash")  # every server has them, or shows them by itself
 
 
 @dataclass(frozen=True)
@@ -39,15 +41,20 @@ class Requirement:
 
 def _read_requirements() -> Iterator[Requirement]:
     spec = load_spec()
-    for row in spec.requirements:
-        yield Requirement(
-            row["id"],
-            row["level"],
-            row["profile"],
-            row["text"],
-            "openapi.yaml x-requirements",
-            row.get("why"),
-        )
+    listed = {"openapi.yaml": spec.requirements}
+    listed["policy.yaml"] = load_policy_spec().requirements
+    for name, document in load_profiles().items():
+        listed[f"profiles/{name}"] = document["x-requirements"]
+    for name, rows in listed.items():
+        for row in rows:
+            yield Requirement(
+                row["id"],
+                row["level"],
+                row["profile"],
+                row["text"],
+                f"{name} x-requirements",
+                row.get("why"),
+            )
     for row in spec.lifecycle["transitions"]:
         yield Requirement(
             row["id"],

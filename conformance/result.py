@@ -8,7 +8,13 @@ from typing import Any
 from conformance.curl import script
 from conformance.expect import TIME_WAS_UP
 from conformance.judge import SESSION_WIDE, Tally
-from conformance.ledger import Requirement, load_ledger
+from conformance.ledger import (
+    NEVER_ANNOUNCED,
+    POLICY,
+    PROFILES,
+    Requirement,
+    load_ledger,
+)
 from conformance.settings import Settings
 from conformance.spec import load_spec, spec_sha256
 from conformance.verdicts import Outcome, Verdict, exit_code
@@ -44,7 +50,9 @@ class Result:
     def is_partial(self) -> bool:
         """Whether the operator asked for less than everything."""
         settings = self.settings
-        return bool(settings.only or settings.quick or len(settings.profiles) < 3)
+        is_policy = settings.profiles == [POLICY]
+        is_narrow = not is_policy and bool(set(PROFILES) - set(settings.profiles))
+        return bool(settings.only or settings.quick or is_narrow)
 
     def counts(self, level: str) -> Counter[Outcome]:
         """Count the outcomes of the rows of a level."""
@@ -115,7 +123,8 @@ def select(settings: Settings) -> list[Requirement]:
 
 def is_offered(row: Requirement, settings: Settings) -> bool:
     """Say whether the server declares what a row is about."""
-    return row.profile != "msgpack" or "msgpack" in settings.service.get("profiles", [])
+    announced = settings.service.get("profiles", [])
+    return row.profile in NEVER_ANNOUNCED or row.profile in announced
 
 
 def conclude(

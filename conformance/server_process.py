@@ -1,8 +1,9 @@
 """A server that the kit starts itself, kills and starts again.
 
 The command learns by environment where to listen, whom to admit, and where to keep
-its data (PROCTOR_HOST, PROCTOR_PORT, PROCTOR_TOKENS, PROCTOR_DATABASE). It runs in a
-process group of its own, so that ending it ends its children as well.
+its data (PROCTOR_HOST, PROCTOR_PORT, PROCTOR_TOKENS, PROCTOR_DATABASE), and that it
+may call policies on this machine (PROCTOR_ALLOW_PRIVATE_POLICIES). It runs in a process
+group of its own, so that ending it ends its children as well.
 """
 
 import contextlib
@@ -73,6 +74,8 @@ class ServerProcess:
             "PROCTOR_PORT": str(self._port),
             "PROCTOR_TOKENS": self._tokens.as_setting(),
             "PROCTOR_DATABASE": str(self._database),
+            # Where the kit's own policy server is, for the profile push.
+            "PROCTOR_ALLOW_PRIVATE_POLICIES": "127.0.0.1",
         }
         try:
             self._process = subprocess.Popen(

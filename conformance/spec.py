@@ -20,7 +20,7 @@ import yaml
 _KIT = Path(__file__).resolve().parent
 _PACKAGED = _KIT / "specification"
 SPEC_DIRECTORY = _PACKAGED if _PACKAGED.is_dir() else _KIT.parent / "spec"
-_DOCUMENTS = ("openapi.yaml", "scoring.md", "calibration.md")
+_DOCUMENTS = ("openapi.yaml", "policy.yaml", "scoring.md", "calibration.md")
 JSON = "application/json"
 MSGPACK = "application/msgpack"
 PROBLEM_JSON = "application/problem+json"
@@ -60,6 +60,7 @@ class Operation:
     path: str
     is_data_plane: bool
     needs_token: bool
+    profile: str
     description: Mapping[str, Any]
 
     def request_media_types(self) -> list[str]:
@@ -98,6 +99,7 @@ class Spec:
                     path=path,
                     is_data_plane="data" in description["tags"],
                     needs_token=bool(security),
+                    profile=description.get("x-profile", "core"),
                     description=description,
                 )
 
@@ -209,16 +211,53 @@ def _blobs_as_bytes(schema: Any) -> Any:
 @functools.cache
 def load_spec() -> Spec:
     """Load the document that stands beside the kit."""
-    text = (SPEC_DIRECTORY / "openapi.yaml").read_text(encoding="utf-8")
+    return Spec(_read(SPEC_DIRECTORY / "openapi.yaml"))
+
+
+@functools.cache
+def load_policy_spec() -> Spec:
+    """Load the other direction: its paths and rules, with the messages of both."""
+    whole, policy = load_spec().document, _read(SPEC_DIRECTORY / "policy.yaml")
+    here = _with_own_references(policy)
+    here["components"]["schemas"] = whole["components"]["schemas"]
+    codes = policy["x-problems"]
+    here["x-problems"] = {code: whole["x-problems"][code] for code in codes}
+    return Spec(here | {"x-lifecycle": {"transitions": []}})
+
+
+def _with_own_references(node: Any) -> Any:
+    if isinstance(node, dict):
+        own = {key: _with_own_references(value) for key, value in node.items()}
+        if "$ref" in own:
+            own["$ref"] = own["$ref"].removeprefix("openapi.yaml")
+        return own
+    if isinstance(node, list):
+        return [_with_own_references(item) for item in node]
+    return node
+
+
+def load_profiles() -> dict[str, dict[str, Any]]:
+    """Load the documents of other wires that a server may offer, by their file."""
+    return {path.name: _read(path) for path in _profile_paths()}
+
+
+def _profile_paths() -> list[Path]:
+    return sorted((SPEC_DIRECTORY / "profiles").glob("*.yaml"))
+
+
+def _read(path: Path) -> dict[str, Any]:
     # The C loader is ten times faster; both are safe ones.
     loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-    return Spec(yaml.load(text, Loader=loader))  # noqa: S506
+    text = path.read_text(encoding="utf-8")
+    document: dict[str, Any] = yaml.load(text, Loader=loader)  # noqa: S506
+    return document
 
 
 @functools.cache
 def spec_sha256() -> str:
     """Give the hash over all documents, so that two reports can be compared."""
-    documents = [(SPEC_DIRECTORY / name).read_bytes() for name in _DOCUMENTS]
+    paths = [*(SPEC_DIRECTORY / name for name in _DOCUMENTS), *_profile_paths()]
+    documents = [path.read_bytes() for path in paths]
     # A checkout may have turned the ends of lines into those of its system.
     return hashlib.sha256(b"".join(documents).replace(b"\r\n", b"\n")).hexdigest()
 

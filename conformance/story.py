@@ -28,8 +28,9 @@ from conformance.expect import KitError, SetUpFailed, given, told
 from conformance.handles import Patience, Run, Worker
 from conformance.journal import Journal
 from conformance.judge import Tally
+from conformance.ledger import NEVER_ANNOUNCED, POLICY
 from conformance.settings import Settings
-from conformance.spec import MSGPACK, Spec, load_spec
+from conformance.spec import MSGPACK, Spec, load_policy_spec, load_spec
 from conformance.wire import Answer, NoAnswer, Wire, open_connections
 
 if TYPE_CHECKING:
@@ -67,7 +68,9 @@ class Context:
     @classmethod
     def of(cls, settings: Settings) -> "Context":
         """Open the connections for one run of the kit."""
-        return cls(settings, open_connections(settings.url), load_spec())
+        is_policy = settings.profiles == [POLICY]
+        spec = load_policy_spec() if is_policy else load_spec()
+        return cls(settings, open_connections(settings.url), spec)
 
     def close(self) -> None:
         """Close the connections."""
@@ -113,7 +116,11 @@ class Story:
     @property
     def speaks_msgpack(self) -> bool:
         """Whether the server announces the profile msgpack."""
-        return "msgpack" in self.service["profiles"]
+        return self.offers("msgpack")
+
+    def offers(self, profile: str) -> bool:
+        """Whether the server has a part of the protocol."""
+        return profile in NEVER_ANNOUNCED or profile in self.service["profiles"]
 
     def wire_of(self, token: str | None) -> Wire:
         """A caller with any token, or without one."""

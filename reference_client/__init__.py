@@ -10,11 +10,15 @@ command `proctor` is in `command`, policies that exist already are in `policies`
 Gymnasium environment is in `remote_env`. All are built of `session` and `runs`.
 """
 
-from reference_client.errors import ProctorError, RunFailed, RunStopped
-from reference_client.evaluation import evaluate
-from reference_client.observation import Observation
-from reference_client.policy import Policy
-from reference_client.progress import Progress
+import importlib
+import typing
+
+if typing.TYPE_CHECKING:
+    from reference_client.errors import ProctorError, RunFailed, RunStopped
+    from reference_client.evaluation import evaluate
+    from reference_client.observation import Observation
+    from reference_client.policy import Policy
+    from reference_client.progress import Progress
 
 __all__ = [
     "Observation",
@@ -25,3 +29,25 @@ __all__ = [
     "RunStopped",
     "evaluate",
 ]
+
+# Name → its module, imported when it is asked for: the command has to be able to say
+# what is not installed here.
+_HOMES = {
+    "Observation": "observation",
+    "Policy": "policy",
+    "ProctorError": "errors",
+    "Progress": "progress",
+    "RunFailed": "errors",
+    "RunStopped": "errors",
+    "evaluate": "evaluation",
+}
+
+
+def __getattr__(name: str) -> typing.Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -18,6 +18,7 @@ from reference_client.connection import Connection
 from reference_client.errors import RunFailed, RunStopped, how_to_resume
 from reference_client.patience import Patience
 from reference_client.plan import Plan, exactly, submission
+from reference_client.policies.policy_server import PolicyServers
 from reference_client.policy import Policy
 from reference_client.progress import Board, Progress, line_for_people
 from reference_client.rounds import Evaluation
@@ -82,6 +83,7 @@ def evaluate(
         takeover=takeover,
         assumes=exactly(Assumptions, "assumes", assumes),
         patience_s=patience_s,
+        vet=policy.check if isinstance(policy, PolicyServers) else None,
     )
     return _evaluated(plan, Threads(policy), progress)
 

@@ -18,7 +18,9 @@ from proctor_client import (
     CalibrationOptions,
     ImageChoice,
     PolicyInfo,
+    PolicyServer,
     Run,
+    RunMode,
     SubmitRun,
 )
 from pydantic import ValidationError
@@ -28,7 +30,7 @@ from reference_client.runs import Desk
 # Of the parameter WorkerId: what the server refuses would leave a run behind.
 WORKER_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")
 
-Model = TypeVar("Model", Assumptions, CalibrationOptions, ImageChoice)
+Model = TypeVar("Model", Assumptions, CalibrationOptions, ImageChoice, PolicyServer)
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,8 +98,10 @@ def submission(
     options: Mapping[str, Any] | None = None,
     idle_timeout_s: float | None = None,
     max_workers: int | None = None,
+    policy_server: Mapping[str, Any] | None = None,
 ) -> SubmitRun:
-    """A new run; ValueError for what cannot be meant."""
+    """A new run, with mode `push` for a policy server; ValueError for what cannot be
+    meant."""
     try:
         return SubmitRun(
             benchmark_id=benchmark,
@@ -106,6 +110,8 @@ def submission(
             max_workers=max_workers,
             images=exactly(ImageChoice, "images", images),
             options=exactly(CalibrationOptions, "options", options),
+            mode=None if policy_server is None else RunMode.PUSH,
+            policy_server=exactly(PolicyServer, "policy_server", policy_server),
         )
     except ValidationError as error:
         faults = error.errors(include_url=False)

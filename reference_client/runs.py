@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import uuid
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -12,6 +12,7 @@ from proctor_client import (
     ApiResponse,
     Benchmark,
     BenchmarkSummary,
+    Comparison,
     ControlApi,
     Episode,
     Run,
@@ -154,6 +155,16 @@ class Desk:
     def score(self, run_id: str) -> Score:
         return self._patience.until_answered(
             lambda: self._control.get_score(run_id, _request_timeout=TIMEOUTS_S)
+        )
+
+    def compare(
+        self, baseline: str, runs: Sequence[str], tolerance: float | None
+    ) -> Comparison:
+        """Runs beside a baseline; tolerance None is the server's own."""
+        return self._patience.until_answered(
+            lambda: self._control.compare_runs(
+                baseline, ",".join(runs), tolerance, _request_timeout=TIMEOUTS_S
+            )
         )
 
     def episodes(self, run_id: str) -> list[Episode]:

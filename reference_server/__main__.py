@@ -14,6 +14,7 @@ from pydantic_settings import CliSettingsSource, SettingsError
 
 from reference_server.app import build
 from reference_server.auth import BadTokens, Tokens
+from reference_server.push.seal import Sealer
 from reference_server.settings import Settings
 from reference_server.store import Store, StoreFailed
 from reference_sim import catalog
@@ -95,6 +96,15 @@ def _serve(
         print(
             f"proctor: cannot use the database ({error}); choose another with "
             "--database",
+            file=sys.stderr,
+        )
+        return 2
+    try:
+        Sealer(settings.sealing_key_path).open()
+    except (OSError, ValueError) as error:
+        print(
+            f"proctor: cannot use the key in {settings.sealing_key_path} ({error}); "
+            "choose another with --sealing-key",
             file=sys.stderr,
         )
         return 2

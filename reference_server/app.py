@@ -16,12 +16,12 @@ from reference_server.auth import Tokens
 from reference_server.benchmarks import Benchmarks
 from reference_server.operations import VERSION, Operation, perform
 from reference_server.problems import Refused, problem_response
+from reference_server.profiles import tables
 from reference_server.push.addresses import Gate
 from reference_server.push.driver import Driver
 from reference_server.push.orders import OrderDesk
 from reference_server.push.protocols import PROTOCOLS
 from reference_server.push.seal import Sealer
-from reference_server.profiles import tables
 from reference_server.routes import Routes
 from reference_server.run_book import RunBook
 from reference_server.settings import Settings

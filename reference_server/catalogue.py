@@ -120,6 +120,13 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "title": "The session was told that it is done",
         "act": "Detach; attach again if get_run shows pending episodes.",
     },
+    "not_comparable": {
+        "status": 409,
+        "retryable": False,
+        "side_effects": "none",
+        "title": "The runs have different manifests",
+        "act": "Compare runs of one benchmark, of the same version and with the same options.",
+    },
     "benchmark_unavailable": {
         "status": 409,
         "retryable": False,

@@ -177,6 +177,74 @@ CalibrationTask = TypeAliasType(
 )
 
 
+class ComparedRun(BaseModel):
+    """
+    One run beside the baseline. A pair is an episode that both have scored.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    run_id: str
+    complete: Annotated[bool, Field(description="Both runs have scored every episode.")]
+    release: Annotated[
+        bool,
+        Field(
+            description="Complete, and no difference, over all episodes or over those of a task, is beyond the tolerance."
+        ),
+    ]
+    paired: Annotated[int, Field(description="Number of pairs.", ge=0)]
+    baseline_mean: Annotated[
+        float | None, Field(description="Mean score of the baseline over the pairs.")
+    ]
+    mean: Annotated[
+        float | None, Field(description="Mean score of the run over the pairs.")
+    ]
+    difference: Annotated[
+        float | None,
+        Field(description="Baseline minus run: positive when the run is worse."),
+    ]
+    wins: Annotated[
+        int, Field(description="Pairs in which the run alone succeeds.", ge=0)
+    ]
+    losses: Annotated[
+        int, Field(description="Pairs in which the baseline alone succeeds.", ge=0)
+    ]
+    ties: Annotated[
+        int, Field(description="Pairs in which both succeed or neither does.", ge=0)
+    ]
+    p_value: Annotated[
+        float, Field(description="McNemar's exact test, two-sided.", ge=0.0, le=1.0)
+    ]
+    by_task: Annotated[
+        dict[str, ComparedTask], Field(description="Task → the pairs of its episodes.")
+    ]
+
+
+class ComparedTask(BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    paired: Annotated[int, Field(ge=0)]
+    baseline_mean: float | None
+    mean: float | None
+    difference: float | None
+
+
+class Comparison(BaseModel):
+    """
+    See scoring.md for every number here.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    baseline: Annotated[
+        str, Field(description="Id of the run that the others are compared with.")
+    ]
+    benchmark_id: str
+    manifest_sha256: Sha256
+    tolerance: Annotated[float, Field(ge=0.0, le=1.0)]
+    runs: Annotated[
+        list[ComparedRun],
+        Field(description="One entry per run that was named, in that order."),
+    ]
+
+
 Dtype = TypeAliasType(
     "Dtype",
     Literal[
@@ -205,6 +273,12 @@ class Episode(BaseModel):
     status: EpisodeStatus
     attempt: Annotated[int, Field(description="The current or next attempt.", ge=1)]
     faults: Annotated[int, Field(ge=0)]
+    policy_fault: Annotated[
+        str | MISSING,
+        Field(
+            description="In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode."
+        ),
+    ] = MISSING
     result: EpisodeResult | MISSING = MISSING
 
 
@@ -395,12 +469,130 @@ class OutcomeCounts(BaseModel):
     unscored: int
 
 
+class PolicyDescription(BaseModel):
+    """
+    What a policy server says of itself; see policy.yaml.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    name: Annotated[str, Field(max_length=200, min_length=1)]
+    version: Annotated[str | MISSING, Field(max_length=200)] = MISSING
+    protocol: ProtocolRange
+    max_sessions: Annotated[
+        int, Field(description="Most episodes that it plays at a time.", ge=1, le=1024)
+    ]
+    assumes: Assumptions | MISSING = MISSING
+
+
 class PolicyInfo(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     name: Annotated[str, Field(max_length=200, min_length=1)]
     version: Annotated[str | MISSING, Field(max_length=200)] = MISSING
     submitter: Annotated[str | MISSING, Field(max_length=200)] = MISSING
     homepage: Annotated[str | MISSING, Field(max_length=500)] = MISSING
+
+
+PolicyProtocol = TypeAliasType(
+    "PolicyProtocol",
+    Annotated[
+        Literal["proctor", "openai_chat"],
+        Field(
+            description="`proctor` is policy.yaml. `openai_chat` asks for a chat completion at `chat/completions` below the URL, for benchmarks that are answered in words."
+        ),
+    ],
+)
+
+
+class PolicyReset(BaseModel):
+    """
+    The policy is ready for this attempt and no other.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    session_id: str
+    episode_id: str
+    attempt: Annotated[int, Field(ge=1)]
+
+
+class PolicyServer(BaseModel):
+    """
+    Where the server finds the policy of a run with mode `push`, and how it calls it.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    url: Annotated[
+        str,
+        Field(
+            description="Base URL, without user, query or fragment; the path of an operation is appended to it.",
+            max_length=500,
+            pattern="^https?://[A-Za-z0-9.:_\\[\\]-]+(/[A-Za-z0-9._~%/-]*)?$",
+        ),
+    ]
+    protocol: PolicyProtocol
+    api_key: Annotated[
+        str | MISSING,
+        Field(
+            description="Sent as bearer token with every call, and shown to nobody.",
+            max_length=4096,
+            min_length=1,
+            pattern="^[!-~]+$",
+        ),
+    ] = MISSING
+    model: Annotated[
+        str | MISSING,
+        Field(
+            description="Which model is asked, where a protocol knows several.",
+            max_length=200,
+            min_length=1,
+        ),
+    ] = MISSING
+    call_timeout_s: Annotated[
+        float | MISSING,
+        Field(
+            description="Time for one call, from connecting to the last byte of its answer; 30 when absent.",
+            ge=0.1,
+            le=600.0,
+        ),
+    ] = MISSING
+    max_concurrent: Annotated[
+        int | MISSING,
+        Field(
+            description="Most episodes played and calls made at a time; as many as the policy, the run and the server allow when absent.",
+            ge=1,
+            le=1024,
+        ),
+    ] = MISSING
+    max_retries: Annotated[
+        int | MISSING,
+        Field(
+            description="How often a call that was not answered is repeated; 3 when absent.",
+            ge=0,
+            le=10,
+        ),
+    ] = MISSING
+    generation: Annotated[
+        dict[str, float] | MISSING,
+        Field(
+            description="Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` alone.",
+            max_length=32,
+        ),
+    ] = MISSING
+
+
+class PolicyServerView(BaseModel):
+    """
+    The policy server of a run with mode `push`, with what was left open filled in, and without its key.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    url: str
+    protocol: PolicyProtocol
+    has_api_key: bool
+    model: str | MISSING = MISSING
+    call_timeout_s: float
+    max_concurrent: int
+    max_retries: int
+    generation: dict[str, float] | MISSING = MISSING
 
 
 class Predict(BaseModel):
@@ -446,7 +638,9 @@ class ProblemItem(BaseModel):
     detail: str
 
 
-Profile = TypeAliasType("Profile", Literal["core", "msgpack"])
+Profile = TypeAliasType(
+    "Profile", Literal["core", "msgpack", "compare", "push", "ebench", "flageval"]
+)
 
 
 class Progress(BaseModel):
@@ -461,6 +655,18 @@ class ProtocolRange(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     min: Annotated[str, Field(pattern="^[0-9]+\\.[0-9]+$")]
     max: Annotated[str, Field(pattern="^[0-9]+\\.[0-9]+$")]
+
+
+class ResetPolicy(BaseModel):
+    """
+    An attempt begins; whatever the policy remembers of this session is over.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    session_id: Annotated[str, Field(max_length=128, min_length=1)]
+    run_id: str | MISSING = MISSING
+    benchmark: Benchmark
+    episode: EpisodeView
 
 
 Rotation = TypeAliasType(
@@ -494,6 +700,8 @@ class Run(BaseModel):
     benchmark_version: str
     manifest_sha256: Sha256
     policy: PolicyInfo
+    mode: RunMode | MISSING = MISSING
+    policy_server: PolicyServerView | MISSING = MISSING
     max_workers: int
     idle_timeout_s: float
     images: ImageChoice
@@ -516,6 +724,17 @@ class RunList(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     runs: list[Run]
     next_cursor: str | None
+
+
+RunMode = TypeAliasType(
+    "RunMode",
+    Annotated[
+        Literal["pull", "push"],
+        Field(
+            description="`pull` when absent: workers attach and predict. `push`: the server calls the policy itself, and workers of the run are its own."
+        ),
+    ],
+)
 
 
 RunState = TypeAliasType(
@@ -559,7 +778,7 @@ class Service(BaseModel):
     profiles: Annotated[
         list[Profile],
         Field(
-            description="Parts of the protocol offered; `core` may be left out, for it always is. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified."
+            description="Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified."
         ),
     ]
     limits: Limits
@@ -639,6 +858,8 @@ class SubmitRun(BaseModel):
     ] = MISSING
     images: ImageChoice | MISSING = MISSING
     options: CalibrationOptions | MISSING = MISSING
+    mode: RunMode | MISSING = MISSING
+    policy_server: PolicyServer | MISSING = MISSING
 
 
 SuccessRule = TypeAliasType("SuccessRule", Literal["any_step", "last_step"])

@@ -35,12 +35,24 @@ HEADER_PATTERNS: dict[str, str] = {
     "if-none-match": r"(?s:.{0,200})",
     "idempotency-key": r"[\x21-\x7e]{1,128}",
     "prefer": r"wait=[0-9]{1,4}",
+    "run_id": r"[A-Za-z0-9_-]{1,64}",
 }
 QUERY_PATTERNS: dict[str, str] = {
+    "baseline": r"[A-Za-z0-9_-]{1,64}",
     "cursor": r"[A-Za-z0-9_-]{1,128}",
     "limit": r"[0-9]{1,4}",
+    "request_id": r"[A-Za-z0-9_.-]{1,1040}",
+    "request_ids": r"[A-Za-z0-9_.,-]{1,8000}",
+    "render_mode": r"(?s:.{0,20})",
+    "run_id": r"[A-Za-z0-9_-]{1,64}",
+    "runs": r"[A-Za-z0-9_-]{1,64}(,[A-Za-z0-9_-]{1,64}){0,15}",
     "session_id": r"(?s:.{1,128})",
+    "subframes": r"(?s:.{0,20})",
+    "tolerance": r"[0-9]{1,4}(\.[0-9]{1,40})?([Ee][+-]?[0-9]{1,3})?",
+    "user_id": r"(?s:.{0,200})",
 }
+# What a pattern cannot say of a number: the least and the largest.
+QUERY_RANGES: dict[str, tuple[int, int]] = {"limit": (1, 1000), "tolerance": (0, 1)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +61,7 @@ class Operation:
 
     scope: what the token needs; None for anyone. body: the model of the body.
     reads, writes: media types, best first; without any there is no body.
-    query, headers: names that it takes.
+    query, headers: names that it takes. refusal: how it says no; a problem without.
     """
 
     handler: Callable[[Call], Awaitable[Response]]
@@ -60,6 +72,7 @@ class Operation:
     query: tuple[str, ...] = ()
     required_query: tuple[str, ...] = ()
     headers: tuple[str, ...] = ()
+    refusal: Callable[[Refused], Response] | None = None
 
 
 @dataclass(slots=True)
@@ -92,7 +105,7 @@ async def perform(
         call = await _checked(request, operation, tokens, max_body_bytes)
         return await operation.handler(call)
     except Refused as refused:
-        return problem_response(refused)
+        return (operation.refusal or problem_response)(refused)
     except asyncio.CancelledError:
         # By the server alone, which ends and has waited long enough.
         return problem_response(Refused("unavailable", "The server is ending."))
@@ -156,8 +169,10 @@ def _path(request: Request) -> Mapping[str, str]:
 
 def _query(request: Request, operation: Operation) -> Mapping[str, str]:
     """ERR-014. A name that the operation does not have is a mistake, not a wish."""
-    errors = []
     seen: dict[str, str] = {}
+    if not request.scope["query_string"] and not operation.required_query:
+        return seen
+    errors = []
     for name, value in request.query_params.multi_items():
         if name not in operation.query:
             errors.append((f"query:{name}", "this operation has no such parameter"))
@@ -165,8 +180,9 @@ def _query(request: Request, operation: Operation) -> Mapping[str, str]:
             errors.append((f"query:{name}", "is given more than once"))
         elif not re.fullmatch(QUERY_PATTERNS[name], value):
             errors.append((f"query:{name}", f"must match {QUERY_PATTERNS[name]}"))
-        elif name == "limit" and not 1 <= int(value) <= 1000:
-            errors.append(("query:limit", "must be from 1 to 1000"))
+        elif name in QUERY_RANGES and not _in_range(name, value):
+            least, most = QUERY_RANGES[name]
+            errors.append((f"query:{name}", f"must be from {least} to {most}"))
         seen[name] = value
     errors += [
         (f"query:{name}", "is missing")
@@ -176,6 +192,11 @@ def _query(request: Request, operation: Operation) -> Mapping[str, str]:
     if errors:
         raise Refused("invalid_request", "A query parameter is wrong.", errors=errors)
     return seen
+
+
+def _in_range(name: str, value: str) -> bool:
+    least, most = QUERY_RANGES[name]
+    return least <= float(value) <= most
 
 
 def _headers(request: Request, operation: Operation) -> Mapping[str, str]:

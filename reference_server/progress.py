@@ -21,6 +21,10 @@ from reference_server.protocol import (
 )
 from reference_server.run_state import Episode, Result, Run, Session, SessionEnd
 
+# A lease is for a client that may vanish. A worker of the server's own cannot, and its
+# calls have their own bounds: this is longer than all of them together.
+OWN_LEASE_S = 86_400.0
+
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
@@ -54,13 +58,14 @@ def open_session(run: Run, command: Attach, session_id: str, now: float) -> Sess
     (ATT-004). The session is busy until `answer` is called.
     """
     old = run.workers.pop(command.worker_id, None)
+    idle_timeout_s = OWN_LEASE_S if command.by_server else run.idle_timeout_s
     session = Session(
         session_id=session_id,
         worker_id=command.worker_id,
         attach_key=command.attach_key,
-        idle_timeout_s=run.idle_timeout_s,
+        idle_timeout_s=idle_timeout_s,
         max_steps=run.manifest["max_steps"],
-        expires_at=now + run.idle_timeout_s,
+        expires_at=now + idle_timeout_s,
         busy="opening",
     )
     if old is not None and not old.done:
@@ -83,6 +88,17 @@ def begin_turn(session: Session, command: Predict, now: float) -> None:
     session.turn = None
     session.busy = "playing"
     session.think_s += max(0.0, now - session.answered_at)
+
+
+def await_hearing(session: Session, command: Predict, asked: str) -> None:
+    """A client that counts no turns asked for this one; see `protocol.repeated`."""
+    session.unheard = (command.seq, asked)
+
+
+def heard(session: Session, seq: int) -> None:
+    """The answer has left, and its client was still there to take it."""
+    if session.unheard is not None and session.unheard[0] == seq:
+        session.unheard = None
 
 
 def end_turn(
@@ -146,6 +162,28 @@ def close_session(
         _after_session_end(run)
 
 
+def end_by_policy(run: Run, session: Session, fault: str, now_wall: float) -> None:
+    """The policy that this server calls went wrong: its attempt ends (PUSH-010)."""
+    episode = session.episode
+    if episode is not None:
+        episode.policy_fault = fault
+        run.changed.add(episode.index)
+    close_session(run, session, "detached", now_wall)
+
+
+def give_up(run: Run, reason: str, now_wall: float) -> list[Session]:
+    """The policy cannot be called (PUSH-012). Returns the sessions that ended.
+
+    That is its own doing: attempts in play count, as when a client goes away.
+    """
+    sessions = list(run.workers.values())
+    _end_all(run, sessions, "run_failed", now_wall, counted=True)
+    if legal(run, "fault"):
+        move(run, "fault", reason)
+        run.retryable = True
+    return sessions
+
+
 def expire(run: Run, now: float, now_wall: float) -> list[Session]:
     """Close every session whose lease is over; returns those that held a slot."""
     over = [s for s in run.workers.values() if lease_over(s, now)]
@@ -159,11 +197,7 @@ def stop(run: Run, mode: str, now_wall: float) -> list[Session]:
     """Returns the sessions that the stop ended (STOP-001, STOP-002)."""
     sessions = list(run.workers.values()) if mode == "abort" else []
     reason = f"Stopped by its submitter ({mode})."
-    for session in sessions:
-        _close_attempt(run, session, now_wall, counted=True)
-        session.done = True
-        run.workers.pop(session.worker_id, None)
-        run.remember_end(session, "run_stopped")
+    _end_all(run, sessions, "run_stopped", now_wall, counted=True)
     move(run, "stop_abort" if mode == "abort" else "stop_drain", reason)
     return sessions
 
@@ -202,11 +236,7 @@ def fault(
             return []
     verb = "cannot be played" if unplayable else f"faulted {episode.faults} times"
     sessions = list(run.workers.values())
-    for other in sessions:
-        _close_attempt(run, other, now_wall, counted=False)
-        other.done = True
-        run.remember_end(other, "run_failed")
-    run.workers.clear()
+    _end_all(run, sessions, "run_failed", now_wall, counted=False)
     move(run, "fault", f"Episode {episode.episode_id} {verb}: {detail}")
     run.retryable = not unplayable
     return sessions
@@ -240,6 +270,22 @@ def _score(run: Run, episode: Episode, result: Result) -> None:
     run.changed.add(episode.index)
     if run.scored == len(run.episodes):
         move(run, "all_scored")
+
+
+def _end_all(
+    run: Run,
+    sessions: Sequence[Session],
+    ended_by: SessionEnd,
+    now_wall: float,
+    *,
+    counted: bool,
+) -> None:
+    """End sessions together; the state is the caller's to move."""
+    for session in sessions:
+        _close_attempt(run, session, now_wall, counted=counted)
+        session.done = True
+        run.workers.pop(session.worker_id, None)
+        run.remember_end(session, ended_by)
 
 
 def _close_attempt(

@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias
 
 from reference_server import spaces
-from reference_server.run_state import Run, Session, State
+from reference_server.run_state import Observe, Run, Session, State
 
 Event: TypeAlias = Literal[
     "attach_worker",
@@ -69,6 +69,7 @@ class Attach:
     attach_key: str
     takeover: bool = False
     assumes: Mapping[str, Any] | None = None
+    by_server: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +78,7 @@ class Predict:
     session_id: str
     seq: int
     actions: Sequence[Mapping[str, Sequence[float]]]
-    observe: Literal["last", "all"] = "last"
+    observe: Observe = "last"
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,6 +168,20 @@ def lease_over(session: Session, now: float) -> bool:
     return not session.busy and now > session.expires_at
 
 
+def repeated(session: Session, asked: str) -> Predict | None:
+    """The last turn once more, if a client that counts none means that (EBE-013).
+
+    asked: a digest of what the client sent. It means the last turn when it sends the
+    same again and the answer did not reach it; anything else is a turn of its own, as
+    is what a policy chooses again after it has heard (EBE-014).
+    """
+    if session.request is None or session.unheard != (session.seq, asked):
+        return None
+    return Predict(
+        session.worker_id, session.session_id, session.seq, *session.request
+    )
+
+
 # --- guards: (run, command, now) → a verdict, or None to let the next one look ---
 
 
@@ -180,6 +195,19 @@ def _event_is_legal(run: Run, command: Command, _now: float) -> Verdict | None:
     return Refuse(
         "illegal_transition",
         f"A run that is {run.state} does not allow {event}; nothing was changed.{hint}",
+        members={"state": run.state},
+    )
+
+
+def _played_by_whom_it_is_for(
+    run: Run, command: Attach, _now: float
+) -> Verdict | None:
+    if run.is_push == command.by_server:
+        return None
+    return Refuse(
+        "illegal_transition",
+        "This run has mode push: the server calls its policy, and nobody attaches.",
+        "PUSH-003",
         members={"state": run.state},
     )
 
@@ -332,6 +360,7 @@ def _event_of(command: Command) -> Event:
 # anything else is asked, so a lost answer never turns into a refusal.
 GUARDS: dict[type[Command], tuple[Callable[[Run, Any, float], Verdict | None], ...]] = {
     Attach: (
+        _played_by_whom_it_is_for,
         _same_attach_key,
         _event_is_legal,
         _conventions_agree,

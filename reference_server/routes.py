@@ -5,15 +5,16 @@ from __future__ import annotations
 import hashlib
 import secrets
 import time
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
+from functools import partial
 from typing import Any
 
 import msgspec
 from starlette.responses import Response
 
-from reference_server import models, progress, views
+from reference_server import comparison, models, progress, views
 from reference_server.benchmarks import Benchmarks
 from reference_server.messages import JSON, MSGPACK
 from reference_server.operations import (
@@ -33,8 +34,10 @@ from reference_server.protocol import (
     Stop,
     decide,
 )
+from reference_server.push.orders import OrderDesk
 from reference_server.run_book import RunBook
-from reference_server.run_state import Episode, Run
+from reference_server.run_state import Episode, Run, RunHead
+from reference_server.scores import Scores
 from reference_server.settings import Settings
 from reference_server.stage import Stage
 from reference_server.turns import lease_view
@@ -52,6 +55,8 @@ class Routes:
     benchmarks: Benchmarks
     book: RunBook
     stage: Stage
+    orders: OrderDesk = field(default_factory=OrderDesk)
+    scores: Scores = field(default_factory=Scores)
 
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation; the same as the spec's, as a test proves."""
@@ -59,6 +64,10 @@ class Routes:
         pages = ("cursor", "limit")
         both = (JSON, MSGPACK)
         return {
+            # Paths are tried in this order, and this is the one that is asked for.
+            f"{worker}/predict": {
+                "POST": Operation(self.predict, "run", models.Predict, both, both)
+            },
             "/v1": {"GET": Operation(self.describe_service, scope=None)},
             "/v1/benchmarks": {"GET": Operation(self.list_benchmarks)},
             "/v1/benchmarks/{benchmark_id}": {"GET": Operation(self.get_benchmark)},
@@ -76,6 +85,13 @@ class Routes:
             f"{run}/resume": {"POST": Operation(self.resume_run, "run")},
             f"{run}/episodes": {"GET": Operation(self.list_episodes, query=pages)},
             f"{run}/score": {"GET": Operation(self.get_score)},
+            "/v1/comparisons": {
+                "GET": Operation(
+                    self.compare_runs,
+                    query=("baseline", "runs", "tolerance"),
+                    required_query=("baseline", "runs"),
+                )
+            },
             worker: {
                 "PUT": Operation(
                     self.attach_worker, "run", models.AttachWorker, both, both
@@ -87,9 +103,6 @@ class Routes:
                     query=("session_id",),
                     required_query=("session_id",),
                 ),
-            },
-            f"{worker}/predict": {
-                "POST": Operation(self.predict, "run", models.Predict, both, both)
             },
             f"{worker}/heartbeat": {
                 "POST": Operation(self.heartbeat, "run", models.Heartbeat)
@@ -104,7 +117,7 @@ class Routes:
             name="Proctor reference server",
             version=SOFTWARE_VERSION,
             protocol=models.ProtocolRange(min=VERSION_MIN, max=VERSION_MAX),
-            profiles=["core", "msgpack"],
+            profiles=["core", "msgpack", "compare", "push", *settings.more_profiles],
             limits=models.Limits(
                 max_body_bytes=settings.max_body_bytes,
                 max_workers=settings.max_workers,
@@ -131,14 +144,26 @@ class Routes:
         # Equal JSON values are the same body, however they were written.
         canonical = msgspec.json.encode(submission, order="deterministic")
         body_sha256 = hashlib.sha256(canonical).hexdigest()
-        run = await self._new_run(call.account, submission)
-        run = await self.book.add(run, key, body_sha256)
+        run = await self.submitted(call.account, submission, key, body_sha256)
         response = call.answer(await self._shown(call, run), 201)
         response.headers["Location"] = f"/v1/runs/{run.run_id}"
         return response
 
-    async def _new_run(self, account: str, submission: dict[str, Any]) -> Run:
+    async def submitted(
+        self,
+        account: str,
+        submission: dict[str, Any],
+        key: str | None = None,
+        body_sha256: str = "",
+    ) -> Run:
+        """A new run, whichever door it comes by; submission: schema SubmitRun."""
+        run = await self.new_run(account, submission)
+        return await self.book.add(run, key, body_sha256)
+
+    async def new_run(self, account: str, submission: dict[str, Any]) -> Run:
+        """What the submission asks for, not stored yet. Raises Refused."""
         settings = self.settings
+        submission = await self.orders.kept(submission)
         resolved = await self.benchmarks.resolve(submission)
         max_workers = submission.get("max_workers", settings.max_workers)
         idle = submission.get("idle_timeout_s", settings.idle_timeout_s_max)
@@ -180,7 +205,7 @@ class Routes:
         limit = int(call.query.get("limit", PAGE))
         before = _number(call.query.get("cursor"))
 
-        def view(run: Run) -> tuple[int, dict[str, Any]]:
+        def view(run: RunHead) -> tuple[int, dict[str, Any]]:
             return run.number, self._view(call, run)
 
         found = await self.book.page(call.account, before, limit + 1, view)
@@ -196,11 +221,17 @@ class Routes:
         wanted = call.headers.get("if-none-match")
         wait_s = float(call.headers.get("prefer", "wait=0").removeprefix("wait="))
         deadline = time.monotonic() + min(wait_s, self.settings.wait_s_max)
+        run_id = call.path["run_id"]
+
+        def view(run: RunHead, _: object) -> dict[str, Any]:
+            if isinstance(run, Run):  # else nobody plays it
+                self.stage.sweep(run)
+            return self._view(call, run)
+
         while True:
-            run = await self._run(call)
-            self.stage.sweep(run)
-            news = self.book.news(run)
-            response = call.answer(await self._shown(call, run))
+            # Before the look; and whoever waits keeps no run in memory.
+            news = self.book.news(run_id)
+            response = call.answer(await self.book.look(run_id, call.account, view))
             etag = f'"{hashlib.sha256(bytes(response.body)).hexdigest()[:32]}"'
             response.headers["ETag"] = etag
             if wanted is None or not _matches(wanted, etag):
@@ -211,37 +242,58 @@ class Routes:
             await self.book.changed(news, left_s)
 
     async def stop_run(self, call: Call) -> Response:
-        mode = call.body.model_dump().get("mode", "abort")
-        run = await self._permitted(call, Stop(mode))
-        self.stage.let_go(progress.stop(run, mode, time.time()))
+        stop = Stop(call.body.model_dump().get("mode", "abort"))
+        return call.answer(await self._shown(call, await self.stopped(call, stop)))
+
+    async def stopped(self, call: Call, stop: Stop) -> Run:
+        run = await self._permitted(call, stop)
+        self.stage.let_go(progress.stop(run, stop.mode, time.time()))
         await self.book.commit(run)
-        return call.answer(await self._shown(call, run))
+        return run
 
     async def resume_run(self, call: Call) -> Response:
+        return call.answer(await self._shown(call, await self.resumed(call)))
+
+    async def resumed(self, call: Call) -> Run:
         run = await self._permitted(call, Resume())
         if run.state in ("stopped", "failed"):
             progress.resume(run, time.time() + _queue_s(run.submission))
             await self.book.commit(run)
-        return call.answer(await self._shown(call, run))
+        return run
 
     async def list_episodes(self, call: Call) -> Response:
-        run = await self._run(call)
         limit = int(call.query.get("limit", PAGE))
         start = _number(call.query.get("cursor")) or 0
         end = start + limit
 
-        def view(run: Run) -> dict[str, Any]:
-            page = run.episodes[start:end]
+        def view(run: RunHead, page: Sequence[Episode]) -> dict[str, Any]:
             return {
                 "episodes": [views.episode_view(e) for e in page],
-                "next_cursor": str(end) if end < len(run.episodes) else None,
+                "next_cursor": str(end) if end < run.total else None,
             }
 
-        return call.answer(await self.book.shown(run, view))
+        run_id = call.path["run_id"]
+        return call.answer(await self.book.look(run_id, call.account, view, start, end))
 
     async def get_score(self, call: Call) -> Response:
-        run = await self._run(call)
-        return call.answer(await self.book.shown(run, views.score_view))
+        run_id = call.path["run_id"]
+        return call.answer(await self.scores.of(self.book, run_id, call.account))
+
+    async def compare_runs(self, call: Call) -> Response:
+        tolerance = float(call.query.get("tolerance", comparison.TOLERANCE))
+        ids = [call.query["baseline"], *call.query["runs"].split(",")]
+        runs, scored = [], []
+        for run_id in ids:
+            look = partial(self.book.look, run_id, call.account, end=None)
+            run, episodes = await look(lambda run, all_: (run, views.scored(all_)))
+            runs.append(run)
+            scored.append(episodes)
+        _pair_up(*runs)
+        entries = [
+            {"run_id": run_id} | comparison.compare(scored[0], episodes, tolerance)
+            for run_id, episodes in zip(ids[1:], scored[1:], strict=True)
+        ]
+        return call.answer(views.comparison_view(runs[0], tolerance, entries))
 
     # --- data plane ---
 
@@ -293,14 +345,29 @@ class Routes:
     async def _shown(self, call: Call, run: Run) -> dict[str, Any]:
         return await self.book.shown(run, lambda run: self._view(call, run))
 
-    def _view(self, call: Call, run: Run) -> dict[str, Any]:
+    def _view(self, call: Call, run: RunHead) -> dict[str, Any]:
+        return views.run_view(run, self.base_url(call), self.book.queue_position(run))
+
+    def base_url(self, call: Call) -> str:
+        """Where the caller reaches this server; without a slash at the end."""
         base = self.settings.public_url or str(call.request.base_url)
-        position = self.book.queue_position(run)
-        return views.run_view(run, base.rstrip("/"), position)
+        return base.rstrip("/")
 
 
 def _queue_s(submission: Mapping[str, Any]) -> float:
     return float(submission.get("options", {}).get("queue_s", 0.0))
+
+
+def _pair_up(base: RunHead, *runs: RunHead) -> None:
+    strangers = [r.run_id for r in runs if r.manifest_sha256 != base.manifest_sha256]
+    if strangers:
+        text = f"{', '.join(strangers)}: another manifest than {base.run_id}"
+        raise Refused(
+            "not_comparable",
+            "Episodes pair only within one manifest.",
+            errors=[("query:runs", text)],
+            requirement="CMP-009",
+        )
 
 
 def _matches(if_none_match: str, etag: str) -> bool:

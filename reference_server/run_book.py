@@ -15,14 +15,15 @@ from __future__ import annotations
 import asyncio
 import logging
 import time
+from bisect import bisect_left, insort
 from collections import OrderedDict
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Sequence
 from typing import TypeVar
 from weakref import WeakValueDictionary
 
 from reference_server import progress
 from reference_server.problems import Refused
-from reference_server.run_state import Run, State
+from reference_server.run_state import Episode, Run, RunHead, State
 from reference_server.store import Store, StoreFailed
 
 log = logging.getLogger("proctor.runs")
@@ -30,6 +31,8 @@ log = logging.getLogger("proctor.runs")
 # Runs kept in memory although nobody uses them at the moment.
 RUNS_KEPT = 256
 ACTIVE = ("ready", "running", "stopping")
+# What a stored run in one of these was when it left memory, it still is.
+AT_REST = ("ready", "stopped", "failed", "completed")
 # How long after a failed write its run is loaded again, when nobody asks for it.
 RELOAD_S = 1.0
 
@@ -45,6 +48,7 @@ class RunBook:
         self._known: WeakValueDictionary[str, Run] = WeakValueDictionary()
         self._recent: OrderedDict[str, Run] = OrderedDict()
         self._queued: dict[str, Run] = {}
+        self._queue: list[int] = []  # their numbers, the next one first
         self._active: set[str] = set()
         self._loading: dict[str, asyncio.Task[Run | None]] = {}
         self._saving: dict[str, asyncio.Task[bool]] = {}  # the last one of each run
@@ -56,6 +60,8 @@ class RunBook:
         self._ending = self._closed = False
         # Set by the data plane: what to do with the sessions of a run that was lost.
         self.forget: Callable[[Run], None] = lambda _run: None
+        # Set by who plays the push runs: looks at a run whose state may have changed.
+        self.seen: Callable[[Run], None] = lambda _run: None
 
     async def open(self) -> None:
         self._active = set(await self._store.in_states(*ACTIVE))
@@ -81,9 +87,35 @@ class RunBook:
         """The run, if the account may see it (AUTH-003, RUN-010)."""
         run = self._known.get(run_id) or await self._load(run_id)
         if run is None or account not in (None, run.account):
-            raise Refused("not_found", f"There is no run {run_id}.")
+            raise _no_run(run_id)
         self._keep(run)
         return run
+
+    async def look(
+        self,
+        run_id: str,
+        account: str,
+        view: Callable[[RunHead, Sequence[Episode]], Shown],
+        start: int = 0,
+        end: int | None = 0,
+    ) -> Shown:
+        """What `view` makes of the run and of its episodes from start to end.
+
+        A run that is not in memory stays out of it, and no more of it is read than is
+        shown, so that nobody pays for the size or the number of finished runs.
+        """
+        if run_id not in self._known:
+            found = await self._store.glance(run_id, start, end)
+            if found is not None and self._is_at_rest(found[0]):
+                if found[0].account != account:
+                    raise _no_run(run_id)
+                return view(*found)
+        run = await self.get(run_id, account)
+        return await self.shown(run, lambda run: view(run, run.episodes[start:end]))
+
+    def _is_at_rest(self, head: RunHead) -> bool:
+        """Whether the run is as it was just read: nobody has taken it up meanwhile."""
+        return head.state in AT_REST and head.run_id not in self._known
 
     async def add(self, run: Run, key: str | None, body_sha256: str) -> Run:
         """Store a new run; or the run that this Idempotency-Key made (RUN-003)."""
@@ -105,12 +137,28 @@ class RunBook:
             )
         return await self.get(found[1])
 
+    async def made_by(self, account: str, key: str) -> tuple[str, str] | None:
+        """(body_sha256, run_id) of what an Idempotency-Key of the account made."""
+        return await self._store.find_key(account, key)
+
     async def page(
-        self, account: str, before: int | None, limit: int, view: Callable[[Run], Shown]
+        self,
+        account: str,
+        before: int | None,
+        limit: int,
+        view: Callable[[RunHead], Shown],
     ) -> list[Shown]:
         """Views of up to `limit` runs of the account, newest first."""
-        rows = await self._store.page(account, before, limit)
-        return [await self.shown(await self.get(run_id), view) for _, run_id in rows]
+        ids = [run_id for _, run_id in await self._store.page(account, before, limit)]
+        heads = await self._store.heads([i for i in ids if i not in self._known])
+        found = []
+        for run_id in ids:
+            head = heads.get(run_id)
+            if head is not None and self._is_at_rest(head):
+                found.append(view(head))
+            else:
+                found.append(await self.shown(await self.get(run_id), view))
+        return found
 
     async def shown(self, run: Run, view: Callable[[Run], Shown]) -> Shown:
         """What `view` makes of the run, once all of that is stored."""
@@ -149,9 +197,9 @@ class RunBook:
         self.begin(saving)
         return saving
 
-    def news(self, run: Run) -> asyncio.Event:
+    def news(self, run_id: str) -> asyncio.Event:
         """The next change of what get_run shows; take it before you look."""
-        return self._news.setdefault(run.run_id, asyncio.Event())
+        return self._news.setdefault(run_id, asyncio.Event())
 
     async def changed(self, news: asyncio.Event, timeout_s: float) -> bool:
         """Wait for a change; whether there was one in time."""
@@ -171,13 +219,15 @@ class RunBook:
         self._wake(run.run_id)
         self._admit()
 
-    def queue_position(self, run: Run) -> int | None:
+    def active(self) -> list[str]:
+        """Ids of the runs that hold capacity."""
+        return list(self._active)
+
+    def queue_position(self, run: RunHead) -> int | None:
         """RUN-008: 1 is next; None unless queued."""
         if run.state != "queued":
             return None
-        return 1 + sum(
-            1 for other in self._queued.values() if other.number < run.number
-        )
+        return 1 + bisect_left(self._queue, run.number)
 
     def _place(self, run: Run, state: State | None) -> None:
         """Among the active, in the queue, or nowhere, as the state says."""
@@ -189,7 +239,19 @@ class RunBook:
         if state == "queued":
             self._queued[run.run_id] = run
         if was_queued != (state == "queued"):
-            for run_id in self._queued:  # their positions have changed
+            self._move_up(run.number, was_queued)
+        if state is not None:
+            self.seen(run)
+
+    def _move_up(self, number: int, has_left: bool) -> None:
+        """A run has left the queue or come into it: those behind it have moved."""
+        if has_left:
+            del self._queue[bisect_left(self._queue, number)]
+        else:
+            insort(self._queue, number)
+        for run_id in list(self._news):  # rarely as many as there are in the queue
+            waiting = self._queued.get(run_id)
+            if waiting is not None and waiting.number > number:
                 self._wake(run_id)
 
     def _wake(self, run_id: str) -> None:
@@ -198,8 +260,11 @@ class RunBook:
             event.set()
 
     def _admit(self) -> None:
+        # Nobody pays for the length of a queue that cannot move.
+        if self._closed or len(self._active) >= self._active_max:
+            return
         queued = [r for r in self._queued.values() if r.state == "queued"]
-        if not queued or self._closed:
+        if not queued:
             return
         now = time.time()
         admitted = progress.admit(queued, len(self._active), self._active_max, now)
@@ -300,3 +365,7 @@ class RunBook:
         except StoreFailed:
             log.exception("run %s could not be loaded", run_id)
             self._reload_later(run_id)
+
+
+def _no_run(run_id: str) -> Refused:
+    return Refused("not_found", f"There is no run {run_id}.")

@@ -19,6 +19,7 @@ Outcome: TypeAlias = Literal["success", "failure", "abandoned"]
 SessionEnd: TypeAlias = Literal[
     "lease_ended", "detached", "run_stopped", "run_failed", "unknown"
 ]
+Observe: TypeAlias = Literal["last", "all"]
 Busy: TypeAlias = Literal["opening", "playing", "turning"]
 
 # How many ended sessions a run remembers, to say why they ended.
@@ -45,6 +46,7 @@ class Episode:
 
     attempt: the attempt in play, or the next one; from 1.
     faults: simulator faults so far; `faults_forgiven` of them before the last resume.
+    policy_fault: what the policy did that ended the last attempt, where we call it.
     """
 
     index: int
@@ -55,6 +57,7 @@ class Episode:
     faults: int = 0
     faults_forgiven: int = 0
     in_progress: bool = False
+    policy_fault: str | None = None
     result: Result | None = None
 
     @property
@@ -69,6 +72,8 @@ class Session:
     steps: actions executed in the attempt in play.
     busy: what the server is executing for it; its lease stands still meanwhile.
     request, turn: the last predict and its answer, kept to be repeated.
+    unheard: of a client that counts no turns, the seq it was given last and a digest of
+    what it asked for, until the answer is known to have left.
     """
 
     session_id: str
@@ -83,21 +88,21 @@ class Session:
     think_s: float = 0.0
     answered_at: float = 0.0
     seq: int = 0
-    request: tuple[Sequence[Mapping[str, Sequence[float]]], str] | None = None
+    request: tuple[Sequence[Mapping[str, Sequence[float]]], Observe] | None = None
     turn: dict[str, Any] | None = None
+    unheard: tuple[int, str] | None = None
     busy: Busy | None = None
     done: bool = False
     ended_by: SessionEnd | None = None
 
 
 @dataclass(slots=True, eq=False, weakref_slot=True)
-class Run:
-    """One evaluation of one policy on one benchmark.
+class RunHead:
+    """A run without its episodes: all there is to show of one that nobody plays.
 
     manifest: the benchmark with the run's options applied; what was hashed.
     number: grows with every submit; newest first is largest first.
-    changed: indices of episodes that differ from what is stored.
-    lost: a write of it failed; the store has the truth, and this object none.
+    total, scored: how many episodes it has, and how many of them a result.
     """
 
     run_id: str
@@ -115,21 +120,42 @@ class Run:
     created_at_wall: float
     updated_at_wall: float
     queue_until_wall: float
+    total: int = field(default=0, kw_only=True)
+    scored: int = field(default=0, kw_only=True)
+
+    @property
+    def is_push(self) -> bool:
+        """Whether this server calls the policy, and nobody else may attach."""
+        return self.submission.get("mode") == "push"
+
+    @property
+    def live(self) -> list[Session]:
+        """Sessions that hold a slot: those not yet told that they are done."""
+        return []
+
+
+@dataclass(slots=True, eq=False)
+class Run(RunHead):
+    """One evaluation of one policy on one benchmark.
+
+    changed: indices of episodes that differ from what is stored.
+    lost: a write of it failed; the store has the truth, and this object none.
+    """
+
     episodes: list[Episode]
     workers: dict[str, Session] = field(default_factory=dict)
     ended: OrderedDict[str, SessionEnd] = field(default_factory=OrderedDict)
     pending: list[int] = field(default_factory=list)
-    scored: int = 0
     changed: set[int] = field(default_factory=set)
     lost: bool = False
 
     def __post_init__(self) -> None:
+        self.total = len(self.episodes)
         self.scored = sum(1 for e in self.episodes if e.result is not None)
         self.pending = [e.index for e in self.episodes if e.result is None]
 
     @property
     def live(self) -> list[Session]:
-        """Sessions that hold a slot: those not yet told that they are done."""
         return [s for s in self.workers.values() if not s.done]
 
     def take_pending(self) -> Episode | None:

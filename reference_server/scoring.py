@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
-from typing import Any
+from operator import attrgetter
+from typing import Any, NamedTuple, get_args
 
 from reference_server.run_state import Outcome
 
 Z_95 = 1.959963984540054  # the 97.5 % point of the normal distribution
 
 
-@dataclass(frozen=True, slots=True)
-class Scored:
+class Scored(NamedTuple):
     """What scoring needs of an episode; outcome None while it is unscored."""
 
     task: str
@@ -36,23 +35,20 @@ def wilson(rate: float | None, n: int) -> dict[str, float]:
 def score_of(episodes: Sequence[Scored]) -> dict[str, Any]:
     """The computed members of schema Score, for one run's episodes (at least one)."""
     total = len(episodes)
-    counts = _counts(episodes)
-    scored = total - counts["unscored"]
-    sum_ = _sum(episodes)
     group = _group(episodes)
+    scored = total - group["counts"]["unscored"]
+    sum_ = _sum(episodes)
     complete = scored == total
     return {
         "complete": complete,
         "score": sum_ / total if complete else None,
         "score_low": sum_ / total,
         "score_high": (sum_ + (total - scored)) / total,
-        "counts": counts,
-        "success_rate": group["success_rate"],
+        **group,
         "success_interval": wilson(group["success_rate"], scored),
-        "mean": group["mean"],
         "mean_interval": wilson(group["mean"], scored),
-        "by_task": _by(episodes, lambda e: e.task),
-        "by_split": _by(episodes, lambda e: e.split),
+        "by_task": _by(episodes, attrgetter("task")),
+        "by_split": _by(episodes, attrgetter("split")),
     }
 
 
@@ -63,11 +59,9 @@ def _sum(episodes: Iterable[Scored]) -> float:
 
 
 def _counts(episodes: Sequence[Scored]) -> dict[str, int]:
-    counts = {"total": len(episodes), "success": 0, "failure": 0, "abandoned": 0}
-    counts["unscored"] = 0
-    for episode in episodes:
-        counts[episode.outcome or "unscored"] += 1
-    return counts
+    outcomes = [episode.outcome for episode in episodes]
+    counts = {name: outcomes.count(name) for name in get_args(Outcome)}
+    return {"total": len(outcomes), **counts, "unscored": outcomes.count(None)}
 
 
 def _group(episodes: Sequence[Scored]) -> dict[str, Any]:

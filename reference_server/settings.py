@@ -6,10 +6,13 @@ Every field is a flag and a variable; its description is its documentation, from
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Literal
 
-from pydantic import Field
+from pydantic import Field, field_validator
 from pydantic_settings import BaseSettings, SettingsConfigDict
+
+from reference_server.push.addresses import Gate
 
 
 class Settings(BaseSettings):
@@ -50,6 +53,24 @@ class Settings(BaseSettings):
         "read+run, token being the secret or sha256=<hex of it>; without any, "
         "one token is made and printed.",
     )
+    profiles: str = Field(
+        "",
+        pattern=r"^((ebench|flageval)(,(ebench|flageval))*)?$",
+        description="Wires of other houses to offer beside our own, comma-separated: "
+        "ebench (see ebench.md), flageval.",
+    )
+    allow_private_policies: str = Field(
+        "",
+        description="Networks in which policy servers of push runs are called although "
+        "they are not public, comma-separated, such as 127.0.0.1 or 10.0.0.0/8; all "
+        "for every address.",
+    )
+    sealing_key: str = Field(
+        "",
+        description="File with the key that seals the API keys of policy servers in "
+        "the database, made when it is missing; beside an SQLite file when empty, and "
+        "with another database until the server ends.",
+    )
     max_workers: int = Field(
         16, ge=1, le=1024, description="Most live workers of one run."
     )
@@ -84,6 +105,28 @@ class Settings(BaseSettings):
     log_level: Literal["critical", "error", "warning", "info", "debug", "trace"] = (
         Field("warning", description="uvicorn's log level.")
     )
+
+    @property
+    def more_profiles(self) -> list[Literal["ebench", "flageval"]]:
+        """`profiles` one by one, none twice."""
+        known: tuple[Literal["ebench", "flageval"], ...] = ("ebench", "flageval")
+        chosen = self.profiles.split(",")
+        return [name for name in known if name in chosen]
+
+    @field_validator("allow_private_policies")
+    @classmethod
+    def _are_networks(cls, text: str) -> str:
+        Gate(text).close()
+        return text
+
+    @property
+    def sealing_key_path(self) -> Path | None:
+        """Where the key is that seals secrets at rest; None for one of this process."""
+        if self.sealing_key:
+            return Path(self.sealing_key)
+        if "://" in self.database or ":memory:" in self.database:
+            return None
+        return Path(f"{self.database}.key")
 
     @property
     def database_url(self) -> str:

@@ -275,6 +275,8 @@ class Stage:
     ) -> dict[str, Any]:
         """Run a session's work as its one task, which outlives a caller that leaves."""
         scene.task = asyncio.ensure_future(self._guarded(scene, work))
+        # What it fails with is looked at, also when its caller has left.
+        scene.task.add_done_callback(lambda task: task.cancelled() or task.exception())
         return await asyncio.shield(scene.task)
 
     async def _guarded(

@@ -9,17 +9,31 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import AsyncIterator, Sequence
+from collections.abc import (
+    AsyncIterator,
+    Callable,
+    Iterator,
+    Mapping,
+    Sequence,
+)
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
-from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import msgspec
 import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncConnection, AsyncEngine, create_async_engine
 
-from reference_server.run_state import Episode, Result, Run
+from reference_server import rows
+from reference_server.run_state import Episode, Run, RunHead
+
+Found = TypeVar("Found")
+
+# Looks at a file that go on at once.
+READERS = 4
+# Decoded manifests kept, for all the runs that share them.
+MANIFESTS_KEPT = 64
 
 _tables = sa.MetaData()
 
@@ -40,6 +54,8 @@ _runs = sa.Table(
     sa.Column("created_at_wall", sa.Float, nullable=False),
     sa.Column("updated_at_wall", sa.Float, nullable=False),
     sa.Column("queue_until_wall", sa.Float, nullable=False),
+    # How many of its episodes have a result; NULL from before there was this column.
+    sa.Column("scored", sa.Integer),
     sa.Index("runs_of_account", "account", "number"),
 )
 # A manifest is stored once, however many runs use it.
@@ -59,6 +75,7 @@ _episodes = sa.Table(
     sa.Column("faults", sa.Integer, nullable=False),
     sa.Column("faults_forgiven", sa.Integer, nullable=False),
     sa.Column("result", sa.LargeBinary),
+    sa.Column("policy_fault", sa.Text),
 )
 _keys = sa.Table(
     "idempotency_keys",
@@ -67,6 +84,31 @@ _keys = sa.Table(
     sa.Column("key", sa.String(128), primary_key=True),
     sa.Column("body_sha256", sa.String(64), nullable=False),
     sa.Column("run_id", sa.String(64), nullable=False),
+)
+
+_counted = (
+    sa.select(sa.func.count(_episodes.c.result))
+    .where(_episodes.c.number == _runs.c.number)
+    .scalar_subquery()
+)
+_HEADS = sa.select(
+    *(column for column in _runs.c if column is not _runs.c.scored),
+    sa.func.coalesce(_runs.c.scored, _counted).label("scored"),
+).where(_runs.c.run_id.in_(sa.bindparam("run_ids", expanding=True)))
+_MANIFEST = sa.select(_manifests.c.manifest).where(
+    _manifests.c.manifest_sha256 == sa.bindparam("manifest_sha256")
+)
+_TOUCHED = sa.select(
+    _episodes.c.index,
+    _episodes.c.attempt,
+    _episodes.c.faults,
+    _episodes.c.faults_forgiven,
+    _episodes.c.policy_fault,
+    _episodes.c.result,
+).where(
+    _episodes.c.number == sa.bindparam("number"),
+    _episodes.c.index >= sa.bindparam("start"),
+    _episodes.c.index < sa.bindparam("end"),
 )
 
 
@@ -89,6 +131,16 @@ class Store:
         self._alone = asyncio.Lock() if shared else contextlib.nullcontext()
         if self._url.get_backend_name() == "sqlite":
             sa.event.listen(self._engine.sync_engine, "connect", _tune_sqlite)
+        # The async driver goes to its thread and back for each step of a query. To read
+        # a file one way there and back is enough, for all the queries of one look.
+        self._reader: sa.Engine | None = None
+        # Not the loop's own threads: a slow look-up of a name may hold those.
+        self._readers = ThreadPoolExecutor(READERS, "store")
+        if self._url.get_backend_name() == "sqlite" and not shared:
+            self._reader = sa.create_engine(self._url.set(drivername="sqlite"))
+            sa.event.listen(self._reader, "connect", _only_read)
+            sa.event.listen(self._reader, "begin", _begin)
+        self._decoded: dict[str, Mapping[str, Any]] = {}
 
     async def open(self) -> None:
         """Make the tables and end what the last process left in play."""
@@ -99,6 +151,7 @@ class Store:
                 raise StoreFailed(_one_line(error)) from error
         async with self._transaction() as connection:
             await connection.run_sync(_tables.create_all)
+            await connection.run_sync(_add_what_is_new)
             for before, after in (("running", "ready"), ("stopping", "stopped")):
                 await connection.execute(
                     _runs.update()
@@ -108,6 +161,9 @@ class Store:
 
     async def close(self) -> None:
         await self._engine.dispose()
+        if self._reader is not None:
+            self._readers.shutdown(wait=False)
+            self._reader.dispose()
 
     @asynccontextmanager
     async def _transaction(self) -> AsyncIterator[AsyncConnection]:
@@ -118,6 +174,19 @@ class Store:
             # A server that cannot be reached is told by its driver, not by SQLAlchemy.
             raise StoreFailed(_one_line(error)) from error
 
+    async def _read(self, look: Callable[[sa.Connection], Found]) -> Found:
+        """What `look` finds, all of it as it was at one moment."""
+        if self._reader is None:
+            async with self._transaction() as connection:
+                return await connection.run_sync(look)
+        try:
+            loop = asyncio.get_running_loop()
+            return await loop.run_in_executor(
+                self._readers, _within, self._reader, look
+            )
+        except (sa.exc.SQLAlchemyError, OSError) as error:
+            raise StoreFailed(_one_line(error)) from error
+
     async def insert(self, run: Run, key: str | None, body_sha256: str) -> bool:
         """Store a new run and give it its number, unless its key is taken.
 
@@ -126,16 +195,7 @@ class Store:
         async with self._writing, self._transaction() as connection:
             if key is not None and await _find_key(connection, run.account, key):
                 return False
-            row = _run_row(run) | {
-                "run_id": run.run_id,
-                "account": run.account,
-                "manifest_sha256": run.manifest_sha256,
-                "submission": msgspec.json.encode(run.submission),
-                "max_workers": run.max_workers,
-                "idle_timeout_s": run.idle_timeout_s,
-                "images": msgspec.json.encode(run.images),
-                "created_at_wall": run.created_at_wall,
-            }
+            row = rows.new_run_row(run)
             known = sa.select(_manifests.c.manifest_sha256).where(
                 _manifests.c.manifest_sha256 == run.manifest_sha256
             )
@@ -169,7 +229,7 @@ class Store:
             if run.lost:
                 raise StoreFailed("an earlier write of the run failed")
             changed, run.changed = run.changed, set()
-            row, episodes = _run_row(run), _episode_rows(run, changed)
+            row, episodes = rows.run_row(run), rows.episode_rows(run, changed)
             try:
                 async with self._transaction() as connection:
                     await connection.execute(
@@ -187,23 +247,58 @@ class Store:
 
     async def load(self, run_id: str) -> Run | None:
         """The run with all its episodes."""
-        async with self._transaction() as connection:
-            query = (
-                sa.select(_runs, _manifests.c.manifest)
-                .join_from(
-                    _runs,
-                    _manifests,
-                    _runs.c.manifest_sha256 == _manifests.c.manifest_sha256,
-                )
-                .where(_runs.c.run_id == run_id)
-            )
-            row = (await connection.execute(query)).mappings().first()
-            if row is None:
-                return None
-            touched = await connection.execute(
-                sa.select(_episodes).where(_episodes.c.number == row["number"])
-            )
-            return _run_of(row, touched.mappings().all())
+
+        def look(connection: sa.Connection) -> Run | None:
+            for row, manifest in self._heads(connection, [run_id]):
+                return rows.run_of(row, manifest, _touched(connection, row["number"]))
+            return None
+
+        return await self._read(look)
+
+    async def glance(
+        self, run_id: str, start: int, end: int | None
+    ) -> tuple[RunHead, list[Episode]] | None:
+        """The run and those of its episodes, as they are stored."""
+
+        def look(connection: sa.Connection) -> tuple[RunHead, list[Episode]] | None:
+            for row, manifest in self._heads(connection, [run_id]):
+                plans, touched = manifest["episodes"][start:end], []
+                if plans:
+                    last = start + len(plans)
+                    touched = _touched(connection, row["number"], start, last)
+                episodes = rows.episodes_of(plans, start, touched)
+                return rows.head_of(row, manifest), episodes
+            return None
+
+        return await self._read(look)
+
+    async def heads(self, run_ids: Sequence[str]) -> dict[str, RunHead]:
+        """Those runs by id, without their episodes."""
+
+        def look(connection: sa.Connection) -> dict[str, RunHead]:
+            found = (rows.head_of(*one) for one in self._heads(connection, run_ids))
+            return {head.run_id: head for head in found}
+
+        return await self._read(look)
+
+    def _heads(
+        self, connection: sa.Connection, run_ids: Sequence[str]
+    ) -> Iterator[tuple[rows.Row, Mapping[str, Any]]]:
+        """Each run's row and manifest."""
+        rows = connection.execute(_HEADS, {"run_ids": run_ids}).mappings().all()
+        for row in rows:
+            yield dict(row), self._manifest(connection, row["manifest_sha256"])
+
+    def _manifest(self, connection: sa.Connection, sha256: str) -> Mapping[str, Any]:
+        """The one decoded copy of a manifest; several threads may ask at a time."""
+        manifest = self._decoded.get(sha256)
+        if manifest is None:
+            known = {"manifest_sha256": sha256}
+            manifest = msgspec.json.decode(connection.scalars(_MANIFEST, known).one())
+            if len(self._decoded) >= MANIFESTS_KEPT:
+                self._decoded.clear()
+            self._decoded[sha256] = manifest
+        return manifest
 
     async def page(
         self, account: str, before: int | None, limit: int
@@ -215,14 +310,34 @@ class Store:
         if before is not None:
             query = query.where(_runs.c.number < before)
         query = query.order_by(_runs.c.number.desc()).limit(limit)
-        async with self._transaction() as connection:
-            return [(n, r) for n, r in await connection.execute(query)]
+
+        def look(connection: sa.Connection) -> list[tuple[int, str]]:
+            return [(n, r) for n, r in connection.execute(query)]
+
+        return await self._read(look)
 
     async def in_states(self, *states: str) -> list[str]:
         """Ids of all runs in these states, oldest first."""
         query = sa.select(_runs.c.run_id).where(_runs.c.state.in_(states))
         async with self._transaction() as connection:
             return list(await connection.scalars(query.order_by(_runs.c.number)))
+
+
+def _within(engine: sa.Engine, look: Callable[[sa.Connection], Found]) -> Found:
+    with engine.connect() as connection:
+        return look(connection)
+
+
+def _add_what_is_new(connection: sa.Connection) -> None:
+    """A database of the time before a column gets it, empty."""
+    for table in _tables.sorted_tables:
+        columns = sa.inspect(connection).get_columns(table.name)
+        present = {column["name"] for column in columns}
+        for column in table.columns:
+            if column.name not in present:
+                kind = column.type.compile(connection.dialect)
+                add = f"ALTER TABLE {table.name} ADD {column.name} {kind}"
+                connection.execute(sa.text(add))
 
 
 def _one_line(error: Exception) -> str:
@@ -237,6 +352,16 @@ def _tune_sqlite(connection: Any, _record: object) -> None:
     cursor.close()
 
 
+def _only_read(connection: Any, _record: object) -> None:
+    connection.isolation_level = None  # `_begin` says when a transaction begins
+    connection.execute("PRAGMA query_only=ON").close()
+
+
+def _begin(connection: sa.Connection) -> None:
+    """All that is read until the end is of one moment."""
+    connection.exec_driver_sql("BEGIN")
+
+
 async def _find_key(
     connection: AsyncConnection, account: str, key: str
 ) -> tuple[str, str] | None:
@@ -245,35 +370,6 @@ async def _find_key(
     )
     row = (await connection.execute(query)).first()
     return None if row is None else (row[0], row[1])
-
-
-def _run_row(run: Run) -> dict[str, Any]:
-    """The columns that change in a run's life."""
-    return {
-        "state": run.state,
-        "reason": run.reason,
-        "retryable": run.retryable,
-        "updated_at_wall": run.updated_at_wall,
-        "queue_until_wall": run.queue_until_wall,
-    }
-
-
-def _episode_rows(run: Run, changed: set[int]) -> list[dict[str, Any]]:
-    rows = []
-    for index in sorted(changed):
-        episode = run.episodes[index]
-        result = episode.result
-        rows.append(
-            {
-                "number": run.number,
-                "index": index,
-                "attempt": episode.attempt,
-                "faults": episode.faults,
-                "faults_forgiven": episode.faults_forgiven,
-                "result": msgspec.json.encode(asdict(result)) if result else None,
-            }
-        )
-    return rows
 
 
 async def _replace_episodes(
@@ -291,31 +387,9 @@ async def _replace_episodes(
     await connection.execute(_episodes.insert(), rows)
 
 
-def _run_of(row: sa.RowMapping, touched: Sequence[sa.RowMapping]) -> Run:
-    manifest = msgspec.json.decode(row["manifest"])
-    episodes = [
-        Episode(index, plan["task"], plan["split"], plan["seed"])
-        for index, plan in enumerate(manifest["episodes"])
-    ]
-    for stored in touched:
-        episode = episodes[stored["index"]]
-        episode.attempt = stored["attempt"]
-        episode.faults = stored["faults"]
-        episode.faults_forgiven = stored["faults_forgiven"]
-        if stored["result"]:
-            episode.result = msgspec.json.decode(stored["result"], type=Result)
-    columns = ("run_id", "number", "account", "state", "reason", "retryable")
-    plain = {name: row[name] for name in columns}
-    return Run(
-        **plain,
-        manifest=manifest,
-        manifest_sha256=row["manifest_sha256"],
-        submission=msgspec.json.decode(row["submission"]),
-        max_workers=row["max_workers"],
-        idle_timeout_s=row["idle_timeout_s"],
-        images=msgspec.json.decode(row["images"]),
-        created_at_wall=row["created_at_wall"],
-        updated_at_wall=row["updated_at_wall"],
-        queue_until_wall=row["queue_until_wall"],
-        episodes=episodes,
-    )
+def _touched(
+    connection: sa.Connection, number: int, start: int = 0, end: int = 2**31 - 1
+) -> list[rows.Touched]:
+    """What is stored of a run's episodes from start to end."""
+    window = {"number": number, "start": start, "end": end}
+    return [tuple(row) for row in connection.execute(_TOUCHED, window)]

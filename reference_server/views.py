@@ -2,25 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from datetime import UTC, datetime
+from functools import lru_cache
 from typing import Any
 
 from reference_server import models
-from reference_server.run_state import Episode, Run
+from reference_server.push.orders import Order
+from reference_server.run_state import Episode, RunHead
 from reference_server.scoring import Scored, score_of
 
 
 def timestamp(at_wall: float) -> str:
     """RFC 3339 in UTC, to the millisecond, of seconds since 1970."""
-    moment = datetime.fromtimestamp(at_wall, UTC)
-    return moment.isoformat(timespec="milliseconds").replace("+00:00", "Z")
+    second, milliseconds = divmod(int(at_wall * 1000), 1000)
+    return f"{_second(second)}.{milliseconds:03d}Z"
 
 
-def run_view(run: Run, endpoint: str, queue_position: int | None) -> dict[str, Any]:
+@lru_cache(maxsize=64)
+def _second(at_wall: int) -> str:
+    """Every turn tells a time, and most of them one within few seconds."""
+    return datetime.fromtimestamp(at_wall, UTC).replace(tzinfo=None).isoformat()
+
+
+def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> dict[str, Any]:
     """Schema Run."""
-    total = len(run.episodes)
     in_progress = sum(1 for s in run.live if s.episode is not None)
-    return models.Run(
+    shown = models.Run(
         run_id=run.run_id,
         state=run.state,
         reason=run.reason,
@@ -29,6 +37,7 @@ def run_view(run: Run, endpoint: str, queue_position: int | None) -> dict[str, A
         benchmark_version=run.manifest["version"],
         manifest_sha256=run.manifest_sha256,
         policy=models.PolicyInfo(**run.submission["policy"]),
+        mode="push" if run.is_push else "pull",
         max_workers=run.max_workers,
         idle_timeout_s=run.idle_timeout_s,
         images=models.ImageChoice(**run.images),
@@ -36,14 +45,17 @@ def run_view(run: Run, endpoint: str, queue_position: int | None) -> dict[str, A
         queue_position=queue_position,
         live_workers=len(run.live),
         progress=models.Progress(
-            episodes_total=total,
+            episodes_total=run.total,
             episodes_scored=run.scored,
             episodes_in_progress=in_progress,
-            episodes_pending=total - run.scored - in_progress,
+            episodes_pending=run.total - run.scored - in_progress,
         ),
         created_at=timestamp(run.created_at_wall),
         updated_at=timestamp(run.updated_at_wall),
-    ).model_dump()
+    )
+    if run.is_push:
+        shown.policy_server = Order.of(run).view()
+    return shown.model_dump()
 
 
 def result_view(episode: Episode) -> dict[str, Any]:
@@ -84,23 +96,42 @@ def episode_view(episode: Episode) -> dict[str, Any]:
         attempt=episode.attempt,
         faults=episode.faults,
     ).model_dump()
+    if episode.policy_fault is not None:
+        body["policy_fault"] = episode.policy_fault
     if episode.result is not None:
         body["result"] = result_view(episode)
     return body
 
 
-def score_view(run: Run) -> dict[str, Any]:
-    """Schema Score."""
-    episodes = [
+def comparison_view(
+    baseline: RunHead, tolerance: float, entries: list[dict[str, Any]]
+) -> dict[str, Any]:
+    """Schema Comparison; entries: schema ComparedRun each."""
+    return {
+        "baseline": baseline.run_id,
+        "benchmark_id": baseline.manifest["benchmark_id"],
+        "manifest_sha256": baseline.manifest_sha256,
+        "tolerance": tolerance,
+        "runs": entries,
+    }
+
+
+def scored(episodes: Sequence[Episode]) -> list[Scored]:
+    """What scoring needs of a run's episodes, in manifest order."""
+    return [
         Scored(e.task, e.split, e.result.outcome, e.result.score)
         if e.result
         else Scored(e.task, e.split, None)
-        for e in run.episodes
+        for e in episodes
     ]
+
+
+def score_view(run: RunHead, episodes: Sequence[Episode]) -> dict[str, Any]:
+    """Schema Score, of all episodes of the run."""
     return {
         "run_id": run.run_id,
         "benchmark_id": run.manifest["benchmark_id"],
         "manifest_sha256": run.manifest_sha256,
         "state": run.state,
-        **score_of(episodes),
+        **score_of(scored(episodes)),
     }

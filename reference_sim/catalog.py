@@ -18,6 +18,7 @@ from reference_sim.definition import Definition, Json
 from reference_sim.gymnasium_adapter import BadBenchmark
 from reference_sim.interface import Simulator
 from reference_sim.mobile_bimanual import benchmark as mobile_bimanual
+from reference_sim.question_answering import benchmark as question_answering
 from reference_sim.tabletop import benchmark as tabletop
 
 
@@ -160,5 +161,6 @@ def _choose_images(manifest: Json, images: Mapping[str, Any] | None) -> Json:
 _BENCHMARKS: dict[str, Definition] = {
     **calibration.BENCHMARKS,
     **mobile_bimanual.BENCHMARKS,
+    **question_answering.BENCHMARKS,
     **tabletop.BENCHMARKS,
 }

@@ -266,6 +266,36 @@ class World:
         picture: NDArray[np.uint8] = renderer.render(out=CANVAS.blank(height, width))
         return picture
 
+    def seen_at(self, camera: str, spot: Sequence[float], aspect: float) -> str | None:
+        """The body that a picture shows at a spot; nothing is drawn to know it.
+
+        spot: x to the right and y down, (0, 0) to (1, 1). aspect: width over height.
+        """
+        eye, turned, half = self._camera(camera)
+        right, down = (2 * spot[0] - 1) * half * aspect, (2 * spot[1] - 1) * half
+        ray, hit = turned @ np.array([right, -down, -1.0]), np.empty(1, np.int32)
+        shown = np.array([1, 1, 1, 0, 0, 0], np.uint8)  # the groups that are drawn
+        self._mj.mj_ray(self._model, self._data, eye, ray, shown, 1, -1, hit)
+        if hit[0] < 0:
+            return None
+        return str(self._model.body(self._model.geom_bodyid[hit[0]]).name)
+
+    def spot_of(
+        self, camera: str, position: Sequence[float] | Vector, aspect: float
+    ) -> tuple[float, float]:
+        """Where a picture shows a point in front of the camera; see `seen_at`."""
+        eye, turned, half = self._camera(camera)
+        right, up, back = turned.T @ (np.asarray(position) - eye)
+        x, y = right / -back / half / aspect, up / back / half
+        return float((x + 1) / 2), float((y + 1) / 2)
+
+    def _camera(self, camera: str) -> tuple[Vector, Vector, float]:
+        """Position, rotation matrix, and the tangent of half its height's angle."""
+        index = self._model.camera(camera).id
+        half = float(np.tan(np.radians(self._model.cam_fovy[index]) / 2))
+        turned = self._data.cam_xmat[index].reshape(3, 3)
+        return self._data.cam_xpos[index], turned, half
+
     def close(self) -> None:
         """Frees what the pictures took; the world may still be stepped."""
         while self._renderers:

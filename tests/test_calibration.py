@@ -311,6 +311,7 @@ def test_the_catalog_is_sorted_and_closed() -> None:
         "mobile_bimanual_mobile_manip",
         "mobile_bimanual_state",
         "mobile_bimanual_table_top_manip",
+        "question_answering",
         "tabletop",
         "tabletop_state",
     )

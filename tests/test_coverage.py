@@ -17,11 +17,14 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 OWN_TESTS = {
+    "reference_server/comparison.py": ("test_comparison.py",),
     "reference_server/problems.py": ("test_problems.py",),
-    "reference_server/progress.py": ("test_progress.py",),
-    "reference_server/protocol.py": ("test_protocol.py",),
+    "reference_server/progress.py": ("test_progress.py", "test_push_rules.py"),
+    "reference_server/protocol.py": ("test_protocol.py", "test_push_rules.py"),
+    "reference_server/profiles/ebench_unpickle.py": ("test_ebench_unpickle.py",),
     "reference_server/scoring.py": ("test_scoring.py",),
     "reference_server/spaces.py": ("test_spaces.py",),
+    "conformance/comparison.py": ("test_kit_comparison.py",),
     "conformance/demands.py": ("test_kit_model.py", "test_kit_model_corners.py"),
     "conformance/history.py": ("test_kit_model.py", "test_kit_model_corners.py"),
     "conformance/linear.py": ("test_kit_model.py", "test_kit_model_corners.py"),

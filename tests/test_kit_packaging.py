@@ -1,6 +1,7 @@
 """The kit as strangers get it: alone, and with the specification that it judges."""
 
 import ast
+import re
 import subprocess
 import sys
 import tomllib
@@ -17,6 +18,7 @@ PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 SETUPTOOLS = PROJECT["tool"]["setuptools"]
 SOURCES = ("conformance", "reference_client", "reference_server", "reference_sim")
 PACKED = "conformance/specification"
+Done = subprocess.CompletedProcess[str]
 
 
 def test_every_package_is_packed() -> None:
@@ -29,21 +31,41 @@ def test_every_package_is_packed() -> None:
     assert set(SETUPTOOLS["packages"]) == here | {"conformance.specification"}
 
 
-def test_kit_imports_nothing_that_its_lock_lacks() -> None:
-    lock = (ROOT / "requirements" / "kit.txt").read_text()
-    locked = {line.split("==")[0].lower() for line in lock.splitlines() if "==" in line}
-    names = {"PIL": "pillow", "yaml": "pyyaml", "_pytest": "pytest"}
-    names["jsonschema_rs"] = "jsonschema-rs"
+def imported_in(*folders: Path) -> set[str]:
+    """Top-level names of what modules below import, the standard library's left out."""
     imported = set()
-    for path in (ROOT / "conformance").rglob("*.py"):
+    for path in [path for folder in folders for path in folder.rglob("*.py")]:
         for node in ast.walk(ast.parse(path.read_text())):
             if isinstance(node, ast.Import):
                 imported |= {alias.name.split(".")[0] for alias in node.names}
             elif isinstance(node, ast.ImportFrom) and node.module:
                 imported.add(node.module.split(".")[0])
-    foreign = imported - set(sys.stdlib_module_names) - {"conformance"}
+    return imported - set(sys.stdlib_module_names)
+
+
+def named_in(requirements: str) -> set[str]:
+    lines = (ROOT / "requirements" / requirements).read_text().splitlines()
+    return {found[0] for line in lines if (found := re.match(r"[a-z][a-z0-9-]*", line))}
+
+
+def test_kit_imports_nothing_that_its_lock_lacks() -> None:
+    lock = (ROOT / "requirements" / "kit.txt").read_text()
+    locked = {line.split("==")[0].lower() for line in lock.splitlines() if "==" in line}
+    names = {"PIL": "pillow", "yaml": "pyyaml", "_pytest": "pytest"}
+    names["jsonschema_rs"] = "jsonschema-rs"
+    foreign = imported_in(ROOT / "conformance") - {"conformance"}
     assert {names.get(name, name) for name in foreign} <= locked
     assert not {"mujoco", "starlette", "uvicorn", "sqlalchemy"} & locked
+
+
+def test_client_imports_what_its_extra_brings_and_no_house() -> None:
+    ours = {"reference_client", "proctor_client"}
+    generated = ROOT / "generated_clients" / "python" / "proctor_client"
+    names = {"PIL": "pillow", "dateutil": "python-dateutil"}
+    names |= {"pydantic_core": "pydantic", "typing_extensions": "typing-extensions"}
+    foreign = imported_in(ROOT / "reference_client", generated) - ours
+    assert {names.get(name, name) for name in foreign} == named_in("client.in")
+    assert named_in("client.in") < named_in("house.in")
 
 
 @pytest.fixture(scope="module")
@@ -74,27 +96,42 @@ def test_wheel_carries_the_specification(wheel: Path) -> None:
         assert f"conformance/{name}" in names
 
 
-def test_installed_kit_judges_the_same(wheel: Path, tmp_path: Path) -> None:
-    """Installed elsewhere, with this environment's packages but not this directory."""
-    venv.create(tmp_path / "venv", with_pip=False, symlinks=True)
-    (site,) = (tmp_path / "venv" / "lib").glob("python*/site-packages")
+def run_installed(wheel: Path, directory: Path, program: str) -> Done:
+    """A program where the wheel is installed and nothing else is."""
+    venv.create(directory / "venv", with_pip=False, symlinks=True)
+    (site,) = (directory / "venv" / "lib").glob("python*/site-packages")
     with zipfile.ZipFile(wheel) as packed:
         packed.extractall(site)
+    return subprocess.run(
+        [str(directory / "venv" / "bin" / "python"), "-P", "-c", program],
+        cwd=directory,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def test_installed_kit_judges_the_same(wheel: Path, tmp_path: Path) -> None:
+    """Installed elsewhere, with this environment's packages but not this directory."""
     ours = next(path for path in sys.path if path.endswith("site-packages"))
     program = (
         f"import sys; sys.path.append({ours!r}); from conformance.cli import main; "
         "sys.exit(main(['--dry-run', '--only', 'SVC']))"
     )
-    done = subprocess.run(
-        [str(tmp_path / "venv" / "bin" / "python"), "-P", "-c", program],
-        cwd=tmp_path,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    done = run_installed(wheel, tmp_path, program)
     assert done.returncode == 0, done.stderr
     assert spec_name() in done.stdout
     assert spec_sha256()[:12] in done.stdout
+
+
+def test_command_says_what_to_install(wheel: Path, tmp_path: Path) -> None:
+    """Where only the kit was wanted: one line, and no traceback."""
+    module, _, function = PROJECT["project"]["scripts"]["proctor"].partition(":")
+    program = f"import sys; from {module} import {function}; sys.exit({function}())"
+    done = run_installed(wheel, tmp_path, program)
+    assert done.returncode == 2
+    (line,) = done.stderr.splitlines()
+    assert "pip install 'proctor-eval[client]'" in line
 
 
 def test_command_has_a_name() -> None:

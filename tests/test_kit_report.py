@@ -7,6 +7,7 @@ from xml.etree import ElementTree as ET
 import jsonschema
 import pytest
 
+from conformance import ledger
 from conformance.arguments import BadArguments, read_known_failures
 from conformance.console import card
 from conformance.curl import script
@@ -23,7 +24,7 @@ from conformance.verdicts import Outcome, Verdict
 SCHEMA = json.loads(
     (Path(__file__).parents[1] / "conformance" / "report.schema.json").read_text()
 )
-PROFILES = ["core", "msgpack", "crash"]
+PROFILES = list(ledger.PROFILES)
 
 
 def exchange(number: int, method: str, path: str, **told: object) -> Exchange:

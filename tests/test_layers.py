@@ -26,11 +26,19 @@ ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = ("conformance", "reference_client", "reference_server", "reference_sim")
 GENERATED = {
     "generated_clients",
+    "reference_client/messages.py",
     "reference_server/catalogue.py",
     "reference_server/models.py",
 }
 NOT_OURS = ("build", "dist", "report", "var")
 CARRIES_CODE = {"cloudpickle", "dill", "joblib", "marshal", "pickle", "shelve"}
+# Who may read one all the same, and why; an entry too many fails.
+MAY_CARRY_CODE = {
+    "benchmarks/contenders/ebench_client.py": "pickle is what is measured",
+    "benchmarks/contenders/ebench_server.py": "and both ends are ours",
+    "conformance/pickles.py": "EBench's wire; its reader lets nothing be named",
+    "tests/ebench_client.py": "sends what EBench's client sends, and attacks",
+}
 SAY_NOTHING = {"base", "common", "helper", "helpers", "manager", "service", "utils"}
 FILE_LINES_MAX, FUNCTION_LINES_MAX = 400, 70
 # Where the code wins over the number, and why; an entry too many fails.
@@ -108,7 +116,7 @@ def test_the_packages_are_found() -> None:
 
 # --- layers ---
 
-PURE = ("protocol", "progress", "run_state", "scoring", "spaces")
+PURE = ("comparison", "protocol", "progress", "run_state", "scoring", "spaces")
 
 
 @pytest.mark.parametrize("name", PURE)
@@ -169,7 +177,8 @@ def test_a_package_does_not_know(package: str, strangers: list[str]) -> None:
 
 
 def test_nothing_reads_a_format_that_carries_code() -> None:
-    assert who_imports(*CARRIES_CODE, among=iter(HAND_WRITTEN)) == []
+    found = who_imports(*CARRIES_CODE, among=iter(HAND_WRITTEN))
+    assert found == sorted(MAY_CARRY_CODE)
 
 
 # --- the lifecycle ---
@@ -274,6 +283,8 @@ def test_only_what_is_worth_a_retry_asks_for_one() -> None:
 
 def test_requirements_that_the_house_cites_exist() -> None:
     rows = [*DOCUMENT["x-requirements"], *DOCUMENT["x-lifecycle"]["transitions"]]
+    for profile in (ROOT / "spec" / "profiles").glob("*.yaml"):
+        rows += yaml.safe_load(profile.read_text())["x-requirements"]
     scoring = (ROOT / "spec" / "scoring.md").read_text()
     known = {row["id"] for row in rows} | set(re.findall(r"SCORE-\d{3}", scoring))
     cited: set[str] = set()

@@ -97,8 +97,9 @@ def test_every_line_runs(
             continue
         codes.append(proctor(*_for_this(words, run_id)))
         if codes[-1] != 0:
-            assert words[0] == "results", (line, proctor.err)
-    assert codes.count(1) == 2
+            # The run is not complete: no whole score, and nothing to release.
+            assert words[0] in ("results", "compare"), (line, proctor.err)
+    assert codes.count(1) == 3
     assert len(codes) >= 12
 
 

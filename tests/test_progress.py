@@ -134,6 +134,16 @@ def test_a_heartbeat_extends_the_lease_and_hides_no_thinking() -> None:
     assert session.think_s == 7.0
 
 
+def test_a_turn_is_unheard_until_its_own_answer_has_left() -> None:
+    session = opened(a_run())
+    progress.heard(session, 0)  # nothing was asked
+    progress.await_hearing(session, Predict("w", "s", 1, [ACTION]), "asked")
+    progress.heard(session, 2)
+    assert session.unheard == (1, "asked")
+    progress.heard(session, 1)
+    assert session.unheard is None
+
+
 # --- episodes ---
 
 

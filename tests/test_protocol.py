@@ -282,6 +282,31 @@ def test_an_action_must_fit() -> None:
     assert [at for at, _ in refused.errors] == ["/actions/1/values/grip/0"]
 
 
+# --- clients that count no turns ---
+
+
+def test_the_last_turn_is_asked_for_again_if_its_answer_was_not_heard() -> None:
+    """EBE-013, EBE-014: the same question, and nobody heard the answer."""
+    run = a_run()
+    session = attached(run, unheard=(3, "asked"))
+    again = protocol.repeated(session, "asked")
+    assert again == predict(3)
+    assert isinstance(decide(run, again, NOW), Replay)
+    assert protocol.repeated(session, "asked otherwise") is None
+    session.seq = 4  # by a client that counts
+    assert protocol.repeated(session, "asked") is None
+
+
+@pytest.mark.parametrize("unheard", [None, (2, "asked"), (4, "asked")])
+def test_any_other_turn_is_a_turn_of_its_own(unheard: tuple[int, str] | None) -> None:
+    assert protocol.repeated(attached(a_run(), unheard=unheard), "asked") is None
+
+
+def test_nothing_was_asked_before_the_first_turn() -> None:
+    session = attached(a_run(), seq=0, request=None, unheard=(0, "asked"))
+    assert protocol.repeated(session, "asked") is None
+
+
 # --- all together ---
 
 

@@ -142,7 +142,7 @@ def test_a_result_that_cannot_be_stored_was_never_told(tmp_path: Path) -> None:
         b = await parts.stage.attach(run, Attach("b", "key"))
         elsewhere = await parts.stage.attach(other, Attach("w", "key"))
         waiting = asyncio.create_task(
-            parts.book.changed(parts.book.news(run), PATIENCE_S)
+            parts.book.changed(parts.book.news(run.run_id), PATIENCE_S)
         )
         with parts.unwritable(), refusal("unavailable"):
             await parts.stage.predict(run, predict(a, "a", score=1, end=1))
@@ -267,10 +267,10 @@ def test_the_end_waits_for_what_the_last_writes_begin(
     """A write ends, its run leaves room; nothing is admitted by a server that ends."""
 
     async def before(parts: Parts) -> None:
-        first = await parts.book.add(calibration(), None, "")
-        await parts.book.add(calibration(run_id="run_2"), None, "")
         held = calibration(run_id="run_3", queue_until_wall=1e11)
         await parts.book.add(held, None, "")
+        first = await parts.book.add(calibration(), None, "")
+        await parts.book.add(calibration(run_id="run_2"), None, "")
         gate = Gate(monkeypatch, parts.store, "save")
         progress.stop(first, "abort", 0.0)
         parts.book.commit_later(first)
@@ -382,7 +382,7 @@ def test_a_place_in_the_queue_moves_up_audibly(tmp_path: Path, how: str) -> None
             await parts.book.add(run, None, "")
         assert parts.book.queue_position(second) == 2
         waiting = asyncio.create_task(
-            parts.book.changed(parts.book.news(second), PATIENCE_S)
+            parts.book.changed(parts.book.news(second.run_id), PATIENCE_S)
         )
         await asyncio.sleep(0)
         if how == "it is stopped":

@@ -12,7 +12,7 @@ from reference_server.benchmarks import Benchmarks
 from reference_server.operations import Call
 from reference_server.protocol import Attach, Resume
 from reference_server.routes import Routes
-from reference_server.run_state import Run
+from reference_server.run_state import RunHead
 from reference_server.settings import Settings
 from reference_server.store import StoreFailed
 from tests.conftest import PATIENCE_S
@@ -28,7 +28,7 @@ def a_call(run_id: str) -> Call:
 # --- what is shown is stored ---
 
 
-def shown_score(run: Run) -> int:
+def shown_score(run: RunHead) -> int:
     return run.scored
 
 
@@ -146,10 +146,10 @@ def test_no_change_is_missed_between_a_look_and_the_wait(tmp_path: Path) -> None
     async def story(parts: Parts) -> None:
         run = await parts.book.add(calibration(), None, "")
         await parts.book.is_stored(run)
-        news = parts.book.news(run)
+        news = parts.book.news(run.run_id)
         parts.book.notify(run)
         assert await parts.book.changed(news, PATIENCE_S)
-        assert not await parts.book.changed(parts.book.news(run), 0.001)
+        assert not await parts.book.changed(parts.book.news(run.run_id), 0.001)
         del news
         gc.collect()
         assert len(parts.book._news) == 0, "what nobody waits for is not kept"
@@ -162,7 +162,7 @@ def test_nobody_begins_to_wait_when_the_server_ends(tmp_path: Path) -> None:
         run = await parts.book.add(calibration(), None, "")
         await parts.book.is_stored(run)
         waiting = asyncio.create_task(
-            parts.book.changed(parts.book.news(run), PATIENCE_S)
+            parts.book.changed(parts.book.news(run.run_id), PATIENCE_S)
         )
         await asyncio.sleep(0)
         parts.book.end()
@@ -170,7 +170,7 @@ def test_nobody_begins_to_wait_when_the_server_ends(tmp_path: Path) -> None:
             with refusal("unavailable"):
                 await waiting
             waiting = asyncio.create_task(
-                parts.book.changed(parts.book.news(run), PATIENCE_S)
+                parts.book.changed(parts.book.news(run.run_id), PATIENCE_S)
             )
         with refusal("unavailable"):
             await waiting

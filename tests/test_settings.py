@@ -91,6 +91,8 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
     examples: dict[str, tuple[str, str]] = {
         "public_url": ("http://a", "https://b"),
         "log_level": ("info", "debug"),
+        "allow_private_policies": ("127.0.0.1", "10.0.0.0/8,fd00::/8"),
+        "profiles": ("ebench", "flageval,ebench"),
     }
     numbers = ("5", "6") if field.annotation in (int, float) else ("some", "other")
     by_variable, by_flag = examples.get(name, numbers)
@@ -124,6 +126,8 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         ("max_chunk", 4097),
         ("log_level", "nonsense"),
         ("public_url", "example.org"),
+        ("allow_private_policies", "10.0.0.1/8"),
+        ("profiles", "ebench,"),
     ],
 )
 def test_a_setting_has_bounds(name: str, bad: Any) -> None:

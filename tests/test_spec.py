@@ -21,8 +21,7 @@ from reference_server.operations import HEADER_PATTERNS, PATH_PATTERNS, QUERY_PA
 from reference_server.routes import Routes
 from reference_server.settings import Settings
 
-ROOT = Path(__file__).resolve().parent.parent
-SPEC = ROOT / "spec"
+SPEC = Path(__file__).resolve().parent.parent / "spec"
 Json = dict[str, Any]
 METHODS = ("get", "put", "post", "delete", "patch", "head", "options", "trace")
 
@@ -369,8 +368,9 @@ def test_a_route_speaks_what_is_described(at: tuple[str, str]) -> None:
 
 SCHEMAS = {
     (parameter["in"], parameter["name"].lower()): parameter["schema"]
-    for described in DESCRIBED.values()
-    for parameter in (resolved(DOCUMENT, p) for p in described.get("parameters", []))
+    for document in (DOCUMENT, *(load(p.read_text()) for p in SPEC.glob("profiles/*")))
+    for _, _, described in operations(document)
+    for parameter in (resolved(document, p) for p in described.get("parameters", []))
     if parameter["name"] != "Proctor-Version"
 }
 PATTERNS = {
@@ -386,6 +386,8 @@ def as_pattern(schema: Json) -> str:
         return str(schema["pattern"]).removeprefix("^").removesuffix("$")
     if schema["type"] == "integer":
         return "[0-9]{1,4}"  # bounds are checked on the number
+    if schema["type"] == "number":
+        return r"[0-9]{1,4}(\.[0-9]{1,40})?([Ee][+-]?[0-9]{1,3})?"
     return f"(?s:.{{{schema.get('minLength', 0)},{schema['maxLength']}}})"
 
 

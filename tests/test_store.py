@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
+import sqlite3
 import threading
+from dataclasses import fields
 from pathlib import Path
 from typing import Any, cast
 
 import pytest
+import sqlalchemy as sa
 
-from reference_server.run_state import Result
+from reference_server import store as store_module
+from reference_server.run_state import Result, Run, RunHead
 from reference_server.store import Store, StoreFailed
 from tests.conftest import PATIENCE_S
-from tests.parts import Parts, calibration, rows, tell
+from tests.parts import RESULT, Parts, calibration, rows, score, tell
 
 # --- rows ---
 
@@ -72,6 +77,122 @@ def test_numbers_grow_and_pages_go_back(tmp_path: Path) -> None:
         assert [run_id for _, run_id in rest] == ["run_0"]
         queued = await parts.store.in_states("queued", "ready")
         assert queued == [f"run_{number}" for number in range(5)]
+
+    tell(tmp_path, story)
+
+
+# --- parts of runs ---
+
+
+def of_three(run_id: str = "run_1") -> Run:
+    run = calibration("score", "echo", "count", run_id=run_id)
+    score(run, 1)
+    return run
+
+
+async def saved(parts: Parts, *runs: Run) -> None:
+    for run in runs:
+        changed, run.changed = run.changed, set()
+        await parts.store.insert(run, None, "")
+        run.changed = changed
+        await parts.store.save(run)
+
+
+def test_a_glance_is_a_part_of_the_run(tmp_path: Path) -> None:
+    async def story(parts: Parts) -> None:
+        await saved(parts, of_three(), of_three("run_2"))
+        run = await parts.store.load("run_1")
+        assert run is not None
+        for start, end in ((0, 0), (0, None), (1, 2), (2, 9), (3, 9), (7, None)):
+            found = await parts.store.glance("run_1", start, end)
+            assert found is not None
+            head, episodes = found
+            assert episodes == run.episodes[start:end]
+            for member in fields(RunHead):
+                assert getattr(head, member.name) == getattr(run, member.name)
+        heads = await parts.store.heads(["run_2", "run_3", "run_1"])
+        assert {i: head.scored for i, head in heads.items()} == {"run_1": 1, "run_2": 1}
+        assert heads["run_1"].manifest is run.manifest, "it is decoded once for all"
+        assert await parts.store.glance("run_3", 0, None) is None
+        assert await parts.store.heads([]) == {}
+
+    tell(tmp_path, story)
+
+
+def test_manifests_are_not_kept_for_ever(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(store_module, "MANIFESTS_KEPT", 2)
+
+    async def story(parts: Parts) -> None:
+        for length in range(1, 6):
+            run = calibration(*["score"] * length, run_id=f"run_{length}")
+            await parts.store.insert(run, None, "")
+        for length in (1, 2, 3, 4, 5, 1):
+            heads = await parts.store.heads([f"run_{length}"])
+            assert heads[f"run_{length}"].total == length
+            assert len(parts.store._decoded) <= 2
+
+    tell(tmp_path, story)
+
+
+def test_a_database_of_before_a_column_is_read_as_it_is(tmp_path: Path) -> None:
+    async def before(parts: Parts) -> None:
+        await saved(parts, of_three())
+        with contextlib.closing(sqlite3.connect(parts.path)) as database:
+            database.execute("ALTER TABLE runs DROP COLUMN scored")
+            database.execute("ALTER TABLE episodes DROP COLUMN policy_fault")
+
+    async def after(parts: Parts) -> None:
+        found = await parts.store.glance("run_1", 1, 2)
+        assert found is not None
+        assert (found[0].scored, found[1][0].result) == (1, RESULT)
+        run = await parts.store.load("run_1")
+        assert run is not None
+        run.episodes[2].policy_fault = "it hung up"
+        score(run, 2)
+        await parts.store.save(run)
+        again = await parts.store.glance("run_1", 2, 3)
+        assert again is not None
+        assert (again[0].scored, again[1][0].policy_fault) == (2, "it hung up")
+
+    tell(tmp_path, before, after)
+
+
+def test_all_of_a_look_is_of_one_moment(tmp_path: Path) -> None:
+    """And neither waits for the other: who writes for who reads, nor the reverse."""
+
+    async def story(parts: Parts) -> None:
+        run = of_three()
+        await saved(parts, run)
+        looking, written = threading.Event(), threading.Event()
+
+        def look(connection: sa.Connection) -> list[int]:
+            count = sa.text("SELECT count(result) FROM episodes")
+            first = connection.execute(count).scalar_one()
+            looking.set()
+            assert written.wait(PATIENCE_S)
+            return [first, connection.execute(count).scalar_one()]
+
+        reading = asyncio.create_task(parts.store._read(look))
+        assert await asyncio.to_thread(looking.wait, PATIENCE_S)
+        score(run, 2)
+        await parts.store.save(run)
+        written.set()
+        assert await reading == [1, 1]
+        assert await parts.store._read(look) == [2, 2]
+
+    tell(tmp_path, story)
+
+
+def test_a_look_writes_nothing(tmp_path: Path) -> None:
+    async def story(parts: Parts) -> None:
+        await saved(parts, of_three())
+        with pytest.raises(StoreFailed, match="readonly"):
+            await parts.store._read(
+                lambda connection: connection.execute(sa.text("DELETE FROM episodes"))
+            )
+        assert rows(parts.path, "episodes") == 1
 
     tell(tmp_path, story)
 
@@ -141,8 +262,11 @@ def test_a_database_that_is_gone_is_said_to_be_so(tmp_path: Path) -> None:
         run = calibration()
         await parts.store.insert(run, None, "")
         engine, parts.store._engine = parts.store._engine, cast(Any, Gone())
+        # As over a network: not a file, which has a way of its own to be read.
+        reader, parts.store._reader = parts.store._reader, None
         run.changed = {0}
         for work in (
+            parts.store.heads(["run_1"]),
             parts.store.save(run),
             parts.store.insert(calibration(run_id="run_2"), None, ""),
             parts.store.load(run.run_id),
@@ -150,7 +274,7 @@ def test_a_database_that_is_gone_is_said_to_be_so(tmp_path: Path) -> None:
             with pytest.raises(StoreFailed, match=r"^nobody$"):
                 await work
         assert run.changed == {0}
-        parts.store._engine = engine
+        parts.store._engine, parts.store._reader = engine, reader
 
     tell(tmp_path, story)
 

@@ -217,13 +217,13 @@ def test_instructions_name_the_colours_shown() -> None:
     drawn = scene_elements("geom")
     for thing, word in nominal.colours.items():
         shown = tuple(float(number) for number in drawn[thing]["rgba"].split())
-        assert shown == variation._COLOURS[word], thing
+        assert shown == variation.COLOURS[word], thing
     for split in ("val_unseen", "test"):
         for seed in range(20):
             look = variation.draw_look(np.random.default_rng(seed), split)
             assert len(set(look.colours.values())) == len(look.colours)
             for thing, word in look.colours.items():
-                assert look.rgba[thing] == variation._COLOURS[word]
+                assert look.rgba[thing] == variation.COLOURS[word]
 
 
 def test_instructions_differ_by_colour_and_name_no_placeholder(sim: Tabletop) -> None:

@@ -90,6 +90,8 @@ def _try_operation(
     """Let Hypothesis generate requests, and shrink the one that breaks the server."""
     story = worker.run.story
     operation = story.spec.operations[described.definition.raw["operationId"]]
+    if not story.offers(operation.profile):
+        return
     found: list[Violation] = []
 
     @hypothesis.seed(story.context.settings.seed)

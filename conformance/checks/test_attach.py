@@ -115,7 +115,7 @@ def test_att_004_can_take_over(story: Story) -> None:
 
 @requirement("ATT-005")
 def test_att_005_cannot_use_a_session_taken_over(story: Story) -> None:
-    """The old client goes on after a takeover.
+    """The old client goes on after a takeover, while its successor lives.
 
     Expect `session_superseded` for its predict, heartbeat and detach, all of which the
     new session may do.

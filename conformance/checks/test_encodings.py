@@ -2,6 +2,7 @@
 
 import base64
 import io
+import json
 import math
 import struct
 from collections.abc import Callable, Iterator
@@ -151,7 +152,8 @@ def doubles(story: Story) -> list[float]:
 def test_enc_003_numbers_come_back_bit_for_bit(story: Story) -> None:
     """Sixty-four doubles, eight in every action: tiny, huge, negative zero, random.
 
-    Expect every bit of them in the observation, in every encoding.
+    Expect every bit of them in the observation, in every encoding; JSON may also write
+    negative zero as `-0`.
     """
     worker = echo(story, max_steps=1000)
     numbers = doubles(story)
@@ -164,6 +166,17 @@ def test_enc_003_numbers_come_back_bit_for_bit(story: Story) -> None:
             worker.seq += 1
             bits = [struct.pack("<d", number).hex() for number in (*sent, *seen)]
             expect.equal(bits[8:], bits[:8], f"the bits of {sent}")
+    body = {"session_id": worker.session_id, "seq": worker.seq + 1}
+    body["actions"] = [story.action(vector=[-0.0] * 8)]
+    short = json.dumps(body).replace("-0.0", "-0").encode()
+    answer = worker.run.call(
+        "predict",
+        worker_id=worker.id,
+        content=short,
+        headers={"Content-Type": "application/json"},
+    )
+    seen = expect.ok(answer)["observation"]["state"]["vector"]
+    expect.equal([math.copysign(1, zero) for zero in seen], [-1] * 8, "signs of `-0`")
 
 
 @requirement("ENC-004")

@@ -3,7 +3,6 @@
 import json
 import time
 import uuid
-from collections.abc import Iterator
 from typing import Any
 
 import msgspec
@@ -11,6 +10,13 @@ import msgspec
 from conformance import expect
 from conformance.checks.fuzz import fuzz_operations
 from conformance.checks.scenes import count
+from conformance.checks.spoilt import (
+    WRONG_TYPES,
+    beyond_json,
+    padded,
+    replaced,
+    with_surprises,
+)
 from conformance.checks.test_runs import submit
 from conformance.checks.tour import READING, all_operations, live_worker, send
 from conformance.expect import NotApplicable, SetUpFailed
@@ -67,7 +73,7 @@ def test_err_001_refusals_are_problems(story: Story) -> None:
 
 @requirement("ERR-002")
 def test_err_002_cannot_send_what_is_not_well_formed(story: Story) -> None:
-    """Bodies that are cut off, spoiled or empty; then the whole one.
+    """Bodies that are cut off, spoiled or empty, and what JSON can write but not mean.
 
     Expect `malformed_body` and nothing executed.
     """
@@ -77,6 +83,8 @@ def test_err_002_cannot_send_what_is_not_well_formed(story: Story) -> None:
         whole = json.dumps(stop[1]["json"]).encode()
         cut = [whole[: story.random.randrange(1, len(whole))] for _ in range(3)]
         for body in spoilt + (cut if len(whole) > 2 else []):
+            expect.refused(send_body(worker, stop, body), "malformed_body")
+        for body in beyond_json(*stop):
             expect.refused(send_body(worker, stop, body), "malformed_body")
     if story.speaks_msgpack:
         stops = {stop[0]: stop[1] for stop in all_operations(worker)}
@@ -109,50 +117,6 @@ def test_err_003_cannot_send_an_unknown_member(story: Story) -> None:
     nothing_happened(worker)
 
 
-def with_surprises(body: Any, path: str) -> Iterator[tuple[str, Any]]:
-    """Put an unknown member into every object whose members are closed."""
-    if isinstance(body, dict):
-        if not path.endswith("/values"):
-            yield path, body | {"surprise": 1}
-        for name, value in body.items():
-            for where, inner in with_surprises(value, f"{path}/{name}"):
-                yield where, body | {name: inner}
-    elif isinstance(body, list):
-        for index, value in enumerate(body):
-            for where, inner in with_surprises(value, f"{path}/{index}"):
-                yield where, [*body[:index], inner, *body[index + 1 :]]
-
-
-# Operation and pointer → what stands there instead.
-WRONG_TYPES: dict[tuple[str, str], list[Any]] = {
-    ("submit_run", "/benchmark_id"): [5, None, ["calibration"], {}],
-    ("submit_run", "/policy"): ["name", 1, [], None],
-    ("submit_run", "/policy/name"): [7, None],
-    ("submit_run", "/max_workers"): ["3", 2.5, True, None],
-    ("submit_run", "/idle_timeout_s"): ["9", [9], True],
-    ("attach_worker", "/attach_key"): [1, None],
-    ("attach_worker", "/takeover"): [1, "true", None],
-    ("predict", "/seq"): ["2", 2.5, None, [2]],
-    ("predict", "/actions"): [{}, "go", None],
-    ("predict", "/actions/0"): [1, [], None],
-    ("predict", "/actions/0/values/score"): [1, None, "0"],
-    ("predict", "/actions/0/values/score/0"): ["0", None, True, [0]],
-    ("heartbeat", "/session_id"): [1, None],
-    ("stop_run", "/mode"): [1, []],
-}
-
-
-def replaced(body: Any, pointer: str, value: Any) -> Any:
-    """Put a value where a pointer points."""
-    head, _, rest = pointer[1:].partition("/")
-    if isinstance(body, list):
-        inner = replaced(body[int(head)], f"/{rest}", value) if rest else value
-        return [*body[: int(head)], inner, *body[int(head) + 1 :]]
-    if rest:
-        value = replaced(body[head], f"/{rest}", value)
-    return body | {head: value}
-
-
 @requirement("ERR-004")
 def test_err_004_cannot_send_a_member_of_the_wrong_type(story: Story) -> None:
     """Strings for numbers, null for what cannot be null, numbers for lists, and so on.
@@ -168,16 +132,6 @@ def test_err_004_cannot_send_a_member_of_the_wrong_type(story: Story) -> None:
             answer = send_body(worker, stop, body)
             expect.refused(answer, "invalid_request", pointer=pointer)
     nothing_happened(worker)
-
-
-def padded(body: dict[str, Any], size: int) -> Iterator[bytes]:
-    """Give a JSON body that is made as large as wanted by blanks at its end."""
-    text = json.dumps(body).encode()
-    yield text
-    blanks = size - len(text)
-    while blanks > 0:
-        yield b" " * min(blanks, 2**16)
-        blanks -= 2**16
 
 
 @requirement("ERR-005")
@@ -306,6 +260,8 @@ def test_err_010_cannot_use_other_methods(story: Story) -> None:
     methods_of: dict[str, set[str]] = {}
     base_of: dict[str, str] = {}
     for operation in story.spec.operations.values():
+        if not story.offers(operation.profile):
+            continue
         methods_of.setdefault(operation.path, set()).add(operation.method)
         base_of[operation.path] = worker.run.base_url_of(operation)
     for template, methods in methods_of.items():
@@ -367,10 +323,8 @@ def test_err_013_cannot_send_numbers_that_json_does_not_have(story: Story) -> No
 
 
 @requirement("ERR-014")
-def test_err_014_cannot_send_query_parameters_that_break_their_schema(
-    story: Story,
-) -> None:
-    """Limits and cursors of the wrong kind; a detach that does not say of what.
+def test_err_014_cannot_send_parameters_that_break_their_schema(story: Story) -> None:
+    """Limits, cursors and headers of the wrong kind; a detach that names no session.
 
     Expect `invalid_request`; the ends of the range and a whole detach are served.
     """
@@ -389,3 +343,14 @@ def test_err_014_cannot_send_query_parameters_that_break_their_schema(
             expect.refused(answer, "invalid_request")
         for limit in ("1", "1000"):
             expect.ok(run.call(operation_id, params={"limit": limit}))
+    for wrong in ("wait=soon", "wait=-1", "respond-async"):
+        answer = run.call("get_run", headers={"Prefer": wrong})
+        expect.refused(answer, "invalid_request")
+    expect.ok(run.call("get_run", headers={"Prefer": "wait=0"}))
+    longest = uuid.uuid4().hex * 4
+    too_long = {"Idempotency-Key": longest + "x"}
+    expect.refused(
+        submit(story, story.submit_body(), headers=too_long), "invalid_request"
+    )
+    just_right = {"Idempotency-Key": longest}
+    expect.ok(submit(story, story.submit_body(), headers=just_right), 201)

@@ -19,6 +19,7 @@ READING = frozenset(
         "get_run",
         "list_episodes",
         "get_score",
+        "compare_runs",
     }
 )
 
@@ -41,6 +42,7 @@ def all_operations(worker: Worker) -> Iterator[Stop]:
     yield "list_runs", {"params": {"limit": 1}}
     yield "submit_run", {"json": story.submit_body()}
     yield from of_a_run()
+    yield from beyond_the_core(worker.run)
     yield "attach_worker", worker_id | {"json": {"attach_key": worker.attach_key}}
     predict = session | {"seq": worker.seq + 1, "actions": [story.action()]}
     yield "predict", worker_id | {"json": predict}
@@ -48,6 +50,12 @@ def all_operations(worker: Worker) -> Iterator[Stop]:
     yield "detach_worker", worker_id | {"params": session}
     yield "stop_run", {"json": {}}
     yield "resume_run", {}
+
+
+def beyond_the_core(run: Run) -> Iterator[Stop]:
+    """Give the operations of the profiles that the server offers."""
+    if run.story.offers("compare"):
+        yield "compare_runs", {"params": {"baseline": run.id, "runs": run.id}}
 
 
 def of_a_run() -> Iterator[Stop]:

@@ -15,6 +15,168 @@ import (
 // ControlAPIService ControlAPI service
 type ControlAPIService service
 
+type ApiCompareRunsRequest struct {
+	ctx context.Context
+	ApiService *ControlAPIService
+	baseline *string
+	runs *string
+	tolerance *float64
+	proctorVersion *string
+}
+
+// The run that the others are compared with.
+func (r ApiCompareRunsRequest) Baseline(baseline string) ApiCompareRunsRequest {
+	r.baseline = &baseline
+	return r
+}
+
+// Ids of one to sixteen runs, with commas between them; the baseline may be one of them.
+func (r ApiCompareRunsRequest) Runs(runs string) ApiCompareRunsRequest {
+	r.runs = &runs
+	return r
+}
+
+// The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent.
+func (r ApiCompareRunsRequest) Tolerance(tolerance float64) ApiCompareRunsRequest {
+	r.tolerance = &tolerance
+	return r
+}
+
+// The protocol version the caller was written for.
+func (r ApiCompareRunsRequest) ProctorVersion(proctorVersion string) ApiCompareRunsRequest {
+	r.proctorVersion = &proctorVersion
+	return r
+}
+
+func (r ApiCompareRunsRequest) Execute() (*Comparison, *http.Response, error) {
+	return r.ApiService.CompareRunsExecute(r)
+}
+
+/*
+CompareRuns Runs beside a baseline, episode by episode
+
+Pairs the episodes of runs of one manifest. Offered with the profile `compare`; scoring.md has the arithmetic.
+
+ @param ctx context.Context - for authentication, logging, cancellation, deadlines, tracing, etc. Passed from http.Request or context.Background().
+ @return ApiCompareRunsRequest
+*/
+func (a *ControlAPIService) CompareRuns(ctx context.Context) ApiCompareRunsRequest {
+	return ApiCompareRunsRequest{
+		ApiService: a,
+		ctx: ctx,
+	}
+}
+
+// Execute executes the request
+//  @return Comparison
+func (a *ControlAPIService) CompareRunsExecute(r ApiCompareRunsRequest) (*Comparison, *http.Response, error) {
+	var (
+		localVarHTTPMethod   = http.MethodGet
+		localVarPostBody     interface{}
+		formFiles            []formFile
+		localVarReturnValue  *Comparison
+	)
+
+	localBasePath, err := a.client.cfg.ServerURLWithContext(r.ctx, "ControlAPIService.CompareRuns")
+	if err != nil {
+		return localVarReturnValue, nil, &GenericOpenAPIError{error: err.Error()}
+	}
+
+	localVarPath := localBasePath + "/v1/comparisons"
+
+	localVarHeaderParams := make(map[string]string)
+	localVarQueryParams := url.Values{}
+	localVarFormParams := url.Values{}
+	if r.baseline == nil {
+		return localVarReturnValue, nil, reportError("baseline is required and must be specified")
+	}
+	if r.runs == nil {
+		return localVarReturnValue, nil, reportError("runs is required and must be specified")
+	}
+
+	parameterAddToHeaderOrQuery(localVarQueryParams, "baseline", r.baseline, "form", "")
+	parameterAddToHeaderOrQuery(localVarQueryParams, "runs", r.runs, "form", "")
+	if r.tolerance != nil {
+		parameterAddToHeaderOrQuery(localVarQueryParams, "tolerance", r.tolerance, "form", "")
+	}
+	// to determine the Content-Type header
+	localVarHTTPContentTypes := []string{}
+
+	// set Content-Type header
+	localVarHTTPContentType := selectHeaderContentType(localVarHTTPContentTypes)
+	if localVarHTTPContentType != "" {
+		localVarHeaderParams["Content-Type"] = localVarHTTPContentType
+	}
+
+	// to determine the Accept header
+	localVarHTTPHeaderAccepts := []string{"application/json", "application/problem+json"}
+
+	// set Accept header
+	localVarHTTPHeaderAccept := selectHeaderAccept(localVarHTTPHeaderAccepts)
+	if localVarHTTPHeaderAccept != "" {
+		localVarHeaderParams["Accept"] = localVarHTTPHeaderAccept
+	}
+	if r.proctorVersion != nil {
+		parameterAddToHeaderOrQuery(localVarHeaderParams, "Proctor-Version", r.proctorVersion, "simple", "")
+	}
+	req, err := a.client.prepareRequest(r.ctx, localVarPath, localVarHTTPMethod, localVarPostBody, localVarHeaderParams, localVarQueryParams, localVarFormParams, formFiles)
+	if err != nil {
+		return localVarReturnValue, nil, err
+	}
+
+	localVarHTTPResponse, err := a.client.callAPI(req)
+	if err != nil || localVarHTTPResponse == nil {
+		return localVarReturnValue, localVarHTTPResponse, err
+	}
+
+	localVarBody, err := io.ReadAll(localVarHTTPResponse.Body)
+	localVarHTTPResponse.Body.Close()
+	localVarHTTPResponse.Body = io.NopCloser(bytes.NewBuffer(localVarBody))
+	if err != nil {
+		return localVarReturnValue, localVarHTTPResponse, err
+	}
+
+	if localVarHTTPResponse.StatusCode >= 300 {
+		newErr := &GenericOpenAPIError{
+			body:  localVarBody,
+			error: localVarHTTPResponse.Status,
+		}
+		if localVarHTTPResponse.StatusCode >= 400 && localVarHTTPResponse.StatusCode < 500 {
+			var v Problem
+			err = a.client.decode(&v, localVarBody, localVarHTTPResponse.Header.Get("Content-Type"))
+			if err != nil {
+				newErr.error = err.Error()
+				return localVarReturnValue, localVarHTTPResponse, newErr
+			}
+					newErr.error = formatErrorMessage(localVarHTTPResponse.Status, &v)
+					newErr.model = v
+			return localVarReturnValue, localVarHTTPResponse, newErr
+		}
+		if localVarHTTPResponse.StatusCode >= 500 {
+			var v Problem
+			err = a.client.decode(&v, localVarBody, localVarHTTPResponse.Header.Get("Content-Type"))
+			if err != nil {
+				newErr.error = err.Error()
+				return localVarReturnValue, localVarHTTPResponse, newErr
+			}
+					newErr.error = formatErrorMessage(localVarHTTPResponse.Status, &v)
+					newErr.model = v
+		}
+		return localVarReturnValue, localVarHTTPResponse, newErr
+	}
+
+	err = a.client.decode(&localVarReturnValue, localVarBody, localVarHTTPResponse.Header.Get("Content-Type"))
+	if err != nil {
+		newErr := &GenericOpenAPIError{
+			body:  localVarBody,
+			error: err.Error(),
+		}
+		return localVarReturnValue, localVarHTTPResponse, newErr
+	}
+
+	return localVarReturnValue, localVarHTTPResponse, nil
+}
+
 type ApiDescribeServiceRequest struct {
 	ctx context.Context
 	ApiService *ControlAPIService

@@ -20,6 +20,8 @@ type Episode struct {
 	// The current or next attempt.
 	Attempt int32 `json:"attempt"`
 	Faults int32 `json:"faults"`
+	// In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode.
+	PolicyFault *string `json:"policy_fault,omitempty"`
 	Result *EpisodeResult `json:"result,omitempty"`
 	AdditionalProperties map[string]interface{}
 }
@@ -218,6 +220,38 @@ func (o *Episode) SetFaults(v int32) {
 	o.Faults = v
 }
 
+// GetPolicyFault returns the PolicyFault field value if set, zero value otherwise.
+func (o *Episode) GetPolicyFault() string {
+	if o == nil || IsNil(o.PolicyFault) {
+		var ret string
+		return ret
+	}
+	return *o.PolicyFault
+}
+
+// GetPolicyFaultOk returns a tuple with the PolicyFault field value if set, nil otherwise
+// and a boolean to check if the value has been set.
+func (o *Episode) GetPolicyFaultOk() (*string, bool) {
+	if o == nil || IsNil(o.PolicyFault) {
+		return nil, false
+	}
+	return o.PolicyFault, true
+}
+
+// HasPolicyFault returns a boolean if a field has been set.
+func (o *Episode) HasPolicyFault() bool {
+	if o != nil && !IsNil(o.PolicyFault) {
+		return true
+	}
+
+	return false
+}
+
+// SetPolicyFault gets a reference to the given string and assigns it to the PolicyFault field.
+func (o *Episode) SetPolicyFault(v string) {
+	o.PolicyFault = &v
+}
+
 // GetResult returns the Result field value if set, zero value otherwise.
 func (o *Episode) GetResult() EpisodeResult {
 	if o == nil || IsNil(o.Result) {
@@ -267,6 +301,9 @@ func (o Episode) ToMap() (map[string]interface{}, error) {
 	toSerialize["status"] = o.Status
 	toSerialize["attempt"] = o.Attempt
 	toSerialize["faults"] = o.Faults
+	if !IsNil(o.PolicyFault) {
+		toSerialize["policy_fault"] = o.PolicyFault
+	}
 	if !IsNil(o.Result) {
 		toSerialize["result"] = o.Result
 	}
@@ -326,6 +363,7 @@ func (o *Episode) UnmarshalJSON(data []byte) (err error) {
 		delete(additionalProperties, "status")
 		delete(additionalProperties, "attempt")
 		delete(additionalProperties, "faults")
+		delete(additionalProperties, "policy_fault")
 		delete(additionalProperties, "result")
 		o.AdditionalProperties = additionalProperties
 	}

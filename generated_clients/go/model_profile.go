@@ -14,6 +14,10 @@ type Profile string
 const (
 	PROFILE_CORE Profile = "core"
 	PROFILE_MSGPACK Profile = "msgpack"
+	PROFILE_COMPARE Profile = "compare"
+	PROFILE_PUSH Profile = "push"
+	PROFILE_EBENCH Profile = "ebench"
+	PROFILE_FLAGEVAL Profile = "flageval"
 	PROFILE_UNKNOWN_DEFAULT_OPEN_API Profile = "unknown_default_open_api"
 )
 
@@ -21,6 +25,10 @@ const (
 var AllowedProfileEnumValues = []Profile{
 	"core",
 	"msgpack",
+	"compare",
+	"push",
+	"ebench",
+	"flageval",
 	"unknown_default_open_api",
 }
 

@@ -24,6 +24,8 @@ type Run struct {
 	// The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.
 	ManifestSha256 string `json:"manifest_sha256" validate:"regexp=^[0-9a-f]{64}$"`
 	Policy PolicyInfo `json:"policy"`
+	Mode *RunMode `json:"mode,omitempty"`
+	PolicyServer *PolicyServerView `json:"policy_server,omitempty"`
 	MaxWorkers int32 `json:"max_workers"`
 	IdleTimeoutS float64 `json:"idle_timeout_s"`
 	Images ImageChoice `json:"images"`
@@ -270,6 +272,70 @@ func (o *Run) SetPolicy(v PolicyInfo) {
 	o.Policy = v
 }
 
+// GetMode returns the Mode field value if set, zero value otherwise.
+func (o *Run) GetMode() RunMode {
+	if o == nil || IsNil(o.Mode) {
+		var ret RunMode
+		return ret
+	}
+	return *o.Mode
+}
+
+// GetModeOk returns a tuple with the Mode field value if set, nil otherwise
+// and a boolean to check if the value has been set.
+func (o *Run) GetModeOk() (*RunMode, bool) {
+	if o == nil || IsNil(o.Mode) {
+		return nil, false
+	}
+	return o.Mode, true
+}
+
+// HasMode returns a boolean if a field has been set.
+func (o *Run) HasMode() bool {
+	if o != nil && !IsNil(o.Mode) {
+		return true
+	}
+
+	return false
+}
+
+// SetMode gets a reference to the given RunMode and assigns it to the Mode field.
+func (o *Run) SetMode(v RunMode) {
+	o.Mode = &v
+}
+
+// GetPolicyServer returns the PolicyServer field value if set, zero value otherwise.
+func (o *Run) GetPolicyServer() PolicyServerView {
+	if o == nil || IsNil(o.PolicyServer) {
+		var ret PolicyServerView
+		return ret
+	}
+	return *o.PolicyServer
+}
+
+// GetPolicyServerOk returns a tuple with the PolicyServer field value if set, nil otherwise
+// and a boolean to check if the value has been set.
+func (o *Run) GetPolicyServerOk() (*PolicyServerView, bool) {
+	if o == nil || IsNil(o.PolicyServer) {
+		return nil, false
+	}
+	return o.PolicyServer, true
+}
+
+// HasPolicyServer returns a boolean if a field has been set.
+func (o *Run) HasPolicyServer() bool {
+	if o != nil && !IsNil(o.PolicyServer) {
+		return true
+	}
+
+	return false
+}
+
+// SetPolicyServer gets a reference to the given PolicyServerView and assigns it to the PolicyServer field.
+func (o *Run) SetPolicyServer(v PolicyServerView) {
+	o.PolicyServer = &v
+}
+
 // GetMaxWorkers returns the MaxWorkers field value
 func (o *Run) GetMaxWorkers() int32 {
 	if o == nil {
@@ -506,6 +572,12 @@ func (o Run) ToMap() (map[string]interface{}, error) {
 	toSerialize["benchmark_version"] = o.BenchmarkVersion
 	toSerialize["manifest_sha256"] = o.ManifestSha256
 	toSerialize["policy"] = o.Policy
+	if !IsNil(o.Mode) {
+		toSerialize["mode"] = o.Mode
+	}
+	if !IsNil(o.PolicyServer) {
+		toSerialize["policy_server"] = o.PolicyServer
+	}
 	toSerialize["max_workers"] = o.MaxWorkers
 	toSerialize["idle_timeout_s"] = o.IdleTimeoutS
 	toSerialize["images"] = o.Images
@@ -582,6 +654,8 @@ func (o *Run) UnmarshalJSON(data []byte) (err error) {
 		delete(additionalProperties, "benchmark_version")
 		delete(additionalProperties, "manifest_sha256")
 		delete(additionalProperties, "policy")
+		delete(additionalProperties, "mode")
+		delete(additionalProperties, "policy_server")
 		delete(additionalProperties, "max_workers")
 		delete(additionalProperties, "idle_timeout_s")
 		delete(additionalProperties, "images")

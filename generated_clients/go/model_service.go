@@ -17,7 +17,7 @@ type Service struct {
 	// Version of the server software.
 	Version string `json:"version"`
 	Protocol ProtocolRange `json:"protocol"`
-	// Parts of the protocol offered; `core` may be left out, for it always is. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.
+	// Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.
 	Profiles []Profile `json:"profiles"`
 	Limits Limits `json:"limits"`
 	// Media types of the data plane.

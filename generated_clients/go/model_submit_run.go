@@ -21,6 +21,8 @@ type SubmitRun struct {
 	IdleTimeoutS *float64 `json:"idle_timeout_s,omitempty"`
 	Images *ImageChoice `json:"images,omitempty"`
 	Options *CalibrationOptions `json:"options,omitempty"`
+	Mode *RunMode `json:"mode,omitempty"`
+	PolicyServer *PolicyServer `json:"policy_server,omitempty"`
 }
 
 type _SubmitRun SubmitRun
@@ -220,6 +222,70 @@ func (o *SubmitRun) SetOptions(v CalibrationOptions) {
 	o.Options = &v
 }
 
+// GetMode returns the Mode field value if set, zero value otherwise.
+func (o *SubmitRun) GetMode() RunMode {
+	if o == nil || IsNil(o.Mode) {
+		var ret RunMode
+		return ret
+	}
+	return *o.Mode
+}
+
+// GetModeOk returns a tuple with the Mode field value if set, nil otherwise
+// and a boolean to check if the value has been set.
+func (o *SubmitRun) GetModeOk() (*RunMode, bool) {
+	if o == nil || IsNil(o.Mode) {
+		return nil, false
+	}
+	return o.Mode, true
+}
+
+// HasMode returns a boolean if a field has been set.
+func (o *SubmitRun) HasMode() bool {
+	if o != nil && !IsNil(o.Mode) {
+		return true
+	}
+
+	return false
+}
+
+// SetMode gets a reference to the given RunMode and assigns it to the Mode field.
+func (o *SubmitRun) SetMode(v RunMode) {
+	o.Mode = &v
+}
+
+// GetPolicyServer returns the PolicyServer field value if set, zero value otherwise.
+func (o *SubmitRun) GetPolicyServer() PolicyServer {
+	if o == nil || IsNil(o.PolicyServer) {
+		var ret PolicyServer
+		return ret
+	}
+	return *o.PolicyServer
+}
+
+// GetPolicyServerOk returns a tuple with the PolicyServer field value if set, nil otherwise
+// and a boolean to check if the value has been set.
+func (o *SubmitRun) GetPolicyServerOk() (*PolicyServer, bool) {
+	if o == nil || IsNil(o.PolicyServer) {
+		return nil, false
+	}
+	return o.PolicyServer, true
+}
+
+// HasPolicyServer returns a boolean if a field has been set.
+func (o *SubmitRun) HasPolicyServer() bool {
+	if o != nil && !IsNil(o.PolicyServer) {
+		return true
+	}
+
+	return false
+}
+
+// SetPolicyServer gets a reference to the given PolicyServer and assigns it to the PolicyServer field.
+func (o *SubmitRun) SetPolicyServer(v PolicyServer) {
+	o.PolicyServer = &v
+}
+
 func (o SubmitRun) MarshalJSON() ([]byte, error) {
 	toSerialize,err := o.ToMap()
 	if err != nil {
@@ -243,6 +309,12 @@ func (o SubmitRun) ToMap() (map[string]interface{}, error) {
 	}
 	if !IsNil(o.Options) {
 		toSerialize["options"] = o.Options
+	}
+	if !IsNil(o.Mode) {
+		toSerialize["mode"] = o.Mode
+	}
+	if !IsNil(o.PolicyServer) {
+		toSerialize["policy_server"] = o.PolicyServer
 	}
 	return toSerialize, nil
 }

@@ -31,7 +31,7 @@ DROPPED = {
     "--user-id": (True, "the token says whose run it is"),
     "--interval": (True, "the server is not polled but answers when there is news"),
 }
-PASSED_ON = ("serve", "conformance")  # their flags are their own
+PASSED_ON = ("serve", "serve-policy", "conformance")  # their flags are their own
 
 
 def translated(arguments: list[str]) -> tuple[list[str], list[str]]:

@@ -12,14 +12,15 @@ import os
 import re
 from typing import Any, NoReturn
 
+from reference_client.command.aliases import PASSED_ON
 from reference_client.command.endings import CannotMean
 
 DEFAULT_URL = "http://127.0.0.1:8460"  # where `proctor serve` serves
 EXITS = (
-    "exit codes: 0 done; 1 the run failed or is not complete; 2 wrong usage or no "
-    "server; 130 Ctrl-C"
+    "exit codes: 0 done; 1 the run failed, is not complete or not to be released; "
+    "2 wrong usage or no server; 130 Ctrl-C"
 )
-# command → what it does; the last two are programs of their own.
+# command → what it does; the last three are programs of their own.
 COMMANDS = {
     "submit": "ask for a new run, or take up an old one",
     "run": "evaluate a policy: submit, play, score",
@@ -27,8 +28,10 @@ COMMANDS = {
     "stop": "stop a run; what is scored is kept",
     "resume": "let a stopped or failed run go on",
     "results": "the score of a run, by task and split",
+    "compare": "runs beside a baseline, and whether they may be released",
     "benchmarks": "what can be evaluated; with a name, its spaces",
     "serve": "run the reference server (its own flags)",
+    "serve-policy": "serve a policy for a server to call (its own flags)",
     "conformance": "judge a server (the kit's own flags)",
 }
 
@@ -50,12 +53,12 @@ def build_parser() -> argparse.ArgumentParser:
     made = {
         name: commands.add_parser(
             name, help=text, description=f"{name}: {text}.", epilog=EXITS,
-            allow_abbrev=False, add_help=name not in ("serve", "conformance"),
+            allow_abbrev=False, add_help=name not in PASSED_ON,
         )
         for name, text in COMMANDS.items()
     }  # fmt: skip
     for name, command in made.items():
-        if name not in ("serve", "conformance"):
+        if name not in PASSED_ON:
             _server(command)
     _run_id(made["status"], "the run; your latest runs without it")
     made["status"].add_argument(
@@ -71,8 +74,19 @@ def build_parser() -> argparse.ArgumentParser:
     made["results"].add_argument(
         "--episodes", action="store_true", help="every episode as well"
     )
+    compare = made["compare"]
+    compare.add_argument("baseline", metavar="BASELINE", help="the run to equal")
+    compare.add_argument("runs", nargs="+", metavar="RUN", help="run beside it")
+    compare.add_argument(
+        "--tolerance", type=_fraction, metavar="X",
+        help="largest difference of scores, from 0 to 1, that is released (0.05)",
+    )  # fmt: skip
     made["benchmarks"].add_argument("benchmark", nargs="?", help="show this one")
     _submission(made["submit"])
+    made["submit"].add_argument(
+        "--push", metavar="URL",
+        help="have the server call the policy server there [key: PROCTOR_POLICY_KEY]",
+    )  # fmt: skip
     submit = made["submit"].add_argument_group("waiting")
     submit.add_argument("--wait", action="store_true", help="until it can be played")
     submit.add_argument(
@@ -142,8 +156,12 @@ def _playing(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("the policy")
     group.add_argument(
         "--policy", metavar="WHAT",
-        help="module:Class, file.py:Class, module:function, or openpi:ws://host:8000",
+        help="module:Class, file.py:Class, module:function, openpi:ws://host:8000, or "
+        "proctor:http://host:8470",
     )  # fmt: skip
+    group.add_argument(
+        "--policy-url", metavar="URL", help="the last one, without its prefix"
+    )
     group.add_argument("--mapping", metavar="FILE", help="its names for ours (TOML)")
     group.add_argument(
         "--assumes", type=_json, metavar="JSON", help="conventions it takes for granted"
@@ -185,6 +203,16 @@ def _seconds(text: str) -> float:
         number = -1.0
     if not 0 <= number < 1e9:
         raise argparse.ArgumentTypeError(f"{text} is no number of seconds")
+    return number
+
+
+def _fraction(text: str) -> float:
+    try:
+        number = float(text)
+    except ValueError:
+        number = -1.0
+    if not 0 <= number <= 1:
+        raise argparse.ArgumentTypeError(f"{text} is no number from 0 to 1")
     return number
 
 

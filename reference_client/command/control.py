@@ -1,4 +1,4 @@
-"""The commands that ask: submit, status, stop, resume, results, benchmarks.
+"""The commands that ask: submit, status, stop, resume, results, compare, benchmarks.
 
 Each returns its exit code, and raises ProctorError for what the server refuses.
 """
@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import os
 import threading
 import time
 from collections.abc import Iterator
@@ -16,7 +17,12 @@ from proctor_client import PolicyInfo, Run, StopMode, SubmitRun
 
 from reference_client import plan
 from reference_client.command import words
-from reference_client.command.endings import DONE, NOT_COMPLETE, CannotMean
+from reference_client.command.endings import (
+    DONE,
+    NOT_COMPLETE,
+    NOT_RELEASED,
+    CannotMean,
+)
 from reference_client.command.words import Follower, Printer
 from reference_client.connection import Connection
 from reference_client.patience import Patience
@@ -104,6 +110,14 @@ def results(args: argparse.Namespace, printer: Printer) -> int:
     return DONE if score.complete else NOT_COMPLETE
 
 
+def compare(args: argparse.Namespace, printer: Printer) -> int:
+    with desk_of(args, printer) as desk:
+        found = desk.compare(args.baseline, args.runs, args.tolerance)
+    tables = [table for run in found.runs for table in words.compared(found, run)]
+    printer.answer(found.to_dict(), *tables)
+    return DONE if all(run.release for run in found.runs) else NOT_RELEASED
+
+
 def benchmarks(args: argparse.Namespace, printer: Printer) -> int:
     with desk_of(args, printer) as desk:
         if args.benchmark is None:
@@ -137,9 +151,19 @@ def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRu
             options=args.options,
             idle_timeout_s=args.idle_timeout_s,
             max_workers=args.max_workers,
+            policy_server=_policy_server(getattr(args, "push", None)),
         )
     except ValueError as error:
         raise CannotMean(str(error)) from error
+
+
+def _policy_server(url: str | None) -> dict[str, str] | None:
+    """What the server is told of the policy that it shall call."""
+    if url is None:
+        return None
+    key = os.environ.get("PROCTOR_POLICY_KEY")
+    order = {"url": url, "protocol": "proctor"}
+    return order | {"api_key": key} if key else order
 
 
 def run_id_of(args: argparse.Namespace) -> str | None:

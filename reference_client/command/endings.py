@@ -1,7 +1,8 @@
 """How the command ends: its exit codes, and every error as one line.
 
-0 it is done; 1 the run failed, was stopped, or is not complete; 2 it was asked for what
-cannot be, or the server cannot be reached; 128 + n signal n, as shells have it.
+0 it is done; 1 the run failed, was stopped, is not complete, or is not to be released;
+2 it was asked for what cannot be, or the server cannot be reached; 128 + n signal n, as
+shells have it.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import re
 from reference_client.errors import BAD_ANSWER, UNREACHABLE, ProctorError
 
 DONE, NOT_COMPLETE, CANNOT, INTERRUPTED = 0, 1, 2, 130
+NOT_RELEASED = 1
 
 # What says nothing about the run: neither that it failed nor that it did not.
 _CANNOT = frozenset(

@@ -33,11 +33,17 @@ COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
     "stop": control.stop,
     "resume": control.resume,
     "results": control.results,
+    "compare": control.compare,
     "benchmarks": control.benchmarks,
 }
 # Command → the module that it starts, what that needs, which extra brings both.
 PROGRAMS = {
     "serve": ("reference_server", ("reference_server", "uvicorn"), "house"),
+    "serve-policy": (
+        "reference_client.policies.serve",
+        ("starlette", "uvicorn"),
+        "client",
+    ),
     "conformance": ("conformance", ("conformance", "hypothesis"), "kit"),
 }
 

@@ -17,7 +17,7 @@ from collections.abc import Callable
 from types import FrameType
 from typing import Any, Self
 
-from proctor_client import Assumptions, Run, Score
+from proctor_client import Assumptions, Benchmark, Run, Score
 
 from reference_client.command import words
 from reference_client.command.arguments import DEFAULT_URL
@@ -35,6 +35,7 @@ from reference_client.evaluation import perform
 from reference_client.plan import Plan, exactly
 from reference_client.policies import BadMapping, BadPolicy, Mapping, load
 from reference_client.policies.blame import blamed
+from reference_client.policies.policy_server import PolicyServers
 from reference_client.policy import Policy
 from reference_client.processes import Processes
 from reference_client.progress import Board, Progress
@@ -46,14 +47,20 @@ PATIENCE_S = 300.0
 
 def run(args: argparse.Namespace, printer: Printer) -> int:
     """Returns the exit code; the answer and every error have been printed."""
+    if args.policy_url is not None:
+        if args.policy is not None:
+            raise CannotMean("--policy and --policy-url say both which policy")
+        args.policy = f"proctor:{args.policy_url}"
     if args.policy is None:
         raise CannotMean("say which policy: --policy my_module:MyPolicy")
     try:
         mapping = Mapping.read(args.mapping) if args.mapping else None
-        plan = _plan(args, mapping)
+        server = _policy_server(args, mapping)
+        vet = None if mapping is None else mapping.check
+        plan = _plan(args, vet if server is None else server.check)
     except (ValueError, BadMapping) as error:
         raise CannotMean(str(error)) from error
-    return _Run(args, printer).perform(plan, mapping)
+    return _Run(args, printer, server).perform(plan, mapping)
 
 
 def resume_command(args: argparse.Namespace, run_id: str) -> str:
@@ -79,8 +86,14 @@ def resume_command(args: argparse.Namespace, run_id: str) -> str:
 class _Run:
     """One evaluation, and how it ends."""
 
-    def __init__(self, args: argparse.Namespace, printer: Printer) -> None:
+    def __init__(
+        self,
+        args: argparse.Namespace,
+        printer: Printer,
+        server: PolicyServers | None,
+    ) -> None:
         self._args = args
+        self._server = server
         self._printer = printer
         self._follower = Follower(printer)
         self._run: Run | None = None
@@ -132,7 +145,7 @@ class _Run:
                 view.look = staff.look
         else:
             try:
-                make = load(args.policy, mapping)
+                make = self._server or load(args.policy, mapping)
             except BadPolicy:
                 raise
             except Exception as error:
@@ -227,7 +240,22 @@ class Signals:
         raise KeyboardInterrupt
 
 
-def _plan(args: argparse.Namespace, mapping: Mapping | None) -> Plan:
+def _policy_server(
+    args: argparse.Namespace, mapping: Mapping | None
+) -> PolicyServers | None:
+    """What asks the policy server of `proctor:URL`, if that is the policy."""
+    if not args.policy.startswith("proctor:"):
+        return None
+    if args.processes:
+        raise CannotMean("a policy server keeps no Python busy: leave --processes away")
+    made = load(args.policy, mapping)
+    assert isinstance(made, PolicyServers)
+    return made
+
+
+def _plan(
+    args: argparse.Namespace, vet: Callable[[Benchmark], None] | None = None
+) -> Plan:
     if args.worker_ids:
         if args.workers is not None:
             raise CannotMean("--worker-ids and --workers say both how many there are")
@@ -247,13 +275,13 @@ def _plan(args: argparse.Namespace, mapping: Mapping | None) -> Plan:
         takeover=args.takeover,
         assumes=exactly(Assumptions, "--assumes", args.assumes),
         patience_s=PATIENCE_S if args.patience_s is None else args.patience_s,
-        vet=None if mapping is None else mapping.check,
+        vet=vet,
     )
 
 
 def _policy_name(reference: str) -> str:
-    if reference.startswith("openpi:"):
-        return "openpi"
+    if reference.startswith(("openpi:", "proctor:")):
+        return reference.partition(":")[0]
     return reference.rpartition(":")[2] or reference
 
 

@@ -12,7 +12,16 @@ import time
 from collections.abc import Mapping, Sequence
 from typing import Any, Self
 
-from proctor_client import Benchmark, BenchmarkSummary, Episode, GroupScore, Run, Score
+from proctor_client import (
+    Benchmark,
+    BenchmarkSummary,
+    ComparedRun,
+    Comparison,
+    Episode,
+    GroupScore,
+    Run,
+    Score,
+)
 from pydantic_core import to_jsonable_python
 from rich.console import Console
 from rich.progress import BarColumn, TaskID, TextColumn, TimeElapsedColumn
@@ -206,6 +215,50 @@ def groups(title: str, by_name: Mapping[str, GroupScore]) -> Table:
             "–" if group.mean is None else f"{group.mean:.3f}",
         )
     return table
+
+
+def compared(comparison: Comparison, run: ComparedRun) -> list[Table]:
+    """One run beside the baseline: the facts, and a row for each task."""
+    alone = f"{run.wins} wins, {run.losses} losses, {run.ties} ties"
+    head = facts(
+        {
+            "run": run.run_id,
+            "baseline": comparison.baseline,
+            "benchmark": comparison.benchmark_id,
+            "pairs": f"{run.paired} episodes are scored in both"
+            + ("" if run.complete else "; not complete"),
+            "difference": None
+            if run.difference is None
+            else f"{run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "
+            f"{run.mean:.4f}",
+            "successes": f"{alone}; p = {run.p_value:.4f} (exact McNemar)",
+            "release": _release(comparison, run),
+        }
+    )
+    table = _table("task", ">pairs", ">baseline", ">run", ">difference")
+    for task, group in run.by_task.items():
+        numbers = (group.baseline_mean, group.mean)
+        table.add_row(
+            task,
+            str(group.paired),
+            *("–" if number is None else f"{number:.3f}" for number in numbers),
+            "–" if group.difference is None else f"{group.difference:+.3f}",
+        )
+    return [head, table]
+
+
+def _release(comparison: Comparison, run: ComparedRun) -> str:
+    if run.release:
+        return f"yes: no difference beyond {comparison.tolerance:g}"
+    if not run.complete:
+        return "no: not every episode is scored in both"
+    groups = {"the whole": run.difference}
+    groups |= {task: group.difference for task, group in run.by_task.items()}
+    # The server decides; this only says where to look.
+    far = [
+        n for n, d in groups.items() if d is not None and abs(d) > comparison.tolerance
+    ]
+    return f"no: beyond {comparison.tolerance:g} in {', '.join(far)}"
 
 
 def episode_list(episodes: Sequence[Episode]) -> Table:

@@ -1,4 +1,5 @@
-"""Which policy a reference means: `module:name`, `file.py:name`, `openpi:ws://host:8000`.
+"""Which policy a reference means: `module:name`, `file.py:name`, `openpi:ws://host:8000`,
+`proctor:http://host:8470`.
 
 A name is a class or a function without arguments, which makes a policy for each worker;
 or a function of the observation, which is one. Modules are found as `python -m` finds
@@ -35,6 +36,8 @@ def load(reference: str, mapping: Mapping | None = None) -> Callable[[], Policy]
     kind, _, rest = reference.partition(":")
     if kind == "openpi":
         return _openpi(rest, mapping)
+    if kind == "proctor":
+        return _policy_server(rest, mapping)
     made = _named(reference)
     if mapping is None:
         return _makes(made, reference)
@@ -54,6 +57,18 @@ def _openpi(url: str, mapping: Mapping | None) -> Callable[[], Policy]:
             "wants the observation; docs/policies.md has ready ones"
         )
     return lambda: _Asked(PolicyServer.greeted(url).infer, mapping)
+
+
+def _policy_server(url: str, mapping: Mapping | None) -> Callable[[], Policy]:
+    from reference_client.policies.policy_server import PolicyServers
+
+    if not url.startswith(("http://", "https://")):
+        raise BadPolicy(
+            f"proctor: takes a URL like proctor:http://127.0.0.1:8470, not {url!r}"
+        )
+    if mapping is not None:
+        raise BadPolicy("proctor: speaks our names already; leave --mapping away")
+    return PolicyServers(url)
 
 
 def _named(reference: str) -> Any:

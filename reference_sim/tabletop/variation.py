@@ -21,7 +21,7 @@ SPLITS = ("val_train", "val_unseen", "test")
 
 Rgba = tuple[float, float, float, float]
 
-_COLOURS: dict[str, Rgba] = {
+COLOURS: dict[str, Rgba] = {
     "red": (0.86, 0.20, 0.16, 1),
     "blue": (0.15, 0.38, 0.80, 1),
     "green": (0.20, 0.68, 0.32, 1),
@@ -78,7 +78,7 @@ def draw_look(rng: np.random.Generator, split: str) -> Look:
         return Look(NOMINAL_COLOURS)
     words = [str(word) for word in rng.permutation(_PALETTES[split])]
     colours = dict(zip(NOMINAL_COLOURS, words, strict=True))
-    rgba = {thing: _COLOURS[colour] for thing, colour in colours.items()}
+    rgba = {thing: COLOURS[colour] for thing, colour in colours.items()}
     rgba["table"] = _TABLES[split][int(rng.integers(len(_TABLES[split])))]
     scales = {cube: rng.uniform(*CUBE_SCALES) for cube in ("cube", "second_cube")}
     shift = rng.uniform(-CAMERA_SHIFT_M, CAMERA_SHIFT_M, 3)

@@ -52,10 +52,15 @@ def load() -> dict[str, Mutant]:
     """All mutants, by name."""
     from tests.mutants import (  # noqa: F401 - importing them registers them
         answers,
+        chat,
+        compare,
+        ebench,
         episodes,
+        flageval,
         histories,
         lifecycle,
         malformed,
+        push,
         requests,
         sessions,
         simulators,

@@ -19,7 +19,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from conformance.ledger import load_ledger
+from conformance.ledger import PROFILES, load_ledger
 from reference_sim.rendering import RenderingUnavailable, find_backend
 from tests.mutants import Mutant, load
 
@@ -77,10 +77,15 @@ def _judge(mutant: Mutant, seed: int) -> Kill:
         find_backend()  # once for all servers: they inherit what was found
     with tempfile.TemporaryDirectory() as report:
         server = f"{sys.executable} -m tests.mutants.serve {mutant.name}"
+        if _names(mutant, "EBE-"):
+            server += " --profiles ebench"
+        if _names(mutant, "FLE-"):
+            server += " --profiles flageval"
         kit = [sys.executable, "-m", "conformance", "--start-cmd", server]
-        if not _names(mutant, "CRASH-"):
-            # Killing and restarting takes half of the kit's time.
-            kit += ["--profile", "core,msgpack"]
+        # Killing, restarting and calling policies take most of the kit's time.
+        apart = {"crash": ("CRASH-",), "push": ("PUSH-", "CHAT-")}
+        left_out = {name for name, area in apart.items() if not _names(mutant, area)}
+        kit += ["--profile", ",".join(p for p in PROFILES if p not in left_out)]
         if not _names(mutant, "MODEL-"):
             areas = {id_.partition("-")[0] + "-" for id_ in load_ledger()}
             kit += ["--only", ",".join(sorted(areas - {"MODEL-"}))]
@@ -102,7 +107,7 @@ def _judge(mutant: Mutant, seed: int) -> Kill:
     )
 
 
-def _names(mutant: Mutant, area: str) -> bool:
+def _names(mutant: Mutant, area: str | tuple[str, ...]) -> bool:
     return any(id_.startswith(area) for id_ in mutant.kills)
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
+import re
 from typing import Any
 
 from pydantic import ValidationError
-from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import Response
+from starlette.types import Receive, Scope, Send
 
 from reference_server import (
     app,
@@ -47,14 +48,29 @@ def calls_a_malformed_body_an_invalid_request() -> None:
     put(messages, "decode", wrong)
 
 
-@mutant("ERR-013")
+@mutant("ERR-002", "ERR-013")
 def reads_nan_in_json() -> None:
-    """A number that is none gets into a run."""
-    right = messages.decode
+    """A number that is none, or larger than any, gets into a run."""
+    right, beyond = messages.decode, (b"NaN", b"Infinity", b"e999")
 
     def wrong(body: bytes, media_type: str) -> Any:
-        if media_type == messages.JSON and (b"NaN" in body or b"Infinity" in body):
+        if media_type == messages.JSON and any(word in body for word in beyond):
             return json.loads(body)
+        return right(body, media_type)
+
+    put(messages, "decode", wrong)
+
+
+@mutant("ERR-002")
+def mends_text_that_is_no_unicode() -> None:
+    """A name is silently another one."""
+    right = messages.decode
+    first, second = rb"\\ud[89ab][0-9a-f]{2}", rb"\\ud[c-f][0-9a-f]{2}"
+    alone = re.compile(rb"%b(?!%b)|(?<!%b)%b" % (first, second, first, second))
+
+    def wrong(body: bytes, media_type: str) -> Any:
+        if media_type == messages.JSON:
+            body = alone.sub(rb"\\ufffd", body)
         return right(body, media_type)
 
     put(messages, "decode", wrong)
@@ -130,8 +146,9 @@ def answers_in_json_whatever_is_accepted() -> None:
 def calls_an_unknown_path_a_bad_request() -> None:
     """A wrong address looks like a wrong body."""
 
-    async def wrong(_request: Request, _error: Exception) -> Response:
-        return problems.problem_response(Refused("invalid_request", "No such path."))
+    async def wrong(scope: Scope, receive: Receive, send: Send) -> None:
+        refused = Refused("invalid_request", "No such path.")
+        await problems.problem_response(refused)(scope, receive, send)
 
     put(app, "_not_found", wrong)
 
@@ -140,22 +157,22 @@ def calls_an_unknown_path_a_bad_request() -> None:
 def does_not_say_which_methods_are_allowed() -> None:
     """A client cannot find the right method."""
 
-    async def wrong(_request: Request, _error: HTTPException) -> Response:
+    def wrong(_self: object, _method: str) -> Response:
         return problems.problem_response(Refused("method_not_allowed", "No."))
 
-    put(app, "_not_allowed", wrong)
+    put(app._Endpoint, "_not_allowed", wrong)
 
 
 @mutant("ERR-012")
 def fails_on_text_outside_latin() -> None:
     """A name in Chinese makes the server fail."""
-    right = Routes._new_run
+    right = Routes.new_run
 
     async def wrong(self: Routes, account: str, submission: dict[str, Any]) -> Run:
         submission["policy"]["name"].encode("latin-1")
         return await right(self, account, submission)
 
-    put(Routes, "_new_run", wrong)
+    put(Routes, "new_run", wrong)
 
 
 @mutant("ERR-014")
@@ -172,6 +189,20 @@ def ignores_query_parameters_it_cannot_read() -> None:
             return {}
 
     put(operations, "_query", wrong)
+
+
+@mutant("ERR-014")
+def passes_over_headers_it_cannot_read() -> None:
+    """A misspelt wish to wait is no wish, and a cut key is another run's."""
+    right = operations._headers
+
+    def wrong(request: Request, operation: operations.Operation) -> Any:
+        try:
+            return right(request, operation)
+        except Refused:
+            return {}
+
+    put(operations, "_headers", wrong)
 
 
 @mutant("ENC-008")
@@ -197,3 +228,9 @@ def offers_another_calibration() -> None:
         return body
 
     put(Benchmarks, "view", wrong)
+
+
+@mutant("ENC-003")
+def reads_minus_zero_as_an_integer() -> None:
+    """A sign is lost where one language writes numbers shorter than others."""
+    put(messages, "_with_sign", int)

@@ -295,7 +295,7 @@ def names_an_endpoint_without_a_host() -> None:
 
 
 def _unlimited(*names: str) -> None:
-    right = Routes._new_run
+    right = Routes.new_run
 
     async def wrong(self: Routes, account: str, submission: dict[str, Any]) -> Run:
         wanted = {name: submission.pop(name) for name in names if name in submission}
@@ -305,7 +305,7 @@ def _unlimited(*names: str) -> None:
         submission.update(wanted)
         return run
 
-    put(Routes, "_new_run", wrong)
+    put(Routes, "new_run", wrong)
 
 
 @mutant("RUN-015")

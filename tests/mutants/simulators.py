@@ -12,8 +12,8 @@ from msgspec.structs import replace as changed
 
 from reference_server import (
     progress,
+    rows,
     spaces,
-    store,
     turns,
     views,
 )
@@ -258,16 +258,16 @@ def ends_an_episode_before_it_is_told() -> None:
 @mutant("CRASH-002")
 def counts_attempts_over_a_crash() -> None:
     """The server's crash costs every policy in play a try."""
-    right = store._run_of
+    right = rows.run_of
 
-    def wrong(*rows: Any) -> Run:
-        run = right(*rows)
+    def wrong(*stored: Any) -> Run:
+        run = right(*stored)
         for episode in run.episodes:
             if episode.result is None:
                 episode.attempt += 1
         return run
 
-    put(store, "_run_of", wrong)
+    put(rows, "run_of", wrong)
 
 
 @mutant("FAULT-003", "RES-001", "RES-003")

@@ -1360,6 +1360,96 @@ const char* ControlApiException::what() const noexcept
     return m_what.c_str();
 }
 
+std::shared_ptr<Comparison>
+ControlApi::compareRuns(
+    const std::string& baseline, const std::string& runs, const boost::optional<double>& tolerance, const std::string& proctorVersion) {
+    std::string serializedRequestBody;
+    std::string path = operationServerPrefix(m_context, "http://127.0.0.1:8460") + "/v1/comparisons";
+    std::map<std::string, std::string> headers;
+    // Query parameters preserve style, explode, allowReserved, and allowEmptyValue.
+    std::stringstream queryParameterStream;
+    const char* queryParameterSeparator = "?";
+        appendParamQueryParameter(
+            queryParameterStream,
+            queryParameterSeparator,
+            "baseline",
+            baseline,
+            "form",
+            true,
+            false,
+            false);
+        appendParamQueryParameter(
+            queryParameterStream,
+            queryParameterSeparator,
+            "runs",
+            runs,
+            "form",
+            true,
+            false,
+            false);
+    if (tolerance) {
+        appendParamQueryParameter(
+            queryParameterStream,
+            queryParameterSeparator,
+            "tolerance",
+            *tolerance,
+            "form",
+            true,
+            false,
+            false);
+    }
+    path += queryParameterStream.str();
+    // headers
+    headers.emplace("Proctor-Version", serializeHeaderParameterValue(proctorVersion, false));
+
+    std::string responseContentType = "application/json";
+    static const std::vector<std::string> acceptTypes{ "application/json","application/problem+json", };
+    responseContentType = selectPreferredContentType(acceptTypes);
+    headers["Accept"] = responseContentType;
+
+    // Security alternatives are OR groups containing AND-required schemes.
+    {
+        static const std::vector<SecurityRequirementGroup> operationSecurity = {
+            SecurityRequirementGroup{ {
+                SecuritySchemeUse{"bearer", "http", "", "", "bearer", {}},
+            } },
+        };
+        applyOperationSecurity("compareRuns", operationSecurity, path, headers);
+    }
+    auto statusCode = boost::beast::http::status::unknown;
+    std::string responseBody;
+    try {
+        std::tie(statusCode, responseBody) =
+            m_client->execute("GET",
+                              path,
+                              serializedRequestBody,
+                              headers);
+    }
+    catch(const std::exception& exception) {
+        handleStdException(exception);
+    }
+    catch(...) {
+        handleUncaughtException();
+    }
+
+    std::shared_ptr<Comparison> deserializedResponse = std::make_shared<Comparison>();
+    if (statusCode == boost::beast::http::status(200)) {
+        ResponseBodyDeserializer<std::shared_ptr<Comparison>>::deserialize(
+            deserializedResponse,
+            responseBody,
+            responseContentType,
+            false);
+        return deserializedResponse;
+    }
+    if (static_cast<unsigned int>(statusCode) / 100U == 4U) {
+        throw ControlApiException(statusCode, "Refused; `code` says why (see x-problems).", responseBody);
+    }
+    if (static_cast<unsigned int>(statusCode) / 100U == 5U) {
+        throw ControlApiException(statusCode, "Refused; `code` says why (see x-problems).", responseBody);
+    }
+    throw ControlApiException(statusCode, "Unexpected HTTP status code", responseBody);
+}
+
 std::shared_ptr<Service>
 ControlApi::describeService(
     const std::string& proctorVersion) {

@@ -26,6 +26,7 @@
 
 #include "../model/Benchmark.h"
 #include "../model/BenchmarkList.h"
+#include "../model/Comparison.h"
 #include "../model/EpisodeList.h"
 #include "../model/Problem.h"
 #include "../model/Run.h"
@@ -71,6 +72,16 @@ public:
     {}
 
     virtual ~ControlApi() = default;
+
+    /// <summary>
+    /// Runs beside a baseline, episode by episode
+    /// </summary>
+    /// <remarks>
+    /// Pairs the episodes of runs of one manifest. Offered with the profile &#x60;compare&#x60;; scoring.md has the arithmetic.
+    /// </remarks>
+    virtual std::shared_ptr<Comparison>
+    compareRuns(
+        const std::string& baseline, const std::string& runs, const boost::optional<double>& tolerance, const std::string& proctorVersion);
 
     /// <summary>
     /// What this server is, speaks and allows

@@ -808,6 +808,7 @@ bool Episode::isKnownJsonProperty(boost::json::string_view name) const
         || name == "status"
         || name == "attempt"
         || name == "faults"
+        || name == "policy_fault"
         || name == "result"
         ;
 }
@@ -830,6 +831,9 @@ boost::json::object Episode::toJsonObject_internal() const
         object["status"] = JsonValueConverter<EpisodeStatus>::toJsonValue(getStatus());
         object["attempt"] = JsonValueConverter<std::int32_t>::toJsonValue(getAttempt());
         object["faults"] = JsonValueConverter<std::int32_t>::toJsonValue(getFaults());
+        if (m_Policy_faultIsSet) {
+            object["policy_fault"] = JsonValueConverter<std::string>::toJsonValue(getPolicyFault());
+        }
         if (m_ResultIsSet) {
             object["result"] = JsonValueConverter<EpisodeResult>::toJsonValue(getResult());
         }
@@ -845,6 +849,8 @@ void Episode::fromJsonObject_internal(boost::json::object const& object)
     m_Status = {};
     m_Attempt = {};
     m_Faults = {};
+    m_Policy_faultIsSet = false;
+    m_Policy_fault = {};
     m_ResultIsSet = false;
     m_Result = {};
     {
@@ -953,6 +959,19 @@ void Episode::fromJsonObject_internal(boost::json::object const& object)
         }
     }
     {
+        const auto Policy_faultIt = object.find("policy_fault");
+        if (Policy_faultIt != object.end()) {
+            if (!Policy_faultIt->value().is_null()) {
+            try {
+                setPolicyFault(JsonValueConverter<std::string>::fromJsonValue(Policy_faultIt->value()));
+            } catch (std::exception const& ex) {
+                throw std::invalid_argument(
+                    "Decode failed for 'policy_fault' in Episode: " + std::string(ex.what()));
+            }
+            }
+        }
+    }
+    {
         const auto ResultIt = object.find("result");
         if (ResultIt != object.end()) {
             if (!ResultIt->value().is_null()) {
@@ -1036,6 +1055,17 @@ void Episode::setFaults(std::int32_t value)
 {
 
     m_Faults = std::move(value);
+}
+std::string Episode::getPolicyFault() const
+{
+    return m_Policy_fault;
+}
+
+void Episode::setPolicyFault(std::string value)
+{
+
+    m_Policy_fault = std::move(value);
+    m_Policy_faultIsSet = true;
 }
 EpisodeResult Episode::getResult() const
 {

@@ -97,6 +97,12 @@ public:
     void setFaults(std::int32_t value);
 
     /// <summary>
+    /// In a run with mode &#x60;push&#x60;: what the policy did wrong when it last ended an attempt of this episode.
+    /// </summary>
+    std::string getPolicyFault() const;
+    void setPolicyFault(std::string value);
+
+    /// <summary>
     ///
     /// </summary>
     EpisodeResult getResult() const;
@@ -120,6 +126,8 @@ protected:
     EpisodeStatus m_Status;
     std::int32_t m_Attempt = 0;
     std::int32_t m_Faults = 0;
+    std::string m_Policy_fault = "";
+    bool m_Policy_faultIsSet = false;
     EpisodeResult m_Result;
     bool m_ResultIsSet = false;
     ExtraJsonProperties m_extraJsonProperties;

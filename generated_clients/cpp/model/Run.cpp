@@ -809,6 +809,8 @@ bool Run::isKnownJsonProperty(boost::json::string_view name) const
         || name == "benchmark_version"
         || name == "manifest_sha256"
         || name == "policy"
+        || name == "mode"
+        || name == "policy_server"
         || name == "max_workers"
         || name == "idle_timeout_s"
         || name == "images"
@@ -840,6 +842,12 @@ boost::json::object Run::toJsonObject_internal() const
         object["benchmark_version"] = JsonValueConverter<std::string>::toJsonValue(getBenchmarkVersion());
         object["manifest_sha256"] = JsonValueConverter<std::string>::toJsonValue(getManifestSha256());
         object["policy"] = JsonValueConverter<PolicyInfo>::toJsonValue(getPolicy());
+        if (m_ModeIsSet) {
+            object["mode"] = JsonValueConverter<RunMode>::toJsonValue(getMode());
+        }
+        if (m_Policy_serverIsSet) {
+            object["policy_server"] = JsonValueConverter<PolicyServerView>::toJsonValue(getPolicyServer());
+        }
         object["max_workers"] = JsonValueConverter<std::int32_t>::toJsonValue(getMaxWorkers());
         object["idle_timeout_s"] = JsonValueConverter<double>::toJsonValue(getIdleTimeoutS());
         object["images"] = JsonValueConverter<ImageChoice>::toJsonValue(getImages());
@@ -862,6 +870,10 @@ void Run::fromJsonObject_internal(boost::json::object const& object)
     m_Benchmark_version = {};
     m_Manifest_sha256 = {};
     m_Policy = {};
+    m_ModeIsSet = false;
+    m_Mode = {};
+    m_Policy_serverIsSet = false;
+    m_Policy_server = {};
     m_Max_workers = {};
     m_Idle_timeout_s = {};
     m_Images = {};
@@ -985,6 +997,32 @@ void Run::fromJsonObject_internal(boost::json::object const& object)
             }
         } else {
             throw std::invalid_argument("Required field 'policy' not found in Run");
+        }
+    }
+    {
+        const auto ModeIt = object.find("mode");
+        if (ModeIt != object.end()) {
+            if (!ModeIt->value().is_null()) {
+            try {
+                setMode(JsonValueConverter<RunMode>::fromJsonValue(ModeIt->value()));
+            } catch (std::exception const& ex) {
+                throw std::invalid_argument(
+                    "Decode failed for 'mode' in Run: " + std::string(ex.what()));
+            }
+            }
+        }
+    }
+    {
+        const auto Policy_serverIt = object.find("policy_server");
+        if (Policy_serverIt != object.end()) {
+            if (!Policy_serverIt->value().is_null()) {
+            try {
+                setPolicyServer(JsonValueConverter<PolicyServerView>::fromJsonValue(Policy_serverIt->value()));
+            } catch (std::exception const& ex) {
+                throw std::invalid_argument(
+                    "Decode failed for 'policy_server' in Run: " + std::string(ex.what()));
+            }
+            }
         }
     }
     {
@@ -1201,6 +1239,28 @@ void Run::setPolicy(PolicyInfo value)
 {
 
     m_Policy = std::move(value);
+}
+RunMode Run::getMode() const
+{
+    return m_Mode;
+}
+
+void Run::setMode(RunMode value)
+{
+
+    m_Mode = std::move(value);
+    m_ModeIsSet = true;
+}
+PolicyServerView Run::getPolicyServer() const
+{
+    return m_Policy_server;
+}
+
+void Run::setPolicyServer(PolicyServerView value)
+{
+
+    m_Policy_server = std::move(value);
+    m_Policy_serverIsSet = true;
 }
 std::int32_t Run::getMaxWorkers() const
 {

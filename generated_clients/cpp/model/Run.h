@@ -9,8 +9,10 @@
 #ifndef PROCTOR_MODEL_Run_MODEL_H_
 #define PROCTOR_MODEL_Run_MODEL_H_
 
+#include "RunMode.h"
 #include <string>
 #include "RunState.h"
+#include "PolicyServerView.h"
 #include "Progress.h"
 #include <map>
 #include "PolicyInfo.h"
@@ -107,6 +109,18 @@ public:
     /// <summary>
     ///
     /// </summary>
+    RunMode getMode() const;
+    void setMode(RunMode value);
+
+    /// <summary>
+    ///
+    /// </summary>
+    PolicyServerView getPolicyServer() const;
+    void setPolicyServer(PolicyServerView value);
+
+    /// <summary>
+    ///
+    /// </summary>
     std::int32_t getMaxWorkers() const;
     void setMaxWorkers(std::int32_t value);
 
@@ -177,6 +191,10 @@ protected:
     std::string m_Benchmark_version = "";
     std::string m_Manifest_sha256 = "";
     PolicyInfo m_Policy;
+    RunMode m_Mode;
+    bool m_ModeIsSet = false;
+    PolicyServerView m_Policy_server;
+    bool m_Policy_serverIsSet = false;
     std::int32_t m_Max_workers = 0;
     double m_Idle_timeout_s = 0.0;
     ImageChoice m_Images;

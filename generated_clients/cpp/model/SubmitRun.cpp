@@ -56,6 +56,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+#include <algorithm>
+#include <array>
 #include <boost/json.hpp>
 
 #include "ValidationTypes.h"
@@ -67,6 +69,99 @@ namespace proctor {
 namespace model {
 
 namespace {
+// Helper to stream values that may include std::optional types.
+template <typename T>
+void streamEnumValue(std::ostringstream& os, const T& enumValue) {
+    os << enumValue;
+}
+
+template <typename T>
+void streamEnumValue(std::ostringstream& os, const std::optional<T>& enumValue) {
+    if (enumValue.has_value()) {
+        os << enumValue.value();
+    } else {
+        os << "(unset)";
+    }
+}
+
+template<typename EnumValue, std::size_t Size>
+void validateEnumValues(
+    const EnumValue& value,
+    const std::array<EnumValue, Size>& allowedValues);
+
+template<typename Element, typename EnumValue, std::size_t Size>
+void validateEnumValues(
+    const std::vector<Element>& values,
+    const std::array<EnumValue, Size>& allowedValues);
+
+template<typename MappedValue, typename EnumValue, std::size_t Size>
+void validateEnumValues(
+    const std::map<std::string, MappedValue>& values,
+    const std::array<EnumValue, Size>& allowedValues);
+
+template<typename Value, typename EnumValue, std::size_t Size>
+void validateEnumValues(
+    const std::optional<Value>& value,
+    const std::array<EnumValue, Size>& allowedValues);
+
+template<typename Value, typename EnumValue, std::size_t Size>
+void validateEnumValues(
+    const NullableField<Value>& value,
+    const std::array<EnumValue, Size>& allowedValues);
+
+template<typename EnumValue, std::size_t Size>
+void validateEnumValues(
+    const EnumValue& value,
+    const std::array<EnumValue, Size>& allowedValues)
+{
+    if (std::find(allowedValues.begin(), allowedValues.end(), value) == allowedValues.end()) {
+        std::ostringstream errorMessage;
+        errorMessage << "Value ";
+        streamEnumValue(errorMessage, value);
+        errorMessage << " not allowed";
+        throw std::runtime_error(errorMessage.str());
+    }
+}
+
+template<typename Element, typename EnumValue, std::size_t Size>
+void validateEnumValues(
+    const std::vector<Element>& values,
+    const std::array<EnumValue, Size>& allowedValues)
+{
+    for (const auto& singleValue : values) {
+        validateEnumValues(singleValue, allowedValues);
+    }
+}
+
+template<typename MappedValue, typename EnumValue, std::size_t Size>
+void validateEnumValues(
+    const std::map<std::string, MappedValue>& values,
+    const std::array<EnumValue, Size>& allowedValues)
+{
+    for (const auto& value : values) {
+        validateEnumValues(value.second, allowedValues);
+    }
+}
+
+template<typename Value, typename EnumValue, std::size_t Size>
+void validateEnumValues(
+    const std::optional<Value>& value,
+    const std::array<EnumValue, Size>& allowedValues)
+{
+    if (value.has_value()) {
+        validateEnumValues(value.value(), allowedValues);
+    }
+}
+
+template<typename Value, typename EnumValue, std::size_t Size>
+void validateEnumValues(
+    const NullableField<Value>& value,
+    const std::array<EnumValue, Size>& allowedValues)
+{
+    if (value.hasValue()) {
+        validateEnumValues(value.value(), allowedValues);
+    }
+}
 
 // Trait to detect types with toJsonValue() const member.
 template <typename T, typename = void>
@@ -712,6 +807,8 @@ bool SubmitRun::isKnownJsonProperty(boost::json::string_view name) const
         || name == "idle_timeout_s"
         || name == "images"
         || name == "options"
+        || name == "mode"
+        || name == "policy_server"
         ;
 }
 
@@ -740,6 +837,12 @@ boost::json::object SubmitRun::toJsonObject_internal() const
         if (m_OptionsIsSet) {
             object["options"] = JsonValueConverter<CalibrationOptions>::toJsonValue(getOptions());
         }
+        if (m_ModeIsSet) {
+            object["mode"] = JsonValueConverter<RunMode>::toJsonValue(getMode());
+        }
+        if (m_Policy_serverIsSet) {
+            object["policy_server"] = JsonValueConverter<PolicyServer>::toJsonValue(getPolicyServer());
+        }
     return object;
 }
 
@@ -755,6 +858,10 @@ void SubmitRun::fromJsonObject_internal(boost::json::object const& object)
     m_Images = {};
     m_OptionsIsSet = false;
     m_Options = {};
+    m_ModeIsSet = false;
+    m_Mode = {};
+    m_Policy_serverIsSet = false;
+    m_Policy_server = {};
     {
         const auto Benchmark_idIt = object.find("benchmark_id");
         if (Benchmark_idIt != object.end()) {
@@ -837,6 +944,32 @@ void SubmitRun::fromJsonObject_internal(boost::json::object const& object)
             }
         }
     }
+    {
+        const auto ModeIt = object.find("mode");
+        if (ModeIt != object.end()) {
+            if (!ModeIt->value().is_null()) {
+            try {
+                setMode(JsonValueConverter<RunMode>::fromJsonValue(ModeIt->value()));
+            } catch (std::exception const& ex) {
+                throw std::invalid_argument(
+                    "Decode failed for 'mode' in SubmitRun: " + std::string(ex.what()));
+            }
+            }
+        }
+    }
+    {
+        const auto Policy_serverIt = object.find("policy_server");
+        if (Policy_serverIt != object.end()) {
+            if (!Policy_serverIt->value().is_null()) {
+            try {
+                setPolicyServer(JsonValueConverter<PolicyServer>::fromJsonValue(Policy_serverIt->value()));
+            } catch (std::exception const& ex) {
+                throw std::invalid_argument(
+                    "Decode failed for 'policy_server' in SubmitRun: " + std::string(ex.what()));
+            }
+            }
+        }
+    }
 }
 
 std::string SubmitRun::getBenchmarkId() const
@@ -902,6 +1035,28 @@ void SubmitRun::setOptions(CalibrationOptions value)
 
     m_Options = std::move(value);
     m_OptionsIsSet = true;
+}
+RunMode SubmitRun::getMode() const
+{
+    return m_Mode;
+}
+
+void SubmitRun::setMode(RunMode value)
+{
+
+    m_Mode = std::move(value);
+    m_ModeIsSet = true;
+}
+PolicyServer SubmitRun::getPolicyServer() const
+{
+    return m_Policy_server;
+}
+
+void SubmitRun::setPolicyServer(PolicyServer value)
+{
+
+    m_Policy_server = std::move(value);
+    m_Policy_serverIsSet = true;
 }
 
 std::string createJsonStringFromModelVector(const std::vector<std::shared_ptr<SubmitRun>>& data)

@@ -9,7 +9,9 @@
 #ifndef PROCTOR_MODEL_SubmitRun_MODEL_H_
 #define PROCTOR_MODEL_SubmitRun_MODEL_H_
 
+#include "PolicyServer.h"
 #include "CalibrationOptions.h"
+#include "RunMode.h"
 #include <string>
 #include <map>
 #include "PolicyInfo.h"
@@ -90,6 +92,18 @@ public:
     CalibrationOptions getOptions() const;
     void setOptions(CalibrationOptions value);
 
+    /// <summary>
+    ///
+    /// </summary>
+    RunMode getMode() const;
+    void setMode(RunMode value);
+
+    /// <summary>
+    ///
+    /// </summary>
+    PolicyServer getPolicyServer() const;
+    void setPolicyServer(PolicyServer value);
+
 protected:
     //////////////////////////////////////
     // Override these for customization //
@@ -111,6 +125,10 @@ protected:
     bool m_ImagesIsSet = false;
     CalibrationOptions m_Options;
     bool m_OptionsIsSet = false;
+    RunMode m_Mode;
+    bool m_ModeIsSet = false;
+    PolicyServer m_Policy_server;
+    bool m_Policy_serverIsSet = false;
     ExtraJsonProperties m_extraJsonProperties;
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 SchemaResourceRegistry buildRegistry() {
     SchemaResourceRegistry reg;
-    reg.nodes.reserve(330);
+    reg.nodes.reserve(398);
     SchemaResource res;
     res.baseUri = "urn:openapi-generator:cpp-boost-beast:schema";
     res.dialect = "https://spec.openapis.org/oas/3.1/dialect/2024-11-10";
@@ -28,7 +28,7 @@ SchemaResourceRegistry buildRegistry() {
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
         n.additionalProperties = AdditionalPropertiesKind::schema;
-        n.additionalSchema = 235;
+        n.additionalSchema = 289;
         setExact(n.maxProperties, n.hasMaxProperties, "64");
         n.annDescription = "\"Name \342\206\222 vector, exactly the entries of the benchmark's action space.\"";
         n.sourceName = "Action_component_prop1";
@@ -73,7 +73,7 @@ SchemaResourceRegistry buildRegistry() {
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(311);
+        n.children.push_back(378);
         n.sourceName = "Assumption_component_prop4";
         n.schemaPath = "#/components/schemas/Assumption/properties/rotation";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Assumption/properties/rotation";
@@ -109,7 +109,7 @@ SchemaResourceRegistry buildRegistry() {
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
         n.additionalProperties = AdditionalPropertiesKind::schema;
-        n.additionalSchema = 236;
+        n.additionalSchema = 290;
         setExact(n.maxProperties, n.hasMaxProperties, "64");
         n.sourceName = "Assumptions_component_prop1";
         n.schemaPath = "#/components/schemas/Assumptions/properties/action";
@@ -135,7 +135,7 @@ SchemaResourceRegistry buildRegistry() {
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
         n.additionalProperties = AdditionalPropertiesKind::schema;
-        n.additionalSchema = 237;
+        n.additionalSchema = 291;
         setExact(n.maxProperties, n.hasMaxProperties, "64");
         n.sourceName = "Assumptions_component_prop3";
         n.schemaPath = "#/components/schemas/Assumptions/properties/state";
@@ -147,7 +147,7 @@ SchemaResourceRegistry buildRegistry() {
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(273);
+        n.children.push_back(331);
         n.sourceName = "AttachWorker_component_prop1";
         n.schemaPath = "#/components/schemas/AttachWorker/properties/assumes";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/AttachWorker/properties/assumes";
@@ -184,7 +184,7 @@ SchemaResourceRegistry buildRegistry() {
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
         n.additionalProperties = AdditionalPropertiesKind::schema;
-        n.additionalSchema = 238;
+        n.additionalSchema = 292;
         n.annDescription = "\"Name of an action value \342\206\222 what it means.\"";
         n.sourceName = "Benchmark_component_prop1";
         n.schemaPath = "#/components/schemas/Benchmark/properties/action_space";
@@ -240,7 +240,7 @@ SchemaResourceRegistry buildRegistry() {
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 239;
+        n.items = 293;
         n.annDescription = "\"Codecs that may be chosen at submit; the first is the default.\"";
         n.sourceName = "Benchmark_component_prop6";
         n.schemaPath = "#/components/schemas/Benchmark/properties/image_codecs";
@@ -252,7 +252,7 @@ SchemaResourceRegistry buildRegistry() {
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 240;
+        n.items = 294;
         n.annDescription = "\"Sizes that may be chosen at submit; the first is the default.\"";
         n.sourceName = "Benchmark_component_prop7";
         n.schemaPath = "#/components/schemas/Benchmark/properties/image_sizes";
@@ -326,7 +326,7 @@ SchemaResourceRegistry buildRegistry() {
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(299);
+        n.children.push_back(360);
         n.sourceName = "Benchmark_component_prop13";
         n.schemaPath = "#/components/schemas/Benchmark/properties/observation_space";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Benchmark/properties/observation_space";
@@ -337,7 +337,7 @@ SchemaResourceRegistry buildRegistry() {
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(320);
+        n.children.push_back(388);
         n.sourceName = "Benchmark_component_prop14";
         n.schemaPath = "#/components/schemas/Benchmark/properties/simulator";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Benchmark/properties/simulator";
@@ -348,7 +348,7 @@ SchemaResourceRegistry buildRegistry() {
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 241;
+        n.items = 295;
         n.sourceName = "Benchmark_component_prop15";
         n.schemaPath = "#/components/schemas/Benchmark/properties/splits";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Benchmark/properties/splits";
@@ -359,7 +359,7 @@ SchemaResourceRegistry buildRegistry() {
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(324);
+        n.children.push_back(392);
         n.sourceName = "Benchmark_component_prop16";
         n.schemaPath = "#/components/schemas/Benchmark/properties/success_rule";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Benchmark/properties/success_rule";
@@ -370,7 +370,7 @@ SchemaResourceRegistry buildRegistry() {
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 242;
+        n.items = 296;
         n.sourceName = "Benchmark_component_prop17";
         n.schemaPath = "#/components/schemas/Benchmark/properties/tasks";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Benchmark/properties/tasks";
@@ -412,7 +412,7 @@ SchemaResourceRegistry buildRegistry() {
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 243;
+        n.items = 297;
         n.sourceName = "BenchmarkList_component_prop1";
         n.schemaPath = "#/components/schemas/BenchmarkList/properties/benchmarks";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/BenchmarkList/properties/benchmarks";
@@ -534,7 +534,7 @@ SchemaResourceRegistry buildRegistry() {
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(324);
+        n.children.push_back(392);
         n.sourceName = "CalibrationOptions_component_prop5";
         n.schemaPath = "#/components/schemas/CalibrationOptions/properties/success_rule";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/CalibrationOptions/properties/success_rule";
@@ -545,7 +545,7 @@ SchemaResourceRegistry buildRegistry() {
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 244;
+        n.items = 298;
         setExact(n.minItems, n.hasMinItems, "1");
         setExact(n.maxItems, n.hasMaxItems, "1000");
         n.annDescription = "\"One entry per episode, in order; one `score` episode when absent.\"";
@@ -558,6 +558,258 @@ SchemaResourceRegistry buildRegistry() {
     { // node 45
         SchemaNode n;
         n.resourceIdentity = 0;
+        n.typeFlags = 4u;
+        n.annDescription = "\"Mean score of the baseline over the pairs.\"";
+        n.annFormat = "\"double\"";
+        n.sourceName = "ComparedRun_component_prop1";
+        n.schemaPath = "#/components/schemas/ComparedRun/properties/baseline_mean";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedRun/properties/baseline_mean";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 46
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 32u;
+        n.hasObjectSchema = true;
+        n.additionalProperties = AdditionalPropertiesKind::schema;
+        n.additionalSchema = 299;
+        n.annDescription = "\"Task \342\206\222 the pairs of its episodes.\"";
+        n.sourceName = "ComparedRun_component_prop2";
+        n.schemaPath = "#/components/schemas/ComparedRun/properties/by_task";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedRun/properties/by_task";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 47
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 2u;
+        n.annDescription = "\"Both runs have scored every episode.\"";
+        n.sourceName = "ComparedRun_component_prop3";
+        n.schemaPath = "#/components/schemas/ComparedRun/properties/complete";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedRun/properties/complete";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 48
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 4u;
+        n.annDescription = "\"Baseline minus run: positive when the run is worse.\"";
+        n.annFormat = "\"double\"";
+        n.sourceName = "ComparedRun_component_prop4";
+        n.schemaPath = "#/components/schemas/ComparedRun/properties/difference";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedRun/properties/difference";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 49
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 64u;
+        setExact(n.minimum, n.hasMinimum, "0");
+        n.annDescription = "\"Pairs in which the baseline alone succeeds.\"";
+        n.annFormat = "\"int32\"";
+        n.sourceName = "ComparedRun_component_prop5";
+        n.schemaPath = "#/components/schemas/ComparedRun/properties/losses";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedRun/properties/losses";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 50
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 4u;
+        n.annDescription = "\"Mean score of the run over the pairs.\"";
+        n.annFormat = "\"double\"";
+        n.sourceName = "ComparedRun_component_prop6";
+        n.schemaPath = "#/components/schemas/ComparedRun/properties/mean";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedRun/properties/mean";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 51
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 4u;
+        setExact(n.minimum, n.hasMinimum, "0");
+        setExact(n.maximum, n.hasMaximum, "1");
+        n.annDescription = "\"McNemar's exact test, two-sided.\"";
+        n.annFormat = "\"double\"";
+        n.sourceName = "ComparedRun_component_prop7";
+        n.schemaPath = "#/components/schemas/ComparedRun/properties/p_value";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedRun/properties/p_value";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 52
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 64u;
+        setExact(n.minimum, n.hasMinimum, "0");
+        n.annDescription = "\"Number of pairs.\"";
+        n.annFormat = "\"int32\"";
+        n.sourceName = "ComparedRun_component_prop8";
+        n.schemaPath = "#/components/schemas/ComparedRun/properties/paired";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedRun/properties/paired";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 53
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 2u;
+        n.annDescription = "\"Complete, and no difference, over all episodes or over those of a task, is beyond the tolerance.\"";
+        n.sourceName = "ComparedRun_component_prop9";
+        n.schemaPath = "#/components/schemas/ComparedRun/properties/release";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedRun/properties/release";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 54
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 8u;
+        n.sourceName = "ComparedRun_component_prop10";
+        n.schemaPath = "#/components/schemas/ComparedRun/properties/run_id";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedRun/properties/run_id";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 55
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 64u;
+        setExact(n.minimum, n.hasMinimum, "0");
+        n.annDescription = "\"Pairs in which both succeed or neither does.\"";
+        n.annFormat = "\"int32\"";
+        n.sourceName = "ComparedRun_component_prop11";
+        n.schemaPath = "#/components/schemas/ComparedRun/properties/ties";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedRun/properties/ties";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 56
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 64u;
+        setExact(n.minimum, n.hasMinimum, "0");
+        n.annDescription = "\"Pairs in which the run alone succeeds.\"";
+        n.annFormat = "\"int32\"";
+        n.sourceName = "ComparedRun_component_prop12";
+        n.schemaPath = "#/components/schemas/ComparedRun/properties/wins";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedRun/properties/wins";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 57
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 4u;
+        n.annFormat = "\"double\"";
+        n.sourceName = "ComparedTask_component_prop1";
+        n.schemaPath = "#/components/schemas/ComparedTask/properties/baseline_mean";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedTask/properties/baseline_mean";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 58
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 4u;
+        n.annFormat = "\"double\"";
+        n.sourceName = "ComparedTask_component_prop2";
+        n.schemaPath = "#/components/schemas/ComparedTask/properties/difference";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedTask/properties/difference";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 59
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 4u;
+        n.annFormat = "\"double\"";
+        n.sourceName = "ComparedTask_component_prop3";
+        n.schemaPath = "#/components/schemas/ComparedTask/properties/mean";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedTask/properties/mean";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 60
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 64u;
+        setExact(n.minimum, n.hasMinimum, "0");
+        n.annFormat = "\"int32\"";
+        n.sourceName = "ComparedTask_component_prop4";
+        n.schemaPath = "#/components/schemas/ComparedTask/properties/paired";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedTask/properties/paired";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 61
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 8u;
+        n.annDescription = "\"Id of the run that the others are compared with.\"";
+        n.sourceName = "Comparison_component_prop1";
+        n.schemaPath = "#/components/schemas/Comparison/properties/baseline";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Comparison/properties/baseline";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 62
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 8u;
+        n.sourceName = "Comparison_component_prop2";
+        n.schemaPath = "#/components/schemas/Comparison/properties/benchmark_id";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Comparison/properties/benchmark_id";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 63
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 8u;
+        n.pattern = "^[0-9a-f]{64}$";
+        n.hasPattern = true;
+        n.annDescription = "\"The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.\"";
+        n.sourceName = "Comparison_component_prop3";
+        n.schemaPath = "#/components/schemas/Comparison/properties/manifest_sha256";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Comparison/properties/manifest_sha256";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 64
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 16u;
+        n.items = 300;
+        n.annDescription = "\"One entry per run that was named, in that order.\"";
+        n.sourceName = "Comparison_component_prop4";
+        n.schemaPath = "#/components/schemas/Comparison/properties/runs";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Comparison/properties/runs";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 65
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 4u;
+        setExact(n.minimum, n.hasMinimum, "0");
+        setExact(n.maximum, n.hasMaximum, "1");
+        n.annFormat = "\"double\"";
+        n.sourceName = "Comparison_component_prop5";
+        n.schemaPath = "#/components/schemas/Comparison/properties/tolerance";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Comparison/properties/tolerance";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 66
+        SchemaNode n;
+        n.resourceIdentity = 0;
         n.typeFlags = 64u;
         setExact(n.minimum, n.hasMinimum, "1");
         n.annDescription = "\"The current or next attempt.\"";
@@ -568,7 +820,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 46
+    { // node 67
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -578,7 +830,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 47
+    { // node 68
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -590,7 +842,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 48
+    { // node 69
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -602,60 +854,71 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 49
+    { // node 70
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 8u;
+        n.annDescription = "\"In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode.\"";
+        n.sourceName = "Episode_component_prop5";
+        n.schemaPath = "#/components/schemas/Episode/properties/policy_fault";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Episode/properties/policy_fault";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 71
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(284);
-        n.sourceName = "Episode_component_prop5";
+        n.children.push_back(345);
+        n.sourceName = "Episode_component_prop6";
         n.schemaPath = "#/components/schemas/Episode/properties/result";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Episode/properties/result";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 50
+    { // node 72
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
-        n.sourceName = "Episode_component_prop6";
+        n.sourceName = "Episode_component_prop7";
         n.schemaPath = "#/components/schemas/Episode/properties/split";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Episode/properties/split";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 51
+    { // node 73
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(285);
-        n.sourceName = "Episode_component_prop7";
+        n.children.push_back(346);
+        n.sourceName = "Episode_component_prop8";
         n.schemaPath = "#/components/schemas/Episode/properties/status";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Episode/properties/status";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 52
+    { // node 74
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
-        n.sourceName = "Episode_component_prop8";
+        n.sourceName = "Episode_component_prop9";
         n.schemaPath = "#/components/schemas/Episode/properties/task";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Episode/properties/task";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 53
+    { // node 75
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 245;
+        n.items = 301;
         n.sourceName = "EpisodeList_component_prop1";
         n.schemaPath = "#/components/schemas/EpisodeList/properties/episodes";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/EpisodeList/properties/episodes";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 54
+    { // node 76
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -665,7 +928,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 55
+    { // node 77
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -677,7 +940,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 56
+    { // node 78
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -687,7 +950,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 57
+    { // node 79
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -699,7 +962,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 58
+    { // node 80
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -710,7 +973,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 59
+    { // node 81
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -722,18 +985,18 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 60
+    { // node 82
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(302);
+        n.children.push_back(363);
         n.sourceName = "EpisodeResult_component_prop6";
         n.schemaPath = "#/components/schemas/EpisodeResult/properties/outcome";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/EpisodeResult/properties/outcome";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 61
+    { // node 83
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -746,7 +1009,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 62
+    { // node 84
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -759,7 +1022,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 63
+    { // node 85
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -769,7 +1032,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 64
+    { // node 86
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -781,7 +1044,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 65
+    { // node 87
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -791,7 +1054,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 66
+    { // node 88
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 2u;
@@ -801,7 +1064,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 67
+    { // node 89
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -814,7 +1077,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 68
+    { // node 90
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 2u;
@@ -824,7 +1087,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 69
+    { // node 91
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -836,7 +1099,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 70
+    { // node 92
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -846,7 +1109,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 71
+    { // node 93
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -859,7 +1122,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 72
+    { // node 94
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -869,7 +1132,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 73
+    { // node 95
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -881,7 +1144,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 74
+    { // node 96
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -893,7 +1156,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 75
+    { // node 97
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -903,7 +1166,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 76
+    { // node 98
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -913,7 +1176,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 77
+    { // node 99
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -923,7 +1186,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 78
+    { // node 100
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -936,18 +1199,18 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 79
+    { // node 101
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(303);
+        n.children.push_back(364);
         n.sourceName = "GroupScore_component_prop1";
         n.schemaPath = "#/components/schemas/GroupScore/properties/counts";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/GroupScore/properties/counts";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 80
+    { // node 102
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -958,7 +1221,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 81
+    { // node 103
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -969,7 +1232,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 82
+    { // node 104
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -981,7 +1244,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 83
+    { // node 105
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -994,18 +1257,18 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 84
+    { // node 106
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(292);
+        n.children.push_back(353);
         n.sourceName = "Image_component_prop2";
         n.schemaPath = "#/components/schemas/Image/properties/codec";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Image/properties/codec";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 85
+    { // node 107
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1017,7 +1280,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 86
+    { // node 108
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1029,7 +1292,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 87
+    { // node 109
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1041,18 +1304,18 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 88
+    { // node 110
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(292);
+        n.children.push_back(353);
         n.sourceName = "ImageChoice_component_prop1";
         n.schemaPath = "#/components/schemas/ImageChoice/properties/codec";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ImageChoice/properties/codec";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 89
+    { // node 111
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1065,7 +1328,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 90
+    { // node 112
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1078,7 +1341,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 91
+    { // node 113
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1091,7 +1354,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 92
+    { // node 114
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1104,7 +1367,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 93
+    { // node 115
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1117,7 +1380,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 94
+    { // node 116
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1127,18 +1390,18 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 95
+    { // node 117
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 246;
+        n.items = 302;
         n.sourceName = "ImageSpace_component_prop3";
         n.schemaPath = "#/components/schemas/ImageSpace/properties/tasks";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ImageSpace/properties/tasks";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 96
+    { // node 118
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -1149,7 +1412,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 97
+    { // node 119
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -1160,7 +1423,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 98
+    { // node 120
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1171,7 +1434,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 99
+    { // node 121
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -1182,7 +1445,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 100
+    { // node 122
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -1193,7 +1456,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 101
+    { // node 123
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -1204,7 +1467,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 102
+    { // node 124
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1217,7 +1480,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 103
+    { // node 125
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1230,7 +1493,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 104
+    { // node 126
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1243,7 +1506,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 105
+    { // node 127
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1255,85 +1518,85 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 106
+    { // node 128
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
         n.additionalProperties = AdditionalPropertiesKind::schema;
-        n.additionalSchema = 247;
+        n.additionalSchema = 303;
         n.sourceName = "Observation_component_prop1";
         n.schemaPath = "#/components/schemas/Observation/properties/images";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Observation/properties/images";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 107
+    { // node 129
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
         n.additionalProperties = AdditionalPropertiesKind::schema;
-        n.additionalSchema = 248;
+        n.additionalSchema = 304;
         n.sourceName = "Observation_component_prop2";
         n.schemaPath = "#/components/schemas/Observation/properties/state";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Observation/properties/state";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 108
+    { // node 130
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
         n.additionalProperties = AdditionalPropertiesKind::schema;
-        n.additionalSchema = 249;
+        n.additionalSchema = 305;
         n.sourceName = "Observation_component_prop3";
         n.schemaPath = "#/components/schemas/Observation/properties/tensors";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Observation/properties/tensors";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 109
+    { // node 131
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
         n.additionalProperties = AdditionalPropertiesKind::schema;
-        n.additionalSchema = 250;
+        n.additionalSchema = 306;
         n.sourceName = "ObservationSpace_component_prop1";
         n.schemaPath = "#/components/schemas/ObservationSpace/properties/images";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ObservationSpace/properties/images";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 110
+    { // node 132
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
         n.additionalProperties = AdditionalPropertiesKind::schema;
-        n.additionalSchema = 251;
+        n.additionalSchema = 307;
         n.sourceName = "ObservationSpace_component_prop2";
         n.schemaPath = "#/components/schemas/ObservationSpace/properties/state";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ObservationSpace/properties/state";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 111
+    { // node 133
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
         n.additionalProperties = AdditionalPropertiesKind::schema;
-        n.additionalSchema = 252;
+        n.additionalSchema = 308;
         n.sourceName = "ObservationSpace_component_prop3";
         n.schemaPath = "#/components/schemas/ObservationSpace/properties/tensors";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ObservationSpace/properties/tensors";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 112
+    { // node 134
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1344,7 +1607,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 113
+    { // node 135
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1355,7 +1618,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 114
+    { // node 136
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1366,7 +1629,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 115
+    { // node 137
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1377,7 +1640,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 116
+    { // node 138
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1388,7 +1651,66 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 117
+    { // node 139
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.applicator = ApplicatorKind::ref;
+        n.children.push_back(331);
+        n.sourceName = "PolicyDescription_component_prop1";
+        n.schemaPath = "#/components/schemas/PolicyDescription/properties/assumes";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyDescription/properties/assumes";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 140
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 64u;
+        setExact(n.minimum, n.hasMinimum, "1");
+        setExact(n.maximum, n.hasMaximum, "1024");
+        n.annDescription = "\"Most episodes that it plays at a time.\"";
+        n.annFormat = "\"int32\"";
+        n.sourceName = "PolicyDescription_component_prop2";
+        n.schemaPath = "#/components/schemas/PolicyDescription/properties/max_sessions";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyDescription/properties/max_sessions";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 141
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 8u;
+        setExact(n.minLength, n.hasMinLength, "1");
+        setExact(n.maxLength, n.hasMaxLength, "200");
+        n.sourceName = "PolicyDescription_component_prop3";
+        n.schemaPath = "#/components/schemas/PolicyDescription/properties/name";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyDescription/properties/name";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 142
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.applicator = ApplicatorKind::ref;
+        n.children.push_back(376);
+        n.sourceName = "PolicyDescription_component_prop4";
+        n.schemaPath = "#/components/schemas/PolicyDescription/properties/protocol";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyDescription/properties/protocol";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 143
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 8u;
+        setExact(n.maxLength, n.hasMaxLength, "200");
+        n.sourceName = "PolicyDescription_component_prop5";
+        n.schemaPath = "#/components/schemas/PolicyDescription/properties/version";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyDescription/properties/version";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 144
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1399,7 +1721,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 118
+    { // node 145
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1411,7 +1733,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 119
+    { // node 146
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1422,7 +1744,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 120
+    { // node 147
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1433,11 +1755,240 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 121
+    { // node 148
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 64u;
+        setExact(n.minimum, n.hasMinimum, "1");
+        n.annFormat = "\"int32\"";
+        n.sourceName = "PolicyReset_component_prop1";
+        n.schemaPath = "#/components/schemas/PolicyReset/properties/attempt";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyReset/properties/attempt";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 149
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 8u;
+        n.sourceName = "PolicyReset_component_prop2";
+        n.schemaPath = "#/components/schemas/PolicyReset/properties/episode_id";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyReset/properties/episode_id";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 150
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 8u;
+        n.sourceName = "PolicyReset_component_prop3";
+        n.schemaPath = "#/components/schemas/PolicyReset/properties/session_id";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyReset/properties/session_id";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 151
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 8u;
+        setExact(n.minLength, n.hasMinLength, "1");
+        setExact(n.maxLength, n.hasMaxLength, "4096");
+        n.pattern = "^[!-~]+$";
+        n.hasPattern = true;
+        n.annDescription = "\"Sent as bearer token with every call, and shown to nobody.\"";
+        n.sourceName = "PolicyServer_component_prop1";
+        n.schemaPath = "#/components/schemas/PolicyServer/properties/api_key";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServer/properties/api_key";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 152
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 4u;
+        setExact(n.minimum, n.hasMinimum, "0.1");
+        setExact(n.maximum, n.hasMaximum, "600");
+        n.annDescription = "\"Time for one call, from connecting to the last byte of its answer; 30 when absent.\"";
+        n.annFormat = "\"double\"";
+        n.sourceName = "PolicyServer_component_prop2";
+        n.schemaPath = "#/components/schemas/PolicyServer/properties/call_timeout_s";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServer/properties/call_timeout_s";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 153
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 32u;
+        n.hasObjectSchema = true;
+        n.additionalProperties = AdditionalPropertiesKind::schema;
+        n.additionalSchema = 309;
+        setExact(n.maxProperties, n.hasMaxProperties, "32");
+        n.annDescription = "\"Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` alone.\"";
+        n.sourceName = "PolicyServer_component_prop3";
+        n.schemaPath = "#/components/schemas/PolicyServer/properties/generation";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServer/properties/generation";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 154
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 64u;
+        setExact(n.minimum, n.hasMinimum, "1");
+        setExact(n.maximum, n.hasMaximum, "1024");
+        n.annDescription = "\"Most episodes played and calls made at a time; as many as the policy, the run and the server allow when absent.\"";
+        n.annFormat = "\"int32\"";
+        n.sourceName = "PolicyServer_component_prop4";
+        n.schemaPath = "#/components/schemas/PolicyServer/properties/max_concurrent";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServer/properties/max_concurrent";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 155
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 64u;
+        setExact(n.minimum, n.hasMinimum, "0");
+        setExact(n.maximum, n.hasMaximum, "10");
+        n.annDescription = "\"How often a call that was not answered is repeated; 3 when absent.\"";
+        n.annFormat = "\"int32\"";
+        n.sourceName = "PolicyServer_component_prop5";
+        n.schemaPath = "#/components/schemas/PolicyServer/properties/max_retries";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServer/properties/max_retries";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 156
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 8u;
+        setExact(n.minLength, n.hasMinLength, "1");
+        setExact(n.maxLength, n.hasMaxLength, "200");
+        n.annDescription = "\"Which model is asked, where a protocol knows several.\"";
+        n.sourceName = "PolicyServer_component_prop6";
+        n.schemaPath = "#/components/schemas/PolicyServer/properties/model";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServer/properties/model";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 157
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.applicator = ApplicatorKind::ref;
+        n.children.push_back(367);
+        n.sourceName = "PolicyServer_component_prop7";
+        n.schemaPath = "#/components/schemas/PolicyServer/properties/protocol";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServer/properties/protocol";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 158
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 8u;
+        setExact(n.maxLength, n.hasMaxLength, "500");
+        n.pattern = "^https?://[A-Za-z0-9.:_\\[\\]-]+(/[A-Za-z0-9._~%/-]*)?$";
+        n.hasPattern = true;
+        n.annDescription = "\"Base URL, without user, query or fragment; the path of an operation is appended to it.\"";
+        n.sourceName = "PolicyServer_component_prop8";
+        n.schemaPath = "#/components/schemas/PolicyServer/properties/url";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServer/properties/url";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 159
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 4u;
+        n.annFormat = "\"double\"";
+        n.sourceName = "PolicyServerView_component_prop1";
+        n.schemaPath = "#/components/schemas/PolicyServerView/properties/call_timeout_s";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServerView/properties/call_timeout_s";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 160
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 32u;
+        n.hasObjectSchema = true;
+        n.additionalProperties = AdditionalPropertiesKind::schema;
+        n.additionalSchema = 310;
+        n.sourceName = "PolicyServerView_component_prop2";
+        n.schemaPath = "#/components/schemas/PolicyServerView/properties/generation";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServerView/properties/generation";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 161
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 2u;
+        n.sourceName = "PolicyServerView_component_prop3";
+        n.schemaPath = "#/components/schemas/PolicyServerView/properties/has_api_key";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServerView/properties/has_api_key";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 162
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 64u;
+        n.annFormat = "\"int32\"";
+        n.sourceName = "PolicyServerView_component_prop4";
+        n.schemaPath = "#/components/schemas/PolicyServerView/properties/max_concurrent";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServerView/properties/max_concurrent";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 163
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 64u;
+        n.annFormat = "\"int32\"";
+        n.sourceName = "PolicyServerView_component_prop5";
+        n.schemaPath = "#/components/schemas/PolicyServerView/properties/max_retries";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServerView/properties/max_retries";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 164
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 8u;
+        n.sourceName = "PolicyServerView_component_prop6";
+        n.schemaPath = "#/components/schemas/PolicyServerView/properties/model";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServerView/properties/model";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 165
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.applicator = ApplicatorKind::ref;
+        n.children.push_back(367);
+        n.sourceName = "PolicyServerView_component_prop7";
+        n.schemaPath = "#/components/schemas/PolicyServerView/properties/protocol";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServerView/properties/protocol";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 166
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 8u;
+        n.sourceName = "PolicyServerView_component_prop8";
+        n.schemaPath = "#/components/schemas/PolicyServerView/properties/url";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServerView/properties/url";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 167
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 253;
+        n.items = 311;
         setExact(n.minItems, n.hasMinItems, "1");
         n.sourceName = "Predict_component_prop1";
         n.schemaPath = "#/components/schemas/Predict/properties/actions";
@@ -1445,18 +1996,18 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 122
+    { // node 168
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(300);
+        n.children.push_back(361);
         n.sourceName = "Predict_component_prop2";
         n.schemaPath = "#/components/schemas/Predict/properties/observe";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Predict/properties/observe";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 123
+    { // node 169
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1469,7 +2020,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 124
+    { // node 170
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1481,7 +2032,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 125
+    { // node 171
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1492,7 +2043,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 126
+    { // node 172
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1503,29 +2054,29 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 127
+    { // node 173
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(317);
+        n.children.push_back(385);
         n.sourceName = "Problem_component_prop3";
         n.schemaPath = "#/components/schemas/Problem/properties/ended_by";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Problem/properties/ended_by";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 128
+    { // node 174
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 254;
+        n.items = 312;
         n.sourceName = "Problem_component_prop4";
         n.schemaPath = "#/components/schemas/Problem/properties/errors";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Problem/properties/errors";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 129
+    { // node 175
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1537,7 +2088,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 130
+    { // node 176
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1548,7 +2099,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 131
+    { // node 177
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 2u;
@@ -1559,29 +2110,29 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 132
+    { // node 178
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(319);
+        n.children.push_back(387);
         n.sourceName = "Problem_component_prop8";
         n.schemaPath = "#/components/schemas/Problem/properties/side_effects";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Problem/properties/side_effects";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 133
+    { // node 179
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(314);
+        n.children.push_back(382);
         n.sourceName = "Problem_component_prop9";
         n.schemaPath = "#/components/schemas/Problem/properties/state";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Problem/properties/state";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 134
+    { // node 180
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1594,7 +2145,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 135
+    { // node 181
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1604,7 +2155,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 136
+    { // node 182
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1614,7 +2165,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 137
+    { // node 183
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1624,7 +2175,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 138
+    { // node 184
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1635,7 +2186,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 139
+    { // node 185
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1646,7 +2197,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 140
+    { // node 186
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1657,7 +2208,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 141
+    { // node 187
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1669,7 +2220,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 142
+    { // node 188
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1680,7 +2231,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 143
+    { // node 189
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1692,7 +2243,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 144
+    { // node 190
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1704,7 +2255,51 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 145
+    { // node 191
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.applicator = ApplicatorKind::ref;
+        n.children.push_back(333);
+        n.sourceName = "ResetPolicy_component_prop1";
+        n.schemaPath = "#/components/schemas/ResetPolicy/properties/benchmark";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ResetPolicy/properties/benchmark";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 192
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.applicator = ApplicatorKind::ref;
+        n.children.push_back(347);
+        n.sourceName = "ResetPolicy_component_prop2";
+        n.schemaPath = "#/components/schemas/ResetPolicy/properties/episode";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ResetPolicy/properties/episode";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 193
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 8u;
+        n.sourceName = "ResetPolicy_component_prop3";
+        n.schemaPath = "#/components/schemas/ResetPolicy/properties/run_id";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ResetPolicy/properties/run_id";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 194
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 8u;
+        setExact(n.minLength, n.hasMinLength, "1");
+        setExact(n.maxLength, n.hasMaxLength, "128");
+        n.sourceName = "ResetPolicy_component_prop4";
+        n.schemaPath = "#/components/schemas/ResetPolicy/properties/session_id";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ResetPolicy/properties/session_id";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 195
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1714,7 +2309,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 146
+    { // node 196
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1724,7 +2319,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 147
+    { // node 197
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1735,7 +2330,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 148
+    { // node 198
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1746,7 +2341,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 149
+    { // node 199
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -1757,18 +2352,18 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 150
+    { // node 200
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(291);
+        n.children.push_back(352);
         n.sourceName = "Run_component_prop6";
         n.schemaPath = "#/components/schemas/Run/properties/images";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Run/properties/images";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 151
+    { // node 201
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1780,7 +2375,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 152
+    { // node 202
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1793,7 +2388,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 153
+    { // node 203
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -1804,95 +2399,117 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 154
+    { // node 204
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(304);
+        n.children.push_back(381);
         n.sourceName = "Run_component_prop10";
+        n.schemaPath = "#/components/schemas/Run/properties/mode";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Run/properties/mode";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 205
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.applicator = ApplicatorKind::ref;
+        n.children.push_back(366);
+        n.sourceName = "Run_component_prop11";
         n.schemaPath = "#/components/schemas/Run/properties/policy";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Run/properties/policy";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 155
+    { // node 206
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(309);
-        n.sourceName = "Run_component_prop11";
+        n.children.push_back(370);
+        n.sourceName = "Run_component_prop12";
+        n.schemaPath = "#/components/schemas/Run/properties/policy_server";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Run/properties/policy_server";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 207
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.applicator = ApplicatorKind::ref;
+        n.children.push_back(375);
+        n.sourceName = "Run_component_prop13";
         n.schemaPath = "#/components/schemas/Run/properties/progress";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Run/properties/progress";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 156
+    { // node 208
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
         n.annDescription = "\"1 is next; null unless queued.\"";
         n.annFormat = "\"int32\"";
-        n.sourceName = "Run_component_prop12";
+        n.sourceName = "Run_component_prop14";
         n.schemaPath = "#/components/schemas/Run/properties/queue_position";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Run/properties/queue_position";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 157
+    { // node 209
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
         n.annDescription = "\"Why the run is in this state, for people; never null when failed.\"";
-        n.sourceName = "Run_component_prop13";
+        n.sourceName = "Run_component_prop15";
         n.schemaPath = "#/components/schemas/Run/properties/reason";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Run/properties/reason";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 158
+    { // node 210
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 2u;
         n.annDescription = "\"Whether a failed run may be resumed; null in other states.\"";
-        n.sourceName = "Run_component_prop14";
+        n.sourceName = "Run_component_prop16";
         n.schemaPath = "#/components/schemas/Run/properties/retryable";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Run/properties/retryable";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 159
+    { // node 211
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
-        n.sourceName = "Run_component_prop15";
+        n.sourceName = "Run_component_prop17";
         n.schemaPath = "#/components/schemas/Run/properties/run_id";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Run/properties/run_id";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 160
+    { // node 212
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(314);
-        n.sourceName = "Run_component_prop16";
+        n.children.push_back(382);
+        n.sourceName = "Run_component_prop18";
         n.schemaPath = "#/components/schemas/Run/properties/state";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Run/properties/state";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 161
+    { // node 213
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
         n.annFormat = "\"date-time\"";
-        n.sourceName = "Run_component_prop17";
+        n.sourceName = "Run_component_prop19";
         n.schemaPath = "#/components/schemas/Run/properties/updated_at";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Run/properties/updated_at";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 162
+    { // node 214
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1902,18 +2519,18 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 163
+    { // node 215
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 255;
+        n.items = 313;
         n.sourceName = "RunList_component_prop2";
         n.schemaPath = "#/components/schemas/RunList/properties/runs";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/RunList/properties/runs";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 164
+    { // node 216
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1923,33 +2540,33 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 165
+    { // node 217
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
         n.additionalProperties = AdditionalPropertiesKind::schema;
-        n.additionalSchema = 256;
+        n.additionalSchema = 314;
         n.sourceName = "Score_component_prop2";
         n.schemaPath = "#/components/schemas/Score/properties/by_split";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Score/properties/by_split";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 166
+    { // node 218
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
         n.additionalProperties = AdditionalPropertiesKind::schema;
-        n.additionalSchema = 257;
+        n.additionalSchema = 315;
         n.sourceName = "Score_component_prop3";
         n.schemaPath = "#/components/schemas/Score/properties/by_task";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Score/properties/by_task";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 167
+    { // node 219
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 2u;
@@ -1959,18 +2576,18 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 168
+    { // node 220
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(303);
+        n.children.push_back(364);
         n.sourceName = "Score_component_prop5";
         n.schemaPath = "#/components/schemas/Score/properties/counts";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Score/properties/counts";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 169
+    { // node 221
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -1983,7 +2600,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 170
+    { // node 222
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -1995,18 +2612,18 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 171
+    { // node 223
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(295);
+        n.children.push_back(356);
         n.sourceName = "Score_component_prop8";
         n.schemaPath = "#/components/schemas/Score/properties/mean_interval";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Score/properties/mean_interval";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 172
+    { // node 224
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2016,7 +2633,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 173
+    { // node 225
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -2028,7 +2645,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 174
+    { // node 226
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -2039,7 +2656,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 175
+    { // node 227
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -2050,29 +2667,29 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 176
+    { // node 228
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(314);
+        n.children.push_back(382);
         n.sourceName = "Score_component_prop13";
         n.schemaPath = "#/components/schemas/Score/properties/state";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Score/properties/state";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 177
+    { // node 229
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(295);
+        n.children.push_back(356);
         n.sourceName = "Score_component_prop14";
         n.schemaPath = "#/components/schemas/Score/properties/success_interval";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Score/properties/success_interval";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 178
+    { // node 230
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -2083,11 +2700,11 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 179
+    { // node 231
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 258;
+        n.items = 316;
         n.annDescription = "\"Media types of the data plane.\"";
         n.sourceName = "Service_component_prop1";
         n.schemaPath = "#/components/schemas/Service/properties/encodings";
@@ -2095,29 +2712,29 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 180
+    { // node 232
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 259;
+        n.items = 317;
         n.sourceName = "Service_component_prop2";
         n.schemaPath = "#/components/schemas/Service/properties/image_codecs";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Service/properties/image_codecs";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 181
+    { // node 233
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(297);
+        n.children.push_back(358);
         n.sourceName = "Service_component_prop3";
         n.schemaPath = "#/components/schemas/Service/properties/limits";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Service/properties/limits";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 182
+    { // node 234
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2127,30 +2744,30 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 183
+    { // node 235
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 260;
-        n.annDescription = "\"Parts of the protocol offered; `core` may be left out, for it always is. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.\"";
+        n.items = 318;
+        n.annDescription = "\"Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.\"";
         n.sourceName = "Service_component_prop5";
         n.schemaPath = "#/components/schemas/Service/properties/profiles";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Service/properties/profiles";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 184
+    { // node 236
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(310);
+        n.children.push_back(376);
         n.sourceName = "Service_component_prop6";
         n.schemaPath = "#/components/schemas/Service/properties/protocol";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Service/properties/protocol";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 185
+    { // node 237
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2162,7 +2779,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 186
+    { // node 238
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2173,7 +2790,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 187
+    { // node 239
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2183,7 +2800,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 188
+    { // node 240
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2194,7 +2811,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 189
+    { // node 241
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2204,18 +2821,18 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 190
+    { // node 242
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(321);
+        n.children.push_back(389);
         n.sourceName = "StopRun_component_prop1";
         n.schemaPath = "#/components/schemas/StopRun/properties/mode";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/StopRun/properties/mode";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 191
+    { // node 243
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2227,7 +2844,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 192
+    { // node 244
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -2241,18 +2858,18 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 193
+    { // node 245
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(291);
+        n.children.push_back(352);
         n.sourceName = "SubmitRun_component_prop3";
         n.schemaPath = "#/components/schemas/SubmitRun/properties/images";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/SubmitRun/properties/images";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 194
+    { // node 246
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -2266,29 +2883,51 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 195
+    { // node 247
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(279);
+        n.children.push_back(381);
         n.sourceName = "SubmitRun_component_prop5";
+        n.schemaPath = "#/components/schemas/SubmitRun/properties/mode";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/SubmitRun/properties/mode";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 248
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.applicator = ApplicatorKind::ref;
+        n.children.push_back(337);
+        n.sourceName = "SubmitRun_component_prop6";
         n.schemaPath = "#/components/schemas/SubmitRun/properties/options";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/SubmitRun/properties/options";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 196
+    { // node 249
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(304);
-        n.sourceName = "SubmitRun_component_prop6";
+        n.children.push_back(366);
+        n.sourceName = "SubmitRun_component_prop7";
         n.schemaPath = "#/components/schemas/SubmitRun/properties/policy";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/SubmitRun/properties/policy";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 197
+    { // node 250
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.applicator = ApplicatorKind::ref;
+        n.children.push_back(369);
+        n.sourceName = "SubmitRun_component_prop8";
+        n.schemaPath = "#/components/schemas/SubmitRun/properties/policy_server";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/SubmitRun/properties/policy_server";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 251
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2300,29 +2939,29 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 198
+    { // node 252
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(281);
+        n.children.push_back(342);
         n.sourceName = "Tensor_component_prop2";
         n.schemaPath = "#/components/schemas/Tensor/properties/dtype";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Tensor/properties/dtype";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 199
+    { // node 253
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 261;
+        n.items = 319;
         n.sourceName = "Tensor_component_prop3";
         n.schemaPath = "#/components/schemas/Tensor/properties/shape";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Tensor/properties/shape";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 200
+    { // node 254
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2332,40 +2971,40 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 201
+    { // node 255
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(281);
+        n.children.push_back(342);
         n.sourceName = "TensorSpace_component_prop2";
         n.schemaPath = "#/components/schemas/TensorSpace/properties/dtype";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/TensorSpace/properties/dtype";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 202
+    { // node 256
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 262;
+        n.items = 320;
         n.sourceName = "TensorSpace_component_prop3";
         n.schemaPath = "#/components/schemas/TensorSpace/properties/shape";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/TensorSpace/properties/shape";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 203
+    { // node 257
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 263;
+        n.items = 321;
         n.sourceName = "TensorSpace_component_prop4";
         n.schemaPath = "#/components/schemas/TensorSpace/properties/tasks";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/TensorSpace/properties/tasks";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 204
+    { // node 258
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -2378,7 +3017,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 205
+    { // node 259
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -2390,7 +3029,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 206
+    { // node 260
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -2402,7 +3041,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 207
+    { // node 261
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -2414,7 +3053,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 208
+    { // node 262
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -2426,7 +3065,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 209
+    { // node 263
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 2u;
@@ -2437,29 +3076,29 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 210
+    { // node 264
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(286);
+        n.children.push_back(347);
         n.sourceName = "Turn_component_prop2";
         n.schemaPath = "#/components/schemas/Turn/properties/episode";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Turn/properties/episode";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 211
+    { // node 265
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(284);
+        n.children.push_back(345);
         n.sourceName = "Turn_component_prop3";
         n.schemaPath = "#/components/schemas/Turn/properties/episode_result";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Turn/properties/episode_result";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 212
+    { // node 266
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -2471,44 +3110,44 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 213
+    { // node 267
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(287);
+        n.children.push_back(348);
         n.sourceName = "Turn_component_prop5";
         n.schemaPath = "#/components/schemas/Turn/properties/fault";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Turn/properties/fault";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 214
+    { // node 268
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(296);
+        n.children.push_back(357);
         n.sourceName = "Turn_component_prop6";
         n.schemaPath = "#/components/schemas/Turn/properties/lease";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Turn/properties/lease";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 215
+    { // node 269
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(298);
+        n.children.push_back(359);
         n.sourceName = "Turn_component_prop7";
         n.schemaPath = "#/components/schemas/Turn/properties/observation";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Turn/properties/observation";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 216
+    { // node 270
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 264;
+        n.items = 322;
         n.annDescription = "\"With `observe` all, one per executed action.\"";
         n.sourceName = "Turn_component_prop8";
         n.schemaPath = "#/components/schemas/Turn/properties/observations";
@@ -2516,11 +3155,11 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 217
+    { // node 271
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 265;
+        n.items = 323;
         n.annDescription = "\"One per executed action.\"";
         n.sourceName = "Turn_component_prop9";
         n.schemaPath = "#/components/schemas/Turn/properties/rewards";
@@ -2528,7 +3167,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 218
+    { // node 272
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -2540,7 +3179,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 219
+    { // node 273
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2550,7 +3189,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 220
+    { // node 274
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 2u;
@@ -2561,7 +3200,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 221
+    { // node 275
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 2u;
@@ -2572,18 +3211,18 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 222
+    { // node 276
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(327);
+        n.children.push_back(395);
         n.sourceName = "Turn_component_prop14";
         n.schemaPath = "#/components/schemas/Turn/properties/timing";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Turn/properties/timing";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 223
+    { // node 277
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 2u;
@@ -2594,7 +3233,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 224
+    { // node 278
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2605,7 +3244,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 225
+    { // node 279
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2616,7 +3255,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 226
+    { // node 280
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -2628,40 +3267,40 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 227
+    { // node 281
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 266;
+        n.items = 324;
         n.sourceName = "VectorSpace_component_prop4";
         n.schemaPath = "#/components/schemas/VectorSpace/properties/maximum";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/VectorSpace/properties/maximum";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 228
+    { // node 282
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 267;
+        n.items = 325;
         n.sourceName = "VectorSpace_component_prop5";
         n.schemaPath = "#/components/schemas/VectorSpace/properties/minimum";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/VectorSpace/properties/minimum";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 229
+    { // node 283
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(301);
+        n.children.push_back(362);
         n.sourceName = "VectorSpace_component_prop6";
         n.schemaPath = "#/components/schemas/VectorSpace/properties/out_of_range";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/VectorSpace/properties/out_of_range";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 230
+    { // node 284
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 2u;
@@ -2672,18 +3311,18 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 231
+    { // node 285
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(311);
+        n.children.push_back(378);
         n.sourceName = "VectorSpace_component_prop8";
         n.schemaPath = "#/components/schemas/VectorSpace/properties/rotation";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/VectorSpace/properties/rotation";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 232
+    { // node 286
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -2695,11 +3334,11 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 233
+    { // node 287
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 268;
+        n.items = 326;
         n.annDescription = "\"The tasks that have this entry; all of them when absent.\"";
         n.sourceName = "VectorSpace_component_prop10";
         n.schemaPath = "#/components/schemas/VectorSpace/properties/tasks";
@@ -2707,7 +3346,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 234
+    { // node 288
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2718,11 +3357,11 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 235
+    { // node 289
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 269;
+        n.items = 327;
         setExact(n.maxItems, n.hasMaxItems, "4096");
         n.sourceName = "Action_component_prop1_addprops1";
         n.schemaPath = "#/components/schemas/Action/properties/values/additionalProperties";
@@ -2730,62 +3369,62 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 236
+    { // node 290
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(272);
+        n.children.push_back(330);
         n.sourceName = "Assumptions_component_prop1_addprops1";
         n.schemaPath = "#/components/schemas/Assumptions/properties/action/additionalProperties";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Assumptions/properties/action/additionalProperties";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 237
+    { // node 291
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(272);
+        n.children.push_back(330);
         n.sourceName = "Assumptions_component_prop3_addprops1";
         n.schemaPath = "#/components/schemas/Assumptions/properties/state/additionalProperties";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Assumptions/properties/state/additionalProperties";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 238
+    { // node 292
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(329);
+        n.children.push_back(397);
         n.sourceName = "Benchmark_component_prop1_addprops1";
         n.schemaPath = "#/components/schemas/Benchmark/properties/action_space/additionalProperties";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Benchmark/properties/action_space/additionalProperties";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 239
+    { // node 293
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(292);
+        n.children.push_back(353);
         n.sourceName = "Benchmark_component_prop6_items1";
         n.schemaPath = "#/components/schemas/Benchmark/properties/image_codecs/items";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Benchmark/properties/image_codecs/items";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 240
+    { // node 294
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(293);
+        n.children.push_back(354);
         n.sourceName = "Benchmark_component_prop7_items1";
         n.schemaPath = "#/components/schemas/Benchmark/properties/image_sizes/items";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Benchmark/properties/image_sizes/items";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 241
+    { // node 295
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2795,7 +3434,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 242
+    { // node 296
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2805,40 +3444,62 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 243
+    { // node 297
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(277);
+        n.children.push_back(335);
         n.sourceName = "BenchmarkList_component_prop1_items1";
         n.schemaPath = "#/components/schemas/BenchmarkList/properties/benchmarks/items";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/BenchmarkList/properties/benchmarks/items";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 244
+    { // node 298
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(280);
+        n.children.push_back(338);
         n.sourceName = "CalibrationOptions_component_prop6_items1";
         n.schemaPath = "#/components/schemas/CalibrationOptions/properties/tasks/items";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/CalibrationOptions/properties/tasks/items";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 245
+    { // node 299
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(282);
+        n.children.push_back(340);
+        n.sourceName = "ComparedRun_component_prop2_addprops1";
+        n.schemaPath = "#/components/schemas/ComparedRun/properties/by_task/additionalProperties";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedRun/properties/by_task/additionalProperties";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 300
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.applicator = ApplicatorKind::ref;
+        n.children.push_back(339);
+        n.sourceName = "Comparison_component_prop4_items1";
+        n.schemaPath = "#/components/schemas/Comparison/properties/runs/items";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Comparison/properties/runs/items";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 301
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.applicator = ApplicatorKind::ref;
+        n.children.push_back(343);
         n.sourceName = "EpisodeList_component_prop1_items1";
         n.schemaPath = "#/components/schemas/EpisodeList/properties/episodes/items";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/EpisodeList/properties/episodes/items";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 246
+    { // node 302
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2848,128 +3509,150 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 247
+    { // node 303
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(290);
+        n.children.push_back(351);
         n.sourceName = "Observation_component_prop1_addprops1";
         n.schemaPath = "#/components/schemas/Observation/properties/images/additionalProperties";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Observation/properties/images/additionalProperties";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 248
+    { // node 304
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 16u;
-        n.items = 270;
+        n.items = 328;
         n.sourceName = "Observation_component_prop2_addprops1";
         n.schemaPath = "#/components/schemas/Observation/properties/state/additionalProperties";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Observation/properties/state/additionalProperties";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 249
+    { // node 305
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(325);
+        n.children.push_back(393);
         n.sourceName = "Observation_component_prop3_addprops1";
         n.schemaPath = "#/components/schemas/Observation/properties/tensors/additionalProperties";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Observation/properties/tensors/additionalProperties";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 250
+    { // node 306
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(294);
+        n.children.push_back(355);
         n.sourceName = "ObservationSpace_component_prop1_addprops1";
         n.schemaPath = "#/components/schemas/ObservationSpace/properties/images/additionalProperties";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ObservationSpace/properties/images/additionalProperties";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 251
+    { // node 307
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(329);
+        n.children.push_back(397);
         n.sourceName = "ObservationSpace_component_prop2_addprops1";
         n.schemaPath = "#/components/schemas/ObservationSpace/properties/state/additionalProperties";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ObservationSpace/properties/state/additionalProperties";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 252
+    { // node 308
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(326);
+        n.children.push_back(394);
         n.sourceName = "ObservationSpace_component_prop3_addprops1";
         n.schemaPath = "#/components/schemas/ObservationSpace/properties/tensors/additionalProperties";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ObservationSpace/properties/tensors/additionalProperties";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 253
+    { // node 309
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 4u;
+        n.annFormat = "\"double\"";
+        n.sourceName = "PolicyServer_component_prop3_addprops1";
+        n.schemaPath = "#/components/schemas/PolicyServer/properties/generation/additionalProperties";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServer/properties/generation/additionalProperties";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 310
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 4u;
+        n.annFormat = "\"double\"";
+        n.sourceName = "PolicyServerView_component_prop2_addprops1";
+        n.schemaPath = "#/components/schemas/PolicyServerView/properties/generation/additionalProperties";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServerView/properties/generation/additionalProperties";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 311
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(271);
+        n.children.push_back(329);
         n.sourceName = "Predict_component_prop1_items1";
         n.schemaPath = "#/components/schemas/Predict/properties/actions/items";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Predict/properties/actions/items";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 254
+    { // node 312
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(307);
+        n.children.push_back(373);
         n.sourceName = "Problem_component_prop4_items1";
         n.schemaPath = "#/components/schemas/Problem/properties/errors/items";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Problem/properties/errors/items";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 255
+    { // node 313
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(312);
+        n.children.push_back(379);
         n.sourceName = "RunList_component_prop2_items1";
         n.schemaPath = "#/components/schemas/RunList/properties/runs/items";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/RunList/properties/runs/items";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 256
+    { // node 314
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(288);
+        n.children.push_back(349);
         n.sourceName = "Score_component_prop2_addprops1";
         n.schemaPath = "#/components/schemas/Score/properties/by_split/additionalProperties";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Score/properties/by_split/additionalProperties";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 257
+    { // node 315
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(288);
+        n.children.push_back(349);
         n.sourceName = "Score_component_prop3_addprops1";
         n.schemaPath = "#/components/schemas/Score/properties/by_task/additionalProperties";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Score/properties/by_task/additionalProperties";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 258
+    { // node 316
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -2979,29 +3662,29 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 259
+    { // node 317
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(292);
+        n.children.push_back(353);
         n.sourceName = "Service_component_prop2_items1";
         n.schemaPath = "#/components/schemas/Service/properties/image_codecs/items";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Service/properties/image_codecs/items";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 260
+    { // node 318
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(308);
+        n.children.push_back(374);
         n.sourceName = "Service_component_prop5_items1";
         n.schemaPath = "#/components/schemas/Service/properties/profiles/items";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Service/properties/profiles/items";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 261
+    { // node 319
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -3013,7 +3696,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 262
+    { // node 320
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 64u;
@@ -3025,7 +3708,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 263
+    { // node 321
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -3035,18 +3718,18 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 264
+    { // node 322
         SchemaNode n;
         n.resourceIdentity = 0;
         n.applicator = ApplicatorKind::ref;
-        n.children.push_back(298);
+        n.children.push_back(359);
         n.sourceName = "Turn_component_prop8_items1";
         n.schemaPath = "#/components/schemas/Turn/properties/observations/items";
         n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Turn/properties/observations/items";
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 265
+    { // node 323
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -3057,7 +3740,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 266
+    { // node 324
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -3068,7 +3751,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 267
+    { // node 325
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -3079,7 +3762,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 268
+    { // node 326
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -3089,7 +3772,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 269
+    { // node 327
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -3100,7 +3783,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 270
+    { // node 328
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 4u;
@@ -3111,7 +3794,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 271
+    { // node 329
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
@@ -3125,7 +3808,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 272
+    { // node 330
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
@@ -3143,7 +3826,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 273
+    { // node 331
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
@@ -3159,7 +3842,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 274
+    { // node 332
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
@@ -3175,7 +3858,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 275
+    { // node 333
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
@@ -3228,7 +3911,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 276
+    { // node 334
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
@@ -3242,7 +3925,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 277
+    { // node 335
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
@@ -3264,7 +3947,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 278
+    { // node 336
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -3276,7 +3959,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 279
+    { // node 337
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
@@ -3295,7 +3978,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 280
+    { // node 338
         SchemaNode n;
         n.resourceIdentity = 0;
         n.hasEnumJson = true;
@@ -3308,7 +3991,87 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 281
+    { // node 339
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 32u;
+        n.hasObjectSchema = true;
+        { PropertyBinding b; b.name = "baseline_mean"; b.node = 45; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "by_task"; b.node = 46; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "complete"; b.node = 47; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "difference"; b.node = 48; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "losses"; b.node = 49; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "mean"; b.node = 50; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "p_value"; b.node = 51; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "paired"; b.node = 52; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "release"; b.node = 53; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "run_id"; b.node = 54; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "ties"; b.node = 55; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "wins"; b.node = 56; n.properties.push_back(std::move(b)); }
+        n.required.push_back("baseline_mean");
+        n.required.push_back("by_task");
+        n.required.push_back("complete");
+        n.required.push_back("difference");
+        n.required.push_back("losses");
+        n.required.push_back("mean");
+        n.required.push_back("p_value");
+        n.required.push_back("paired");
+        n.required.push_back("release");
+        n.required.push_back("run_id");
+        n.required.push_back("ties");
+        n.required.push_back("wins");
+        n.additionalProperties = AdditionalPropertiesKind::allowed;
+        n.annDescription = "\"One run beside the baseline. A pair is an episode that both have scored.\"";
+        n.sourceName = "ComparedRun_component";
+        n.schemaPath = "#/components/schemas/ComparedRun";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedRun";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 340
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 32u;
+        n.hasObjectSchema = true;
+        { PropertyBinding b; b.name = "baseline_mean"; b.node = 57; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "difference"; b.node = 58; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "mean"; b.node = 59; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "paired"; b.node = 60; n.properties.push_back(std::move(b)); }
+        n.required.push_back("baseline_mean");
+        n.required.push_back("difference");
+        n.required.push_back("mean");
+        n.required.push_back("paired");
+        n.additionalProperties = AdditionalPropertiesKind::allowed;
+        n.sourceName = "ComparedTask_component";
+        n.schemaPath = "#/components/schemas/ComparedTask";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ComparedTask";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 341
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 32u;
+        n.hasObjectSchema = true;
+        { PropertyBinding b; b.name = "baseline"; b.node = 61; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "benchmark_id"; b.node = 62; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "manifest_sha256"; b.node = 63; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "runs"; b.node = 64; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "tolerance"; b.node = 65; n.properties.push_back(std::move(b)); }
+        n.required.push_back("baseline");
+        n.required.push_back("benchmark_id");
+        n.required.push_back("manifest_sha256");
+        n.required.push_back("runs");
+        n.required.push_back("tolerance");
+        n.additionalProperties = AdditionalPropertiesKind::allowed;
+        n.annDescription = "\"See scoring.md for every number here.\"";
+        n.sourceName = "Comparison_component";
+        n.schemaPath = "#/components/schemas/Comparison";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/Comparison";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 342
         SchemaNode n;
         n.resourceIdentity = 0;
         n.hasEnumJson = true;
@@ -3321,19 +4084,20 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 282
+    { // node 343
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "attempt"; b.node = 45; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "episode_id"; b.node = 46; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "faults"; b.node = 47; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "index"; b.node = 48; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "result"; b.node = 49; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "split"; b.node = 50; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "status"; b.node = 51; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "task"; b.node = 52; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "attempt"; b.node = 66; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "episode_id"; b.node = 67; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "faults"; b.node = 68; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "index"; b.node = 69; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "policy_fault"; b.node = 70; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "result"; b.node = 71; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "split"; b.node = 72; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "status"; b.node = 73; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "task"; b.node = 74; n.properties.push_back(std::move(b)); }
         n.required.push_back("attempt");
         n.required.push_back("episode_id");
         n.required.push_back("faults");
@@ -3348,13 +4112,13 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 283
+    { // node 344
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "episodes"; b.node = 53; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "next_cursor"; b.node = 54; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "episodes"; b.node = 75; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "next_cursor"; b.node = 76; n.properties.push_back(std::move(b)); }
         n.required.push_back("episodes");
         n.required.push_back("next_cursor");
         n.additionalProperties = AdditionalPropertiesKind::allowed;
@@ -3364,25 +4128,25 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 284
+    { // node 345
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "attempt"; b.node = 55; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "episode_id"; b.node = 56; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "faults"; b.node = 57; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "finished_at"; b.node = 58; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "index"; b.node = 59; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "outcome"; b.node = 60; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "score"; b.node = 61; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "seed"; b.node = 62; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "split"; b.node = 63; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "steps"; b.node = 64; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "task"; b.node = 65; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "terminated"; b.node = 66; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "think_s"; b.node = 67; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "truncated"; b.node = 68; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "attempt"; b.node = 77; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "episode_id"; b.node = 78; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "faults"; b.node = 79; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "finished_at"; b.node = 80; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "index"; b.node = 81; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "outcome"; b.node = 82; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "score"; b.node = 83; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "seed"; b.node = 84; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "split"; b.node = 85; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "steps"; b.node = 86; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "task"; b.node = 87; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "terminated"; b.node = 88; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "think_s"; b.node = 89; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "truncated"; b.node = 90; n.properties.push_back(std::move(b)); }
         n.required.push_back("attempt");
         n.required.push_back("episode_id");
         n.required.push_back("faults");
@@ -3404,7 +4168,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 285
+    { // node 346
         SchemaNode n;
         n.resourceIdentity = 0;
         n.hasEnumJson = true;
@@ -3417,18 +4181,18 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 286
+    { // node 347
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "attempt"; b.node = 69; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "episode_id"; b.node = 70; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "index"; b.node = 71; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "instruction"; b.node = 72; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "max_steps"; b.node = 73; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "step"; b.node = 74; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "task"; b.node = 75; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "attempt"; b.node = 91; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "episode_id"; b.node = 92; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "index"; b.node = 93; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "instruction"; b.node = 94; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "max_steps"; b.node = 95; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "step"; b.node = 96; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "task"; b.node = 97; n.properties.push_back(std::move(b)); }
         n.required.push_back("attempt");
         n.required.push_back("episode_id");
         n.required.push_back("index");
@@ -3444,14 +4208,14 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 287
+    { // node 348
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "detail"; b.node = 76; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "episode_id"; b.node = 77; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "faults"; b.node = 78; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "detail"; b.node = 98; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "episode_id"; b.node = 99; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "faults"; b.node = 100; n.properties.push_back(std::move(b)); }
         n.required.push_back("detail");
         n.required.push_back("episode_id");
         n.required.push_back("faults");
@@ -3463,14 +4227,14 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 288
+    { // node 349
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "counts"; b.node = 79; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "mean"; b.node = 80; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "success_rate"; b.node = 81; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "counts"; b.node = 101; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "mean"; b.node = 102; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "success_rate"; b.node = 103; n.properties.push_back(std::move(b)); }
         n.required.push_back("counts");
         n.required.push_back("mean");
         n.required.push_back("success_rate");
@@ -3481,12 +4245,12 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 289
+    { // node 350
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "session_id"; b.node = 82; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "session_id"; b.node = 104; n.properties.push_back(std::move(b)); }
         n.required.push_back("session_id");
         n.additionalProperties = AdditionalPropertiesKind::reject;
         n.sourceName = "Heartbeat_component";
@@ -3495,16 +4259,16 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 290
+    { // node 351
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "channels"; b.node = 83; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "codec"; b.node = 84; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "data"; b.node = 85; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "height"; b.node = 86; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "width"; b.node = 87; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "channels"; b.node = 105; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "codec"; b.node = 106; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "data"; b.node = 107; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "height"; b.node = 108; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "width"; b.node = 109; n.properties.push_back(std::move(b)); }
         n.required.push_back("channels");
         n.required.push_back("codec");
         n.required.push_back("data");
@@ -3518,14 +4282,14 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 291
+    { // node 352
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "codec"; b.node = 88; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "height"; b.node = 89; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "width"; b.node = 90; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "codec"; b.node = 110; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "height"; b.node = 111; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "width"; b.node = 112; n.properties.push_back(std::move(b)); }
         n.required.push_back("codec");
         n.required.push_back("height");
         n.required.push_back("width");
@@ -3537,7 +4301,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 292
+    { // node 353
         SchemaNode n;
         n.resourceIdentity = 0;
         n.hasEnumJson = true;
@@ -3550,13 +4314,13 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 293
+    { // node 354
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "height"; b.node = 91; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "width"; b.node = 92; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "height"; b.node = 113; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "width"; b.node = 114; n.properties.push_back(std::move(b)); }
         n.required.push_back("height");
         n.required.push_back("width");
         n.additionalProperties = AdditionalPropertiesKind::reject;
@@ -3566,14 +4330,14 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 294
+    { // node 355
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "channels"; b.node = 93; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "description"; b.node = 94; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "tasks"; b.node = 95; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "channels"; b.node = 115; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "description"; b.node = 116; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "tasks"; b.node = 117; n.properties.push_back(std::move(b)); }
         n.required.push_back("channels");
         n.required.push_back("description");
         n.additionalProperties = AdditionalPropertiesKind::allowed;
@@ -3583,13 +4347,13 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 295
+    { // node 356
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "high"; b.node = 96; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "low"; b.node = 97; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "high"; b.node = 118; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "low"; b.node = 119; n.properties.push_back(std::move(b)); }
         n.required.push_back("high");
         n.required.push_back("low");
         n.additionalProperties = AdditionalPropertiesKind::allowed;
@@ -3600,13 +4364,13 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 296
+    { // node 357
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "expires_at"; b.node = 98; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "idle_timeout_s"; b.node = 99; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "expires_at"; b.node = 120; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "idle_timeout_s"; b.node = 121; n.properties.push_back(std::move(b)); }
         n.required.push_back("expires_at");
         n.required.push_back("idle_timeout_s");
         n.additionalProperties = AdditionalPropertiesKind::allowed;
@@ -3616,17 +4380,17 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 297
+    { // node 358
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "idle_timeout_s_max"; b.node = 100; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "idle_timeout_s_min"; b.node = 101; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "max_body_bytes"; b.node = 102; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "max_chunk"; b.node = 103; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "max_workers"; b.node = 104; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "wait_s_max"; b.node = 105; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "idle_timeout_s_max"; b.node = 122; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "idle_timeout_s_min"; b.node = 123; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "max_body_bytes"; b.node = 124; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "max_chunk"; b.node = 125; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "max_workers"; b.node = 126; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "wait_s_max"; b.node = 127; n.properties.push_back(std::move(b)); }
         n.required.push_back("idle_timeout_s_max");
         n.required.push_back("idle_timeout_s_min");
         n.required.push_back("max_body_bytes");
@@ -3640,14 +4404,14 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 298
+    { // node 359
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "images"; b.node = 106; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "state"; b.node = 107; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "tensors"; b.node = 108; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "images"; b.node = 128; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "state"; b.node = 129; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "tensors"; b.node = 130; n.properties.push_back(std::move(b)); }
         n.required.push_back("images");
         n.required.push_back("state");
         n.required.push_back("tensors");
@@ -3658,14 +4422,14 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 299
+    { // node 360
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "images"; b.node = 109; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "state"; b.node = 110; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "tensors"; b.node = 111; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "images"; b.node = 131; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "state"; b.node = 132; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "tensors"; b.node = 133; n.properties.push_back(std::move(b)); }
         n.required.push_back("images");
         n.required.push_back("state");
         n.required.push_back("tensors");
@@ -3676,7 +4440,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 300
+    { // node 361
         SchemaNode n;
         n.resourceIdentity = 0;
         n.hasEnumJson = true;
@@ -3690,7 +4454,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 301
+    { // node 362
         SchemaNode n;
         n.resourceIdentity = 0;
         n.hasEnumJson = true;
@@ -3703,7 +4467,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 302
+    { // node 363
         SchemaNode n;
         n.resourceIdentity = 0;
         n.hasEnumJson = true;
@@ -3716,16 +4480,16 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 303
+    { // node 364
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "abandoned"; b.node = 112; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "failure"; b.node = 113; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "success"; b.node = 114; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "total"; b.node = 115; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "unscored"; b.node = 116; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "abandoned"; b.node = 134; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "failure"; b.node = 135; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "success"; b.node = 136; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "total"; b.node = 137; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "unscored"; b.node = 138; n.properties.push_back(std::move(b)); }
         n.required.push_back("abandoned");
         n.required.push_back("failure");
         n.required.push_back("success");
@@ -3738,15 +4502,36 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 304
+    { // node 365
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "homepage"; b.node = 117; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "name"; b.node = 118; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "submitter"; b.node = 119; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "version"; b.node = 120; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "assumes"; b.node = 139; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "max_sessions"; b.node = 140; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "name"; b.node = 141; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "protocol"; b.node = 142; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "version"; b.node = 143; n.properties.push_back(std::move(b)); }
+        n.required.push_back("max_sessions");
+        n.required.push_back("name");
+        n.required.push_back("protocol");
+        n.additionalProperties = AdditionalPropertiesKind::allowed;
+        n.annDescription = "\"What a policy server says of itself; see policy.yaml.\"";
+        n.sourceName = "PolicyDescription_component";
+        n.schemaPath = "#/components/schemas/PolicyDescription";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyDescription";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 366
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 32u;
+        n.hasObjectSchema = true;
+        { PropertyBinding b; b.name = "homepage"; b.node = 144; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "name"; b.node = 145; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "submitter"; b.node = 146; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "version"; b.node = 147; n.properties.push_back(std::move(b)); }
         n.required.push_back("name");
         n.additionalProperties = AdditionalPropertiesKind::reject;
         n.sourceName = "PolicyInfo_component";
@@ -3755,15 +4540,98 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 305
+    { // node 367
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.hasEnumJson = true;
+        { ExactJsonValue _exact = parseExactJson(R"OAS0(["proctor","openai_chat"])OAS0");
+          n.enumJsonLexemes = std::move(_exact.lexemes);
+          for (boost::json::value& _e : _exact.value.as_array()) n.enumJson.push_back(std::move(_e)); }
+        n.annDescription = "\"`proctor` is policy.yaml. `openai_chat` asks for a chat completion at `chat/completions` below the URL, for benchmarks that are answered in words.\"";
+        n.sourceName = "PolicyProtocol_component";
+        n.schemaPath = "#/components/schemas/PolicyProtocol";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyProtocol";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 368
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "actions"; b.node = 121; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "observe"; b.node = 122; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "seq"; b.node = 123; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "session_id"; b.node = 124; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "attempt"; b.node = 148; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "episode_id"; b.node = 149; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "session_id"; b.node = 150; n.properties.push_back(std::move(b)); }
+        n.required.push_back("attempt");
+        n.required.push_back("episode_id");
+        n.required.push_back("session_id");
+        n.additionalProperties = AdditionalPropertiesKind::allowed;
+        n.annDescription = "\"The policy is ready for this attempt and no other.\"";
+        n.sourceName = "PolicyReset_component";
+        n.schemaPath = "#/components/schemas/PolicyReset";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyReset";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 369
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 32u;
+        n.hasObjectSchema = true;
+        { PropertyBinding b; b.name = "api_key"; b.node = 151; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "call_timeout_s"; b.node = 152; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "generation"; b.node = 153; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "max_concurrent"; b.node = 154; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "max_retries"; b.node = 155; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "model"; b.node = 156; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "protocol"; b.node = 157; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "url"; b.node = 158; n.properties.push_back(std::move(b)); }
+        n.required.push_back("protocol");
+        n.required.push_back("url");
+        n.additionalProperties = AdditionalPropertiesKind::reject;
+        n.annDescription = "\"Where the server finds the policy of a run with mode `push`, and how it calls it.\"";
+        n.sourceName = "PolicyServer_component";
+        n.schemaPath = "#/components/schemas/PolicyServer";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServer";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 370
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 32u;
+        n.hasObjectSchema = true;
+        { PropertyBinding b; b.name = "call_timeout_s"; b.node = 159; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "generation"; b.node = 160; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "has_api_key"; b.node = 161; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "max_concurrent"; b.node = 162; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "max_retries"; b.node = 163; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "model"; b.node = 164; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "protocol"; b.node = 165; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "url"; b.node = 166; n.properties.push_back(std::move(b)); }
+        n.required.push_back("call_timeout_s");
+        n.required.push_back("has_api_key");
+        n.required.push_back("max_concurrent");
+        n.required.push_back("max_retries");
+        n.required.push_back("protocol");
+        n.required.push_back("url");
+        n.additionalProperties = AdditionalPropertiesKind::allowed;
+        n.annDescription = "\"The policy server of a run with mode `push`, with what was left open filled in, and without its key.\"";
+        n.sourceName = "PolicyServerView_component";
+        n.schemaPath = "#/components/schemas/PolicyServerView";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/PolicyServerView";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 371
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 32u;
+        n.hasObjectSchema = true;
+        { PropertyBinding b; b.name = "actions"; b.node = 167; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "observe"; b.node = 168; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "seq"; b.node = 169; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "session_id"; b.node = 170; n.properties.push_back(std::move(b)); }
         n.required.push_back("actions");
         n.required.push_back("seq");
         n.required.push_back("session_id");
@@ -3774,23 +4642,23 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 306
+    { // node 372
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "code"; b.node = 125; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "detail"; b.node = 126; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "ended_by"; b.node = 127; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "errors"; b.node = 128; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "expected_seq"; b.node = 129; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "requirement"; b.node = 130; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "retryable"; b.node = 131; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "side_effects"; b.node = 132; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "state"; b.node = 133; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "status"; b.node = 134; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "title"; b.node = 135; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "type"; b.node = 136; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "code"; b.node = 171; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "detail"; b.node = 172; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "ended_by"; b.node = 173; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "errors"; b.node = 174; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "expected_seq"; b.node = 175; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "requirement"; b.node = 176; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "retryable"; b.node = 177; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "side_effects"; b.node = 178; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "state"; b.node = 179; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "status"; b.node = 180; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "title"; b.node = 181; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "type"; b.node = 182; n.properties.push_back(std::move(b)); }
         n.required.push_back("code");
         n.required.push_back("detail");
         n.required.push_back("retryable");
@@ -3806,13 +4674,13 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 307
+    { // node 373
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "detail"; b.node = 137; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "pointer"; b.node = 138; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "detail"; b.node = 183; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "pointer"; b.node = 184; n.properties.push_back(std::move(b)); }
         n.required.push_back("detail");
         n.required.push_back("pointer");
         n.additionalProperties = AdditionalPropertiesKind::allowed;
@@ -3822,11 +4690,11 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 308
+    { // node 374
         SchemaNode n;
         n.resourceIdentity = 0;
         n.hasEnumJson = true;
-        { ExactJsonValue _exact = parseExactJson(R"OAS0(["core","msgpack"])OAS0");
+        { ExactJsonValue _exact = parseExactJson(R"OAS0(["core","msgpack","compare","push","ebench","flageval"])OAS0");
           n.enumJsonLexemes = std::move(_exact.lexemes);
           for (boost::json::value& _e : _exact.value.as_array()) n.enumJson.push_back(std::move(_e)); }
         n.sourceName = "Profile_component";
@@ -3835,15 +4703,15 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 309
+    { // node 375
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "episodes_in_progress"; b.node = 139; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "episodes_pending"; b.node = 140; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "episodes_scored"; b.node = 141; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "episodes_total"; b.node = 142; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "episodes_in_progress"; b.node = 185; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "episodes_pending"; b.node = 186; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "episodes_scored"; b.node = 187; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "episodes_total"; b.node = 188; n.properties.push_back(std::move(b)); }
         n.required.push_back("episodes_in_progress");
         n.required.push_back("episodes_pending");
         n.required.push_back("episodes_scored");
@@ -3855,13 +4723,13 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 310
+    { // node 376
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "max"; b.node = 143; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "min"; b.node = 144; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "max"; b.node = 189; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "min"; b.node = 190; n.properties.push_back(std::move(b)); }
         n.required.push_back("max");
         n.required.push_back("min");
         n.additionalProperties = AdditionalPropertiesKind::allowed;
@@ -3871,7 +4739,27 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 311
+    { // node 377
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.typeFlags = 32u;
+        n.hasObjectSchema = true;
+        { PropertyBinding b; b.name = "benchmark"; b.node = 191; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "episode"; b.node = 192; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "run_id"; b.node = 193; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "session_id"; b.node = 194; n.properties.push_back(std::move(b)); }
+        n.required.push_back("benchmark");
+        n.required.push_back("episode");
+        n.required.push_back("session_id");
+        n.additionalProperties = AdditionalPropertiesKind::allowed;
+        n.annDescription = "\"An attempt begins; whatever the policy remembers of this session is over.\"";
+        n.sourceName = "ResetPolicy_component";
+        n.schemaPath = "#/components/schemas/ResetPolicy";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/ResetPolicy";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 378
         SchemaNode n;
         n.resourceIdentity = 0;
         n.hasEnumJson = true;
@@ -3884,28 +4772,30 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 312
+    { // node 379
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "benchmark_id"; b.node = 145; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "benchmark_version"; b.node = 146; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "created_at"; b.node = 147; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "endpoint"; b.node = 148; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "idle_timeout_s"; b.node = 149; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "images"; b.node = 150; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "live_workers"; b.node = 151; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "manifest_sha256"; b.node = 152; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "max_workers"; b.node = 153; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "policy"; b.node = 154; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "progress"; b.node = 155; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "queue_position"; b.node = 156; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "reason"; b.node = 157; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "retryable"; b.node = 158; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "run_id"; b.node = 159; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "state"; b.node = 160; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "updated_at"; b.node = 161; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "benchmark_id"; b.node = 195; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "benchmark_version"; b.node = 196; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "created_at"; b.node = 197; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "endpoint"; b.node = 198; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "idle_timeout_s"; b.node = 199; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "images"; b.node = 200; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "live_workers"; b.node = 201; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "manifest_sha256"; b.node = 202; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "max_workers"; b.node = 203; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "mode"; b.node = 204; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "policy"; b.node = 205; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "policy_server"; b.node = 206; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "progress"; b.node = 207; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "queue_position"; b.node = 208; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "reason"; b.node = 209; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "retryable"; b.node = 210; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "run_id"; b.node = 211; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "state"; b.node = 212; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "updated_at"; b.node = 213; n.properties.push_back(std::move(b)); }
         n.required.push_back("benchmark_id");
         n.required.push_back("benchmark_version");
         n.required.push_back("created_at");
@@ -3930,13 +4820,13 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 313
+    { // node 380
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "next_cursor"; b.node = 162; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "runs"; b.node = 163; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "next_cursor"; b.node = 214; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "runs"; b.node = 215; n.properties.push_back(std::move(b)); }
         n.required.push_back("next_cursor");
         n.required.push_back("runs");
         n.additionalProperties = AdditionalPropertiesKind::allowed;
@@ -3946,7 +4836,21 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 314
+    { // node 381
+        SchemaNode n;
+        n.resourceIdentity = 0;
+        n.hasEnumJson = true;
+        { ExactJsonValue _exact = parseExactJson(R"OAS0(["pull","push"])OAS0");
+          n.enumJsonLexemes = std::move(_exact.lexemes);
+          for (boost::json::value& _e : _exact.value.as_array()) n.enumJson.push_back(std::move(_e)); }
+        n.annDescription = "\"`pull` when absent: workers attach and predict. `push`: the server calls the policy itself, and workers of the run are its own.\"";
+        n.sourceName = "RunMode_component";
+        n.schemaPath = "#/components/schemas/RunMode";
+        n.absSchemaUri = "urn:openapi-generator:cpp-boost-beast:schema#/components/schemas/RunMode";
+        reg.nodes.push_back(std::move(n));
+    }
+
+    { // node 382
         SchemaNode n;
         n.resourceIdentity = 0;
         n.hasEnumJson = true;
@@ -3959,26 +4863,26 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 315
+    { // node 383
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "benchmark_id"; b.node = 164; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "by_split"; b.node = 165; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "by_task"; b.node = 166; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "complete"; b.node = 167; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "counts"; b.node = 168; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "manifest_sha256"; b.node = 169; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "mean"; b.node = 170; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "mean_interval"; b.node = 171; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "run_id"; b.node = 172; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "score"; b.node = 173; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "score_high"; b.node = 174; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "score_low"; b.node = 175; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "state"; b.node = 176; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "success_interval"; b.node = 177; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "success_rate"; b.node = 178; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "benchmark_id"; b.node = 216; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "by_split"; b.node = 217; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "by_task"; b.node = 218; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "complete"; b.node = 219; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "counts"; b.node = 220; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "manifest_sha256"; b.node = 221; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "mean"; b.node = 222; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "mean_interval"; b.node = 223; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "run_id"; b.node = 224; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "score"; b.node = 225; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "score_high"; b.node = 226; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "score_low"; b.node = 227; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "state"; b.node = 228; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "success_interval"; b.node = 229; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "success_rate"; b.node = 230; n.properties.push_back(std::move(b)); }
         n.required.push_back("benchmark_id");
         n.required.push_back("by_split");
         n.required.push_back("by_task");
@@ -4002,19 +4906,19 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 316
+    { // node 384
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "encodings"; b.node = 179; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "image_codecs"; b.node = 180; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "limits"; b.node = 181; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "name"; b.node = 182; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "profiles"; b.node = 183; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "protocol"; b.node = 184; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "server_time"; b.node = 185; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "version"; b.node = 186; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "encodings"; b.node = 231; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "image_codecs"; b.node = 232; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "limits"; b.node = 233; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "name"; b.node = 234; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "profiles"; b.node = 235; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "protocol"; b.node = 236; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "server_time"; b.node = 237; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "version"; b.node = 238; n.properties.push_back(std::move(b)); }
         n.required.push_back("encodings");
         n.required.push_back("image_codecs");
         n.required.push_back("limits");
@@ -4031,7 +4935,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 317
+    { // node 385
         SchemaNode n;
         n.resourceIdentity = 0;
         n.hasEnumJson = true;
@@ -4045,7 +4949,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 318
+    { // node 386
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 8u;
@@ -4058,7 +4962,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 319
+    { // node 387
         SchemaNode n;
         n.resourceIdentity = 0;
         n.hasEnumJson = true;
@@ -4071,14 +4975,14 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 320
+    { // node 388
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "name"; b.node = 187; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "quality"; b.node = 188; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "version"; b.node = 189; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "name"; b.node = 239; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "quality"; b.node = 240; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "version"; b.node = 241; n.properties.push_back(std::move(b)); }
         n.required.push_back("name");
         n.required.push_back("version");
         n.additionalProperties = AdditionalPropertiesKind::allowed;
@@ -4088,7 +4992,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 321
+    { // node 389
         SchemaNode n;
         n.resourceIdentity = 0;
         n.hasEnumJson = true;
@@ -4102,12 +5006,12 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 322
+    { // node 390
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "mode"; b.node = 190; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "mode"; b.node = 242; n.properties.push_back(std::move(b)); }
         n.additionalProperties = AdditionalPropertiesKind::reject;
         n.sourceName = "StopRun_component";
         n.schemaPath = "#/components/schemas/StopRun";
@@ -4115,17 +5019,19 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 323
+    { // node 391
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "benchmark_id"; b.node = 191; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "idle_timeout_s"; b.node = 192; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "images"; b.node = 193; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "max_workers"; b.node = 194; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "options"; b.node = 195; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "policy"; b.node = 196; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "benchmark_id"; b.node = 243; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "idle_timeout_s"; b.node = 244; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "images"; b.node = 245; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "max_workers"; b.node = 246; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "mode"; b.node = 247; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "options"; b.node = 248; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "policy"; b.node = 249; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "policy_server"; b.node = 250; n.properties.push_back(std::move(b)); }
         n.required.push_back("benchmark_id");
         n.required.push_back("policy");
         n.additionalProperties = AdditionalPropertiesKind::reject;
@@ -4135,7 +5041,7 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 324
+    { // node 392
         SchemaNode n;
         n.resourceIdentity = 0;
         n.hasEnumJson = true;
@@ -4148,14 +5054,14 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 325
+    { // node 393
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "data"; b.node = 197; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "dtype"; b.node = 198; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "shape"; b.node = 199; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "data"; b.node = 251; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "dtype"; b.node = 252; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "shape"; b.node = 253; n.properties.push_back(std::move(b)); }
         n.required.push_back("data");
         n.required.push_back("dtype");
         n.required.push_back("shape");
@@ -4167,15 +5073,15 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 326
+    { // node 394
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "description"; b.node = 200; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "dtype"; b.node = 201; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "shape"; b.node = 202; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "tasks"; b.node = 203; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "description"; b.node = 254; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "dtype"; b.node = 255; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "shape"; b.node = 256; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "tasks"; b.node = 257; n.properties.push_back(std::move(b)); }
         n.required.push_back("description");
         n.required.push_back("dtype");
         n.required.push_back("shape");
@@ -4186,16 +5092,16 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 327
+    { // node 395
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "encode_s"; b.node = 204; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "queue_s"; b.node = 205; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "render_s"; b.node = 206; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "simulate_s"; b.node = 207; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "total_s"; b.node = 208; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "encode_s"; b.node = 258; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "queue_s"; b.node = 259; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "render_s"; b.node = 260; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "simulate_s"; b.node = 261; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "total_s"; b.node = 262; n.properties.push_back(std::move(b)); }
         n.required.push_back("encode_s");
         n.required.push_back("queue_s");
         n.required.push_back("render_s");
@@ -4209,26 +5115,26 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 328
+    { // node 396
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "done"; b.node = 209; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "episode"; b.node = 210; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "episode_result"; b.node = 211; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "executed_steps"; b.node = 212; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "fault"; b.node = 213; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "lease"; b.node = 214; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "observation"; b.node = 215; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "observations"; b.node = 216; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "rewards"; b.node = 217; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "seq"; b.node = 218; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "session_id"; b.node = 219; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "stopped_early"; b.node = 220; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "terminated"; b.node = 221; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "timing"; b.node = 222; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "truncated"; b.node = 223; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "done"; b.node = 263; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "episode"; b.node = 264; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "episode_result"; b.node = 265; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "executed_steps"; b.node = 266; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "fault"; b.node = 267; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "lease"; b.node = 268; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "observation"; b.node = 269; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "observations"; b.node = 270; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "rewards"; b.node = 271; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "seq"; b.node = 272; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "session_id"; b.node = 273; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "stopped_early"; b.node = 274; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "terminated"; b.node = 275; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "timing"; b.node = 276; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "truncated"; b.node = 277; n.properties.push_back(std::move(b)); }
         n.required.push_back("done");
         n.required.push_back("executed_steps");
         n.required.push_back("lease");
@@ -4247,22 +5153,22 @@ SchemaResourceRegistry buildRegistry() {
         reg.nodes.push_back(std::move(n));
     }
 
-    { // node 329
+    { // node 397
         SchemaNode n;
         n.resourceIdentity = 0;
         n.typeFlags = 32u;
         n.hasObjectSchema = true;
-        { PropertyBinding b; b.name = "description"; b.node = 224; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "frame"; b.node = 225; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "gripper_open"; b.node = 226; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "maximum"; b.node = 227; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "minimum"; b.node = 228; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "out_of_range"; b.node = 229; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "relative"; b.node = 230; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "rotation"; b.node = 231; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "size"; b.node = 232; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "tasks"; b.node = 233; n.properties.push_back(std::move(b)); }
-        { PropertyBinding b; b.name = "unit"; b.node = 234; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "description"; b.node = 278; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "frame"; b.node = 279; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "gripper_open"; b.node = 280; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "maximum"; b.node = 281; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "minimum"; b.node = 282; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "out_of_range"; b.node = 283; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "relative"; b.node = 284; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "rotation"; b.node = 285; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "size"; b.node = 286; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "tasks"; b.node = 287; n.properties.push_back(std::move(b)); }
+        { PropertyBinding b; b.name = "unit"; b.node = 288; n.properties.push_back(std::move(b)); }
         n.required.push_back("frame");
         n.required.push_back("out_of_range");
         n.required.push_back("relative");
@@ -4339,291 +5245,359 @@ SchemaIndex schemaNodeFor(std::string const& id) {
     if (id == "CalibrationOptions_component_prop4") return 42;
     if (id == "CalibrationOptions_component_prop5") return 43;
     if (id == "CalibrationOptions_component_prop6") return 44;
-    if (id == "Episode_component_prop1") return 45;
-    if (id == "Episode_component_prop2") return 46;
-    if (id == "Episode_component_prop3") return 47;
-    if (id == "Episode_component_prop4") return 48;
-    if (id == "Episode_component_prop5") return 49;
-    if (id == "Episode_component_prop6") return 50;
-    if (id == "Episode_component_prop7") return 51;
-    if (id == "Episode_component_prop8") return 52;
-    if (id == "EpisodeList_component_prop1") return 53;
-    if (id == "EpisodeList_component_prop2") return 54;
-    if (id == "EpisodeResult_component_prop1") return 55;
-    if (id == "EpisodeResult_component_prop2") return 56;
-    if (id == "EpisodeResult_component_prop3") return 57;
-    if (id == "EpisodeResult_component_prop4") return 58;
-    if (id == "EpisodeResult_component_prop5") return 59;
-    if (id == "EpisodeResult_component_prop6") return 60;
-    if (id == "EpisodeResult_component_prop7") return 61;
-    if (id == "EpisodeResult_component_prop8") return 62;
-    if (id == "EpisodeResult_component_prop9") return 63;
-    if (id == "EpisodeResult_component_prop10") return 64;
-    if (id == "EpisodeResult_component_prop11") return 65;
-    if (id == "EpisodeResult_component_prop12") return 66;
-    if (id == "EpisodeResult_component_prop13") return 67;
-    if (id == "EpisodeResult_component_prop14") return 68;
-    if (id == "EpisodeView_component_prop1") return 69;
-    if (id == "EpisodeView_component_prop2") return 70;
-    if (id == "EpisodeView_component_prop3") return 71;
-    if (id == "EpisodeView_component_prop4") return 72;
-    if (id == "EpisodeView_component_prop5") return 73;
-    if (id == "EpisodeView_component_prop6") return 74;
-    if (id == "EpisodeView_component_prop7") return 75;
-    if (id == "Fault_component_prop1") return 76;
-    if (id == "Fault_component_prop2") return 77;
-    if (id == "Fault_component_prop3") return 78;
-    if (id == "GroupScore_component_prop1") return 79;
-    if (id == "GroupScore_component_prop2") return 80;
-    if (id == "GroupScore_component_prop3") return 81;
-    if (id == "Heartbeat_component_prop1") return 82;
-    if (id == "Image_component_prop1") return 83;
-    if (id == "Image_component_prop2") return 84;
-    if (id == "Image_component_prop3") return 85;
-    if (id == "Image_component_prop4") return 86;
-    if (id == "Image_component_prop5") return 87;
-    if (id == "ImageChoice_component_prop1") return 88;
-    if (id == "ImageChoice_component_prop2") return 89;
-    if (id == "ImageChoice_component_prop3") return 90;
-    if (id == "ImageSize_component_prop1") return 91;
-    if (id == "ImageSize_component_prop2") return 92;
-    if (id == "ImageSpace_component_prop1") return 93;
-    if (id == "ImageSpace_component_prop2") return 94;
-    if (id == "ImageSpace_component_prop3") return 95;
-    if (id == "Interval_component_prop1") return 96;
-    if (id == "Interval_component_prop2") return 97;
-    if (id == "Lease_component_prop1") return 98;
-    if (id == "Lease_component_prop2") return 99;
-    if (id == "Limits_component_prop1") return 100;
-    if (id == "Limits_component_prop2") return 101;
-    if (id == "Limits_component_prop3") return 102;
-    if (id == "Limits_component_prop4") return 103;
-    if (id == "Limits_component_prop5") return 104;
-    if (id == "Limits_component_prop6") return 105;
-    if (id == "Observation_component_prop1") return 106;
-    if (id == "Observation_component_prop2") return 107;
-    if (id == "Observation_component_prop3") return 108;
-    if (id == "ObservationSpace_component_prop1") return 109;
-    if (id == "ObservationSpace_component_prop2") return 110;
-    if (id == "ObservationSpace_component_prop3") return 111;
-    if (id == "OutcomeCounts_component_prop1") return 112;
-    if (id == "OutcomeCounts_component_prop2") return 113;
-    if (id == "OutcomeCounts_component_prop3") return 114;
-    if (id == "OutcomeCounts_component_prop4") return 115;
-    if (id == "OutcomeCounts_component_prop5") return 116;
-    if (id == "PolicyInfo_component_prop1") return 117;
-    if (id == "PolicyInfo_component_prop2") return 118;
-    if (id == "PolicyInfo_component_prop3") return 119;
-    if (id == "PolicyInfo_component_prop4") return 120;
-    if (id == "Predict_component_prop1") return 121;
-    if (id == "Predict_component_prop2") return 122;
-    if (id == "Predict_component_prop3") return 123;
-    if (id == "Predict_component_prop4") return 124;
-    if (id == "Problem_component_prop1") return 125;
-    if (id == "Problem_component_prop2") return 126;
-    if (id == "Problem_component_prop3") return 127;
-    if (id == "Problem_component_prop4") return 128;
-    if (id == "Problem_component_prop5") return 129;
-    if (id == "Problem_component_prop6") return 130;
-    if (id == "Problem_component_prop7") return 131;
-    if (id == "Problem_component_prop8") return 132;
-    if (id == "Problem_component_prop9") return 133;
-    if (id == "Problem_component_prop10") return 134;
-    if (id == "Problem_component_prop11") return 135;
-    if (id == "Problem_component_prop12") return 136;
-    if (id == "ProblemItem_component_prop1") return 137;
-    if (id == "ProblemItem_component_prop2") return 138;
-    if (id == "Progress_component_prop1") return 139;
-    if (id == "Progress_component_prop2") return 140;
-    if (id == "Progress_component_prop3") return 141;
-    if (id == "Progress_component_prop4") return 142;
-    if (id == "ProtocolRange_component_prop1") return 143;
-    if (id == "ProtocolRange_component_prop2") return 144;
-    if (id == "Run_component_prop1") return 145;
-    if (id == "Run_component_prop2") return 146;
-    if (id == "Run_component_prop3") return 147;
-    if (id == "Run_component_prop4") return 148;
-    if (id == "Run_component_prop5") return 149;
-    if (id == "Run_component_prop6") return 150;
-    if (id == "Run_component_prop7") return 151;
-    if (id == "Run_component_prop8") return 152;
-    if (id == "Run_component_prop9") return 153;
-    if (id == "Run_component_prop10") return 154;
-    if (id == "Run_component_prop11") return 155;
-    if (id == "Run_component_prop12") return 156;
-    if (id == "Run_component_prop13") return 157;
-    if (id == "Run_component_prop14") return 158;
-    if (id == "Run_component_prop15") return 159;
-    if (id == "Run_component_prop16") return 160;
-    if (id == "Run_component_prop17") return 161;
-    if (id == "RunList_component_prop1") return 162;
-    if (id == "RunList_component_prop2") return 163;
-    if (id == "Score_component_prop1") return 164;
-    if (id == "Score_component_prop2") return 165;
-    if (id == "Score_component_prop3") return 166;
-    if (id == "Score_component_prop4") return 167;
-    if (id == "Score_component_prop5") return 168;
-    if (id == "Score_component_prop6") return 169;
-    if (id == "Score_component_prop7") return 170;
-    if (id == "Score_component_prop8") return 171;
-    if (id == "Score_component_prop9") return 172;
-    if (id == "Score_component_prop10") return 173;
-    if (id == "Score_component_prop11") return 174;
-    if (id == "Score_component_prop12") return 175;
-    if (id == "Score_component_prop13") return 176;
-    if (id == "Score_component_prop14") return 177;
-    if (id == "Score_component_prop15") return 178;
-    if (id == "Service_component_prop1") return 179;
-    if (id == "Service_component_prop2") return 180;
-    if (id == "Service_component_prop3") return 181;
-    if (id == "Service_component_prop4") return 182;
-    if (id == "Service_component_prop5") return 183;
-    if (id == "Service_component_prop6") return 184;
-    if (id == "Service_component_prop7") return 185;
-    if (id == "Service_component_prop8") return 186;
-    if (id == "SimulatorInfo_component_prop1") return 187;
-    if (id == "SimulatorInfo_component_prop2") return 188;
-    if (id == "SimulatorInfo_component_prop3") return 189;
-    if (id == "StopRun_component_prop1") return 190;
-    if (id == "SubmitRun_component_prop1") return 191;
-    if (id == "SubmitRun_component_prop2") return 192;
-    if (id == "SubmitRun_component_prop3") return 193;
-    if (id == "SubmitRun_component_prop4") return 194;
-    if (id == "SubmitRun_component_prop5") return 195;
-    if (id == "SubmitRun_component_prop6") return 196;
-    if (id == "Tensor_component_prop1") return 197;
-    if (id == "Tensor_component_prop2") return 198;
-    if (id == "Tensor_component_prop3") return 199;
-    if (id == "TensorSpace_component_prop1") return 200;
-    if (id == "TensorSpace_component_prop2") return 201;
-    if (id == "TensorSpace_component_prop3") return 202;
-    if (id == "TensorSpace_component_prop4") return 203;
-    if (id == "Timing_component_prop1") return 204;
-    if (id == "Timing_component_prop2") return 205;
-    if (id == "Timing_component_prop3") return 206;
-    if (id == "Timing_component_prop4") return 207;
-    if (id == "Timing_component_prop5") return 208;
-    if (id == "Turn_component_prop1") return 209;
-    if (id == "Turn_component_prop2") return 210;
-    if (id == "Turn_component_prop3") return 211;
-    if (id == "Turn_component_prop4") return 212;
-    if (id == "Turn_component_prop5") return 213;
-    if (id == "Turn_component_prop6") return 214;
-    if (id == "Turn_component_prop7") return 215;
-    if (id == "Turn_component_prop8") return 216;
-    if (id == "Turn_component_prop9") return 217;
-    if (id == "Turn_component_prop10") return 218;
-    if (id == "Turn_component_prop11") return 219;
-    if (id == "Turn_component_prop12") return 220;
-    if (id == "Turn_component_prop13") return 221;
-    if (id == "Turn_component_prop14") return 222;
-    if (id == "Turn_component_prop15") return 223;
-    if (id == "VectorSpace_component_prop1") return 224;
-    if (id == "VectorSpace_component_prop2") return 225;
-    if (id == "VectorSpace_component_prop3") return 226;
-    if (id == "VectorSpace_component_prop4") return 227;
-    if (id == "VectorSpace_component_prop5") return 228;
-    if (id == "VectorSpace_component_prop6") return 229;
-    if (id == "VectorSpace_component_prop7") return 230;
-    if (id == "VectorSpace_component_prop8") return 231;
-    if (id == "VectorSpace_component_prop9") return 232;
-    if (id == "VectorSpace_component_prop10") return 233;
-    if (id == "VectorSpace_component_prop11") return 234;
-    if (id == "Action_component_prop1_addprops1") return 235;
-    if (id == "Assumptions_component_prop1_addprops1") return 236;
-    if (id == "Assumptions_component_prop3_addprops1") return 237;
-    if (id == "Benchmark_component_prop1_addprops1") return 238;
-    if (id == "Benchmark_component_prop6_items1") return 239;
-    if (id == "Benchmark_component_prop7_items1") return 240;
-    if (id == "Benchmark_component_prop15_items1") return 241;
-    if (id == "Benchmark_component_prop17_items1") return 242;
-    if (id == "BenchmarkList_component_prop1_items1") return 243;
-    if (id == "CalibrationOptions_component_prop6_items1") return 244;
-    if (id == "EpisodeList_component_prop1_items1") return 245;
-    if (id == "ImageSpace_component_prop3_items1") return 246;
-    if (id == "Observation_component_prop1_addprops1") return 247;
-    if (id == "Observation_component_prop2_addprops1") return 248;
-    if (id == "Observation_component_prop3_addprops1") return 249;
-    if (id == "ObservationSpace_component_prop1_addprops1") return 250;
-    if (id == "ObservationSpace_component_prop2_addprops1") return 251;
-    if (id == "ObservationSpace_component_prop3_addprops1") return 252;
-    if (id == "Predict_component_prop1_items1") return 253;
-    if (id == "Problem_component_prop4_items1") return 254;
-    if (id == "RunList_component_prop2_items1") return 255;
-    if (id == "Score_component_prop2_addprops1") return 256;
-    if (id == "Score_component_prop3_addprops1") return 257;
-    if (id == "Service_component_prop1_items1") return 258;
-    if (id == "Service_component_prop2_items1") return 259;
-    if (id == "Service_component_prop5_items1") return 260;
-    if (id == "Tensor_component_prop3_items1") return 261;
-    if (id == "TensorSpace_component_prop3_items1") return 262;
-    if (id == "TensorSpace_component_prop4_items1") return 263;
-    if (id == "Turn_component_prop8_items1") return 264;
-    if (id == "Turn_component_prop9_items1") return 265;
-    if (id == "VectorSpace_component_prop4_items1") return 266;
-    if (id == "VectorSpace_component_prop5_items1") return 267;
-    if (id == "VectorSpace_component_prop10_items1") return 268;
-    if (id == "Action_component_prop1_addprops1_items1") return 269;
-    if (id == "Observation_component_prop2_addprops1_items1") return 270;
-    if (id == "Action_component") return 271;
-    if (id == "Assumption_component") return 272;
-    if (id == "Assumptions_component") return 273;
-    if (id == "AttachWorker_component") return 274;
-    if (id == "Benchmark_component") return 275;
-    if (id == "BenchmarkList_component") return 276;
-    if (id == "BenchmarkSummary_component") return 277;
-    if (id == "Blob_component") return 278;
-    if (id == "CalibrationOptions_component") return 279;
-    if (id == "CalibrationTask_component") return 280;
-    if (id == "Dtype_component") return 281;
-    if (id == "Episode_component") return 282;
-    if (id == "EpisodeList_component") return 283;
-    if (id == "EpisodeResult_component") return 284;
-    if (id == "EpisodeStatus_component") return 285;
-    if (id == "EpisodeView_component") return 286;
-    if (id == "Fault_component") return 287;
-    if (id == "GroupScore_component") return 288;
-    if (id == "Heartbeat_component") return 289;
-    if (id == "Image_component") return 290;
-    if (id == "ImageChoice_component") return 291;
-    if (id == "ImageCodec_component") return 292;
-    if (id == "ImageSize_component") return 293;
-    if (id == "ImageSpace_component") return 294;
-    if (id == "Interval_component") return 295;
-    if (id == "Lease_component") return 296;
-    if (id == "Limits_component") return 297;
-    if (id == "Observation_component") return 298;
-    if (id == "ObservationSpace_component") return 299;
-    if (id == "Observe_component") return 300;
-    if (id == "OutOfRange_component") return 301;
-    if (id == "Outcome_component") return 302;
-    if (id == "OutcomeCounts_component") return 303;
-    if (id == "PolicyInfo_component") return 304;
-    if (id == "Predict_component") return 305;
-    if (id == "Problem_component") return 306;
-    if (id == "ProblemItem_component") return 307;
-    if (id == "Profile_component") return 308;
-    if (id == "Progress_component") return 309;
-    if (id == "ProtocolRange_component") return 310;
-    if (id == "Rotation_component") return 311;
-    if (id == "Run_component") return 312;
-    if (id == "RunList_component") return 313;
-    if (id == "RunState_component") return 314;
-    if (id == "Score_component") return 315;
-    if (id == "Service_component") return 316;
-    if (id == "SessionEnd_component") return 317;
-    if (id == "Sha256_component") return 318;
-    if (id == "SideEffects_component") return 319;
-    if (id == "SimulatorInfo_component") return 320;
-    if (id == "StopMode_component") return 321;
-    if (id == "StopRun_component") return 322;
-    if (id == "SubmitRun_component") return 323;
-    if (id == "SuccessRule_component") return 324;
-    if (id == "Tensor_component") return 325;
-    if (id == "TensorSpace_component") return 326;
-    if (id == "Timing_component") return 327;
-    if (id == "Turn_component") return 328;
-    if (id == "VectorSpace_component") return 329;
+    if (id == "ComparedRun_component_prop1") return 45;
+    if (id == "ComparedRun_component_prop2") return 46;
+    if (id == "ComparedRun_component_prop3") return 47;
+    if (id == "ComparedRun_component_prop4") return 48;
+    if (id == "ComparedRun_component_prop5") return 49;
+    if (id == "ComparedRun_component_prop6") return 50;
+    if (id == "ComparedRun_component_prop7") return 51;
+    if (id == "ComparedRun_component_prop8") return 52;
+    if (id == "ComparedRun_component_prop9") return 53;
+    if (id == "ComparedRun_component_prop10") return 54;
+    if (id == "ComparedRun_component_prop11") return 55;
+    if (id == "ComparedRun_component_prop12") return 56;
+    if (id == "ComparedTask_component_prop1") return 57;
+    if (id == "ComparedTask_component_prop2") return 58;
+    if (id == "ComparedTask_component_prop3") return 59;
+    if (id == "ComparedTask_component_prop4") return 60;
+    if (id == "Comparison_component_prop1") return 61;
+    if (id == "Comparison_component_prop2") return 62;
+    if (id == "Comparison_component_prop3") return 63;
+    if (id == "Comparison_component_prop4") return 64;
+    if (id == "Comparison_component_prop5") return 65;
+    if (id == "Episode_component_prop1") return 66;
+    if (id == "Episode_component_prop2") return 67;
+    if (id == "Episode_component_prop3") return 68;
+    if (id == "Episode_component_prop4") return 69;
+    if (id == "Episode_component_prop5") return 70;
+    if (id == "Episode_component_prop6") return 71;
+    if (id == "Episode_component_prop7") return 72;
+    if (id == "Episode_component_prop8") return 73;
+    if (id == "Episode_component_prop9") return 74;
+    if (id == "EpisodeList_component_prop1") return 75;
+    if (id == "EpisodeList_component_prop2") return 76;
+    if (id == "EpisodeResult_component_prop1") return 77;
+    if (id == "EpisodeResult_component_prop2") return 78;
+    if (id == "EpisodeResult_component_prop3") return 79;
+    if (id == "EpisodeResult_component_prop4") return 80;
+    if (id == "EpisodeResult_component_prop5") return 81;
+    if (id == "EpisodeResult_component_prop6") return 82;
+    if (id == "EpisodeResult_component_prop7") return 83;
+    if (id == "EpisodeResult_component_prop8") return 84;
+    if (id == "EpisodeResult_component_prop9") return 85;
+    if (id == "EpisodeResult_component_prop10") return 86;
+    if (id == "EpisodeResult_component_prop11") return 87;
+    if (id == "EpisodeResult_component_prop12") return 88;
+    if (id == "EpisodeResult_component_prop13") return 89;
+    if (id == "EpisodeResult_component_prop14") return 90;
+    if (id == "EpisodeView_component_prop1") return 91;
+    if (id == "EpisodeView_component_prop2") return 92;
+    if (id == "EpisodeView_component_prop3") return 93;
+    if (id == "EpisodeView_component_prop4") return 94;
+    if (id == "EpisodeView_component_prop5") return 95;
+    if (id == "EpisodeView_component_prop6") return 96;
+    if (id == "EpisodeView_component_prop7") return 97;
+    if (id == "Fault_component_prop1") return 98;
+    if (id == "Fault_component_prop2") return 99;
+    if (id == "Fault_component_prop3") return 100;
+    if (id == "GroupScore_component_prop1") return 101;
+    if (id == "GroupScore_component_prop2") return 102;
+    if (id == "GroupScore_component_prop3") return 103;
+    if (id == "Heartbeat_component_prop1") return 104;
+    if (id == "Image_component_prop1") return 105;
+    if (id == "Image_component_prop2") return 106;
+    if (id == "Image_component_prop3") return 107;
+    if (id == "Image_component_prop4") return 108;
+    if (id == "Image_component_prop5") return 109;
+    if (id == "ImageChoice_component_prop1") return 110;
+    if (id == "ImageChoice_component_prop2") return 111;
+    if (id == "ImageChoice_component_prop3") return 112;
+    if (id == "ImageSize_component_prop1") return 113;
+    if (id == "ImageSize_component_prop2") return 114;
+    if (id == "ImageSpace_component_prop1") return 115;
+    if (id == "ImageSpace_component_prop2") return 116;
+    if (id == "ImageSpace_component_prop3") return 117;
+    if (id == "Interval_component_prop1") return 118;
+    if (id == "Interval_component_prop2") return 119;
+    if (id == "Lease_component_prop1") return 120;
+    if (id == "Lease_component_prop2") return 121;
+    if (id == "Limits_component_prop1") return 122;
+    if (id == "Limits_component_prop2") return 123;
+    if (id == "Limits_component_prop3") return 124;
+    if (id == "Limits_component_prop4") return 125;
+    if (id == "Limits_component_prop5") return 126;
+    if (id == "Limits_component_prop6") return 127;
+    if (id == "Observation_component_prop1") return 128;
+    if (id == "Observation_component_prop2") return 129;
+    if (id == "Observation_component_prop3") return 130;
+    if (id == "ObservationSpace_component_prop1") return 131;
+    if (id == "ObservationSpace_component_prop2") return 132;
+    if (id == "ObservationSpace_component_prop3") return 133;
+    if (id == "OutcomeCounts_component_prop1") return 134;
+    if (id == "OutcomeCounts_component_prop2") return 135;
+    if (id == "OutcomeCounts_component_prop3") return 136;
+    if (id == "OutcomeCounts_component_prop4") return 137;
+    if (id == "OutcomeCounts_component_prop5") return 138;
+    if (id == "PolicyDescription_component_prop1") return 139;
+    if (id == "PolicyDescription_component_prop2") return 140;
+    if (id == "PolicyDescription_component_prop3") return 141;
+    if (id == "PolicyDescription_component_prop4") return 142;
+    if (id == "PolicyDescription_component_prop5") return 143;
+    if (id == "PolicyInfo_component_prop1") return 144;
+    if (id == "PolicyInfo_component_prop2") return 145;
+    if (id == "PolicyInfo_component_prop3") return 146;
+    if (id == "PolicyInfo_component_prop4") return 147;
+    if (id == "PolicyReset_component_prop1") return 148;
+    if (id == "PolicyReset_component_prop2") return 149;
+    if (id == "PolicyReset_component_prop3") return 150;
+    if (id == "PolicyServer_component_prop1") return 151;
+    if (id == "PolicyServer_component_prop2") return 152;
+    if (id == "PolicyServer_component_prop3") return 153;
+    if (id == "PolicyServer_component_prop4") return 154;
+    if (id == "PolicyServer_component_prop5") return 155;
+    if (id == "PolicyServer_component_prop6") return 156;
+    if (id == "PolicyServer_component_prop7") return 157;
+    if (id == "PolicyServer_component_prop8") return 158;
+    if (id == "PolicyServerView_component_prop1") return 159;
+    if (id == "PolicyServerView_component_prop2") return 160;
+    if (id == "PolicyServerView_component_prop3") return 161;
+    if (id == "PolicyServerView_component_prop4") return 162;
+    if (id == "PolicyServerView_component_prop5") return 163;
+    if (id == "PolicyServerView_component_prop6") return 164;
+    if (id == "PolicyServerView_component_prop7") return 165;
+    if (id == "PolicyServerView_component_prop8") return 166;
+    if (id == "Predict_component_prop1") return 167;
+    if (id == "Predict_component_prop2") return 168;
+    if (id == "Predict_component_prop3") return 169;
+    if (id == "Predict_component_prop4") return 170;
+    if (id == "Problem_component_prop1") return 171;
+    if (id == "Problem_component_prop2") return 172;
+    if (id == "Problem_component_prop3") return 173;
+    if (id == "Problem_component_prop4") return 174;
+    if (id == "Problem_component_prop5") return 175;
+    if (id == "Problem_component_prop6") return 176;
+    if (id == "Problem_component_prop7") return 177;
+    if (id == "Problem_component_prop8") return 178;
+    if (id == "Problem_component_prop9") return 179;
+    if (id == "Problem_component_prop10") return 180;
+    if (id == "Problem_component_prop11") return 181;
+    if (id == "Problem_component_prop12") return 182;
+    if (id == "ProblemItem_component_prop1") return 183;
+    if (id == "ProblemItem_component_prop2") return 184;
+    if (id == "Progress_component_prop1") return 185;
+    if (id == "Progress_component_prop2") return 186;
+    if (id == "Progress_component_prop3") return 187;
+    if (id == "Progress_component_prop4") return 188;
+    if (id == "ProtocolRange_component_prop1") return 189;
+    if (id == "ProtocolRange_component_prop2") return 190;
+    if (id == "ResetPolicy_component_prop1") return 191;
+    if (id == "ResetPolicy_component_prop2") return 192;
+    if (id == "ResetPolicy_component_prop3") return 193;
+    if (id == "ResetPolicy_component_prop4") return 194;
+    if (id == "Run_component_prop1") return 195;
+    if (id == "Run_component_prop2") return 196;
+    if (id == "Run_component_prop3") return 197;
+    if (id == "Run_component_prop4") return 198;
+    if (id == "Run_component_prop5") return 199;
+    if (id == "Run_component_prop6") return 200;
+    if (id == "Run_component_prop7") return 201;
+    if (id == "Run_component_prop8") return 202;
+    if (id == "Run_component_prop9") return 203;
+    if (id == "Run_component_prop10") return 204;
+    if (id == "Run_component_prop11") return 205;
+    if (id == "Run_component_prop12") return 206;
+    if (id == "Run_component_prop13") return 207;
+    if (id == "Run_component_prop14") return 208;
+    if (id == "Run_component_prop15") return 209;
+    if (id == "Run_component_prop16") return 210;
+    if (id == "Run_component_prop17") return 211;
+    if (id == "Run_component_prop18") return 212;
+    if (id == "Run_component_prop19") return 213;
+    if (id == "RunList_component_prop1") return 214;
+    if (id == "RunList_component_prop2") return 215;
+    if (id == "Score_component_prop1") return 216;
+    if (id == "Score_component_prop2") return 217;
+    if (id == "Score_component_prop3") return 218;
+    if (id == "Score_component_prop4") return 219;
+    if (id == "Score_component_prop5") return 220;
+    if (id == "Score_component_prop6") return 221;
+    if (id == "Score_component_prop7") return 222;
+    if (id == "Score_component_prop8") return 223;
+    if (id == "Score_component_prop9") return 224;
+    if (id == "Score_component_prop10") return 225;
+    if (id == "Score_component_prop11") return 226;
+    if (id == "Score_component_prop12") return 227;
+    if (id == "Score_component_prop13") return 228;
+    if (id == "Score_component_prop14") return 229;
+    if (id == "Score_component_prop15") return 230;
+    if (id == "Service_component_prop1") return 231;
+    if (id == "Service_component_prop2") return 232;
+    if (id == "Service_component_prop3") return 233;
+    if (id == "Service_component_prop4") return 234;
+    if (id == "Service_component_prop5") return 235;
+    if (id == "Service_component_prop6") return 236;
+    if (id == "Service_component_prop7") return 237;
+    if (id == "Service_component_prop8") return 238;
+    if (id == "SimulatorInfo_component_prop1") return 239;
+    if (id == "SimulatorInfo_component_prop2") return 240;
+    if (id == "SimulatorInfo_component_prop3") return 241;
+    if (id == "StopRun_component_prop1") return 242;
+    if (id == "SubmitRun_component_prop1") return 243;
+    if (id == "SubmitRun_component_prop2") return 244;
+    if (id == "SubmitRun_component_prop3") return 245;
+    if (id == "SubmitRun_component_prop4") return 246;
+    if (id == "SubmitRun_component_prop5") return 247;
+    if (id == "SubmitRun_component_prop6") return 248;
+    if (id == "SubmitRun_component_prop7") return 249;
+    if (id == "SubmitRun_component_prop8") return 250;
+    if (id == "Tensor_component_prop1") return 251;
+    if (id == "Tensor_component_prop2") return 252;
+    if (id == "Tensor_component_prop3") return 253;
+    if (id == "TensorSpace_component_prop1") return 254;
+    if (id == "TensorSpace_component_prop2") return 255;
+    if (id == "TensorSpace_component_prop3") return 256;
+    if (id == "TensorSpace_component_prop4") return 257;
+    if (id == "Timing_component_prop1") return 258;
+    if (id == "Timing_component_prop2") return 259;
+    if (id == "Timing_component_prop3") return 260;
+    if (id == "Timing_component_prop4") return 261;
+    if (id == "Timing_component_prop5") return 262;
+    if (id == "Turn_component_prop1") return 263;
+    if (id == "Turn_component_prop2") return 264;
+    if (id == "Turn_component_prop3") return 265;
+    if (id == "Turn_component_prop4") return 266;
+    if (id == "Turn_component_prop5") return 267;
+    if (id == "Turn_component_prop6") return 268;
+    if (id == "Turn_component_prop7") return 269;
+    if (id == "Turn_component_prop8") return 270;
+    if (id == "Turn_component_prop9") return 271;
+    if (id == "Turn_component_prop10") return 272;
+    if (id == "Turn_component_prop11") return 273;
+    if (id == "Turn_component_prop12") return 274;
+    if (id == "Turn_component_prop13") return 275;
+    if (id == "Turn_component_prop14") return 276;
+    if (id == "Turn_component_prop15") return 277;
+    if (id == "VectorSpace_component_prop1") return 278;
+    if (id == "VectorSpace_component_prop2") return 279;
+    if (id == "VectorSpace_component_prop3") return 280;
+    if (id == "VectorSpace_component_prop4") return 281;
+    if (id == "VectorSpace_component_prop5") return 282;
+    if (id == "VectorSpace_component_prop6") return 283;
+    if (id == "VectorSpace_component_prop7") return 284;
+    if (id == "VectorSpace_component_prop8") return 285;
+    if (id == "VectorSpace_component_prop9") return 286;
+    if (id == "VectorSpace_component_prop10") return 287;
+    if (id == "VectorSpace_component_prop11") return 288;
+    if (id == "Action_component_prop1_addprops1") return 289;
+    if (id == "Assumptions_component_prop1_addprops1") return 290;
+    if (id == "Assumptions_component_prop3_addprops1") return 291;
+    if (id == "Benchmark_component_prop1_addprops1") return 292;
+    if (id == "Benchmark_component_prop6_items1") return 293;
+    if (id == "Benchmark_component_prop7_items1") return 294;
+    if (id == "Benchmark_component_prop15_items1") return 295;
+    if (id == "Benchmark_component_prop17_items1") return 296;
+    if (id == "BenchmarkList_component_prop1_items1") return 297;
+    if (id == "CalibrationOptions_component_prop6_items1") return 298;
+    if (id == "ComparedRun_component_prop2_addprops1") return 299;
+    if (id == "Comparison_component_prop4_items1") return 300;
+    if (id == "EpisodeList_component_prop1_items1") return 301;
+    if (id == "ImageSpace_component_prop3_items1") return 302;
+    if (id == "Observation_component_prop1_addprops1") return 303;
+    if (id == "Observation_component_prop2_addprops1") return 304;
+    if (id == "Observation_component_prop3_addprops1") return 305;
+    if (id == "ObservationSpace_component_prop1_addprops1") return 306;
+    if (id == "ObservationSpace_component_prop2_addprops1") return 307;
+    if (id == "ObservationSpace_component_prop3_addprops1") return 308;
+    if (id == "PolicyServer_component_prop3_addprops1") return 309;
+    if (id == "PolicyServerView_component_prop2_addprops1") return 310;
+    if (id == "Predict_component_prop1_items1") return 311;
+    if (id == "Problem_component_prop4_items1") return 312;
+    if (id == "RunList_component_prop2_items1") return 313;
+    if (id == "Score_component_prop2_addprops1") return 314;
+    if (id == "Score_component_prop3_addprops1") return 315;
+    if (id == "Service_component_prop1_items1") return 316;
+    if (id == "Service_component_prop2_items1") return 317;
+    if (id == "Service_component_prop5_items1") return 318;
+    if (id == "Tensor_component_prop3_items1") return 319;
+    if (id == "TensorSpace_component_prop3_items1") return 320;
+    if (id == "TensorSpace_component_prop4_items1") return 321;
+    if (id == "Turn_component_prop8_items1") return 322;
+    if (id == "Turn_component_prop9_items1") return 323;
+    if (id == "VectorSpace_component_prop4_items1") return 324;
+    if (id == "VectorSpace_component_prop5_items1") return 325;
+    if (id == "VectorSpace_component_prop10_items1") return 326;
+    if (id == "Action_component_prop1_addprops1_items1") return 327;
+    if (id == "Observation_component_prop2_addprops1_items1") return 328;
+    if (id == "Action_component") return 329;
+    if (id == "Assumption_component") return 330;
+    if (id == "Assumptions_component") return 331;
+    if (id == "AttachWorker_component") return 332;
+    if (id == "Benchmark_component") return 333;
+    if (id == "BenchmarkList_component") return 334;
+    if (id == "BenchmarkSummary_component") return 335;
+    if (id == "Blob_component") return 336;
+    if (id == "CalibrationOptions_component") return 337;
+    if (id == "CalibrationTask_component") return 338;
+    if (id == "ComparedRun_component") return 339;
+    if (id == "ComparedTask_component") return 340;
+    if (id == "Comparison_component") return 341;
+    if (id == "Dtype_component") return 342;
+    if (id == "Episode_component") return 343;
+    if (id == "EpisodeList_component") return 344;
+    if (id == "EpisodeResult_component") return 345;
+    if (id == "EpisodeStatus_component") return 346;
+    if (id == "EpisodeView_component") return 347;
+    if (id == "Fault_component") return 348;
+    if (id == "GroupScore_component") return 349;
+    if (id == "Heartbeat_component") return 350;
+    if (id == "Image_component") return 351;
+    if (id == "ImageChoice_component") return 352;
+    if (id == "ImageCodec_component") return 353;
+    if (id == "ImageSize_component") return 354;
+    if (id == "ImageSpace_component") return 355;
+    if (id == "Interval_component") return 356;
+    if (id == "Lease_component") return 357;
+    if (id == "Limits_component") return 358;
+    if (id == "Observation_component") return 359;
+    if (id == "ObservationSpace_component") return 360;
+    if (id == "Observe_component") return 361;
+    if (id == "OutOfRange_component") return 362;
+    if (id == "Outcome_component") return 363;
+    if (id == "OutcomeCounts_component") return 364;
+    if (id == "PolicyDescription_component") return 365;
+    if (id == "PolicyInfo_component") return 366;
+    if (id == "PolicyProtocol_component") return 367;
+    if (id == "PolicyReset_component") return 368;
+    if (id == "PolicyServer_component") return 369;
+    if (id == "PolicyServerView_component") return 370;
+    if (id == "Predict_component") return 371;
+    if (id == "Problem_component") return 372;
+    if (id == "ProblemItem_component") return 373;
+    if (id == "Profile_component") return 374;
+    if (id == "Progress_component") return 375;
+    if (id == "ProtocolRange_component") return 376;
+    if (id == "ResetPolicy_component") return 377;
+    if (id == "Rotation_component") return 378;
+    if (id == "Run_component") return 379;
+    if (id == "RunList_component") return 380;
+    if (id == "RunMode_component") return 381;
+    if (id == "RunState_component") return 382;
+    if (id == "Score_component") return 383;
+    if (id == "Service_component") return 384;
+    if (id == "SessionEnd_component") return 385;
+    if (id == "Sha256_component") return 386;
+    if (id == "SideEffects_component") return 387;
+    if (id == "SimulatorInfo_component") return 388;
+    if (id == "StopMode_component") return 389;
+    if (id == "StopRun_component") return 390;
+    if (id == "SubmitRun_component") return 391;
+    if (id == "SuccessRule_component") return 392;
+    if (id == "Tensor_component") return 393;
+    if (id == "TensorSpace_component") return 394;
+    if (id == "Timing_component") return 395;
+    if (id == "Turn_component") return 396;
+    if (id == "VectorSpace_component") return 397;
     (void)id;
     return kNoSchema;
 }

@@ -15,7 +15,8 @@ import (
 func evaluate(server *Server, runID string) error {
 	submit := server.Control.SubmitRun(server.Context).IdempotencyKey(Key()).SubmitRun(proctor.SubmitRun{
 		BenchmarkId: "calibration", Policy: proctor.PolicyInfo{Name: "scripted"},
-		Options: &proctor.CalibrationOptions{Tasks: []proctor.CalibrationTask{"score", "score", "score", "score"}},
+		Options: &proctor.CalibrationOptions{Tasks: []proctor.CalibrationTask{
+			"score", "score", "score", "score", "score", "score", "score", "score"}},
 	})
 	send := submit.Execute
 	if runID != "" {

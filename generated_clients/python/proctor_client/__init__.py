@@ -38,6 +38,9 @@ __all__ = [
     "BenchmarkSummary",
     "CalibrationOptions",
     "CalibrationTask",
+    "ComparedRun",
+    "ComparedTask",
+    "Comparison",
     "Dtype",
     "Episode",
     "EpisodeList",
@@ -61,16 +64,23 @@ __all__ = [
     "OutOfRange",
     "Outcome",
     "OutcomeCounts",
+    "PolicyDescription",
     "PolicyInfo",
+    "PolicyProtocol",
+    "PolicyReset",
+    "PolicyServer",
+    "PolicyServerView",
     "Predict",
     "Problem",
     "ProblemItem",
     "Profile",
     "Progress",
     "ProtocolRange",
+    "ResetPolicy",
     "Rotation",
     "Run",
     "RunList",
+    "RunMode",
     "RunState",
     "Score",
     "Service",
@@ -113,6 +123,9 @@ from proctor_client.models.benchmark_list import BenchmarkList as BenchmarkList
 from proctor_client.models.benchmark_summary import BenchmarkSummary as BenchmarkSummary
 from proctor_client.models.calibration_options import CalibrationOptions as CalibrationOptions
 from proctor_client.models.calibration_task import CalibrationTask as CalibrationTask
+from proctor_client.models.compared_run import ComparedRun as ComparedRun
+from proctor_client.models.compared_task import ComparedTask as ComparedTask
+from proctor_client.models.comparison import Comparison as Comparison
 from proctor_client.models.dtype import Dtype as Dtype
 from proctor_client.models.episode import Episode as Episode
 from proctor_client.models.episode_list import EpisodeList as EpisodeList
@@ -136,16 +149,23 @@ from proctor_client.models.observe import Observe as Observe
 from proctor_client.models.out_of_range import OutOfRange as OutOfRange
 from proctor_client.models.outcome import Outcome as Outcome
 from proctor_client.models.outcome_counts import OutcomeCounts as OutcomeCounts
+from proctor_client.models.policy_description import PolicyDescription as PolicyDescription
 from proctor_client.models.policy_info import PolicyInfo as PolicyInfo
+from proctor_client.models.policy_protocol import PolicyProtocol as PolicyProtocol
+from proctor_client.models.policy_reset import PolicyReset as PolicyReset
+from proctor_client.models.policy_server import PolicyServer as PolicyServer
+from proctor_client.models.policy_server_view import PolicyServerView as PolicyServerView
 from proctor_client.models.predict import Predict as Predict
 from proctor_client.models.problem import Problem as Problem
 from proctor_client.models.problem_item import ProblemItem as ProblemItem
 from proctor_client.models.profile import Profile as Profile
 from proctor_client.models.progress import Progress as Progress
 from proctor_client.models.protocol_range import ProtocolRange as ProtocolRange
+from proctor_client.models.reset_policy import ResetPolicy as ResetPolicy
 from proctor_client.models.rotation import Rotation as Rotation
 from proctor_client.models.run import Run as Run
 from proctor_client.models.run_list import RunList as RunList
+from proctor_client.models.run_mode import RunMode as RunMode
 from proctor_client.models.run_state import RunState as RunState
 from proctor_client.models.score import Score as Score
 from proctor_client.models.service import Service as Service

@@ -16,10 +16,11 @@ from typing import Any, Dict, List, Optional, Tuple, Union
 from typing_extensions import Annotated
 
 from pydantic import Field, field_validator
-from typing import Optional
+from typing import Optional, Union
 from typing_extensions import Annotated
 from proctor_client.models.benchmark import Benchmark
 from proctor_client.models.benchmark_list import BenchmarkList
+from proctor_client.models.comparison import Comparison
 from proctor_client.models.episode_list import EpisodeList
 from proctor_client.models.run import Run
 from proctor_client.models.run_list import RunList
@@ -44,6 +45,325 @@ class ControlApi:
         if api_client is None:
             api_client = ApiClient.get_default()
         self.api_client = api_client
+
+
+    @validate_call
+    def compare_runs(
+        self,
+        baseline: Annotated[str, Field(strict=True, description="The run that the others are compared with.")],
+        runs: Annotated[str, Field(strict=True, description="Ids of one to sixteen runs, with commas between them; the baseline may be one of them.")],
+        tolerance: Annotated[Optional[Union[Annotated[float, Field(le=1, strict=True, ge=0)], Annotated[int, Field(le=1, strict=True, ge=0)]]], Field(description="The largest difference that `release` lets pass; 0.05 when absent.")] = None,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> Comparison:
+        """Runs beside a baseline, episode by episode
+
+        Pairs the episodes of runs of one manifest. Offered with the profile `compare`; scoring.md has the arithmetic.
+
+        :param baseline: The run that the others are compared with. (required)
+        :type baseline: str
+        :param runs: Ids of one to sixteen runs, with commas between them; the baseline may be one of them. (required)
+        :type runs: str
+        :param tolerance: The largest difference that `release` lets pass; 0.05 when absent.
+        :type tolerance: float
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: timeout setting for this request. If one
+                                 number provided, it will be total request
+                                 timeout. It can also be a pair (tuple) of
+                                 (connection, read) timeouts.
+        :type _request_timeout: int, tuple(int, int), optional
+        :param _request_auth: set to override the auth_settings for an a single
+                              request; this effectively ignores the
+                              authentication in the spec for a single request.
+        :type _request_auth: dict, optional
+        :param _content_type: force content-type for the request.
+        :type _content_type: str, Optional
+        :param _headers: set to override the headers for a single
+                         request; this effectively ignores the headers
+                         in the spec for a single request.
+        :type _headers: dict, optional
+        :param _host_index: set to override the host_index for a single
+                            request; this effectively ignores the host_index
+                            in the spec for a single request.
+        :type _host_index: int, optional
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._compare_runs_serialize(
+            baseline=baseline,
+            runs=runs,
+            tolerance=tolerance,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "Comparison",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        ).data
+
+
+    @validate_call
+    def compare_runs_with_http_info(
+        self,
+        baseline: Annotated[str, Field(strict=True, description="The run that the others are compared with.")],
+        runs: Annotated[str, Field(strict=True, description="Ids of one to sixteen runs, with commas between them; the baseline may be one of them.")],
+        tolerance: Annotated[Optional[Union[Annotated[float, Field(le=1, strict=True, ge=0)], Annotated[int, Field(le=1, strict=True, ge=0)]]], Field(description="The largest difference that `release` lets pass; 0.05 when absent.")] = None,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ApiResponse[Comparison]:
+        """Runs beside a baseline, episode by episode
+
+        Pairs the episodes of runs of one manifest. Offered with the profile `compare`; scoring.md has the arithmetic.
+
+        :param baseline: The run that the others are compared with. (required)
+        :type baseline: str
+        :param runs: Ids of one to sixteen runs, with commas between them; the baseline may be one of them. (required)
+        :type runs: str
+        :param tolerance: The largest difference that `release` lets pass; 0.05 when absent.
+        :type tolerance: float
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: timeout setting for this request. If one
+                                 number provided, it will be total request
+                                 timeout. It can also be a pair (tuple) of
+                                 (connection, read) timeouts.
+        :type _request_timeout: int, tuple(int, int), optional
+        :param _request_auth: set to override the auth_settings for an a single
+                              request; this effectively ignores the
+                              authentication in the spec for a single request.
+        :type _request_auth: dict, optional
+        :param _content_type: force content-type for the request.
+        :type _content_type: str, Optional
+        :param _headers: set to override the headers for a single
+                         request; this effectively ignores the headers
+                         in the spec for a single request.
+        :type _headers: dict, optional
+        :param _host_index: set to override the host_index for a single
+                            request; this effectively ignores the host_index
+                            in the spec for a single request.
+        :type _host_index: int, optional
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._compare_runs_serialize(
+            baseline=baseline,
+            runs=runs,
+            tolerance=tolerance,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "Comparison",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        )
+
+
+    @validate_call
+    def compare_runs_without_preload_content(
+        self,
+        baseline: Annotated[str, Field(strict=True, description="The run that the others are compared with.")],
+        runs: Annotated[str, Field(strict=True, description="Ids of one to sixteen runs, with commas between them; the baseline may be one of them.")],
+        tolerance: Annotated[Optional[Union[Annotated[float, Field(le=1, strict=True, ge=0)], Annotated[int, Field(le=1, strict=True, ge=0)]]], Field(description="The largest difference that `release` lets pass; 0.05 when absent.")] = None,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> RESTResponseType:
+        """Runs beside a baseline, episode by episode
+
+        Pairs the episodes of runs of one manifest. Offered with the profile `compare`; scoring.md has the arithmetic.
+
+        :param baseline: The run that the others are compared with. (required)
+        :type baseline: str
+        :param runs: Ids of one to sixteen runs, with commas between them; the baseline may be one of them. (required)
+        :type runs: str
+        :param tolerance: The largest difference that `release` lets pass; 0.05 when absent.
+        :type tolerance: float
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: timeout setting for this request. If one
+                                 number provided, it will be total request
+                                 timeout. It can also be a pair (tuple) of
+                                 (connection, read) timeouts.
+        :type _request_timeout: int, tuple(int, int), optional
+        :param _request_auth: set to override the auth_settings for an a single
+                              request; this effectively ignores the
+                              authentication in the spec for a single request.
+        :type _request_auth: dict, optional
+        :param _content_type: force content-type for the request.
+        :type _content_type: str, Optional
+        :param _headers: set to override the headers for a single
+                         request; this effectively ignores the headers
+                         in the spec for a single request.
+        :type _headers: dict, optional
+        :param _host_index: set to override the host_index for a single
+                            request; this effectively ignores the host_index
+                            in the spec for a single request.
+        :type _host_index: int, optional
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._compare_runs_serialize(
+            baseline=baseline,
+            runs=runs,
+            tolerance=tolerance,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "Comparison",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        return response_data.response
+
+
+    def _compare_runs_serialize(
+        self,
+        baseline,
+        runs,
+        tolerance,
+        proctor_version,
+        _request_auth,
+        _content_type,
+        _headers,
+        _host_index,
+    ) -> RequestSerialized:
+
+        _host = None
+
+        _collection_formats: Dict[str, str] = {
+        }
+
+        _path_params: Dict[str, str] = {}
+        _query_params: List[Tuple[str, str]] = []
+        _header_params: Dict[str, Optional[str]] = _headers or {}
+        _form_params: List[Tuple[str, str]] = []
+        _files: Dict[
+            str, Union[str, bytes, List[str], List[bytes], List[Tuple[str, bytes]]]
+        ] = {}
+        _body_params: Optional[bytes] = None
+
+        # process the path parameters
+        # process the query parameters
+        if baseline is not None:
+
+            _query_params.append(('baseline', baseline))
+
+        if runs is not None:
+
+            _query_params.append(('runs', runs))
+
+        if tolerance is not None:
+
+            _query_params.append(('tolerance', tolerance))
+
+        # process the header parameters
+        if proctor_version is not None:
+            _header_params['Proctor-Version'] = proctor_version
+        # process the form parameters
+        # process the body parameter
+
+
+        # set the HTTP header `Accept`
+        if 'Accept' not in _header_params:
+            _header_params['Accept'] = self.api_client.select_header_accept(
+                [
+                    'application/json',
+                    'application/problem+json'
+                ]
+            )
+
+
+        # authentication setting
+        _auth_settings: List[str] = [
+            'bearer'
+        ]
+
+        return self.api_client.param_serialize(
+            method='GET',
+            resource_path='/v1/comparisons',
+            path_params=_path_params,
+            query_params=_query_params,
+            header_params=_header_params,
+            body=_body_params,
+            post_params=_form_params,
+            files=_files,
+            auth_settings=_auth_settings,
+            collection_formats=_collection_formats,
+            _host=_host,
+            _request_auth=_request_auth
+        )
+
+
 
 
     @validate_call

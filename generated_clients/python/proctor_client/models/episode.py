@@ -37,9 +37,10 @@ class Episode(BaseModel):
     status: EpisodeStatus
     attempt: Annotated[int, Field(strict=True, ge=1)] = Field(description="The current or next attempt.")
     faults: Annotated[int, Field(strict=True, ge=0)]
+    policy_fault: Optional[StrictStr] = Field(default=None, description="In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode.")
     result: Optional[EpisodeResult] = None
     additional_properties: Dict[str, Any] = {}
-    __properties: ClassVar[List[str]] = ["episode_id", "index", "task", "split", "status", "attempt", "faults", "result"]
+    __properties: ClassVar[List[str]] = ["episode_id", "index", "task", "split", "status", "attempt", "faults", "policy_fault", "result"]
 
     model_config = ConfigDict(
         validate_by_name=True,
@@ -109,6 +110,7 @@ class Episode(BaseModel):
             "status": obj.get("status"),
             "attempt": obj.get("attempt"),
             "faults": obj.get("faults"),
+            "policy_fault": obj.get("policy_fault"),
             "result": EpisodeResult.from_dict(obj["result"]) if obj.get("result") is not None else None
         })
         # store additional fields in additional_properties

@@ -28,6 +28,10 @@ class Profile(str, Enum):
     """
     CORE = 'core'
     MSGPACK = 'msgpack'
+    COMPARE = 'compare'
+    PUSH = 'push'
+    EBENCH = 'ebench'
+    FLAGEVAL = 'flageval'
 
     @classmethod
     def from_json(cls, json_str: str) -> Self:

@@ -23,7 +23,9 @@ from typing import Any, ClassVar, Dict, List, Optional, Union
 from typing_extensions import Annotated
 from proctor_client.models.image_choice import ImageChoice
 from proctor_client.models.policy_info import PolicyInfo
+from proctor_client.models.policy_server_view import PolicyServerView
 from proctor_client.models.progress import Progress
+from proctor_client.models.run_mode import RunMode
 from proctor_client.models.run_state import RunState
 from typing import Optional, Set
 from typing_extensions import Self
@@ -41,6 +43,8 @@ class Run(BaseModel):
     benchmark_version: StrictStr
     manifest_sha256: Annotated[str, Field(strict=True)] = Field(description="The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.")
     policy: PolicyInfo
+    mode: Optional[RunMode] = None
+    policy_server: Optional[PolicyServerView] = None
     max_workers: StrictInt
     idle_timeout_s: Union[StrictFloat, StrictInt]
     images: ImageChoice
@@ -51,7 +55,7 @@ class Run(BaseModel):
     created_at: datetime
     updated_at: datetime
     additional_properties: Dict[str, Any] = {}
-    __properties: ClassVar[List[str]] = ["run_id", "state", "reason", "retryable", "benchmark_id", "benchmark_version", "manifest_sha256", "policy", "max_workers", "idle_timeout_s", "images", "endpoint", "queue_position", "live_workers", "progress", "created_at", "updated_at"]
+    __properties: ClassVar[List[str]] = ["run_id", "state", "reason", "retryable", "benchmark_id", "benchmark_version", "manifest_sha256", "policy", "mode", "policy_server", "max_workers", "idle_timeout_s", "images", "endpoint", "queue_position", "live_workers", "progress", "created_at", "updated_at"]
 
     @field_validator('manifest_sha256', mode="before")
     def manifest_sha256_validate_regular_expression(cls, value):
@@ -104,6 +108,9 @@ class Run(BaseModel):
         # override the default output from pydantic by calling `to_dict()` of policy
         if self.policy:
             _dict['policy'] = self.policy.to_dict()
+        # override the default output from pydantic by calling `to_dict()` of policy_server
+        if self.policy_server:
+            _dict['policy_server'] = self.policy_server.to_dict()
         # override the default output from pydantic by calling `to_dict()` of images
         if self.images:
             _dict['images'] = self.images.to_dict()
@@ -150,6 +157,8 @@ class Run(BaseModel):
             "benchmark_version": obj.get("benchmark_version"),
             "manifest_sha256": obj.get("manifest_sha256"),
             "policy": PolicyInfo.from_dict(obj["policy"]) if obj.get("policy") is not None else None,
+            "mode": obj.get("mode"),
+            "policy_server": PolicyServerView.from_dict(obj["policy_server"]) if obj.get("policy_server") is not None else None,
             "max_workers": obj.get("max_workers"),
             "idle_timeout_s": obj.get("idle_timeout_s"),
             "images": ImageChoice.from_dict(obj["images"]) if obj.get("images") is not None else None,

@@ -35,7 +35,7 @@ class Service(BaseModel):
     name: StrictStr
     version: StrictStr = Field(description="Version of the server software.")
     protocol: ProtocolRange
-    profiles: List[Profile] = Field(description="Parts of the protocol offered; `core` may be left out, for it always is. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.")
+    profiles: List[Profile] = Field(description="Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.")
     limits: Limits
     encodings: List[StrictStr] = Field(description="Media types of the data plane.")
     image_codecs: List[ImageCodec]

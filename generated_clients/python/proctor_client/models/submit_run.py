@@ -23,6 +23,8 @@ from typing_extensions import Annotated
 from proctor_client.models.calibration_options import CalibrationOptions
 from proctor_client.models.image_choice import ImageChoice
 from proctor_client.models.policy_info import PolicyInfo
+from proctor_client.models.policy_server import PolicyServer
+from proctor_client.models.run_mode import RunMode
 from typing import Optional, Set
 from typing_extensions import Self
 from pydantic_core import to_jsonable_python
@@ -37,7 +39,9 @@ class SubmitRun(BaseModel):
     idle_timeout_s: Optional[Union[Annotated[float, Field(le=86400, strict=True, ge=1)], Annotated[int, Field(le=86400, strict=True, ge=1)]]] = Field(default=None, description="Lease of a session; the server's maximum when absent.")
     images: Optional[ImageChoice] = None
     options: Optional[CalibrationOptions] = None
-    __properties: ClassVar[List[str]] = ["benchmark_id", "policy", "max_workers", "idle_timeout_s", "images", "options"]
+    mode: Optional[RunMode] = None
+    policy_server: Optional[PolicyServer] = None
+    __properties: ClassVar[List[str]] = ["benchmark_id", "policy", "max_workers", "idle_timeout_s", "images", "options", "mode", "policy_server"]
 
     @field_validator('benchmark_id', mode="before")
     def benchmark_id_validate_regular_expression(cls, value):
@@ -94,6 +98,9 @@ class SubmitRun(BaseModel):
         # override the default output from pydantic by calling `to_dict()` of options
         if self.options:
             _dict['options'] = self.options.to_dict()
+        # override the default output from pydantic by calling `to_dict()` of policy_server
+        if self.policy_server:
+            _dict['policy_server'] = self.policy_server.to_dict()
         return _dict
 
     @classmethod
@@ -111,6 +118,8 @@ class SubmitRun(BaseModel):
             "max_workers": obj.get("max_workers"),
             "idle_timeout_s": obj.get("idle_timeout_s"),
             "images": ImageChoice.from_dict(obj["images"]) if obj.get("images") is not None else None,
-            "options": CalibrationOptions.from_dict(obj["options"]) if obj.get("options") is not None else None
+            "options": CalibrationOptions.from_dict(obj["options"]) if obj.get("options") is not None else None,
+            "mode": obj.get("mode"),
+            "policy_server": PolicyServer.from_dict(obj["policy_server"]) if obj.get("policy_server") is not None else None
         })
         return _obj

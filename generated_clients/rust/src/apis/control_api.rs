@@ -7,6 +7,15 @@ use crate::{apis::ResponseContent, models};
 use super::{Error, configuration, ContentType};
 
 
+/// struct for typed errors of method [`compare_runs`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum CompareRunsError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
 /// struct for typed errors of method [`describe_service`]
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(untagged)]
@@ -97,6 +106,58 @@ pub enum SubmitRunError {
     UnknownValue(serde_json::Value),
 }
 
+
+/// Pairs the episodes of runs of one manifest. Offered with the profile `compare`; scoring.md has the arithmetic.
+pub async fn compare_runs(configuration: &configuration::Configuration, baseline: &str, runs: &str, tolerance: Option<f64>, proctor_version: Option<&str>) -> Result<models::Comparison, Error<CompareRunsError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_query_baseline = baseline;
+    let p_query_runs = runs;
+    let p_query_tolerance = tolerance;
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/comparisons", configuration.base_path);
+    let mut req_builder = configuration.client.request(reqwest::Method::GET, &uri_str);
+
+    req_builder = req_builder.query(&[("baseline", &p_query_baseline.to_string())]);
+    req_builder = req_builder.query(&[("runs", &p_query_runs.to_string())]);
+    if let Some(ref param_value) = p_query_tolerance {
+        req_builder = req_builder.query(&[("tolerance", &param_value.to_string())]);
+    }
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+    if let Some(ref token) = configuration.bearer_access_token {
+        req_builder = req_builder.bearer_auth(token.to_owned());
+    };
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+    let content_type = resp
+        .headers()
+        .get("content-type")
+        .and_then(|v| v.to_str().ok())
+        .unwrap_or("application/octet-stream");
+    let content_type = super::ContentType::from(content_type);
+
+    if !status.is_client_error() && !status.is_server_error() {
+        let content = resp.text().await?;
+        match content_type {
+            ContentType::Json => serde_json::from_str(&content).map_err(Error::from),
+            ContentType::Text => return Err(Error::from(serde_json::Error::custom("Received `text/plain` content type response that cannot be converted to `models::Comparison`"))),
+            ContentType::Unsupported(unknown_type) => return Err(Error::from(serde_json::Error::custom(format!("Received `{unknown_type}` content type response that cannot be converted to `models::Comparison`")))),
+        }
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<CompareRunsError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
 
 pub async fn describe_service(configuration: &configuration::Configuration, proctor_version: Option<&str>) -> Result<models::Service, Error<DescribeServiceError>> {
     // add a prefix to parameters to efficiently prevent name collisions

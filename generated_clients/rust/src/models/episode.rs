@@ -20,6 +20,9 @@ pub struct Episode {
     pub attempt: i32,
     #[serde(rename = "faults")]
     pub faults: i32,
+    /// In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode.
+    #[serde(rename = "policy_fault", skip_serializing_if = "Option::is_none")]
+    pub policy_fault: Option<String>,
     #[serde(rename = "result", skip_serializing_if = "Option::is_none")]
     pub result: Option<models::EpisodeResult>,
 }
@@ -34,6 +37,7 @@ impl Episode {
             status,
             attempt,
             faults,
+            policy_fault: None,
             result: None,
         }
     }

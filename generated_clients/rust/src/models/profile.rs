@@ -10,6 +10,14 @@ pub enum Profile {
     Core,
     #[serde(rename = "msgpack")]
     Msgpack,
+    #[serde(rename = "compare")]
+    Compare,
+    #[serde(rename = "push")]
+    Push,
+    #[serde(rename = "ebench")]
+    Ebench,
+    #[serde(rename = "flageval")]
+    Flageval,
 
 }
 
@@ -18,6 +26,10 @@ impl std::fmt::Display for Profile {
         match self {
             Self::Core => write!(f, "core"),
             Self::Msgpack => write!(f, "msgpack"),
+            Self::Compare => write!(f, "compare"),
+            Self::Push => write!(f, "push"),
+            Self::Ebench => write!(f, "ebench"),
+            Self::Flageval => write!(f, "flageval"),
         }
     }
 }

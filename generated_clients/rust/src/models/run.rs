@@ -24,6 +24,10 @@ pub struct Run {
     pub manifest_sha256: String,
     #[serde(rename = "policy")]
     pub policy: Box<models::PolicyInfo>,
+    #[serde(rename = "mode", skip_serializing_if = "Option::is_none")]
+    pub mode: Option<models::RunMode>,
+    #[serde(rename = "policy_server", skip_serializing_if = "Option::is_none")]
+    pub policy_server: Option<models::PolicyServerView>,
     #[serde(rename = "max_workers")]
     pub max_workers: i32,
     #[serde(rename = "idle_timeout_s")]
@@ -57,6 +61,8 @@ impl Run {
             benchmark_version,
             manifest_sha256,
             policy: Box::new(policy),
+            mode: None,
+            policy_server: None,
             max_workers,
             idle_timeout_s,
             images: Box::new(images),

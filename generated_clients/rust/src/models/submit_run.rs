@@ -19,6 +19,10 @@ pub struct SubmitRun {
     pub images: Option<Box<models::ImageChoice>>,
     #[serde(rename = "options", skip_serializing_if = "Option::is_none")]
     pub options: Option<Box<models::CalibrationOptions>>,
+    #[serde(rename = "mode", skip_serializing_if = "Option::is_none")]
+    pub mode: Option<models::RunMode>,
+    #[serde(rename = "policy_server", skip_serializing_if = "Option::is_none")]
+    pub policy_server: Option<Box<models::PolicyServer>>,
 }
 
 impl SubmitRun {
@@ -30,6 +34,8 @@ impl SubmitRun {
             idle_timeout_s: None,
             images: None,
             options: None,
+            mode: None,
+            policy_server: None,
         }
     }
 }

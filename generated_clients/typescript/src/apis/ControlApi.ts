@@ -16,6 +16,11 @@ import {
     BenchmarkListToJSON,
 } from '../models/BenchmarkList';
 import {
+    type Comparison,
+    ComparisonFromJSON,
+    ComparisonToJSON,
+} from '../models/Comparison';
+import {
     type EpisodeList,
     EpisodeListFromJSON,
     EpisodeListToJSON,
@@ -55,6 +60,25 @@ import {
     SubmitRunFromJSON,
     SubmitRunToJSON,
 } from '../models/SubmitRun';
+
+export interface CompareRunsRequest {
+    /**
+     * The run that the others are compared with.
+     */
+    baseline: string;
+    /**
+     * Ids of one to sixteen runs, with commas between them; the baseline may be one of them.
+     */
+    runs: string;
+    /**
+     * The largest difference that `release` lets pass; 0.05 when absent.
+     */
+    tolerance?: number;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
 
 export interface DescribeServiceRequest {
     /**
@@ -190,6 +214,83 @@ export interface SubmitRunRequest {
  *
  */
 export class ControlApi extends runtime.BaseAPI {
+
+    /**
+     * Creates request options for compareRuns without sending the request
+     */
+    async compareRunsRequestOpts(requestParameters: CompareRunsRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['baseline'] == null) {
+            throw new runtime.RequiredError(
+                'baseline',
+                'Required parameter "baseline" was null or undefined when calling compareRuns().'
+            );
+        }
+
+        if (requestParameters['runs'] == null) {
+            throw new runtime.RequiredError(
+                'runs',
+                'Required parameter "runs" was null or undefined when calling compareRuns().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        if (requestParameters['baseline'] != null) {
+            queryParameters['baseline'] = requestParameters['baseline'];
+        }
+
+        if (requestParameters['runs'] != null) {
+            queryParameters['runs'] = requestParameters['runs'];
+        }
+
+        if (requestParameters['tolerance'] != null) {
+            queryParameters['tolerance'] = requestParameters['tolerance'];
+        }
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/comparisons`;
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * Pairs the episodes of runs of one manifest. Offered with the profile `compare`; scoring.md has the arithmetic.
+     * Runs beside a baseline, episode by episode
+     */
+    async compareRunsRaw(requestParameters: CompareRunsRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<Comparison>> {
+        const requestOptions = await this.compareRunsRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => ComparisonFromJSON(jsonValue));
+    }
+
+    /**
+     * Pairs the episodes of runs of one manifest. Offered with the profile `compare`; scoring.md has the arithmetic.
+     * Runs beside a baseline, episode by episode
+     */
+    async compareRuns(requestParameters: CompareRunsRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<Comparison> {
+        const response = await this.compareRunsRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
 
     /**
      * Creates request options for describeService without sending the request

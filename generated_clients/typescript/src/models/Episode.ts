@@ -56,6 +56,10 @@ export interface Episode {
      */
     faults: number;
     /**
+     * In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode.
+     */
+    policy_fault?: string;
+    /**
      *
      */
     result?: EpisodeResult;
@@ -95,6 +99,7 @@ export function EpisodeFromJSONTyped(json: any, ignoreDiscriminator: boolean): E
         'status': EpisodeStatusFromJSON(json['status']),
         'attempt': json['attempt'],
         'faults': json['faults'],
+        'policy_fault': json['policy_fault'] == null ? undefined : json['policy_fault'],
         'result': json['result'] == null ? undefined : EpisodeResultFromJSON(json['result']),
     };
 }
@@ -118,6 +123,7 @@ export function EpisodeToJSONTyped(value?: Episode | null, ignoreDiscriminator: 
         'status': EpisodeStatusToJSON(value['status']),
         'attempt': value['attempt'],
         'faults': value['faults'],
+        'policy_fault': value['policy_fault'],
         'result': EpisodeResultToJSON(value['result']),
     };
 }

@@ -12,6 +12,10 @@
 export const Profile = {
     Core: 'core',
     Msgpack: 'msgpack',
+    Compare: 'compare',
+    Push: 'push',
+    Ebench: 'ebench',
+    Flageval: 'flageval',
 } as const;
 export type Profile = typeof Profile[keyof typeof Profile];
 

@@ -19,6 +19,13 @@ import {
     ProgressToJSON,
     ProgressToJSONTyped,
 } from './Progress';
+import type { PolicyServerView } from './PolicyServerView';
+import {
+    PolicyServerViewFromJSON,
+    PolicyServerViewFromJSONTyped,
+    PolicyServerViewToJSON,
+    PolicyServerViewToJSONTyped,
+} from './PolicyServerView';
 import type { ImageChoice } from './ImageChoice';
 import {
     ImageChoiceFromJSON,
@@ -26,6 +33,13 @@ import {
     ImageChoiceToJSON,
     ImageChoiceToJSONTyped,
 } from './ImageChoice';
+import type { RunMode } from './RunMode';
+import {
+    RunModeFromJSON,
+    RunModeFromJSONTyped,
+    RunModeToJSON,
+    RunModeToJSONTyped,
+} from './RunMode';
 import type { PolicyInfo } from './PolicyInfo';
 import {
     PolicyInfoFromJSON,
@@ -73,6 +87,14 @@ export interface Run {
      *
      */
     policy: PolicyInfo;
+    /**
+     *
+     */
+    mode?: RunMode;
+    /**
+     *
+     */
+    policy_server?: PolicyServerView;
     /**
      *
      */
@@ -156,6 +178,8 @@ export function RunFromJSONTyped(json: any, ignoreDiscriminator: boolean): Run {
         'benchmark_version': json['benchmark_version'],
         'manifest_sha256': json['manifest_sha256'],
         'policy': PolicyInfoFromJSON(json['policy']),
+        'mode': json['mode'] == null ? undefined : RunModeFromJSON(json['mode']),
+        'policy_server': json['policy_server'] == null ? undefined : PolicyServerViewFromJSON(json['policy_server']),
         'max_workers': json['max_workers'],
         'idle_timeout_s': json['idle_timeout_s'],
         'images': ImageChoiceFromJSON(json['images']),
@@ -188,6 +212,8 @@ export function RunToJSONTyped(value?: Run | null, ignoreDiscriminator: boolean 
         'benchmark_version': value['benchmark_version'],
         'manifest_sha256': value['manifest_sha256'],
         'policy': PolicyInfoToJSON(value['policy']),
+        'mode': RunModeToJSON(value['mode']),
+        'policy_server': PolicyServerViewToJSON(value['policy_server']),
         'max_workers': value['max_workers'],
         'idle_timeout_s': value['idle_timeout_s'],
         'images': ImageChoiceToJSON(value['images']),

@@ -5,6 +5,13 @@
  */
 
 import { mapValues } from '../runtime';
+import type { PolicyServer } from './PolicyServer';
+import {
+    PolicyServerFromJSON,
+    PolicyServerFromJSONTyped,
+    PolicyServerToJSON,
+    PolicyServerToJSONTyped,
+} from './PolicyServer';
 import type { CalibrationOptions } from './CalibrationOptions';
 import {
     CalibrationOptionsFromJSON,
@@ -19,6 +26,13 @@ import {
     ImageChoiceToJSON,
     ImageChoiceToJSONTyped,
 } from './ImageChoice';
+import type { RunMode } from './RunMode';
+import {
+    RunModeFromJSON,
+    RunModeFromJSONTyped,
+    RunModeToJSON,
+    RunModeToJSONTyped,
+} from './RunMode';
 import type { PolicyInfo } from './PolicyInfo';
 import {
     PolicyInfoFromJSON,
@@ -57,7 +71,17 @@ export interface SubmitRun {
      *
      */
     options?: CalibrationOptions;
+    /**
+     *
+     */
+    mode?: RunMode;
+    /**
+     *
+     */
+    policy_server?: PolicyServer;
 }
+
+
 
 /**
  * Check if a given object implements the SubmitRun interface.
@@ -84,6 +108,8 @@ export function SubmitRunFromJSONTyped(json: any, ignoreDiscriminator: boolean):
         'idle_timeout_s': json['idle_timeout_s'] == null ? undefined : json['idle_timeout_s'],
         'images': json['images'] == null ? undefined : ImageChoiceFromJSON(json['images']),
         'options': json['options'] == null ? undefined : CalibrationOptionsFromJSON(json['options']),
+        'mode': json['mode'] == null ? undefined : RunModeFromJSON(json['mode']),
+        'policy_server': json['policy_server'] == null ? undefined : PolicyServerFromJSON(json['policy_server']),
     };
 }
 
@@ -104,5 +130,7 @@ export function SubmitRunToJSONTyped(value?: SubmitRun | null, ignoreDiscriminat
         'idle_timeout_s': value['idle_timeout_s'],
         'images': ImageChoiceToJSON(value['images']),
         'options': CalibrationOptionsToJSON(value['options']),
+        'mode': RunModeToJSON(value['mode']),
+        'policy_server': PolicyServerToJSON(value['policy_server']),
     };
 }

@@ -21,6 +21,33 @@ namespace Proctor.Client.Api
     {
         #region Synchronous Operations
         /// <summary>
+        /// Runs beside a baseline, episode by episode
+        /// </summary>
+        /// <remarks>
+        /// Pairs the episodes of runs of one manifest. Offered with the profile &#x60;compare&#x60;; scoring.md has the arithmetic.
+        /// </remarks>
+        /// <exception cref="Proctor.Client.Client.ApiException">Thrown when fails to make API call</exception>
+        /// <param name="baseline">The run that the others are compared with.</param>
+        /// <param name="runs">Ids of one to sixteen runs, with commas between them; the baseline may be one of them.</param>
+        /// <param name="tolerance">The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)</param>
+        /// <param name="proctorVersion">The protocol version the caller was written for. (optional)</param>
+        /// <returns>Comparison</returns>
+        Comparison CompareRuns(string baseline, string runs, double? tolerance = default, string? proctorVersion = default);
+
+        /// <summary>
+        /// Runs beside a baseline, episode by episode
+        /// </summary>
+        /// <remarks>
+        /// Pairs the episodes of runs of one manifest. Offered with the profile &#x60;compare&#x60;; scoring.md has the arithmetic.
+        /// </remarks>
+        /// <exception cref="Proctor.Client.Client.ApiException">Thrown when fails to make API call</exception>
+        /// <param name="baseline">The run that the others are compared with.</param>
+        /// <param name="runs">Ids of one to sixteen runs, with commas between them; the baseline may be one of them.</param>
+        /// <param name="tolerance">The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)</param>
+        /// <param name="proctorVersion">The protocol version the caller was written for. (optional)</param>
+        /// <returns>ApiResponse of Comparison</returns>
+        ApiResponse<Comparison> CompareRunsWithHttpInfo(string baseline, string runs, double? tolerance = default, string? proctorVersion = default);
+        /// <summary>
         /// What this server is, speaks and allows
         /// </summary>
         /// <exception cref="Proctor.Client.Client.ApiException">Thrown when fails to make API call</exception>
@@ -239,6 +266,35 @@ namespace Proctor.Client.Api
     public interface IControlApiAsync : IApiAccessor
     {
         #region Asynchronous Operations
+        /// <summary>
+        /// Runs beside a baseline, episode by episode
+        /// </summary>
+        /// <remarks>
+        /// Pairs the episodes of runs of one manifest. Offered with the profile &#x60;compare&#x60;; scoring.md has the arithmetic.
+        /// </remarks>
+        /// <exception cref="Proctor.Client.Client.ApiException">Thrown when fails to make API call</exception>
+        /// <param name="baseline">The run that the others are compared with.</param>
+        /// <param name="runs">Ids of one to sixteen runs, with commas between them; the baseline may be one of them.</param>
+        /// <param name="tolerance">The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)</param>
+        /// <param name="proctorVersion">The protocol version the caller was written for. (optional)</param>
+        /// <param name="cancellationToken">Cancellation Token to cancel the request.</param>
+        /// <returns>Task of Comparison</returns>
+        System.Threading.Tasks.Task<Comparison> CompareRunsAsync(string baseline, string runs, double? tolerance = default, string? proctorVersion = default, System.Threading.CancellationToken cancellationToken = default);
+
+        /// <summary>
+        /// Runs beside a baseline, episode by episode
+        /// </summary>
+        /// <remarks>
+        /// Pairs the episodes of runs of one manifest. Offered with the profile &#x60;compare&#x60;; scoring.md has the arithmetic.
+        /// </remarks>
+        /// <exception cref="Proctor.Client.Client.ApiException">Thrown when fails to make API call</exception>
+        /// <param name="baseline">The run that the others are compared with.</param>
+        /// <param name="runs">Ids of one to sixteen runs, with commas between them; the baseline may be one of them.</param>
+        /// <param name="tolerance">The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)</param>
+        /// <param name="proctorVersion">The protocol version the caller was written for. (optional)</param>
+        /// <param name="cancellationToken">Cancellation Token to cancel the request.</param>
+        /// <returns>Task of ApiResponse (Comparison)</returns>
+        System.Threading.Tasks.Task<ApiResponse<Comparison>> CompareRunsWithHttpInfoAsync(string baseline, string runs, double? tolerance = default, string? proctorVersion = default, System.Threading.CancellationToken cancellationToken = default);
         /// <summary>
         /// What this server is, speaks and allows
         /// </summary>
@@ -710,6 +766,173 @@ namespace Proctor.Client.Api
                 return _exceptionFactory;
             }
             set { _exceptionFactory = value; }
+        }
+
+        /// <summary>
+        /// Runs beside a baseline, episode by episode Pairs the episodes of runs of one manifest. Offered with the profile &#x60;compare&#x60;; scoring.md has the arithmetic.
+        /// </summary>
+        /// <exception cref="Proctor.Client.Client.ApiException">Thrown when fails to make API call</exception>
+        /// <param name="baseline">The run that the others are compared with.</param>
+        /// <param name="runs">Ids of one to sixteen runs, with commas between them; the baseline may be one of them.</param>
+        /// <param name="tolerance">The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)</param>
+        /// <param name="proctorVersion">The protocol version the caller was written for. (optional)</param>
+        /// <returns>Comparison</returns>
+        public Comparison CompareRuns(string baseline, string runs, double? tolerance = default, string? proctorVersion = default)
+        {
+            Proctor.Client.Client.ApiResponse<Comparison> localVarResponse = CompareRunsWithHttpInfo(baseline, runs, tolerance, proctorVersion);
+            return localVarResponse.Data;
+        }
+
+        /// <summary>
+        /// Runs beside a baseline, episode by episode Pairs the episodes of runs of one manifest. Offered with the profile &#x60;compare&#x60;; scoring.md has the arithmetic.
+        /// </summary>
+        /// <exception cref="Proctor.Client.Client.ApiException">Thrown when fails to make API call</exception>
+        /// <param name="baseline">The run that the others are compared with.</param>
+        /// <param name="runs">Ids of one to sixteen runs, with commas between them; the baseline may be one of them.</param>
+        /// <param name="tolerance">The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)</param>
+        /// <param name="proctorVersion">The protocol version the caller was written for. (optional)</param>
+        /// <returns>ApiResponse of Comparison</returns>
+        public Proctor.Client.Client.ApiResponse<Comparison> CompareRunsWithHttpInfo(string baseline, string runs, double? tolerance = default, string? proctorVersion = default)
+        {
+            // verify the required parameter 'baseline' is set
+            if (baseline == null)
+                throw new Proctor.Client.Client.ApiException(400, "Missing required parameter 'baseline' when calling ControlApi->CompareRuns");
+
+            // verify the required parameter 'runs' is set
+            if (runs == null)
+                throw new Proctor.Client.Client.ApiException(400, "Missing required parameter 'runs' when calling ControlApi->CompareRuns");
+
+            Proctor.Client.Client.RequestOptions localVarRequestOptions = new Proctor.Client.Client.RequestOptions();
+
+            string[] _contentTypes = new string[] {
+            };
+
+            // to determine the Accept header
+            string[] _accepts = new string[] {
+                "application/json",
+                "application/problem+json"
+            };
+
+            var localVarContentType = Proctor.Client.Client.ClientUtils.SelectHeaderContentType(_contentTypes);
+            if (localVarContentType != null) localVarRequestOptions.HeaderParameters.Add("Content-Type", localVarContentType);
+
+            var localVarAccept = Proctor.Client.Client.ClientUtils.SelectHeaderAccept(_accepts);
+            if (localVarAccept != null) localVarRequestOptions.HeaderParameters.Add("Accept", localVarAccept);
+
+            localVarRequestOptions.QueryParameters.Add(Proctor.Client.Client.ClientUtils.ParameterToMultiMap("", "baseline", baseline));
+            localVarRequestOptions.QueryParameters.Add(Proctor.Client.Client.ClientUtils.ParameterToMultiMap("", "runs", runs));
+            if (tolerance != null)
+            {
+                localVarRequestOptions.QueryParameters.Add(Proctor.Client.Client.ClientUtils.ParameterToMultiMap("", "tolerance", tolerance));
+            }
+            if (proctorVersion != null)
+            {
+                localVarRequestOptions.HeaderParameters.Add("Proctor-Version", Proctor.Client.Client.ClientUtils.ParameterToString(proctorVersion)); // header parameter
+            }
+
+            // authentication (bearer) required
+            // bearer authentication required
+            if (!string.IsNullOrEmpty(this.Configuration.AccessToken) && !localVarRequestOptions.HeaderParameters.ContainsKey("Authorization"))
+            {
+                localVarRequestOptions.HeaderParameters.Add("Authorization", "Bearer " + this.Configuration.AccessToken);
+            }
+
+            // make the HTTP request
+            var localVarResponse = this.Client.Get<Comparison>("/v1/comparisons", localVarRequestOptions, this.Configuration);
+
+            if (this.ExceptionFactory != null)
+            {
+                Exception _exception = this.ExceptionFactory("CompareRuns", localVarResponse);
+                if (_exception != null) throw _exception;
+            }
+
+            return localVarResponse;
+        }
+
+        /// <summary>
+        /// Runs beside a baseline, episode by episode Pairs the episodes of runs of one manifest. Offered with the profile &#x60;compare&#x60;; scoring.md has the arithmetic.
+        /// </summary>
+        /// <exception cref="Proctor.Client.Client.ApiException">Thrown when fails to make API call</exception>
+        /// <param name="baseline">The run that the others are compared with.</param>
+        /// <param name="runs">Ids of one to sixteen runs, with commas between them; the baseline may be one of them.</param>
+        /// <param name="tolerance">The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)</param>
+        /// <param name="proctorVersion">The protocol version the caller was written for. (optional)</param>
+        /// <param name="cancellationToken">Cancellation Token to cancel the request.</param>
+        /// <returns>Task of Comparison</returns>
+        public async System.Threading.Tasks.Task<Comparison> CompareRunsAsync(string baseline, string runs, double? tolerance = default, string? proctorVersion = default, System.Threading.CancellationToken cancellationToken = default)
+        {
+            Proctor.Client.Client.ApiResponse<Comparison> localVarResponse = await CompareRunsWithHttpInfoAsync(baseline, runs, tolerance, proctorVersion, cancellationToken).ConfigureAwait(false);
+            return localVarResponse.Data;
+        }
+
+        /// <summary>
+        /// Runs beside a baseline, episode by episode Pairs the episodes of runs of one manifest. Offered with the profile &#x60;compare&#x60;; scoring.md has the arithmetic.
+        /// </summary>
+        /// <exception cref="Proctor.Client.Client.ApiException">Thrown when fails to make API call</exception>
+        /// <param name="baseline">The run that the others are compared with.</param>
+        /// <param name="runs">Ids of one to sixteen runs, with commas between them; the baseline may be one of them.</param>
+        /// <param name="tolerance">The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)</param>
+        /// <param name="proctorVersion">The protocol version the caller was written for. (optional)</param>
+        /// <param name="cancellationToken">Cancellation Token to cancel the request.</param>
+        /// <returns>Task of ApiResponse (Comparison)</returns>
+        public async System.Threading.Tasks.Task<Proctor.Client.Client.ApiResponse<Comparison>> CompareRunsWithHttpInfoAsync(string baseline, string runs, double? tolerance = default, string? proctorVersion = default, System.Threading.CancellationToken cancellationToken = default)
+        {
+            // verify the required parameter 'baseline' is set
+            if (baseline == null)
+                throw new Proctor.Client.Client.ApiException(400, "Missing required parameter 'baseline' when calling ControlApi->CompareRuns");
+
+            // verify the required parameter 'runs' is set
+            if (runs == null)
+                throw new Proctor.Client.Client.ApiException(400, "Missing required parameter 'runs' when calling ControlApi->CompareRuns");
+
+
+            Proctor.Client.Client.RequestOptions localVarRequestOptions = new Proctor.Client.Client.RequestOptions();
+
+            string[] _contentTypes = new string[] {
+            };
+
+            // to determine the Accept header
+            string[] _accepts = new string[] {
+                "application/json",
+                "application/problem+json"
+            };
+
+
+            var localVarContentType = Proctor.Client.Client.ClientUtils.SelectHeaderContentType(_contentTypes);
+            if (localVarContentType != null) localVarRequestOptions.HeaderParameters.Add("Content-Type", localVarContentType);
+
+            var localVarAccept = Proctor.Client.Client.ClientUtils.SelectHeaderAccept(_accepts);
+            if (localVarAccept != null) localVarRequestOptions.HeaderParameters.Add("Accept", localVarAccept);
+
+            localVarRequestOptions.QueryParameters.Add(Proctor.Client.Client.ClientUtils.ParameterToMultiMap("", "baseline", baseline));
+            localVarRequestOptions.QueryParameters.Add(Proctor.Client.Client.ClientUtils.ParameterToMultiMap("", "runs", runs));
+            if (tolerance != null)
+            {
+                localVarRequestOptions.QueryParameters.Add(Proctor.Client.Client.ClientUtils.ParameterToMultiMap("", "tolerance", tolerance));
+            }
+            if (proctorVersion != null)
+            {
+                localVarRequestOptions.HeaderParameters.Add("Proctor-Version", Proctor.Client.Client.ClientUtils.ParameterToString(proctorVersion)); // header parameter
+            }
+
+            // authentication (bearer) required
+            // bearer authentication required
+            if (!string.IsNullOrEmpty(this.Configuration.AccessToken) && !localVarRequestOptions.HeaderParameters.ContainsKey("Authorization"))
+            {
+                localVarRequestOptions.HeaderParameters.Add("Authorization", "Bearer " + this.Configuration.AccessToken);
+            }
+
+            // make the HTTP request
+
+            var localVarResponse = await this.AsynchronousClient.GetAsync<Comparison>("/v1/comparisons", localVarRequestOptions, this.Configuration, cancellationToken).ConfigureAwait(false);
+
+            if (this.ExceptionFactory != null)
+            {
+                Exception _exception = this.ExceptionFactory("CompareRuns", localVarResponse);
+                if (_exception != null) throw _exception;
+            }
+
+            return localVarResponse;
         }
 
         /// <summary>

@@ -49,8 +49,9 @@ namespace Proctor.Client.Model
         /// <param name="status">status (required).</param>
         /// <param name="attempt">The current or next attempt. (required).</param>
         /// <param name="faults">faults (required).</param>
+        /// <param name="policyFault">In a run with mode &#x60;push&#x60;: what the policy did wrong when it last ended an attempt of this episode..</param>
         /// <param name="result">result.</param>
-        public Episode(string episodeId = default, int index = default, string task = default, string split = default, EpisodeStatus status = default, int attempt = default, int faults = default, EpisodeResult result = default)
+        public Episode(string episodeId = default, int index = default, string task = default, string split = default, EpisodeStatus status = default, int attempt = default, int faults = default, string policyFault = default, EpisodeResult result = default)
         {
             // to ensure "episodeId" is required (not null)
             if (episodeId == null)
@@ -74,6 +75,7 @@ namespace Proctor.Client.Model
             this.Status = status;
             this.Attempt = attempt;
             this.Faults = faults;
+            this.PolicyFault = policyFault;
             this.Result = result;
             this.AdditionalProperties = new Dictionary<string, object>();
         }
@@ -116,6 +118,13 @@ namespace Proctor.Client.Model
         public int Faults { get; set; }
 
         /// <summary>
+        /// In a run with mode &#x60;push&#x60;: what the policy did wrong when it last ended an attempt of this episode.
+        /// </summary>
+        /// <value>In a run with mode &#x60;push&#x60;: what the policy did wrong when it last ended an attempt of this episode.</value>
+        [DataMember(Name = "policy_fault", EmitDefaultValue = false)]
+        public string PolicyFault { get; set; }
+
+        /// <summary>
         /// Gets or Sets Result
         /// </summary>
         [DataMember(Name = "result", EmitDefaultValue = false)]
@@ -142,6 +151,7 @@ namespace Proctor.Client.Model
             sb.Append("  Status: ").Append(Status).Append("\n");
             sb.Append("  Attempt: ").Append(Attempt).Append("\n");
             sb.Append("  Faults: ").Append(Faults).Append("\n");
+            sb.Append("  PolicyFault: ").Append(PolicyFault).Append("\n");
             sb.Append("  Result: ").Append(Result).Append("\n");
             sb.Append("  AdditionalProperties: ").Append(AdditionalProperties).Append("\n");
             sb.Append("}\n");

@@ -35,7 +35,31 @@ namespace Proctor.Client.Model
         /// Enum Msgpack for value: msgpack
         /// </summary>
         [EnumMember(Value = "msgpack")]
-        Msgpack = 2
+        Msgpack = 2,
+
+        /// <summary>
+        /// Enum Compare for value: compare
+        /// </summary>
+        [EnumMember(Value = "compare")]
+        Compare = 3,
+
+        /// <summary>
+        /// Enum Push for value: push
+        /// </summary>
+        [EnumMember(Value = "push")]
+        Push = 4,
+
+        /// <summary>
+        /// Enum Ebench for value: ebench
+        /// </summary>
+        [EnumMember(Value = "ebench")]
+        Ebench = 5,
+
+        /// <summary>
+        /// Enum Flageval for value: flageval
+        /// </summary>
+        [EnumMember(Value = "flageval")]
+        Flageval = 6
     }
 
 }

@@ -31,6 +31,12 @@ namespace Proctor.Client.Model
         /// </summary>
         [DataMember(Name = "state", IsRequired = true, EmitDefaultValue = true)]
         public RunState State { get; set; }
+
+        /// <summary>
+        /// Gets or Sets Mode
+        /// </summary>
+        [DataMember(Name = "mode", EmitDefaultValue = false)]
+        public RunMode? Mode { get; set; }
         /// <summary>
         /// Initializes a new instance of the <see cref="Run" /> class.
         /// </summary>
@@ -50,6 +56,8 @@ namespace Proctor.Client.Model
         /// <param name="benchmarkVersion">benchmarkVersion (required).</param>
         /// <param name="manifestSha256">The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software. (required).</param>
         /// <param name="policy">policy (required).</param>
+        /// <param name="mode">mode.</param>
+        /// <param name="policyServer">policyServer.</param>
         /// <param name="maxWorkers">maxWorkers (required).</param>
         /// <param name="idleTimeoutS">idleTimeoutS (required).</param>
         /// <param name="images">images (required).</param>
@@ -59,7 +67,7 @@ namespace Proctor.Client.Model
         /// <param name="progress">progress (required).</param>
         /// <param name="createdAt">createdAt (required).</param>
         /// <param name="updatedAt">updatedAt (required).</param>
-        public Run(string runId = default, RunState state = default, string reason = default, bool? retryable = default, string benchmarkId = default, string benchmarkVersion = default, string manifestSha256 = default, PolicyInfo policy = default, int maxWorkers = default, double idleTimeoutS = default, ImageChoice images = default, string endpoint = default, int? queuePosition = default, int liveWorkers = default, Progress progress = default, DateTime createdAt = default, DateTime updatedAt = default)
+        public Run(string runId = default, RunState state = default, string reason = default, bool? retryable = default, string benchmarkId = default, string benchmarkVersion = default, string manifestSha256 = default, PolicyInfo policy = default, RunMode? mode = default, PolicyServerView policyServer = default, int maxWorkers = default, double idleTimeoutS = default, ImageChoice images = default, string endpoint = default, int? queuePosition = default, int liveWorkers = default, Progress progress = default, DateTime createdAt = default, DateTime updatedAt = default)
         {
             // to ensure "runId" is required (not null)
             if (runId == null)
@@ -133,6 +141,8 @@ namespace Proctor.Client.Model
             this.Progress = progress;
             this.CreatedAt = createdAt;
             this.UpdatedAt = updatedAt;
+            this.Mode = mode;
+            this.PolicyServer = policyServer;
             this.AdditionalProperties = new Dictionary<string, object>();
         }
 
@@ -180,6 +190,12 @@ namespace Proctor.Client.Model
         /// </summary>
         [DataMember(Name = "policy", IsRequired = true, EmitDefaultValue = true)]
         public PolicyInfo Policy { get; set; }
+
+        /// <summary>
+        /// Gets or Sets PolicyServer
+        /// </summary>
+        [DataMember(Name = "policy_server", EmitDefaultValue = false)]
+        public PolicyServerView PolicyServer { get; set; }
 
         /// <summary>
         /// Gets or Sets MaxWorkers
@@ -259,6 +275,8 @@ namespace Proctor.Client.Model
             sb.Append("  BenchmarkVersion: ").Append(BenchmarkVersion).Append("\n");
             sb.Append("  ManifestSha256: ").Append(ManifestSha256).Append("\n");
             sb.Append("  Policy: ").Append(Policy).Append("\n");
+            sb.Append("  Mode: ").Append(Mode).Append("\n");
+            sb.Append("  PolicyServer: ").Append(PolicyServer).Append("\n");
             sb.Append("  MaxWorkers: ").Append(MaxWorkers).Append("\n");
             sb.Append("  IdleTimeoutS: ").Append(IdleTimeoutS).Append("\n");
             sb.Append("  Images: ").Append(Images).Append("\n");

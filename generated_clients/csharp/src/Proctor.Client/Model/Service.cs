@@ -39,7 +39,7 @@ namespace Proctor.Client.Model
         /// <param name="name">name (required).</param>
         /// <param name="varVersion">Version of the server software. (required).</param>
         /// <param name="protocol">protocol (required).</param>
-        /// <param name="profiles">Parts of the protocol offered; &#x60;core&#x60; may be left out, for it always is. The rules of the profile &#x60;crash&#x60; are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified. (required).</param>
+        /// <param name="profiles">Parts of the protocol offered; &#x60;core&#x60; may be left out, for it always is. An operation with &#x60;x-profile&#x60; is there when its profile is announced. The rules of the profile &#x60;crash&#x60; are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified. (required).</param>
         /// <param name="limits">limits (required).</param>
         /// <param name="encodings">Media types of the data plane. (required).</param>
         /// <param name="imageCodecs">imageCodecs (required).</param>
@@ -112,9 +112,9 @@ namespace Proctor.Client.Model
         public ProtocolRange Protocol { get; set; }
 
         /// <summary>
-        /// Parts of the protocol offered; &#x60;core&#x60; may be left out, for it always is. The rules of the profile &#x60;crash&#x60; are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.
+        /// Parts of the protocol offered; &#x60;core&#x60; may be left out, for it always is. An operation with &#x60;x-profile&#x60; is there when its profile is announced. The rules of the profile &#x60;crash&#x60; are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.
         /// </summary>
-        /// <value>Parts of the protocol offered; &#x60;core&#x60; may be left out, for it always is. The rules of the profile &#x60;crash&#x60; are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.</value>
+        /// <value>Parts of the protocol offered; &#x60;core&#x60; may be left out, for it always is. An operation with &#x60;x-profile&#x60; is there when its profile is announced. The rules of the profile &#x60;crash&#x60; are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.</value>
         [DataMember(Name = "profiles", IsRequired = true, EmitDefaultValue = true)]
         public List<Profile> Profiles { get; set; }
 

@@ -25,6 +25,12 @@ namespace Proctor.Client.Model
     [DataContract(Name = "SubmitRun")]
     public partial class SubmitRun : IValidatableObject
     {
+
+        /// <summary>
+        /// Gets or Sets Mode
+        /// </summary>
+        [DataMember(Name = "mode", EmitDefaultValue = false)]
+        public RunMode? Mode { get; set; }
         /// <summary>
         /// Initializes a new instance of the <see cref="SubmitRun" /> class.
         /// </summary>
@@ -39,7 +45,9 @@ namespace Proctor.Client.Model
         /// <param name="idleTimeoutS">Lease of a session; the server&#39;s maximum when absent..</param>
         /// <param name="images">images.</param>
         /// <param name="options">options.</param>
-        public SubmitRun(string benchmarkId = default, PolicyInfo policy = default, int maxWorkers = default, double idleTimeoutS = default, ImageChoice images = default, CalibrationOptions options = default)
+        /// <param name="mode">mode.</param>
+        /// <param name="policyServer">policyServer.</param>
+        public SubmitRun(string benchmarkId = default, PolicyInfo policy = default, int maxWorkers = default, double idleTimeoutS = default, ImageChoice images = default, CalibrationOptions options = default, RunMode? mode = default, PolicyServer policyServer = default)
         {
             // to ensure "benchmarkId" is required (not null)
             if (benchmarkId == null)
@@ -57,6 +65,8 @@ namespace Proctor.Client.Model
             this.IdleTimeoutS = idleTimeoutS;
             this.Images = images;
             this.Options = options;
+            this.Mode = mode;
+            this.PolicyServer = policyServer;
         }
 
         /// <summary>
@@ -98,6 +108,12 @@ namespace Proctor.Client.Model
         public CalibrationOptions Options { get; set; }
 
         /// <summary>
+        /// Gets or Sets PolicyServer
+        /// </summary>
+        [DataMember(Name = "policy_server", EmitDefaultValue = false)]
+        public PolicyServer PolicyServer { get; set; }
+
+        /// <summary>
         /// Returns the string presentation of the object
         /// </summary>
         /// <returns>String presentation of the object</returns>
@@ -111,6 +127,8 @@ namespace Proctor.Client.Model
             sb.Append("  IdleTimeoutS: ").Append(IdleTimeoutS).Append("\n");
             sb.Append("  Images: ").Append(Images).Append("\n");
             sb.Append("  Options: ").Append(Options).Append("\n");
+            sb.Append("  Mode: ").Append(Mode).Append("\n");
+            sb.Append("  PolicyServer: ").Append(PolicyServer).Append("\n");
             sb.Append("}\n");
             return sb.ToString();
         }

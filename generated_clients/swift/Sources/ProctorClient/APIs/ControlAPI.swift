@@ -10,6 +10,59 @@ import Foundation
 open class ControlAPI {
 
     /**
+     Runs beside a baseline, episode by episode
+
+     - parameter baseline: (query) The run that the others are compared with.
+     - parameter runs: (query) Ids of one to sixteen runs, with commas between them; the baseline may be one of them.
+     - parameter tolerance: (query) The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)
+     - parameter proctorVersion: (header) The protocol version the caller was written for. (optional)
+     - parameter apiConfiguration: The configuration for the http request.
+     - returns: Comparison
+     */
+    open class func compareRuns(baseline: String, runs: String, tolerance: Double? = nil, proctorVersion: String? = nil, apiConfiguration: ProctorClientAPIConfiguration = ProctorClientAPIConfiguration.shared) async throws(ErrorResponse) -> Comparison {
+        return try await compareRunsWithRequestBuilder(baseline: baseline, runs: runs, tolerance: tolerance, proctorVersion: proctorVersion, apiConfiguration: apiConfiguration).execute().body
+    }
+
+    /**
+     Runs beside a baseline, episode by episode
+     - GET /v1/comparisons
+     - Pairs the episodes of runs of one manifest. Offered with the profile `compare`; scoring.md has the arithmetic.
+     - Bearer Token:
+       - type: http
+       - name: bearer
+     - responseHeaders: [Proctor-Version(String)]
+     - parameter baseline: (query) The run that the others are compared with.
+     - parameter runs: (query) Ids of one to sixteen runs, with commas between them; the baseline may be one of them.
+     - parameter tolerance: (query) The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)
+     - parameter proctorVersion: (header) The protocol version the caller was written for. (optional)
+     - parameter apiConfiguration: The configuration for the http request.
+     - returns: RequestBuilder<Comparison>
+     */
+    open class func compareRunsWithRequestBuilder(baseline: String, runs: String, tolerance: Double? = nil, proctorVersion: String? = nil, apiConfiguration: ProctorClientAPIConfiguration = ProctorClientAPIConfiguration.shared) -> RequestBuilder<Comparison> {
+        let localVariablePath = "/v1/comparisons"
+        let localVariableURLString = apiConfiguration.basePath + localVariablePath
+        let localVariableParameters: [String: any Sendable]? = nil
+
+        var localVariableUrlComponents = URLComponents(string: localVariableURLString)
+        let localVariableQueryParameters: [String: (wrappedValue: (any Sendable)?, isExplode: Bool)] = [
+            "baseline": (wrappedValue: baseline.asParameter(codableHelper: apiConfiguration.codableHelper), isExplode: true),
+            "runs": (wrappedValue: runs.asParameter(codableHelper: apiConfiguration.codableHelper), isExplode: true),
+            "tolerance": (wrappedValue: tolerance?.asParameter(codableHelper: apiConfiguration.codableHelper), isExplode: true),
+        ]
+        localVariableUrlComponents?.queryItems = APIHelper.mapValuesToQueryItems(localVariableQueryParameters)
+
+        let localVariableNillableHeaders: [String: (any Sendable)?] = [
+            "Proctor-Version": proctorVersion?.asParameter(codableHelper: apiConfiguration.codableHelper),
+        ]
+
+        let localVariableHeaderParameters = APIHelper.rejectNilHeaders(localVariableNillableHeaders)
+
+        let localVariableRequestBuilder: RequestBuilder<Comparison>.Type = apiConfiguration.requestBuilderFactory.getBuilder()
+
+        return localVariableRequestBuilder.init(method: "GET", URLString: (localVariableUrlComponents?.string ?? localVariableURLString), parameters: localVariableParameters, headers: localVariableHeaderParameters, requiresAuthentication: true, apiConfiguration: apiConfiguration)
+    }
+
+    /**
      What this server is, speaks and allows
 
      - parameter proctorVersion: (header) The protocol version the caller was written for. (optional)

@@ -20,9 +20,11 @@ public struct Episode: Sendable, Codable, Hashable {
     /** The current or next attempt. */
     public var attempt: Int
     public var faults: Int
+    /** In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode. */
+    public var policyFault: String?
     public var result: EpisodeResult?
 
-    public init(episodeId: String, index: Int, task: String, split: String, status: EpisodeStatus, attempt: Int, faults: Int, result: EpisodeResult? = nil) {
+    public init(episodeId: String, index: Int, task: String, split: String, status: EpisodeStatus, attempt: Int, faults: Int, policyFault: String? = nil, result: EpisodeResult? = nil) {
         self.episodeId = episodeId
         self.index = index
         self.task = task
@@ -30,6 +32,7 @@ public struct Episode: Sendable, Codable, Hashable {
         self.status = status
         self.attempt = attempt
         self.faults = faults
+        self.policyFault = policyFault
         self.result = result
     }
 
@@ -41,6 +44,7 @@ public struct Episode: Sendable, Codable, Hashable {
         case status
         case attempt
         case faults
+        case policyFault = "policy_fault"
         case result
     }
 
@@ -70,6 +74,7 @@ public struct Episode: Sendable, Codable, Hashable {
         try container.encode(status, forKey: .status)
         try container.encode(attempt, forKey: .attempt)
         try container.encode(faults, forKey: .faults)
+        try container.encodeIfPresent(policyFault, forKey: .policyFault)
         try container.encodeIfPresent(result, forKey: .result)
         var additionalPropertiesContainer = encoder.container(keyedBy: String.self)
         try additionalPropertiesContainer.encodeMap(additionalProperties)
@@ -87,6 +92,7 @@ public struct Episode: Sendable, Codable, Hashable {
         status = try container.decode(EpisodeStatus.self, forKey: .status)
         attempt = try container.decode(Int.self, forKey: .attempt)
         faults = try container.decode(Int.self, forKey: .faults)
+        policyFault = try container.decodeIfPresent(String.self, forKey: .policyFault)
         result = try container.decodeIfPresent(EpisodeResult.self, forKey: .result)
         var nonAdditionalPropertyKeys = Set<String>()
         nonAdditionalPropertyKeys.insert("episode_id")
@@ -96,6 +102,7 @@ public struct Episode: Sendable, Codable, Hashable {
         nonAdditionalPropertyKeys.insert("status")
         nonAdditionalPropertyKeys.insert("attempt")
         nonAdditionalPropertyKeys.insert("faults")
+        nonAdditionalPropertyKeys.insert("policy_fault")
         nonAdditionalPropertyKeys.insert("result")
         let additionalPropertiesContainer = try decoder.container(keyedBy: String.self)
         additionalProperties = try additionalPropertiesContainer.decodeMap(JSONValue.self, excludedKeys: nonAdditionalPropertyKeys)

@@ -10,6 +10,10 @@ import Foundation
 public enum Profile: String, Sendable, Codable, CaseIterable, CaseIterableDefaultsLast {
     case core = "core"
     case msgpack = "msgpack"
+    case compare = "compare"
+    case push = "push"
+    case ebench = "ebench"
+    case flageval = "flageval"
     case unknownDefaultOpenApi = "unknown_default_open_api"
 }
 

@@ -22,6 +22,8 @@ public struct Run: Sendable, Codable, Hashable {
     /** The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software. */
     public var manifestSha256: String
     public var policy: PolicyInfo
+    public var mode: RunMode?
+    public var policyServer: PolicyServerView?
     public var maxWorkers: Int
     public var idleTimeoutS: Double
     public var images: ImageChoice
@@ -34,7 +36,7 @@ public struct Run: Sendable, Codable, Hashable {
     public var createdAt: Date
     public var updatedAt: Date
 
-    public init(runId: String, state: RunState, reason: String?, retryable: Bool?, benchmarkId: String, benchmarkVersion: String, manifestSha256: String, policy: PolicyInfo, maxWorkers: Int, idleTimeoutS: Double, images: ImageChoice, endpoint: String, queuePosition: Int?, liveWorkers: Int, progress: ModelProgress, createdAt: Date, updatedAt: Date) {
+    public init(runId: String, state: RunState, reason: String?, retryable: Bool?, benchmarkId: String, benchmarkVersion: String, manifestSha256: String, policy: PolicyInfo, mode: RunMode? = nil, policyServer: PolicyServerView? = nil, maxWorkers: Int, idleTimeoutS: Double, images: ImageChoice, endpoint: String, queuePosition: Int?, liveWorkers: Int, progress: ModelProgress, createdAt: Date, updatedAt: Date) {
         self.runId = runId
         self.state = state
         self.reason = reason
@@ -43,6 +45,8 @@ public struct Run: Sendable, Codable, Hashable {
         self.benchmarkVersion = benchmarkVersion
         self.manifestSha256 = manifestSha256
         self.policy = policy
+        self.mode = mode
+        self.policyServer = policyServer
         self.maxWorkers = maxWorkers
         self.idleTimeoutS = idleTimeoutS
         self.images = images
@@ -63,6 +67,8 @@ public struct Run: Sendable, Codable, Hashable {
         case benchmarkVersion = "benchmark_version"
         case manifestSha256 = "manifest_sha256"
         case policy
+        case mode
+        case policyServer = "policy_server"
         case maxWorkers = "max_workers"
         case idleTimeoutS = "idle_timeout_s"
         case images
@@ -101,6 +107,8 @@ public struct Run: Sendable, Codable, Hashable {
         try container.encode(benchmarkVersion, forKey: .benchmarkVersion)
         try container.encode(manifestSha256, forKey: .manifestSha256)
         try container.encode(policy, forKey: .policy)
+        try container.encodeIfPresent(mode, forKey: .mode)
+        try container.encodeIfPresent(policyServer, forKey: .policyServer)
         try container.encode(maxWorkers, forKey: .maxWorkers)
         try container.encode(idleTimeoutS, forKey: .idleTimeoutS)
         try container.encode(images, forKey: .images)
@@ -127,6 +135,8 @@ public struct Run: Sendable, Codable, Hashable {
         benchmarkVersion = try container.decode(String.self, forKey: .benchmarkVersion)
         manifestSha256 = try container.decode(String.self, forKey: .manifestSha256)
         policy = try container.decode(PolicyInfo.self, forKey: .policy)
+        mode = try container.decodeIfPresent(RunMode.self, forKey: .mode)
+        policyServer = try container.decodeIfPresent(PolicyServerView.self, forKey: .policyServer)
         maxWorkers = try container.decode(Int.self, forKey: .maxWorkers)
         idleTimeoutS = try container.decode(Double.self, forKey: .idleTimeoutS)
         images = try container.decode(ImageChoice.self, forKey: .images)
@@ -145,6 +155,8 @@ public struct Run: Sendable, Codable, Hashable {
         nonAdditionalPropertyKeys.insert("benchmark_version")
         nonAdditionalPropertyKeys.insert("manifest_sha256")
         nonAdditionalPropertyKeys.insert("policy")
+        nonAdditionalPropertyKeys.insert("mode")
+        nonAdditionalPropertyKeys.insert("policy_server")
         nonAdditionalPropertyKeys.insert("max_workers")
         nonAdditionalPropertyKeys.insert("idle_timeout_s")
         nonAdditionalPropertyKeys.insert("images")
@@ -163,6 +175,7 @@ public struct Run: Sendable, Codable, Hashable {
 extension Run: UnknownCaseCheckable {
     public var containsUnknownDefaultOpenApiCase: Bool {
         if state == .unknownDefaultOpenApi { return true }
+        if mode == .unknownDefaultOpenApi { return true }
         return false
     }
 }

@@ -14,7 +14,7 @@ public struct Service: Sendable, Codable, Hashable {
     /** Version of the server software. */
     public var version: String
     public var _protocol: ProtocolRange
-    /** Parts of the protocol offered; `core` may be left out, for it always is. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified. */
+    /** Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified. */
     public var profiles: [Profile]
     public var limits: Limits
     /** Media types of the data plane. */

@@ -20,14 +20,18 @@ public struct SubmitRun: Sendable, Codable, Hashable {
     public var idleTimeoutS: Double?
     public var images: ImageChoice?
     public var options: CalibrationOptions?
+    public var mode: RunMode?
+    public var policyServer: PolicyServer?
 
-    public init(benchmarkId: String, policy: PolicyInfo, maxWorkers: Int? = nil, idleTimeoutS: Double? = nil, images: ImageChoice? = nil, options: CalibrationOptions? = nil) {
+    public init(benchmarkId: String, policy: PolicyInfo, maxWorkers: Int? = nil, idleTimeoutS: Double? = nil, images: ImageChoice? = nil, options: CalibrationOptions? = nil, mode: RunMode? = nil, policyServer: PolicyServer? = nil) {
         self.benchmarkId = benchmarkId
         self.policy = policy
         self.maxWorkers = maxWorkers
         self.idleTimeoutS = idleTimeoutS
         self.images = images
         self.options = options
+        self.mode = mode
+        self.policyServer = policyServer
     }
 
     public enum CodingKeys: String, CodingKey, CaseIterable {
@@ -37,6 +41,8 @@ public struct SubmitRun: Sendable, Codable, Hashable {
         case idleTimeoutS = "idle_timeout_s"
         case images
         case options
+        case mode
+        case policyServer = "policy_server"
     }
 
     // Encodable protocol methods
@@ -49,5 +55,15 @@ public struct SubmitRun: Sendable, Codable, Hashable {
         try container.encodeIfPresent(idleTimeoutS, forKey: .idleTimeoutS)
         try container.encodeIfPresent(images, forKey: .images)
         try container.encodeIfPresent(options, forKey: .options)
+        try container.encodeIfPresent(mode, forKey: .mode)
+        try container.encodeIfPresent(policyServer, forKey: .policyServer)
+    }
+}
+
+
+extension SubmitRun: UnknownCaseCheckable {
+    public var containsUnknownDefaultOpenApiCase: Bool {
+        if mode == .unknownDefaultOpenApi { return true }
+        return false
     }
 }

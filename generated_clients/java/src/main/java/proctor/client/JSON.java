@@ -100,6 +100,9 @@ public class JSON {
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.BenchmarkList.CustomTypeAdapterFactory());
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.BenchmarkSummary.CustomTypeAdapterFactory());
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.CalibrationOptions.CustomTypeAdapterFactory());
+        gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.ComparedRun.CustomTypeAdapterFactory());
+        gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.ComparedTask.CustomTypeAdapterFactory());
+        gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.Comparison.CustomTypeAdapterFactory());
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.Episode.CustomTypeAdapterFactory());
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.EpisodeList.CustomTypeAdapterFactory());
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.EpisodeResult.CustomTypeAdapterFactory());
@@ -117,12 +120,17 @@ public class JSON {
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.Observation.CustomTypeAdapterFactory());
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.ObservationSpace.CustomTypeAdapterFactory());
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.OutcomeCounts.CustomTypeAdapterFactory());
+        gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.PolicyDescription.CustomTypeAdapterFactory());
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.PolicyInfo.CustomTypeAdapterFactory());
+        gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.PolicyReset.CustomTypeAdapterFactory());
+        gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.PolicyServer.CustomTypeAdapterFactory());
+        gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.PolicyServerView.CustomTypeAdapterFactory());
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.Predict.CustomTypeAdapterFactory());
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.Problem.CustomTypeAdapterFactory());
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.ProblemItem.CustomTypeAdapterFactory());
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.Progress.CustomTypeAdapterFactory());
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.ProtocolRange.CustomTypeAdapterFactory());
+        gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.ResetPolicy.CustomTypeAdapterFactory());
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.Run.CustomTypeAdapterFactory());
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.RunList.CustomTypeAdapterFactory());
         gsonBuilder.registerTypeAdapterFactory(new proctor.client.model.Score.CustomTypeAdapterFactory());

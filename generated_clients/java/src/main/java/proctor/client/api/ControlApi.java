@@ -21,6 +21,7 @@ import java.io.IOException;
 
 import proctor.client.model.Benchmark;
 import proctor.client.model.BenchmarkList;
+import proctor.client.model.Comparison;
 import proctor.client.model.EpisodeList;
 import proctor.client.model.Problem;
 import proctor.client.model.Run;
@@ -73,6 +74,175 @@ public class ControlApi {
         this.localCustomBaseUrl = customBaseUrl;
     }
 
+    /**
+     * Build call for compareRuns
+     * @param baseline The run that the others are compared with. (required)
+     * @param runs Ids of one to sixteen runs, with commas between them; the baseline may be one of them. (required)
+     * @param tolerance The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The comparison. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call compareRunsCall(@javax.annotation.Nonnull String baseline, @javax.annotation.Nonnull String runs, @javax.annotation.Nullable Double tolerance, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/comparisons";
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        if (baseline != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("baseline", baseline));
+        }
+
+        if (runs != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("runs", runs));
+        }
+
+        if (tolerance != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("tolerance", tolerance));
+        }
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call compareRunsValidateBeforeCall(@javax.annotation.Nonnull String baseline, @javax.annotation.Nonnull String runs, @javax.annotation.Nullable Double tolerance, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'baseline' is set
+        if (baseline == null) {
+            throw new ApiException("Missing the required parameter 'baseline' when calling compareRuns(Async)");
+        }
+
+        // verify the required parameter 'runs' is set
+        if (runs == null) {
+            throw new ApiException("Missing the required parameter 'runs' when calling compareRuns(Async)");
+        }
+
+        return compareRunsCall(baseline, runs, tolerance, proctorVersion, _callback);
+
+    }
+
+    /**
+     * Runs beside a baseline, episode by episode
+     * Pairs the episodes of runs of one manifest. Offered with the profile &#x60;compare&#x60;; scoring.md has the arithmetic.
+     * @param baseline The run that the others are compared with. (required)
+     * @param runs Ids of one to sixteen runs, with commas between them; the baseline may be one of them. (required)
+     * @param tolerance The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return Comparison
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The comparison. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public Comparison compareRuns(@javax.annotation.Nonnull String baseline, @javax.annotation.Nonnull String runs, @javax.annotation.Nullable Double tolerance, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<Comparison> localVarResp = compareRunsWithHttpInfo(baseline, runs, tolerance, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * Runs beside a baseline, episode by episode
+     * Pairs the episodes of runs of one manifest. Offered with the profile &#x60;compare&#x60;; scoring.md has the arithmetic.
+     * @param baseline The run that the others are compared with. (required)
+     * @param runs Ids of one to sixteen runs, with commas between them; the baseline may be one of them. (required)
+     * @param tolerance The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;Comparison&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The comparison. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<Comparison> compareRunsWithHttpInfo(@javax.annotation.Nonnull String baseline, @javax.annotation.Nonnull String runs, @javax.annotation.Nullable Double tolerance, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = compareRunsValidateBeforeCall(baseline, runs, tolerance, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<Comparison>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * Runs beside a baseline, episode by episode (asynchronously)
+     * Pairs the episodes of runs of one manifest. Offered with the profile &#x60;compare&#x60;; scoring.md has the arithmetic.
+     * @param baseline The run that the others are compared with. (required)
+     * @param runs Ids of one to sixteen runs, with commas between them; the baseline may be one of them. (required)
+     * @param tolerance The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The comparison. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call compareRunsAsync(@javax.annotation.Nonnull String baseline, @javax.annotation.Nonnull String runs, @javax.annotation.Nullable Double tolerance, @javax.annotation.Nullable String proctorVersion, final ApiCallback<Comparison> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = compareRunsValidateBeforeCall(baseline, runs, tolerance, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<Comparison>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
     /**
      * Build call for describeService
      * @param proctorVersion The protocol version the caller was written for. (optional)

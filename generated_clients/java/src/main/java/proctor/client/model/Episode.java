@@ -80,6 +80,11 @@ public class Episode {
   @javax.annotation.Nonnull
   private Integer faults;
 
+  public static final String SERIALIZED_NAME_POLICY_FAULT = "policy_fault";
+  @SerializedName(SERIALIZED_NAME_POLICY_FAULT)
+  @javax.annotation.Nullable
+  private String policyFault;
+
   public static final String SERIALIZED_NAME_RESULT = "result";
   @SerializedName(SERIALIZED_NAME_RESULT)
   @javax.annotation.Nullable
@@ -224,6 +229,25 @@ public class Episode {
   }
 
 
+  public Episode policyFault(@javax.annotation.Nullable String policyFault) {
+    this.policyFault = policyFault;
+    return this;
+  }
+
+  /**
+   * In a run with mode &#x60;push&#x60;: what the policy did wrong when it last ended an attempt of this episode.
+   * @return policyFault
+   */
+  @javax.annotation.Nullable
+  public String getPolicyFault() {
+    return policyFault;
+  }
+
+  public void setPolicyFault(@javax.annotation.Nullable String policyFault) {
+    this.policyFault = policyFault;
+  }
+
+
   public Episode result(@javax.annotation.Nullable EpisodeResult result) {
     this.result = result;
     return this;
@@ -304,13 +328,14 @@ public class Episode {
         Objects.equals(this.status, episode.status) &&
         Objects.equals(this.attempt, episode.attempt) &&
         Objects.equals(this.faults, episode.faults) &&
+        Objects.equals(this.policyFault, episode.policyFault) &&
         Objects.equals(this.result, episode.result)&&
         Objects.equals(this.additionalProperties, episode.additionalProperties);
   }
 
   @Override
   public int hashCode() {
-    return Objects.hash(episodeId, index, task, split, status, attempt, faults, result, additionalProperties);
+    return Objects.hash(episodeId, index, task, split, status, attempt, faults, policyFault, result, additionalProperties);
   }
 
   @Override
@@ -324,6 +349,7 @@ public class Episode {
     sb.append("    status: ").append(toIndentedString(status)).append("\n");
     sb.append("    attempt: ").append(toIndentedString(attempt)).append("\n");
     sb.append("    faults: ").append(toIndentedString(faults)).append("\n");
+    sb.append("    policyFault: ").append(toIndentedString(policyFault)).append("\n");
     sb.append("    result: ").append(toIndentedString(result)).append("\n");
     sb.append("    additionalProperties: ").append(toIndentedString(additionalProperties)).append("\n");
     sb.append("}");
@@ -344,7 +370,7 @@ public class Episode {
 
   static {
     // a set of all properties/fields (JSON key names)
-    openapiFields = new HashSet<String>(Arrays.asList("episode_id", "index", "task", "split", "status", "attempt", "faults", "result"));
+    openapiFields = new HashSet<String>(Arrays.asList("episode_id", "index", "task", "split", "status", "attempt", "faults", "policy_fault", "result"));
 
     // a set of required properties/fields (JSON key names)
     openapiRequiredFields = new HashSet<String>(Arrays.asList("episode_id", "index", "task", "split", "status", "attempt", "faults"));
@@ -381,6 +407,9 @@ public class Episode {
       }
       // validate the required field `status`
       EpisodeStatus.validateJsonElement(jsonObj.get("status"));
+      if ((jsonObj.get("policy_fault") != null && !jsonObj.get("policy_fault").isJsonNull()) && !jsonObj.get("policy_fault").isJsonPrimitive()) {
+        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `policy_fault` to be a primitive type in the JSON string but got `%s`", jsonObj.get("policy_fault").toString()));
+      }
   }
 
   public static class CustomTypeAdapterFactory implements TypeAdapterFactory {

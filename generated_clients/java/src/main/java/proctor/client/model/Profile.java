@@ -25,6 +25,14 @@ public enum Profile {
 
   MSGPACK("msgpack"),
 
+  COMPARE("compare"),
+
+  PUSH("push"),
+
+  EBENCH("ebench"),
+
+  FLAGEVAL("flageval"),
+
   UNKNOWN_DEFAULT_OPEN_API("unknown_default_open_api");
 
   private String value;

@@ -16,7 +16,9 @@ import java.time.OffsetDateTime;
 import java.util.Arrays;
 import proctor.client.model.ImageChoice;
 import proctor.client.model.PolicyInfo;
+import proctor.client.model.PolicyServerView;
 import proctor.client.model.Progress;
+import proctor.client.model.RunMode;
 import proctor.client.model.RunState;
 
 import com.google.gson.Gson;
@@ -87,6 +89,16 @@ public class Run {
   @SerializedName(SERIALIZED_NAME_POLICY)
   @javax.annotation.Nonnull
   private PolicyInfo policy;
+
+  public static final String SERIALIZED_NAME_MODE = "mode";
+  @SerializedName(SERIALIZED_NAME_MODE)
+  @javax.annotation.Nullable
+  private RunMode mode;
+
+  public static final String SERIALIZED_NAME_POLICY_SERVER = "policy_server";
+  @SerializedName(SERIALIZED_NAME_POLICY_SERVER)
+  @javax.annotation.Nullable
+  private PolicyServerView policyServer;
 
   public static final String SERIALIZED_NAME_MAX_WORKERS = "max_workers";
   @SerializedName(SERIALIZED_NAME_MAX_WORKERS)
@@ -285,6 +297,44 @@ public class Run {
 
   public void setPolicy(@javax.annotation.Nonnull PolicyInfo policy) {
     this.policy = policy;
+  }
+
+
+  public Run mode(@javax.annotation.Nullable RunMode mode) {
+    this.mode = mode;
+    return this;
+  }
+
+  /**
+   * Get mode
+   * @return mode
+   */
+  @javax.annotation.Nullable
+  public RunMode getMode() {
+    return mode;
+  }
+
+  public void setMode(@javax.annotation.Nullable RunMode mode) {
+    this.mode = mode;
+  }
+
+
+  public Run policyServer(@javax.annotation.Nullable PolicyServerView policyServer) {
+    this.policyServer = policyServer;
+    return this;
+  }
+
+  /**
+   * Get policyServer
+   * @return policyServer
+   */
+  @javax.annotation.Nullable
+  public PolicyServerView getPolicyServer() {
+    return policyServer;
+  }
+
+  public void setPolicyServer(@javax.annotation.Nullable PolicyServerView policyServer) {
+    this.policyServer = policyServer;
   }
 
 
@@ -522,6 +572,8 @@ public class Run {
         Objects.equals(this.benchmarkVersion, run.benchmarkVersion) &&
         Objects.equals(this.manifestSha256, run.manifestSha256) &&
         Objects.equals(this.policy, run.policy) &&
+        Objects.equals(this.mode, run.mode) &&
+        Objects.equals(this.policyServer, run.policyServer) &&
         Objects.equals(this.maxWorkers, run.maxWorkers) &&
         Objects.equals(this.idleTimeoutS, run.idleTimeoutS) &&
         Objects.equals(this.images, run.images) &&
@@ -536,7 +588,7 @@ public class Run {
 
   @Override
   public int hashCode() {
-    return Objects.hash(runId, state, reason, retryable, benchmarkId, benchmarkVersion, manifestSha256, policy, maxWorkers, idleTimeoutS, images, endpoint, queuePosition, liveWorkers, progress, createdAt, updatedAt, additionalProperties);
+    return Objects.hash(runId, state, reason, retryable, benchmarkId, benchmarkVersion, manifestSha256, policy, mode, policyServer, maxWorkers, idleTimeoutS, images, endpoint, queuePosition, liveWorkers, progress, createdAt, updatedAt, additionalProperties);
   }
 
   @Override
@@ -551,6 +603,8 @@ public class Run {
     sb.append("    benchmarkVersion: ").append(toIndentedString(benchmarkVersion)).append("\n");
     sb.append("    manifestSha256: ").append(toIndentedString(manifestSha256)).append("\n");
     sb.append("    policy: ").append(toIndentedString(policy)).append("\n");
+    sb.append("    mode: ").append(toIndentedString(mode)).append("\n");
+    sb.append("    policyServer: ").append(toIndentedString(policyServer)).append("\n");
     sb.append("    maxWorkers: ").append(toIndentedString(maxWorkers)).append("\n");
     sb.append("    idleTimeoutS: ").append(toIndentedString(idleTimeoutS)).append("\n");
     sb.append("    images: ").append(toIndentedString(images)).append("\n");
@@ -579,7 +633,7 @@ public class Run {
 
   static {
     // a set of all properties/fields (JSON key names)
-    openapiFields = new HashSet<String>(Arrays.asList("run_id", "state", "reason", "retryable", "benchmark_id", "benchmark_version", "manifest_sha256", "policy", "max_workers", "idle_timeout_s", "images", "endpoint", "queue_position", "live_workers", "progress", "created_at", "updated_at"));
+    openapiFields = new HashSet<String>(Arrays.asList("run_id", "state", "reason", "retryable", "benchmark_id", "benchmark_version", "manifest_sha256", "policy", "mode", "policy_server", "max_workers", "idle_timeout_s", "images", "endpoint", "queue_position", "live_workers", "progress", "created_at", "updated_at"));
 
     // a set of required properties/fields (JSON key names)
     openapiRequiredFields = new HashSet<String>(Arrays.asList("run_id", "state", "reason", "retryable", "benchmark_id", "benchmark_version", "manifest_sha256", "policy", "max_workers", "idle_timeout_s", "images", "endpoint", "queue_position", "live_workers", "progress", "created_at", "updated_at"));
@@ -624,6 +678,10 @@ public class Run {
       }
       // validate the required field `policy`
       PolicyInfo.validateJsonElement(jsonObj.get("policy"));
+      // validate the optional field `mode`
+      if (jsonObj.get("mode") != null && !jsonObj.get("mode").isJsonNull()) {
+        RunMode.validateJsonElement(jsonObj.get("mode"));
+      }
       // validate the required field `images`
       ImageChoice.validateJsonElement(jsonObj.get("images"));
       if (!jsonObj.get("endpoint").isJsonPrimitive()) {

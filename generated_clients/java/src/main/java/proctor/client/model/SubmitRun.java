@@ -16,6 +16,8 @@ import java.util.Arrays;
 import proctor.client.model.CalibrationOptions;
 import proctor.client.model.ImageChoice;
 import proctor.client.model.PolicyInfo;
+import proctor.client.model.PolicyServer;
+import proctor.client.model.RunMode;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
@@ -75,6 +77,16 @@ public class SubmitRun {
   @SerializedName(SERIALIZED_NAME_OPTIONS)
   @javax.annotation.Nullable
   private CalibrationOptions options;
+
+  public static final String SERIALIZED_NAME_MODE = "mode";
+  @SerializedName(SERIALIZED_NAME_MODE)
+  @javax.annotation.Nullable
+  private RunMode mode;
+
+  public static final String SERIALIZED_NAME_POLICY_SERVER = "policy_server";
+  @SerializedName(SERIALIZED_NAME_POLICY_SERVER)
+  @javax.annotation.Nullable
+  private PolicyServer policyServer;
 
   public SubmitRun() {
   }
@@ -197,6 +209,44 @@ public class SubmitRun {
   }
 
 
+  public SubmitRun mode(@javax.annotation.Nullable RunMode mode) {
+    this.mode = mode;
+    return this;
+  }
+
+  /**
+   * Get mode
+   * @return mode
+   */
+  @javax.annotation.Nullable
+  public RunMode getMode() {
+    return mode;
+  }
+
+  public void setMode(@javax.annotation.Nullable RunMode mode) {
+    this.mode = mode;
+  }
+
+
+  public SubmitRun policyServer(@javax.annotation.Nullable PolicyServer policyServer) {
+    this.policyServer = policyServer;
+    return this;
+  }
+
+  /**
+   * Get policyServer
+   * @return policyServer
+   */
+  @javax.annotation.Nullable
+  public PolicyServer getPolicyServer() {
+    return policyServer;
+  }
+
+  public void setPolicyServer(@javax.annotation.Nullable PolicyServer policyServer) {
+    this.policyServer = policyServer;
+  }
+
+
 
   @Override
   public boolean equals(Object o) {
@@ -212,12 +262,14 @@ public class SubmitRun {
         Objects.equals(this.maxWorkers, submitRun.maxWorkers) &&
         Objects.equals(this.idleTimeoutS, submitRun.idleTimeoutS) &&
         Objects.equals(this.images, submitRun.images) &&
-        Objects.equals(this.options, submitRun.options);
+        Objects.equals(this.options, submitRun.options) &&
+        Objects.equals(this.mode, submitRun.mode) &&
+        Objects.equals(this.policyServer, submitRun.policyServer);
   }
 
   @Override
   public int hashCode() {
-    return Objects.hash(benchmarkId, policy, maxWorkers, idleTimeoutS, images, options);
+    return Objects.hash(benchmarkId, policy, maxWorkers, idleTimeoutS, images, options, mode, policyServer);
   }
 
   @Override
@@ -230,6 +282,8 @@ public class SubmitRun {
     sb.append("    idleTimeoutS: ").append(toIndentedString(idleTimeoutS)).append("\n");
     sb.append("    images: ").append(toIndentedString(images)).append("\n");
     sb.append("    options: ").append(toIndentedString(options)).append("\n");
+    sb.append("    mode: ").append(toIndentedString(mode)).append("\n");
+    sb.append("    policyServer: ").append(toIndentedString(policyServer)).append("\n");
     sb.append("}");
     return sb.toString();
   }
@@ -248,7 +302,7 @@ public class SubmitRun {
 
   static {
     // a set of all properties/fields (JSON key names)
-    openapiFields = new HashSet<String>(Arrays.asList("benchmark_id", "policy", "max_workers", "idle_timeout_s", "images", "options"));
+    openapiFields = new HashSet<String>(Arrays.asList("benchmark_id", "policy", "max_workers", "idle_timeout_s", "images", "options", "mode", "policy_server"));
 
     // a set of required properties/fields (JSON key names)
     openapiRequiredFields = new HashSet<String>(Arrays.asList("benchmark_id", "policy"));
@@ -294,6 +348,14 @@ public class SubmitRun {
       // validate the optional field `options`
       if (jsonObj.get("options") != null && !jsonObj.get("options").isJsonNull()) {
         CalibrationOptions.validateJsonElement(jsonObj.get("options"));
+      }
+      // validate the optional field `mode`
+      if (jsonObj.get("mode") != null && !jsonObj.get("mode").isJsonNull()) {
+        RunMode.validateJsonElement(jsonObj.get("mode"));
+      }
+      // validate the optional field `policy_server`
+      if (jsonObj.get("policy_server") != null && !jsonObj.get("policy_server").isJsonNull()) {
+        PolicyServer.validateJsonElement(jsonObj.get("policy_server"));
       }
   }
 

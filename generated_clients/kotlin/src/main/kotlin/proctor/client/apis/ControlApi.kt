@@ -29,6 +29,7 @@ import okhttp3.HttpUrl
 
 import proctor.client.models.Benchmark
 import proctor.client.models.BenchmarkList
+import proctor.client.models.Comparison
 import proctor.client.models.EpisodeList
 import proctor.client.models.Problem
 import proctor.client.models.Run
@@ -60,6 +61,96 @@ open class ControlApi(basePath: kotlin.String = defaultBasePath, client: Call.Fa
         val defaultBasePath: String by lazy {
             System.getProperties().getProperty(ApiClient.BASE_URL_KEY, "http://127.0.0.1:8460")
         }
+    }
+
+    /**
+     * GET /v1/comparisons
+     * Runs beside a baseline, episode by episode
+     * Pairs the episodes of runs of one manifest. Offered with the profile &#x60;compare&#x60;; scoring.md has the arithmetic.
+     * @param baseline The run that the others are compared with.
+     * @param runs Ids of one to sixteen runs, with commas between them; the baseline may be one of them.
+     * @param tolerance The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return Comparison
+     * @throws IllegalStateException If the request is not correctly configured
+     * @throws IOException Rethrows the OkHttp execute method exception
+     * @throws UnsupportedOperationException If the API returns an informational or redirection response
+     * @throws ClientException If the API returns a client error response
+     * @throws ServerException If the API returns a server error response
+     */
+    @Suppress("UNCHECKED_CAST")
+    @Throws(IllegalStateException::class, IOException::class, UnsupportedOperationException::class, ClientException::class, ServerException::class)
+    fun compareRuns(baseline: kotlin.String, runs: kotlin.String, tolerance: kotlin.Double? = null, proctorVersion: kotlin.String? = null) : Comparison {
+        val localVarResponse = compareRunsWithHttpInfo(baseline = baseline, runs = runs, tolerance = tolerance, proctorVersion = proctorVersion)
+
+        return when (localVarResponse.responseType) {
+            ResponseType.Success -> (localVarResponse as Success<*>).data as Comparison
+            ResponseType.Informational -> throw UnsupportedOperationException("Client does not support Informational responses.")
+            ResponseType.Redirection -> throw UnsupportedOperationException("Client does not support Redirection responses.")
+            ResponseType.ClientError -> {
+                val localVarError = localVarResponse as ClientError<*>
+                throw ClientException("Client error : ${localVarError.statusCode} ${localVarError.message.orEmpty()}", localVarError.statusCode, localVarResponse)
+            }
+            ResponseType.ServerError -> {
+                val localVarError = localVarResponse as ServerError<*>
+                throw ServerException("Server error : ${localVarError.statusCode} ${localVarError.message.orEmpty()} ${localVarError.body}", localVarError.statusCode, localVarResponse)
+            }
+        }
+    }
+
+    /**
+     * GET /v1/comparisons
+     * Runs beside a baseline, episode by episode
+     * Pairs the episodes of runs of one manifest. Offered with the profile &#x60;compare&#x60;; scoring.md has the arithmetic.
+     * @param baseline The run that the others are compared with.
+     * @param runs Ids of one to sixteen runs, with commas between them; the baseline may be one of them.
+     * @param tolerance The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse<Comparison?>
+     * @throws IllegalStateException If the request is not correctly configured
+     * @throws IOException Rethrows the OkHttp execute method exception
+     */
+    @Suppress("UNCHECKED_CAST")
+    @Throws(IllegalStateException::class, IOException::class)
+    fun compareRunsWithHttpInfo(baseline: kotlin.String, runs: kotlin.String, tolerance: kotlin.Double?, proctorVersion: kotlin.String?) : ApiResponse<Comparison?> {
+        val localVariableConfig = compareRunsRequestConfig(baseline = baseline, runs = runs, tolerance = tolerance, proctorVersion = proctorVersion)
+
+        return request<Unit, Comparison>(
+            localVariableConfig
+        )
+    }
+
+    /**
+     * To obtain the request config of the operation compareRuns
+     *
+     * @param baseline The run that the others are compared with.
+     * @param runs Ids of one to sixteen runs, with commas between them; the baseline may be one of them.
+     * @param tolerance The largest difference that &#x60;release&#x60; lets pass; 0.05 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return RequestConfig
+     */
+    fun compareRunsRequestConfig(baseline: kotlin.String, runs: kotlin.String, tolerance: kotlin.Double?, proctorVersion: kotlin.String?) : RequestConfig<Unit> {
+        val localVariableBody = null
+        val localVariableQuery: MultiValueMap = mutableMapOf<kotlin.String, kotlin.collections.List<kotlin.String>>()
+            .apply {
+                put("baseline", listOf(baseline.toString()))
+                put("runs", listOf(runs.toString()))
+                if (tolerance != null) {
+                    put("tolerance", listOf(tolerance.toString()))
+                }
+            }
+        val localVariableHeaders: MutableMap<String, String> = mutableMapOf()
+        localVariableHeaders["Accept"] = "application/json, application/problem+json"
+        proctorVersion?.apply { localVariableHeaders["Proctor-Version"] = this.toString() }
+
+        return RequestConfig(
+            method = RequestMethod.GET,
+            path = "/v1/comparisons",
+            query = localVariableQuery,
+            headers = localVariableHeaders,
+            requiresAuthentication = true,
+            body = localVariableBody
+        )
     }
 
     /**

@@ -127,7 +127,7 @@ data class Benchmark (
     @SerializedName("unavailable_reason")
     val unavailableReason: kotlin.String?
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

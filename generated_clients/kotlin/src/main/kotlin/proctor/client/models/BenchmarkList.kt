@@ -39,7 +39,7 @@ data class BenchmarkList (
     @SerializedName("benchmarks")
     val benchmarks: kotlin.collections.List<BenchmarkSummary>
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

@@ -55,7 +55,7 @@ data class BenchmarkSummary (
     @SerializedName("episodes_total")
     val episodesTotal: kotlin.Int
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

@@ -38,6 +38,7 @@ import com.google.gson.annotations.SerializedName
  * @param status
  * @param attempt The current or next attempt.
  * @param faults
+ * @param policyFault In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode.
  * @param result
  */
 
@@ -66,10 +67,14 @@ data class Episode (
     @SerializedName("faults")
     val faults: kotlin.Int,
 
+    /* In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode. */
+    @SerializedName("policy_fault")
+    val policyFault: kotlin.String? = null,
+
     @SerializedName("result")
     val result: EpisodeResult? = null
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

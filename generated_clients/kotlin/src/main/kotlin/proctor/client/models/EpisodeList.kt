@@ -43,7 +43,7 @@ data class EpisodeList (
     @SerializedName("next_cursor")
     val nextCursor: kotlin.String?
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

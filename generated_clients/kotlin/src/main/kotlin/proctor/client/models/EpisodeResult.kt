@@ -92,7 +92,7 @@ data class EpisodeResult (
     @SerializedName("finished_at")
     val finishedAt: java.time.OffsetDateTime
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

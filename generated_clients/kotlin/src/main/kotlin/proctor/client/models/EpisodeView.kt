@@ -63,7 +63,7 @@ data class EpisodeView (
     @SerializedName("max_steps")
     val maxSteps: kotlin.Int
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

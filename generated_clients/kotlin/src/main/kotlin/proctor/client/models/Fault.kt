@@ -47,7 +47,7 @@ data class Fault (
     @SerializedName("detail")
     val detail: kotlin.String
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

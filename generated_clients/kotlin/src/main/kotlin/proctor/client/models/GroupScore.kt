@@ -47,7 +47,7 @@ data class GroupScore (
     @SerializedName("success_rate")
     val successRate: kotlin.Double?
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

@@ -56,7 +56,7 @@ data class Image (
     @SerializedName("data")
     val `data`: kotlin.String
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

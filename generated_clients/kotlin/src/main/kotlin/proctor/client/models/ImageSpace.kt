@@ -46,7 +46,7 @@ data class ImageSpace (
     @SerializedName("tasks")
     val tasks: kotlin.collections.List<kotlin.String>? = null
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

@@ -42,7 +42,7 @@ data class Interval (
     @SerializedName("high")
     val high: kotlin.Double
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

@@ -42,7 +42,7 @@ data class Lease (
     @SerializedName("idle_timeout_s")
     val idleTimeoutS: kotlin.Double
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

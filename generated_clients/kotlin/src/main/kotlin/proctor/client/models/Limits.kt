@@ -62,7 +62,7 @@ data class Limits (
     @SerializedName("wait_s_max")
     val waitSMax: kotlin.Int
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

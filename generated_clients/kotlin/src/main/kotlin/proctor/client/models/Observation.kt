@@ -48,7 +48,7 @@ data class Observation (
     @SerializedName("tensors")
     val tensors: kotlin.collections.Map<kotlin.String, Tensor>
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

@@ -49,7 +49,7 @@ data class ObservationSpace (
     @SerializedName("tensors")
     val tensors: kotlin.collections.Map<kotlin.String, TensorSpace>
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

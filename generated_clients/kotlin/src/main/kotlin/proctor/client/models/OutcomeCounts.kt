@@ -54,7 +54,7 @@ data class OutcomeCounts (
     @SerializedName("unscored")
     val unscored: kotlin.Int
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

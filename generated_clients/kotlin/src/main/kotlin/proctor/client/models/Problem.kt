@@ -90,7 +90,7 @@ data class Problem (
     @SerializedName("ended_by")
     val endedBy: SessionEnd? = null
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

@@ -43,7 +43,7 @@ data class ProblemItem (
     @SerializedName("detail")
     val detail: kotlin.String
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

@@ -29,7 +29,7 @@ import com.google.gson.annotations.SerializedName
 /**
  *
  *
- * Values: core,msgpack,unknown_default_open_api
+ * Values: core,msgpack,compare,push,ebench,flageval,unknown_default_open_api
  */
 
 enum class Profile(val value: kotlin.String) {
@@ -39,6 +39,18 @@ enum class Profile(val value: kotlin.String) {
 
     @SerializedName(value = "msgpack")
     msgpack("msgpack"),
+
+    @SerializedName(value = "compare")
+    compare("compare"),
+
+    @SerializedName(value = "push")
+    push("push"),
+
+    @SerializedName(value = "ebench")
+    ebench("ebench"),
+
+    @SerializedName(value = "flageval")
+    flageval("flageval"),
 
     @SerializedName(value = "unknown_default_open_api")
     unknown_default_open_api("unknown_default_open_api");

@@ -51,7 +51,7 @@ data class Progress (
     @SerializedName("episodes_pending")
     val episodesPending: kotlin.Int
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

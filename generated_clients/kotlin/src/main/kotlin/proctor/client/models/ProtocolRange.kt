@@ -42,7 +42,7 @@ data class ProtocolRange (
     @SerializedName("max")
     val max: kotlin.String
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

@@ -25,7 +25,9 @@ package proctor.client.models
 
 import proctor.client.models.ImageChoice
 import proctor.client.models.PolicyInfo
+import proctor.client.models.PolicyServerView
 import proctor.client.models.Progress
+import proctor.client.models.RunMode
 import proctor.client.models.RunState
 
 import com.google.gson.annotations.SerializedName
@@ -50,6 +52,8 @@ import com.google.gson.annotations.SerializedName
  * @param progress
  * @param createdAt
  * @param updatedAt
+ * @param mode
+ * @param policyServer
  */
 
 
@@ -109,9 +113,15 @@ data class Run (
     val createdAt: java.time.OffsetDateTime,
 
     @SerializedName("updated_at")
-    val updatedAt: java.time.OffsetDateTime
+    val updatedAt: java.time.OffsetDateTime,
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+    @SerializedName("mode")
+    val mode: RunMode? = null,
+
+    @SerializedName("policy_server")
+    val policyServer: PolicyServerView? = null
+
+) {
 
 
 }

@@ -101,7 +101,7 @@ data class Score (
     @SerializedName("by_split")
     val bySplit: kotlin.collections.Map<kotlin.String, GroupScore>
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

@@ -36,7 +36,7 @@ import com.google.gson.annotations.SerializedName
  * @param name
  * @param version Version of the server software.
  * @param protocol
- * @param profiles Parts of the protocol offered; `core` may be left out, for it always is. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.
+ * @param profiles Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.
  * @param limits
  * @param encodings Media types of the data plane.
  * @param imageCodecs
@@ -56,7 +56,7 @@ data class Service (
     @SerializedName("protocol")
     val protocol: ProtocolRange,
 
-    /* Parts of the protocol offered; `core` may be left out, for it always is. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified. */
+    /* Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified. */
     @SerializedName("profiles")
     val profiles: kotlin.collections.List<Profile>,
 
@@ -74,7 +74,7 @@ data class Service (
     @SerializedName("server_time")
     val serverTime: java.time.OffsetDateTime
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

@@ -47,7 +47,7 @@ data class SimulatorInfo (
     @SerializedName("quality")
     val quality: kotlin.String? = null
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

@@ -26,6 +26,8 @@ package proctor.client.models
 import proctor.client.models.CalibrationOptions
 import proctor.client.models.ImageChoice
 import proctor.client.models.PolicyInfo
+import proctor.client.models.PolicyServer
+import proctor.client.models.RunMode
 
 import com.google.gson.annotations.SerializedName
 
@@ -38,6 +40,8 @@ import com.google.gson.annotations.SerializedName
  * @param idleTimeoutS Lease of a session; the server's maximum when absent.
  * @param images
  * @param options
+ * @param mode
+ * @param policyServer
  */
 
 
@@ -61,7 +65,13 @@ data class SubmitRun (
     val images: ImageChoice? = null,
 
     @SerializedName("options")
-    val options: CalibrationOptions? = null
+    val options: CalibrationOptions? = null,
+
+    @SerializedName("mode")
+    val mode: RunMode? = null,
+
+    @SerializedName("policy_server")
+    val policyServer: PolicyServer? = null
 
 ) {
 

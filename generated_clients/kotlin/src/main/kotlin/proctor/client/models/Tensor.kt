@@ -48,7 +48,7 @@ data class Tensor (
     @SerializedName("data")
     val `data`: kotlin.String
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

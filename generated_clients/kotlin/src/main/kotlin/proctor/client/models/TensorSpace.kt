@@ -51,7 +51,7 @@ data class TensorSpace (
     @SerializedName("tasks")
     val tasks: kotlin.collections.List<kotlin.String>? = null
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

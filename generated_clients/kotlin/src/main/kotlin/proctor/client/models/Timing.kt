@@ -55,7 +55,7 @@ data class Timing (
     @SerializedName("encode_s")
     val encodeS: kotlin.Double
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

@@ -106,7 +106,7 @@ data class Turn (
     @SerializedName("fault")
     val fault: Fault? = null
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

@@ -86,7 +86,7 @@ data class VectorSpace (
     @SerializedName("tasks")
     val tasks: kotlin.collections.List<kotlin.String>? = null
 
-) : kotlin.collections.HashMap<String, kotlin.Any>() {
+) {
 
 
 }

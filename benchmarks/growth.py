@@ -1,0 +1,366 @@
+"""Does the server slow down or grow with what it has stored?
+
+`python -m benchmarks.growth` fills databases with finished runs, starts a real server
+on each and asks them in turn, over one kept connection each: what a request costs is
+compared inside one run of this program, never with an earlier one. It also weighs the
+server before and after thousands of runs were looked at, played and left waiting, and
+under a thousand idle long-polls, and counts what a turn writes to disk.
+
+It writes the section `growth` of results.json and its part of docs/performance.md.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import contextlib
+import itertools
+import json
+import shutil
+import statistics
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from benchmarks import page, results
+from benchmarks.stock import (
+    FIRST_FINISHED,
+    TASKS,
+    TOKEN,
+    House,
+    Shelf,
+    fill,
+    house,
+)
+
+WARM_UP = 5  # rounds that are not counted
+LIMIT = 50  # of a page
+SUBMISSION = {
+    "benchmark_id": "calibration",
+    "policy": {"name": "growth"},
+    "options": {"tasks": [*TASKS] * 25},
+}
+SHELVES = (
+    Shelf("10^2", 1, 100),
+    Shelf("10^4", 100, 100),
+    Shelf("10^6", 10_000, 100),
+    Shelf("1000 in one run", 300, 1000, same=True),
+    Shelf("1000 in every run", 300, 1000),
+)
+LARGE = SHELVES[2]
+
+
+# --- what a request costs ---
+
+
+@dataclass
+class Asked:
+    """The requests to one shelf's server: what was asked, and the seconds each took."""
+
+    shelf: Shelf
+    server: House
+    seconds: dict[str, list[float]] = field(default_factory=dict)
+    _asked: int = 0
+
+    def round(self, number: int) -> None:
+        """Every operation once; `attach` takes a run that nobody took before."""
+        fresh = f"/v1/runs/ready_{number}/workers/w"
+        self.time("get_run", "GET", self._finished())
+        self.time("get_score", "GET", f"{self._finished()}/score")
+        episodes = f"{self._finished()}/episodes?limit={LIMIT}"
+        self.time("list_episodes", "GET", episodes)
+        pages = f"limit={LIMIT}"
+        if self.shelf.runs > LIMIT and not self.shelf.same:
+            below = LIMIT + number * LIMIT % (self.shelf.runs - LIMIT)
+            pages += f"&cursor={FIRST_FINISHED + below}"
+        self.time("list_runs", "GET", f"/v1/runs?{pages}")
+        made = self.time("submit", "POST", "/v1/runs", SUBMISSION)
+        self.server.ask("POST", f"/v1/runs/{made['run_id']}/stop", {})
+        turn = self.time("attach", "PUT", fresh, {"attach_key": "k"})
+        self.server.ask("DELETE", f"{fresh}?session_id={turn['session_id']}")
+
+    def _finished(self) -> str:
+        """The run that was asked for longest ago: the least likely in memory."""
+        self._asked += not self.shelf.same
+        return f"/v1/runs/completed_{self._asked % self.shelf.runs}"
+
+    def p50_ms(self) -> dict[str, float]:
+        """Of each operation."""
+        return {
+            name: round(1000 * statistics.median(seconds), 2)
+            for name, seconds in self.seconds.items()
+        }
+
+    def time(self, name: str, *request: Any) -> Any:
+        started = time.perf_counter()
+        answer = self.server.ask(*request)
+        spent_s = time.perf_counter() - started
+        self.seconds.setdefault(name, []).append(spent_s)
+        return answer
+
+
+def measure_requests(directory: Path, rounds: int) -> dict[str, Any]:
+    """p50 of each operation on each shelf, in ms, and as a ratio to the smallest."""
+    with contextlib.ExitStack() as servers:
+        asked = [
+            Asked(shelf, servers.enter_context(house(directory / shelf.file)))
+            for shelf in SHELVES
+        ]
+        for number in range(rounds):
+            if number == WARM_UP:
+                for one in asked:
+                    one.seconds.clear()
+            for one in asked:
+                one.round(number)
+    p50_ms = {one.shelf.name: one.p50_ms() for one in asked}
+    smallest = p50_ms[SHELVES[0].name]
+    return {
+        name: {
+            "p50_ms": {shelf: told[name] for shelf, told in p50_ms.items()},
+            "ratio": {
+                shelf: round(told[name] / smallest[name], 2)
+                for shelf, told in p50_ms.items()
+            },
+        }
+        for name in smallest
+    }
+
+
+def measure_queue(path: Path, length: int, rounds: int) -> dict[str, Any]:
+    """p50 beside a long queue, as a ratio to that beside a short one."""
+    with contextlib.ExitStack() as servers:
+        queues = []
+        for waiting in (0, length):
+            own = path.with_suffix(f".{waiting}")
+            shutil.copy(path, own)
+            server = servers.enter_context(house(own, PROCTOR_MAX_ACTIVE_RUNS="1"))
+            leave(server, waiting)
+            queues.append(Queue(Asked(SHELVES[0], server)))
+        for number in range(rounds + WARM_UP):
+            for queue in queues:
+                if number == WARM_UP:
+                    queue.asked.seconds.clear()
+                queue.round()
+    short, long = (queue.asked.p50_ms() for queue in queues)
+    ratio = {name: round(long[name] / short[name], 2) for name in short}
+    return {"runs": length, "p50_ms": short, "ratio": ratio}
+
+
+class Queue:
+    """A server that has no room, and one worker that plays there nevertheless."""
+
+    def __init__(self, asked: Asked) -> None:
+        self.asked = asked
+        self._worker = "/v1/runs/ready_0/workers/w"
+        turn = asked.server.ask("PUT", self._worker, {"attach_key": "k"})
+        self._session_id, self._seqs = turn["session_id"], itertools.count(1)
+
+    def round(self) -> None:
+        made = self.asked.time("submit", "POST", "/v1/runs", SUBMISSION)
+        self.asked.time("get_run", "GET", f"/v1/runs/{made['run_id']}")
+        turn = predict(self._session_id, next(self._seqs))
+        self.asked.time("predict", "POST", f"{self._worker}/predict", turn)
+
+
+# --- what the server weighs ---
+
+
+def look(server: House, numbers: range) -> float:
+    """Look at finished runs; returns the server's memory then, in MB."""
+    for number in numbers:
+        for path in ("", "/score", "/episodes"):
+            server.ask("GET", f"/v1/runs/completed_{number}{path}")
+    return server.memory_mb()
+
+
+def play(server: House, count: int) -> float:
+    """Play runs of one episode from submit to detach; returns the memory then, MB."""
+    submission = {**SUBMISSION, "options": {"tasks": ["score"]}}
+    for _ in range(count):
+        run_id = server.ask("POST", "/v1/runs", submission)["run_id"]
+        worker = f"/v1/runs/{run_id}/workers/w"
+        turn = server.ask("PUT", worker, {"attach_key": "k"})
+        server.ask("POST", f"{worker}/predict", predict(turn["session_id"], 1, end=1.0))
+        server.ask("DELETE", f"{worker}?session_id={turn['session_id']}")
+    return server.memory_mb()
+
+
+def leave(server: House, count: int) -> float:
+    """Submit runs that nobody will play; returns the server's memory then, in MB."""
+    for _ in range(count):
+        server.ask("POST", "/v1/runs", SUBMISSION)
+    return server.memory_mb()
+
+
+def predict(session_id: str, seq: int, end: float = 0.0) -> dict[str, Any]:
+    names = ("score", "success", "delay_s", "fault")
+    values = {name: [0.0] for name in names} | {"end": [end]}
+    values |= {"vector": [0.0] * 8, "clipped": [0.0] * 2}
+    return {"session_id": session_id, "seq": seq, "actions": [{"values": values}]}
+
+
+def measure_memory(path: Path) -> dict[str, Any]:
+    """RSS in MB: after a few and after many finished, played and waiting runs."""
+    with house(path) as server:
+        at_start = server.memory_mb()
+        looked = [look(server, range(600)), look(server, range(600, 3600))]
+        played = [play(server, 300), play(server, 700)]
+        waiting = [leave(server, 300), leave(server, 700)]
+    pairs = {"looked_at": looked, "played": played, "left_waiting": waiting}
+    sizes = {
+        name: {"few_mb": round(few, 1), "many_mb": round(many, 1)}
+        for name, (few, many) in pairs.items()
+    }
+    return {"at_start_mb": round(at_start, 1), **sizes}
+
+
+def measure_turns(path: Path, turns: int) -> dict[str, Any]:
+    """Bytes that turns inside one episode send to disk; and one that ends it."""
+    with house(path) as server:
+        worker = "/v1/runs/ready_0/workers/w"
+        session_id = server.ask("PUT", worker, {"attach_key": "k"})["session_id"]
+        before = server.written_bytes()
+        for seq in range(1, turns + 1):
+            server.ask("POST", f"{worker}/predict", predict(session_id, seq))
+        inside = server.written_bytes() - before
+        last = predict(session_id, turns + 1, end=1.0)
+        server.ask("POST", f"{worker}/predict", last)
+        ending = server.written_bytes() - before - inside
+    return {"turns": turns, "written_bytes": inside, "last_turn_bytes": ending}
+
+
+# --- long-polls ---
+
+
+async def poll(netloc: str, number: int) -> asyncio.StreamWriter:
+    """A connection on which get_run waits for news of a run of its own."""
+    address, _, port = netloc.rpartition(":")
+    reader, writer = await asyncio.open_connection(address, int(port))
+    head = f"GET /v1/runs/completed_{number} HTTP/1.1\r\nHost: {netloc}\r\n"
+    head += f"Authorization: Bearer {TOKEN}\r\n"
+    writer.write(f"{head}\r\n".encode())
+    said = (await reader.readuntil(b"\r\n\r\n")).decode().lower()
+    named = dict(line.split(": ", 1) for line in said.splitlines() if ": " in line)
+    await reader.readexactly(int(named["content-length"]))
+    head += f"If-None-Match: {named['etag']}\r\nPrefer: wait=120\r\n\r\n"
+    writer.write(head.encode())
+    await writer.drain()
+    return writer
+
+
+async def measure_polls(path: Path, polls: int, seconds: float) -> dict[str, Any]:
+    """MB and CPU of long-polls that wait for nothing, each for another run."""
+    with house(path) as server:
+        look(server, range(8000, 8300))
+        before_mb = server.memory_mb()
+        waiting = [await poll(server.netloc, number) for number in range(polls)]
+        await asyncio.sleep(3.0)
+        cpu_s, began = server.cpu_s(), time.monotonic()
+        await asyncio.sleep(seconds)
+        busy = (server.cpu_s() - cpu_s) / (time.monotonic() - began)
+        after_mb = server.memory_mb()
+        for writer in waiting:
+            writer.close()
+        await asyncio.sleep(3.0)
+        left_mb = server.memory_mb()
+    return {
+        "polls": polls,
+        "cost_mb": round(after_mb - before_mb, 1),
+        "cpu_share": round(busy, 4),
+        "kept_mb": round(left_mb - before_mb, 1),
+    }
+
+
+# --- what is told ---
+
+
+def told(body: dict[str, Any]) -> str:
+    """The part of docs/performance.md."""
+    shelves = [shelf.name for shelf in SHELVES]
+    rows = [
+        [
+            f"`{name}`",
+            *(f"{cost['p50_ms'][s]:.1f} ({cost['ratio'][s]:.2f})" for s in shelves),
+        ]
+        for name, cost in body["requests"].items()
+    ]
+    table = page.table(["p50 in ms (ratio)", *shelves], rows)
+    return "\n".join([table, "", *sentences(body)])
+
+
+def sentences(body: dict[str, Any]) -> list[str]:
+    """What has no row, a line each."""
+    memory, polls, turns = body["memory"], body["long_polls"], body["turns"]
+    queue, share = body["queue"]["ratio"], 100 * polls["cpu_share"]
+    weighed = {
+        "looked_at": "600 and 3600 finished runs were looked at",
+        "played": "300 and 1000 more were played to their end",
+        "left_waiting": "300 and 1000 more were submitted and left alone",
+    }
+    told = [
+        f"Beside 10^6 episodes the server starts with {memory['at_start_mb']:.0f} MB.",
+        *(
+            f"After {what} it has {memory[name]['few_mb']:.0f} and "
+            f"{memory[name]['many_mb']:.0f} MB."
+            for name, what in weighed.items()
+        ),
+        (
+            f"{polls['polls']} idle long-polls, each for a run of its own, cost "
+            f"{polls['cost_mb']:.0f} MB and {share:.1f} % of a core."
+        ),
+        (
+            f"{turns['turns']} turns inside an episode write {turns['written_bytes']} "
+            f"bytes to disk; the turn that ends it {turns['last_turn_bytes']}."
+        ),
+        (
+            f"Beside {body['queue']['runs']} queued runs a submit takes "
+            f"{queue['submit']:.2f} times as long as beside few, `get_run` of the last "
+            f"one {queue['get_run']:.2f} times, a turn {queue['predict']:.2f} times."
+        ),
+    ]
+    return [f"- {line}" for line in told]
+
+
+def main() -> int:
+    arguments = argparse.ArgumentParser(description=__doc__)
+    arguments.add_argument("--rounds", type=int, default=100, help="at most 120")
+    arguments.add_argument("--poll-seconds", type=float, default=30.0)
+    arguments.add_argument("--only", help="one part; it is printed and not written")
+    arguments.add_argument("--keep", type=Path, help="where databases stay for another")
+    options = arguments.parse_args()
+    machine = results.machine()
+    with contextlib.ExitStack() as held:
+        directory = options.keep
+        if directory is None:
+            directory = Path(held.enter_context(tempfile.TemporaryDirectory()))
+        directory.mkdir(exist_ok=True)
+        for shelf in SHELVES:
+            if not (directory / shelf.file).exists():
+                fill(directory / shelf.file, shelf)
+        large = directory / LARGE.file
+        parts: dict[str, Callable[[], dict[str, Any]]] = {
+            "requests": lambda: measure_requests(directory, options.rounds),
+            "long_polls": lambda: asyncio.run(
+                measure_polls(large, 1000, options.poll_seconds)
+            ),
+            "turns": lambda: measure_turns(large, 200),
+            "memory": lambda: measure_memory(large),
+            "queue": lambda: measure_queue(directory / SHELVES[0].file, 3000, 40),
+        }
+        if options.only is not None:
+            print(json.dumps(parts[options.only](), indent=1))
+            return 0
+        body = {name: part() for name, part in parts.items()}
+    results.update("growth", {"measured_on": machine, **body})
+    text = told(body)
+    print(text)
+    page.put("growth", text)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,81 @@
+"""Bodies that are spoilt on purpose, and where in a body that can be done.
+
+Knows requests and no answers: what a server should say of them is the checks' affair.
+"""
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+# Operation and pointer → what stands there instead.
+WRONG_TYPES: dict[tuple[str, str], list[Any]] = {
+    ("submit_run", "/benchmark_id"): [5, None, ["calibration"], {}],
+    ("submit_run", "/policy"): ["name", 1, [], None],
+    ("submit_run", "/policy/name"): [7, None],
+    ("submit_run", "/max_workers"): ["3", 2.5, True, None],
+    ("submit_run", "/idle_timeout_s"): ["9", [9], True],
+    ("attach_worker", "/attach_key"): [1, None],
+    ("attach_worker", "/takeover"): [1, "true", None],
+    ("predict", "/seq"): ["2", 2.5, None, [2]],
+    ("predict", "/actions"): [{}, "go", None],
+    ("predict", "/actions/0"): [1, [], None],
+    ("predict", "/actions/0/values/score"): [1, None, "0"],
+    ("predict", "/actions/0/values/score/0"): ["0", None, True, [0]],
+    ("heartbeat", "/session_id"): [1, None],
+    ("stop_run", "/mode"): [1, []],
+}
+
+
+def replaced(body: Any, pointer: str, value: Any) -> Any:
+    """Put a value where a pointer points."""
+    head, _, rest = pointer[1:].partition("/")
+    if isinstance(body, list):
+        inner = replaced(body[int(head)], f"/{rest}", value) if rest else value
+        return [*body[: int(head)], inner, *body[int(head) + 1 :]]
+    if rest:
+        value = replaced(body[head], f"/{rest}", value)
+    return body | {head: value}
+
+
+def with_surprises(body: Any, path: str) -> Iterator[tuple[str, Any]]:
+    """Put an unknown member into every object whose members are closed."""
+    if isinstance(body, dict):
+        if not path.endswith("/values"):
+            yield path, body | {"surprise": 1}
+        for name, value in body.items():
+            for where, inner in with_surprises(value, f"{path}/{name}"):
+                yield where, body | {name: inner}
+    elif isinstance(body, list):
+        for index, value in enumerate(body):
+            for where, inner in with_surprises(value, f"{path}/{index}"):
+                yield where, [*body[:index], inner, *body[index + 1 :]]
+
+
+def padded(body: dict[str, Any], size: int) -> Iterator[bytes]:
+    """Give a JSON body that is made as large as wanted by blanks at its end."""
+    text = json.dumps(body).encode()
+    yield text
+    blanks = size - len(text)
+    while blanks > 0:
+        yield b" " * min(blanks, 2**16)
+        blanks -= 2**16
+
+
+# Operation → where text stands in its body, and where a number.
+_PLACES = {
+    "submit_run": ("/policy/name", "/idle_timeout_s"),
+    "predict": ("/session_id", "/actions/0/values/score/0"),
+}
+_NO_TEXT = (rb'"\ud83d"', rb'"\udd16\ud83d"', b'"\xed\xa0\xbd"', b'"\xff"')
+_NO_DOUBLES = (b"1e999", b"-1e999")
+
+
+def beyond_json(operation_id: str, how: dict[str, Any]) -> Iterator[bytes]:
+    """Give bodies that keep JSON's grammar, with text and numbers that cannot be."""
+    if operation_id not in _PLACES:
+        return
+    text, number = _PLACES[operation_id]
+    for pointer, wrongs in ((text, _NO_TEXT), (number, _NO_DOUBLES)):
+        whole = json.dumps(replaced(how["json"], pointer, "HERE")).encode()
+        for wrong in wrongs:
+            yield whole.replace(b'"HERE"', wrong)

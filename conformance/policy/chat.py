@@ -1,0 +1,136 @@
+"""A chat model that says what a check wants, and remembers what it was asked.
+
+It offers one path, `/v1/chat/completions`, as OpenAI and vLLM do. Only the standard
+library: it runs in the kit's process, for one check.
+"""
+
+import contextlib
+import json
+import sys
+import threading
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import Any, Self
+
+
+@dataclass(frozen=True)
+class Request:
+    """One request as it came."""
+
+    path: str
+    headers: Mapping[str, str]
+    body: Any
+    raw: bytes
+
+    @property
+    def _content(self) -> list[dict[str, Any]]:
+        content: list[dict[str, Any]] = self.body["messages"][-1]["content"]
+        return content
+
+    @property
+    def question(self) -> str:
+        """What was asked, in words."""
+        return "".join(p["text"] for p in self._content if p["type"] == "text")
+
+    @property
+    def pictures(self) -> list[str]:
+        """The URLs of what was shown."""
+        urls = [p["image_url"] for p in self._content if p["type"] == "image_url"]
+        return [url["url"] for url in urls]
+
+
+class ScriptedChat:
+    """A chat server on a free port; a context manager.
+
+    says: the answer to every question, or a function of the request that gives it.
+    body: a whole answer, instead. status: of every answer. delay_s: before it.
+    """
+
+    def __init__(self, says: Any = "1", host: str = "127.0.0.1") -> None:
+        self.says = says
+        self.body: Any = None
+        self.status = 200
+        self.delay_s = 0.0
+        self.requests: list[Request] = []
+        self.is_closed = False
+        self._marks: list[tuple[int, threading.Event]] = []
+        self._lock = threading.Lock()
+        self._server = _Server((host, 0), _handler_of(self))
+        self.url = f"http://{host}:{self._server.server_port}/v1"
+
+    @property
+    def completions_url(self) -> str:
+        """Where a client asks."""
+        return f"{self.url}/chat/completions"
+
+    def __enter__(self) -> Self:
+        """Serve, in a thread."""
+        threading.Thread(target=self._server.serve_forever, args=(0.05,)).start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Serve no more."""
+        self.is_closed = True
+        self._server.shutdown()
+        self._server.server_close()
+
+    def after(self, number: int, happened: threading.Event) -> None:
+        """Set the event when so many requests have been answered."""
+        self._marks.append((number, happened))
+
+    def answered(self, request: Request) -> tuple[int, bytes]:
+        """Give status and body of the answer to a request."""
+        with self._lock:
+            self.requests.append(request)
+        until = time.monotonic() + self.delay_s
+        while time.monotonic() < until and not self.is_closed:
+            time.sleep(0.005)
+        says: Any = self.says(request) if callable(self.says) else self.says
+        message = {"role": "assistant", "content": says}
+        body = {"object": "chat.completion", "choices": [{"message": message}]}
+        return self.status, json.dumps(
+            body if self.body is None else self.body
+        ).encode()
+
+    def sent(self) -> None:
+        """Note that an answer has left."""
+        for number, happened in self._marks:
+            if len(self.requests) >= number:
+                happened.set()
+
+
+class _Server(ThreadingHTTPServer):
+    daemon_threads = True
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """Stay silent where a client has left: a run that is stopped leaves so."""
+        if not isinstance(sys.exception(), ConnectionError):
+            super().handle_error(request, client_address)
+
+
+def _handler_of(chat: ScriptedChat) -> type[BaseHTTPRequestHandler]:
+    class Handler(BaseHTTPRequestHandler):
+        protocol_version = "HTTP/1.1"
+
+        def do_POST(self) -> None:
+            raw = self.rfile.read(int(self.headers.get("content-length", 0)))
+            headers = {name.lower(): value for name, value in self.headers.items()}
+            status, body = 404, b"{}"
+            if self.path.endswith("/v1/chat/completions"):
+                request = Request(self.path, headers, json.loads(raw), raw)
+                status, body = chat.answered(request)
+            self.send_response(status)
+            self.send_header("Content-Type", "application/json")
+            self.send_header("Content-Length", str(len(body)))
+            # Who asked may have left meanwhile.
+            with contextlib.suppress(OSError):
+                self.end_headers()
+                self.wfile.write(body)
+            chat.sent()
+
+        def log_message(self, *_: object) -> None:
+            """Stay silent."""
+
+    return Handler

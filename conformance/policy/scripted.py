@@ -1,0 +1,220 @@
+"""A policy server that does what a check wants, and remembers what it was asked.
+
+It plays the benchmark `calibration`: every episode ends after one action, with the
+score that the check chose. A check replaces the answer to any operation, to be slow or
+wrong. Only the standard library: it runs in the kit's process, for one check.
+"""
+
+import json
+import threading
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import Any, Self
+
+from conformance.spec import JSON, PROBLEM_JSON, load_spec
+from conformance.story import Story
+
+OPERATIONS = {
+    ("GET", "/v1/policy"): "describe_policy",
+    ("POST", "/v1/policy/reset"): "reset",
+    ("POST", "/v1/policy/predict"): "predict",
+}
+_POLL_S = 0.005
+_DRIP_S = 0.05
+_SURELY_TOO_LONG = 60_000
+
+
+@dataclass(frozen=True)
+class Call:
+    """One request as it came; `body` is None where there is none."""
+
+    operation: str
+    headers: Mapping[str, str]
+    body: Any
+    raw: bytes
+    started_at: float
+
+
+@dataclass(frozen=True)
+class Reply:
+    """An answer; `body` is written as JSON unless it is bytes already.
+
+    `drips`: instead of the body one byte now and then, and never an end.
+    """
+
+    body: Any = b""
+    status: int = 200
+    headers: Mapping[str, str] = field(default_factory=dict)
+    drips: bool = False
+
+    def written(self) -> bytes:
+        """Give the bytes of the body."""
+        if isinstance(self.body, bytes):
+            return self.body
+        return json.dumps(self.body).encode()
+
+
+Answer = Callable[[Call], Reply]
+
+
+class ScriptedPolicy:
+    """A policy server on a free port; a context manager."""
+
+    def __init__(self, host: str = "127.0.0.1", score: float = 0.5) -> None:
+        self.score = score
+        self.max_sessions = 16
+        self.calls: list[Call] = []
+        self.in_flight_most = 0
+        self.is_closed = False
+        self._in_flight = 0
+        self._lock = threading.Lock()
+        self._answers: dict[str, Answer] = {
+            "describe_policy": self.description,
+            "reset": self.acknowledged,
+            "predict": self.played,
+        }
+        self._server = ThreadingHTTPServer((host, 0), _handler_of(self))
+        self._server.daemon_threads = True
+        self.url = f"http://{host}:{self._server.server_port}"
+
+    def __enter__(self) -> Self:
+        """Begin to answer."""
+        threading.Thread(
+            target=self._server.serve_forever, args=(0.02,), daemon=True
+        ).start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Answer nobody any more."""
+        self.is_closed = True
+        self._server.shutdown()
+        self._server.server_close()
+
+    def on(self, operation: str, answer: Answer) -> None:
+        """Answer an operation like this from now on."""
+        self._answers[operation] = answer
+
+    def called(self, operation: str) -> list[Call]:
+        """Give the calls of an operation so far, in the order in which they came."""
+        with self._lock:
+            return [call for call in self.calls if call.operation == operation]
+
+    def wait_for(self, operation: str, count: int = 1, timeout_s: float = 5.0) -> bool:
+        """Wait until an operation was called so often; say whether it was in time."""
+        deadline = time.monotonic() + timeout_s
+        while len(self.called(operation)) < count:
+            if time.monotonic() > deadline:
+                return False
+            time.sleep(_POLL_S)
+        return True
+
+    def description(self, _call: Call) -> Reply:
+        """Describe a policy that takes nothing for granted."""
+        version = load_spec().version.rpartition(".")[0]
+        return Reply(
+            {
+                "name": "the kit's own policy",
+                "protocol": {"min": version, "max": version},
+                "max_sessions": self.max_sessions,
+            }
+        )
+
+    def acknowledged(self, call: Call) -> Reply:
+        """Acknowledge a reset."""
+        episode = call.body["episode"]
+        return Reply(
+            {
+                "session_id": call.body["session_id"],
+                "episode_id": episode["episode_id"],
+                "attempt": episode["attempt"],
+            }
+        )
+
+    def played(self, call: Call) -> Reply:
+        """End the episode with the score."""
+        return self.answered(call, Story.action(score=self.score, end=1))
+
+    def answered(self, call: Call, *actions: Mapping[str, Any]) -> Reply:
+        """Answer a turn with these actions."""
+        turn = call.body
+        return Reply(
+            {
+                "session_id": turn["session_id"],
+                "seq": turn["seq"] + 1,
+                "actions": list(actions),
+            }
+        )
+
+    def answer(self, call: Call) -> Reply:
+        """Note a call and answer it."""
+        with self._lock:
+            self.calls.append(call)
+            self._in_flight += 1
+            self.in_flight_most = max(self.in_flight_most, self._in_flight)
+        try:
+            return self._answers[call.operation](call)
+        finally:
+            with self._lock:
+                self._in_flight -= 1
+
+
+def busy() -> Reply:
+    """Ask the caller to come again."""
+    entry = load_spec().problems["unavailable"]
+    problem = {
+        "type": "urn:proctor:problem:unavailable",
+        "title": entry["title"],
+        "status": entry["status"],
+        "detail": "The kit wants this call once more.",
+        "code": "unavailable",
+        "retryable": entry["retryable"],
+        "side_effects": entry["side_effects"],
+    }
+    headers = {"Content-Type": PROBLEM_JSON, "Retry-After": "0"}
+    return Reply(problem, entry["status"], headers)
+
+
+def _handler_of(policy: ScriptedPolicy) -> type[BaseHTTPRequestHandler]:
+    class Handler(BaseHTTPRequestHandler):
+        protocol_version = "HTTP/1.1"
+        disable_nagle_algorithm = True
+
+        def _serve(self) -> None:
+            size = int(self.headers.get("content-length", 0))
+            raw = self.rfile.read(size)
+            operation = OPERATIONS.get((self.command, self.path))
+            if operation is None:
+                self._send(Reply(status=404))
+                return
+            headers = {name.lower(): value for name, value in self.headers.items()}
+            body = json.loads(raw) if raw else None
+            call = Call(operation, headers, body, raw, time.monotonic())
+            self._send(policy.answer(call))
+
+        do_GET = do_POST = _serve  # noqa: N815 - names of http.server
+
+        def _send(self, reply: Reply) -> None:
+            body = reply.written()
+            size = _SURELY_TOO_LONG if reply.drips else len(body)
+            self.send_response(reply.status)
+            named = {"Content-Type": JSON, "Content-Length": str(size)}
+            for name, value in {**named, **reply.headers}.items():
+                self.send_header(name, value)
+            self.end_headers()
+            self.wfile.write(body)
+            while reply.drips and not policy.is_closed:
+                self.wfile.write(b" ")
+                time.sleep(_DRIP_S)
+
+        def handle(self) -> None:
+            try:
+                super().handle()
+            except OSError:
+                self.close_connection = True  # the caller went away, as it may
+
+        def log_message(self, *_: object) -> None:
+            """Say nothing."""
+
+    return Handler

@@ -1,0 +1,166 @@
+"""Turns of a benchmark, made of nothing but what the benchmark says of its spaces.
+
+States are zero and images black: a policy may find them odd, but has to answer. The
+benchmark is what `get_benchmark` of a server says; without one it is `calibration`.
+"""
+
+import base64
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from conformance.story import ACTION_SIZES
+
+_BYTES = {"bool": 1, "int8": 1, "uint8": 1, "int16": 2, "uint16": 2, "float16": 2}
+_BYTES |= {"int32": 4, "uint32": 4, "float32": 4, "int64": 8, "uint64": 8, "float64": 8}
+_CONVENTIONS = {"unit": "1", "rotation": "none", "frame": "none", "relative": False}
+_LONGEST = {"delay_s": 5, "fault": 2}
+TIME = "2026-01-01T00:00:00Z"
+
+
+def calibration() -> dict[str, Any]:
+    """Describe the benchmark `calibration`, as calibration.md does."""
+    actions: dict[str, Any] = {}
+    for name, size in ACTION_SIZES.items():
+        space = {"size": size, "out_of_range": "unbounded", **_CONVENTIONS}
+        if name != "vector":
+            low = -1 if name == "clipped" else 0
+            space["minimum"] = [low] * size
+            space["maximum"] = [_LONGEST.get(name, 1)] * size
+            space["out_of_range"] = "clip" if name == "clipped" else "refuse"
+        actions[name] = space
+    sizes = {"count": 1, "vector": 8, "clipped": 2}
+    states = {
+        name: {"size": size, "out_of_range": "unbounded", **_CONVENTIONS}
+        for name, size in sizes.items()
+    }
+    return {
+        "benchmark_id": "calibration",
+        "version": "1",
+        "title": "Calibration",
+        "description": "No physics.",
+        "manifest_sha256": "0" * 64,
+        "episodes_total": 8,
+        "tasks": ["score"],
+        "splits": ["even", "odd"],
+        "control_rate_hz": 10,
+        "max_steps": 10,
+        "max_chunk": 64,
+        "max_attempts": 3,
+        "max_faults": 3,
+        "success_rule": "any_step",
+        "action_space": actions,
+        "observation_space": {"state": states, "images": {}, "tensors": {}},
+        "image_sizes": [{"width": 16, "height": 12}],
+        "image_codecs": ["raw"],
+        "simulator": {"name": "calibration", "version": "1"},
+        "unavailable_reason": None,
+    }
+
+
+def episode(
+    benchmark: Mapping[str, Any], index: int = 0, attempt: int = 1, step: int = 0
+) -> dict[str, Any]:
+    """Give an EpisodeView of the benchmark's first task."""
+    task = benchmark["tasks"][0]
+    return {
+        "episode_id": f"e{index:04d}",
+        "index": index,
+        "task": task,
+        "instruction": f"Calibration task {task}.",
+        "attempt": attempt,
+        "step": step,
+        "max_steps": benchmark["max_steps"],
+    }
+
+
+def turn(
+    benchmark: Mapping[str, Any], session_id: str, seq: int, view: Mapping[str, Any]
+) -> dict[str, Any]:
+    """Give a Turn that shows the episode in `view`."""
+    return {
+        "session_id": session_id,
+        "seq": seq,
+        "episode": dict(view),
+        "observation": _observation(benchmark, view["task"]),
+        "executed_steps": 0,
+        "stopped_early": False,
+        "rewards": [],
+        "terminated": False,
+        "truncated": False,
+        "done": False,
+        "lease": {"expires_at": TIME, "idle_timeout_s": 60},
+        "timing": dict.fromkeys(
+            ("total_s", "queue_s", "simulate_s", "render_s", "encode_s"), 0
+        ),
+    }
+
+
+def misfits(benchmark: Mapping[str, Any], actions: Any) -> list[str]:
+    """List how actions do not fit the benchmark; as PRED-013 to PRED-017 have it."""
+    found: list[str] = []
+    if len(actions) > benchmark["max_chunk"]:
+        found.append(f"{len(actions)} actions, at most {benchmark['max_chunk']}")
+    spaces = {
+        name: space
+        for name, space in benchmark["action_space"].items()
+        if benchmark["tasks"][0] in space.get("tasks", benchmark["tasks"])
+    }
+    for index, action in enumerate(actions):
+        values = action["values"]
+        if set(values) != set(spaces):
+            found.append(f"action {index} names {sorted(values)}, not {sorted(spaces)}")
+            continue
+        for name, space in spaces.items():
+            found += [
+                f"action {index}, {name}: {x}" for x in _faults(values, name, space)
+            ]
+    return found
+
+
+def _faults(values: Any, name: str, space: Mapping[str, Any]) -> list[str]:
+    vector = values[name]
+    if len(vector) != space["size"]:
+        return [f"{len(vector)} numbers, not {space['size']}"]
+    if space["out_of_range"] != "refuse":
+        return []
+    low = space.get("minimum", [-math.inf] * len(vector))
+    high = space.get("maximum", [math.inf] * len(vector))
+    pairs = zip(low, vector, high, strict=True)
+    return [f"{x} is not in {a} … {b}" for a, x, b in pairs if not a <= x <= b]
+
+
+def _observation(benchmark: Mapping[str, Any], task: str) -> dict[str, Any]:
+    spaces = {
+        kind: {
+            name: space
+            for name, space in benchmark["observation_space"][kind].items()
+            if task in space.get("tasks", benchmark["tasks"])
+        }
+        for kind in ("state", "images", "tensors")
+    }
+    size = benchmark["image_sizes"][0] if spaces["images"] else {}
+    return {
+        "state": {name: [0] * space["size"] for name, space in spaces["state"].items()},
+        "images": {
+            name: {
+                "codec": "raw",
+                **size,
+                "channels": space["channels"],
+                "data": _zeros(size["width"] * size["height"] * space["channels"]),
+            }
+            for name, space in spaces["images"].items()
+        },
+        "tensors": {
+            name: {
+                "dtype": space["dtype"],
+                "shape": space["shape"],
+                "data": _zeros(_BYTES[space["dtype"]] * math.prod(space["shape"])),
+            }
+            for name, space in spaces["tensors"].items()
+        },
+    }
+
+
+def _zeros(size: int) -> str:
+    return base64.b64encode(bytes(size)).decode()

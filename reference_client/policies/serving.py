@@ -1,0 +1,242 @@
+"""A policy behind HTTP, as policy.yaml says: for servers that call the policy.
+
+Any policy that `proctor run` can play is served: one instance for each session, asked
+in a thread, one turn at a time. An answer is kept until the next turn, so that a call
+that was repeated is not played twice. This file knows HTTP and the bodies; what
+a policy is and how its answer becomes actions is said elsewhere.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import hmac
+from collections import OrderedDict
+from collections.abc import Awaitable, Callable
+from dataclasses import dataclass, field
+from typing import Any, TypeVar
+
+import msgspec
+from starlette.applications import Starlette
+from starlette.exceptions import HTTPException
+from starlette.requests import ClientDisconnect, Request
+from starlette.responses import JSONResponse, Response
+from starlette.routing import Route
+
+from reference_client.errors import ProctorError
+from reference_client.messages import EpisodeView, Turn
+from reference_client.observation import observation_of
+from reference_client.policies.blame import blamed
+from reference_client.policy import Policy, chunk_of
+
+VERSION = "1.0"
+# A turn may carry several raw images in Base64.
+BODY_BYTES_MAX = 64 * 2**20
+# code → status, whether to come again, title; as in x-problems of openapi.yaml.
+PROBLEMS = {
+    "malformed_body": (400, False, "The body cannot be parsed"),
+    "unauthenticated": (401, False, "No valid bearer token"),
+    "not_found": (404, False, "There is nothing here for this caller"),
+    "method_not_allowed": (405, False, "Method not allowed"),
+    "session_ended": (409, False, "The session is not live any more"),
+    "body_too_large": (413, False, "The body is too large"),
+    "invalid_request": (422, False, "The request breaks the schema"),
+    "internal_error": (500, True, "A defect of the policy"),
+}
+
+
+class ResetPolicy(msgspec.Struct):
+    """As in openapi.yaml."""
+
+    session_id: str
+    benchmark: dict[str, Any]
+    episode: EpisodeView
+
+
+Body = TypeVar("Body", ResetPolicy, Turn)
+
+
+class Refusal(Exception):
+    """A call that is answered with a problem."""
+
+    def __init__(self, code: str, detail: str) -> None:
+        super().__init__(detail)
+        self.code = code
+
+
+@dataclass(slots=True)
+class _Seat:
+    """A session: its policy, and the last turn with its answer."""
+
+    policy: Policy
+    asked: bytes = b""
+    answer: dict[str, Any] | None = None
+    turn: asyncio.Lock = field(default_factory=asyncio.Lock)
+
+
+class PolicyApp:
+    """The operations of policy.yaml; `app` is to be served by an ASGI server.
+
+    make: makes a policy, for one session at a time. name: told by describe_policy.
+    max_sessions: how many are kept; the one idle for longest makes room. key: the
+    bearer token that calls must carry, if any. assumes: schema Assumptions.
+    """
+
+    def __init__(
+        self,
+        make: Callable[[], Policy],
+        name: str,
+        *,
+        max_sessions: int = 16,
+        key: str | None = None,
+        assumes: dict[str, Any] | None = None,
+    ) -> None:
+        self._make = make
+        self._name = name
+        self._max_sessions = max_sessions
+        self._key = key
+        self._assumes = assumes
+        self._seats: OrderedDict[str, _Seat] = OrderedDict()
+        self._seating = asyncio.Lock()
+        self.app = Starlette(
+            routes=[
+                Route("/v1/policy", self._guarded(self.describe_policy)),
+                Route("/v1/policy/reset", self._guarded(self.reset), methods=["POST"]),
+                Route(
+                    "/v1/policy/predict", self._guarded(self.predict), methods=["POST"]
+                ),
+            ],
+            exception_handlers={404: _not_found, 405: _not_allowed},
+        )
+
+    async def describe_policy(self, _request: Request) -> dict[str, Any]:
+        body: dict[str, Any] = {
+            "name": self._name,
+            "protocol": {"min": VERSION, "max": VERSION},
+            "max_sessions": self._max_sessions,
+        }
+        return body if self._assumes is None else body | {"assumes": self._assumes}
+
+    async def reset(self, request: Request) -> dict[str, Any]:
+        asked = _read(await _body(request), ResetPolicy)
+        seat = await self._seat(asked.session_id)
+        async with seat.turn:
+            seat.answer = None
+            await asyncio.to_thread(seat.policy.reset, asked.episode.instruction)
+        return {
+            "session_id": asked.session_id,
+            "episode_id": asked.episode.episode_id,
+            "attempt": asked.episode.attempt,
+        }
+
+    async def predict(self, request: Request) -> dict[str, Any]:
+        body = await _body(request)
+        turn = _read(body, Turn)
+        seat = self._seats.get(turn.session_id)
+        if seat is None:
+            raise Refusal("session_ended", "This session was not reset here.")
+        self._seats.move_to_end(turn.session_id)
+        async with seat.turn:
+            if self._seats.get(turn.session_id) is not seat:
+                raise Refusal("session_ended", "The session had to make room.")
+            if seat.answer is None or seat.asked != body:
+                seat.answer = await self._act(seat.policy, turn)
+                seat.asked = body
+            return seat.answer
+
+    async def _act(self, policy: Policy, turn: Turn) -> dict[str, Any]:
+        try:
+            observation = observation_of(turn)
+        except ProctorError as error:
+            raise Refusal("invalid_request", error.detail) from error
+        actions = await asyncio.to_thread(lambda: chunk_of(policy.act(observation)))
+        return {
+            "session_id": turn.session_id,
+            "seq": turn.seq + 1,
+            "actions": actions,
+        }
+
+    async def _seat(self, session_id: str) -> _Seat:
+        """The session's; a new one takes the policy of the one idle for longest.
+
+        With the policy goes its lock: a turn that still lasts is waited for.
+        """
+        async with self._seating:
+            seat = self._seats.pop(session_id, None)
+            if seat is None and len(self._seats) < self._max_sessions:
+                seat = _Seat(await asyncio.to_thread(self._make))
+            elif seat is None:
+                old = self._seats.popitem(last=False)[1]
+                seat = _Seat(old.policy, turn=old.turn)
+            self._seats[session_id] = seat
+            return seat
+
+    def _guarded(
+        self, operation: Callable[[Request], Awaitable[dict[str, Any]]]
+    ) -> Callable[[Request], Awaitable[Response]]:
+        async def endpoint(request: Request) -> Response:
+            try:
+                self._admit(request)
+                return JSONResponse(await operation(request))
+            except Refusal as refusal:
+                return _problem(refusal)
+            except Exception as error:  # noqa: BLE001 - a policy may raise anything
+                return _problem(Refusal("internal_error", blamed(error)))
+
+        return endpoint
+
+    def _admit(self, request: Request) -> None:
+        sent = request.headers.get("authorization", "")
+        if self._key is not None and not hmac.compare_digest(
+            sent.encode(), f"Bearer {self._key}".encode()
+        ):
+            raise Refusal("unauthenticated", "This policy server wants its key.")
+
+
+async def _body(request: Request) -> bytes:
+    parts: list[bytes] = []
+    size = 0
+    try:
+        async for part in request.stream():
+            size += len(part)
+            if size > BODY_BYTES_MAX:
+                text = f"More than {BODY_BYTES_MAX} bytes are not read here."
+                raise Refusal("body_too_large", text)
+            parts.append(part)
+    except ClientDisconnect as error:
+        raise Refusal("malformed_body", "The body breaks off.") from error
+    return b"".join(parts)
+
+
+def _read(body: bytes, message: type[Body]) -> Body:
+    """What a body says; members that the schema does not have are passed over."""
+    try:
+        return msgspec.json.decode(body, type=message)
+    except msgspec.ValidationError as error:
+        text = f"The body is not as policy.yaml says: {error}."
+        raise Refusal("invalid_request", text) from error
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise Refusal("malformed_body", f"The body is no JSON: {error}.") from error
+
+
+def _problem(refusal: Refusal, **headers: str) -> Response:
+    status, retryable, title = PROBLEMS[refusal.code]
+    body: dict[str, Any] = {
+        "type": f"urn:proctor:problem:{refusal.code}",
+        "title": title,
+        "status": status,
+        "detail": str(refusal),
+        "code": refusal.code,
+        "retryable": retryable,
+        "side_effects": "possible" if retryable else "none",
+    }
+    return JSONResponse(body, status, headers, "application/problem+json")
+
+
+async def _not_found(_request: Request, _error: Exception) -> Response:
+    return _problem(Refusal("not_found", "There is no such path."))
+
+
+async def _not_allowed(_request: Request, error: Exception) -> Response:
+    headers = error.headers if isinstance(error, HTTPException) else None
+    text = "The path has other methods."
+    return _problem(Refusal("method_not_allowed", text), **dict(headers or {}))

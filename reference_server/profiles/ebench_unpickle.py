@@ -1,0 +1,388 @@
+"""Pickles of plain data, read without running them.
+
+EBench's client speaks pickle, a language whose programs may call anything. Here nothing
+is called: arguments of opcodes are read by `pickletools`, which runs none, and a
+machine with a stack of its own knows the few that plain data is made of. Numpy's arrays
+and numbers are recognised by the pattern in which numpy writes them and made with
+`frombuffer`; whatever else is named, is refused. Size, depth and number of values are
+bounded, those of what a pickle refers to many times as well.
+
+Knows nothing of requests, and must not import `pickle`.
+"""
+
+from __future__ import annotations
+
+import math
+import pickletools
+from collections.abc import Callable, Iterator, Mapping
+from io import BytesIO
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+OPCODES_MAX = 400_000
+VALUES_MAX = 400_000
+DEPTH_MAX = 16
+DIMENSIONS_MAX = 8
+WHOLE_MAX = 2**64
+KEY_MAX = 2**31  # larger numbers as keys could be chosen to collide
+
+_DTYPES = {f"{kind}{size}" for kind in "iu" for size in (1, 2, 4, 8)}
+_DTYPES |= {"b1", "f2", "f4", "f8"}
+_DTYPE_STATE = (None, None, None, -1, -1, 0)  # no fields, no alignment of its own
+_EMPTY: tuple[int, ...] = (0,)  # what numpy writes for an array that is to be filled
+
+
+class BadPickle(ValueError):
+    """What is no pickle of plain values and numpy arrays; the text says why."""
+
+
+class _Name(str):
+    """A global that numpy's pattern names; nothing stands behind it."""
+
+    __slots__ = ()
+
+
+_RECONSTRUCT, _FROMBUFFER = _Name("_reconstruct"), _Name("_frombuffer")
+_SCALAR, _NDARRAY, _DTYPE = _Name("scalar"), _Name("ndarray"), _Name("dtype")
+_ENCODE = _Name("encode")
+
+# numpy renamed `core` to `_core` in version 2; `encode` is how bytes are written in
+# protocols that have none.
+_NAMES: Mapping[tuple[str, str], _Name] = {
+    **{
+        (f"numpy.{core}.{module}", name): name
+        for core in ("core", "_core")
+        for module, name in (
+            ("multiarray", _RECONSTRUCT),
+            ("multiarray", _SCALAR),
+            ("numeric", _FROMBUFFER),
+        )
+    },
+    ("numpy", "ndarray"): _NDARRAY,
+    ("numpy", "dtype"): _DTYPE,
+    ("_codecs", "encode"): _ENCODE,
+}
+
+
+class _Dtype:
+    """A dtype; complete when its byte order is told."""
+
+    def __init__(self, code: str) -> None:
+        self.code = code
+        self.order = ""
+
+    def get(self) -> np.dtype[Any]:
+        _need(self.order, "a dtype without a byte order")
+        return np.dtype(self.order + self.code)
+
+
+class _Array:
+    """An array; numpy's older pattern makes it first and fills it later."""
+
+    def __init__(self) -> None:
+        self.filled: NDArray[Any] | None = None
+
+
+def read(body: bytes) -> Any:
+    """The value in a pickle of any protocol, tuples as lists.
+
+    Dicts, lists, strings, numbers, booleans, None and numpy arrays (boolean, integer or
+    floating, in the byte order of this machine). Raises BadPickle and nothing else.
+    """
+    machine = _Machine(len(body))
+    try:
+        return _Tree().of(machine.run(body))
+    except BadPickle:
+        raise
+    except (LookupError, TypeError, ValueError, OverflowError) as error:
+        # A stack that runs dry, a key that cannot be one, text that is no Unicode.
+        raise BadPickle(f"malformed, {str(error)[:200]!a}") from error
+
+
+class _Machine:
+    """A stack, its marks, and what was put aside; one for each pickle."""
+
+    def __init__(self, size: int) -> None:
+        self.stack: list[Any] = []
+        self._below: list[list[Any]] = []
+        self.memo: dict[int, Any] = {}
+        self._bytes_left = 2 * size  # text may become bytes once, and not over and over
+
+    def run(self, body: bytes) -> Any:
+        data = BytesIO(body)
+        for _ in range(OPCODES_MAX):
+            code = data.read(1)
+            if code == b".":
+                break
+            found = _OPCODES.get(code)
+            if found is None:
+                raise BadPickle(f"the opcode {code!r} is not read here")
+            read_argument, handler = found
+            handler(self, read_argument(data))
+        else:
+            raise BadPickle(f"more than {OPCODES_MAX} opcodes")
+        _need(len(self.stack) == 1 and not self._below, "its end is not its end")
+        return self.stack[0]
+
+    def mark(self) -> None:
+        self._below.append(self.stack)
+        self.stack = []
+
+    def since_mark(self) -> list[Any]:
+        items, self.stack = self.stack, self._below.pop()
+        return items
+
+    def last(self, count: int) -> list[Any]:
+        _need(len(self.stack) >= count, "the stack runs dry")
+        items = self.stack[-count:]
+        del self.stack[-count:]
+        return items
+
+    def name(self, module: Any, name: Any) -> None:
+        _need(type(module) is str and type(name) is str, "a name that is no text")
+        found = _NAMES.get((module, name))
+        if found is None:
+            raise BadPickle(
+                f"it names {module[:60]!a} {name[:60]!a}; only plain values "
+                "and numpy arrays are read"
+            )
+        self.stack.append(found)
+
+    def call(self) -> None:
+        """What numpy's pattern would call, and nothing else."""
+        arguments, called = self.stack.pop(), self.stack.pop()
+        _need(isinstance(called, _Name), "it calls something")
+        _need(isinstance(arguments, tuple), "it calls without arguments")
+        self.stack.append(_CALLS[called](self, *arguments))
+
+    def fill(self) -> None:
+        """Complete a dtype or an array that was made before."""
+        state, made = self.stack.pop(), self.stack[-1]
+        _need(isinstance(state, tuple), "a state that is none of numpy's")
+        if isinstance(made, _Dtype) and not made.order:
+            version, order, *rest = state
+            _need(version == 3 and tuple(rest) == _DTYPE_STATE, "a strange dtype")
+            _need(order in ("<", ">", "|", "="), "a strange byte order")
+            made.order = order
+        elif isinstance(made, _Array) and made.filled is None:
+            version, shape, dtype, is_fortran, data = state
+            _need(version == 1, "a strange array")
+            made.filled = _array(data, dtype, shape, "F" if is_fortran else "C")
+        else:
+            raise BadPickle("it sets the state of something")
+
+    def encoded(self, text: Any, codec: Any) -> bytes:
+        _need(isinstance(text, str) and codec == "latin1", "a strange encoding")
+        self._bytes_left -= len(text)
+        _need(self._bytes_left >= 0, "it grows")
+        encoded: bytes = text.encode("latin-1")
+        return encoded
+
+
+def _need(condition: object, otherwise: str) -> None:
+    if not condition:
+        raise BadPickle(otherwise)
+
+
+def _dtype(_: _Machine, code: Any, align: Any, copy: Any) -> _Dtype:
+    _need(isinstance(code, str) and code in _DTYPES, "a dtype that is no number's")
+    _need(align in (0, 1) and copy in (0, 1), "a strange dtype")
+    return _Dtype(code)
+
+
+def _reconstruct(_: _Machine, kind: Any, shape: Any, code: Any) -> _Array:
+    _need(kind is _NDARRAY and shape == _EMPTY and code == b"b", "a strange array")
+    return _Array()
+
+
+def _frombuffer(
+    _: _Machine, data: Any, dtype: Any, shape: Any, order: Any = "C"
+) -> _Array:
+    array = _Array()
+    array.filled = _array(data, dtype, shape, order)
+    return array
+
+
+def _scalar(_: _Machine, dtype: Any, data: Any) -> Any:
+    return _array(data, dtype, (1,), "C").item()
+
+
+def _array(data: Any, dtype: Any, shape: Any, order: Any) -> NDArray[Any]:
+    _need(isinstance(data, bytes | bytearray), "an array without its bytes")
+    _need(isinstance(dtype, _Dtype), "an array without a dtype")
+    _need(isinstance(shape, tuple) and len(shape) <= DIMENSIONS_MAX, "a strange shape")
+    _need(all(type(n) is int and n >= 0 for n in shape), "a strange shape")
+    _need(order in ("C", "F"), "a strange order")
+    kind = dtype.get()
+    _need(math.prod(shape) * kind.itemsize == len(data), "an array of another size")
+    array = np.frombuffer(data, kind).reshape(shape, order=order)
+    return array.astype(kind.newbyteorder("="), copy=False)
+
+
+_CALLS: Mapping[_Name, Callable[..., Any]] = {
+    _DTYPE: _dtype,
+    _RECONSTRUCT: _reconstruct,
+    _FROMBUFFER: _frombuffer,
+    _SCALAR: _scalar,
+    _ENCODE: _Machine.encoded,
+}
+
+_Handler: TypeAlias = Callable[[_Machine, Any], None]
+
+
+def _nothing(_machine: _Machine, _argument: Any) -> None:
+    """PROTO and FRAME say how what follows is written."""
+
+
+def _push(machine: _Machine, argument: Any) -> None:
+    machine.stack.append(argument)
+
+
+def _constant(make: Callable[[], Any]) -> _Handler:
+    return lambda machine, _: machine.stack.append(make())
+
+
+def _tuple_of(count: int) -> _Handler:
+    return lambda machine, _: machine.stack.append(tuple(machine.last(count)))
+
+
+def _tuple(machine: _Machine, _: Any) -> None:
+    items = machine.since_mark()
+    machine.stack.append(tuple(items))
+
+
+def _list(machine: _Machine, _: Any) -> None:
+    items = machine.since_mark()
+    machine.stack.append(items)
+
+
+def _dict(machine: _Machine, _: Any) -> None:
+    items = machine.since_mark()
+    machine.stack.append({})
+    _set(machine.stack[-1], items)
+
+
+def _extend(machine: _Machine, items: list[Any]) -> None:
+    target = machine.stack[-1]
+    _need(type(target) is list, "it appends to what is no list")
+    target += items
+
+
+def _set(target: Any, items: list[Any]) -> None:
+    _need(type(target) is dict and len(items) % 2 == 0, "it sets items of no dict")
+    for key, value in zip(items[::2], items[1::2], strict=True):
+        is_number = type(key) is int and abs(key) < KEY_MAX
+        _need(type(key) is str or is_number, "a key that is no string")
+        target[key] = value
+
+
+def _set_one(machine: _Machine, _: Any) -> None:
+    pair = machine.last(2)
+    _set(machine.stack[-1], pair)
+
+
+def _set_many(machine: _Machine, _: Any) -> None:
+    items = machine.since_mark()
+    _set(machine.stack[-1], items)
+
+
+def _put(machine: _Machine, index: int) -> None:
+    machine.memo[index] = machine.stack[-1]
+
+
+def _read_global(data: BytesIO) -> tuple[str, str]:
+    """Two lines; `pickletools` would undo escapes in them."""
+    module, name = (data.readline().decode("ascii") for _ in range(2))
+    return module.removesuffix("\n"), name.removesuffix("\n")
+
+
+def _global(machine: _Machine, argument: tuple[str, str]) -> None:
+    machine.name(*argument)
+
+
+def _stack_global(machine: _Machine, _: Any) -> None:
+    machine.name(*machine.last(2))
+
+
+_HANDLERS: Mapping[str, _Handler] = {
+    "PROTO": _nothing,
+    "FRAME": _nothing,
+    "MARK": lambda machine, _: machine.mark(),
+    "NONE": _constant(lambda: None),
+    "NEWTRUE": _constant(lambda: True),
+    "NEWFALSE": _constant(lambda: False),
+    **dict.fromkeys(("INT", "BININT", "BININT1", "BININT2"), _push),
+    **dict.fromkeys(("LONG", "LONG1", "LONG4", "FLOAT", "BINFLOAT"), _push),
+    **dict.fromkeys(("UNICODE", "BINUNICODE", "SHORT_BINUNICODE"), _push),
+    **dict.fromkeys(("BINBYTES", "SHORT_BINBYTES", "BINBYTES8"), _push),
+    **dict.fromkeys(("BINUNICODE8", "BYTEARRAY8"), _push),
+    "EMPTY_LIST": _constant(list),
+    "LIST": _list,
+    "APPEND": lambda machine, _: _extend(machine, machine.last(1)),
+    "APPENDS": lambda machine, _: _extend(machine, machine.since_mark()),
+    "EMPTY_TUPLE": _constant(tuple),
+    "TUPLE": _tuple,
+    "TUPLE1": _tuple_of(1),
+    "TUPLE2": _tuple_of(2),
+    "TUPLE3": _tuple_of(3),
+    "EMPTY_DICT": _constant(dict),
+    "DICT": _dict,
+    "SETITEM": _set_one,
+    "SETITEMS": _set_many,
+    **dict.fromkeys(("PUT", "BINPUT", "LONG_BINPUT"), _put),
+    "MEMOIZE": lambda machine, _: _put(machine, len(machine.memo)),
+    **dict.fromkeys(
+        ("GET", "BINGET", "LONG_BINGET"),
+        lambda machine, index: machine.stack.append(machine.memo[index]),
+    ),
+    "GLOBAL": _global,
+    "STACK_GLOBAL": _stack_global,
+    "REDUCE": lambda machine, _: machine.call(),
+    "BUILD": lambda machine, _: machine.fill(),
+}
+
+_Opcode: TypeAlias = tuple[Callable[[BytesIO], Any], _Handler]
+
+
+def _opcodes() -> Iterator[tuple[bytes, _Opcode]]:
+    """Of each opcode that is read: what reads its argument, and what it does."""
+    for opcode in pickletools.opcodes:
+        if opcode.name in _HANDLERS:
+            reader: Any = opcode.arg.reader if opcode.arg else lambda _: None
+            if opcode.name == "GLOBAL":
+                reader = _read_global
+            yield opcode.code.encode("latin-1"), (reader, _HANDLERS[opcode.name])
+
+
+_OPCODES = dict(_opcodes())
+
+
+class _Tree:
+    """What was read, copied out: shared parts count as often as they are seen."""
+
+    def __init__(self) -> None:
+        self._left = VALUES_MAX
+
+    def of(self, value: Any, depth: int = 0) -> Any:
+        array = value.filled if isinstance(value, _Array) else None
+        self._left -= 1 if array is None else array.size
+        _need(self._left >= 0, f"more than {VALUES_MAX} values")
+        _need(depth <= DEPTH_MAX, "it is nested too deeply, or in itself")
+        if array is not None:
+            return array
+        if type(value) in (list, tuple):
+            return [self.of(item, depth + 1) for item in value]
+        if type(value) is dict:
+            return {
+                self.of(key, depth): self.of(item, depth + 1)
+                for key, item in value.items()
+            }
+        if type(value) is str:
+            value.encode()  # a lone surrogate is no text
+            return value
+        plain = value is None or type(value) in (bool, int, float)
+        _need(plain, f"a bare {type(value).__name__.strip('_')} is no value")
+        _need(type(value) is not int or abs(value) < WHOLE_MAX, "too large a number")
+        return value

@@ -1,0 +1,257 @@
+"""Plays the runs with mode `push`: workers of this server that ask a policy server.
+
+A client of the stage like any other: it attaches, asks the policy, predicts, and what
+was scored, counted or stopped follows from the same rules. It holds no rule but how
+long a policy may fail: an attempt ends with its fault; a policy server that does not
+describe itself after a fault, or has faulted `max_faults` times without a turn in
+between, fails the run, which can be resumed.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import logging
+import secrets
+import time
+from dataclasses import dataclass
+from typing import Any
+
+from reference_server import progress
+from reference_server.problems import Refused
+from reference_server.protocol import Attach, Predict
+from reference_server.push.addresses import Gate
+from reference_server.push.calls import Bounds, Calls, PolicyFault
+from reference_server.push.orders import Order
+from reference_server.push.policy import Description, Policy, misfit
+from reference_server.push.protocols import PROTOCOLS
+from reference_server.push.seal import SealBroken, Sealer
+from reference_server.run_book import RunBook
+from reference_server.run_state import Run
+from reference_server.stage import Stage
+from reference_server.store import StoreFailed
+
+log = logging.getLogger("proctor.push")
+
+# How long a worker pauses that the server itself turned away, and how often it may be
+# before it is taken for a defect. A server without a free simulator frees one in time.
+PAUSE_S = 0.2
+REFUSALS_MOST = 50
+_NO_HURRY = ("no_capacity", "worker_limit")
+_PLAYED = ("ready", "running")
+
+
+class _GivenUp(Exception):
+    """The run cannot go on now; the message is its reason."""
+
+
+@dataclass(slots=True)
+class _Drive:
+    """One run in play. faults: of the policy since a turn was last executed."""
+
+    run_id: str
+    policy: Policy
+    described: Description
+    key: str | None
+    faults: int = 0
+
+    def told(self, fault: PolicyFault) -> str:
+        """What the submitter is told; a policy may have said its key (PUSH-005)."""
+        return _without(self.key, str(fault))
+
+
+class Driver:
+    """Every push run of this server that has capacity."""
+
+    def __init__(
+        self, book: RunBook, stage: Stage, gate: Gate, sealer: Sealer, max_bytes: int
+    ) -> None:
+        self._book = book
+        self._stage = stage
+        self._gate = gate
+        self._sealer = sealer
+        self._max_bytes = max_bytes
+        self._drives: dict[str, asyncio.Task[None]] = {}
+        self._closed = False
+        book.seen = self.look
+
+    def open(self) -> None:
+        """Go on with the runs that the last process left."""
+        for run_id in self._book.active():
+            self._book.begin(self._look_at(run_id))
+
+    async def close(self) -> None:
+        """End every call and drive; their runs are found ready again."""
+        self._closed = True
+        drives = list(self._drives.values())
+        for drive in drives:
+            drive.cancel()
+        if drives:
+            await asyncio.wait(drives)
+        self._gate.close()
+
+    def look(self, run: Run) -> None:
+        """Something of the run has changed: begin to play it, or end that."""
+        if not run.is_push or self._closed:
+            return
+        drive = self._drives.get(run.run_id)
+        if drive is None and run.state in _PLAYED:
+            drive = asyncio.ensure_future(self._drive(run))
+            self._drives[run.run_id] = drive
+            drive.add_done_callback(lambda _: self._over(run.run_id))
+        elif drive is not None and run.state not in (*_PLAYED, "stopping"):
+            drive.cancel()  # PUSH-014
+
+    def _over(self, run_id: str) -> None:
+        """A run that was stopped and resumed meanwhile is played on."""
+        del self._drives[run_id]
+        if not self._closed:
+            self._book.begin(self._look_at(run_id))
+
+    async def _look_at(self, run_id: str) -> None:
+        # A run that cannot be loaded now is looked at when it is.
+        with contextlib.suppress(StoreFailed):
+            self.look(await self._book.get(run_id))
+
+    async def _drive(self, run: Run) -> None:
+        order, key = Order.of(run), None
+        try:
+            key = self._key(order)
+            async with self._calls(order, key) as calls:
+                policy = PROTOCOLS[order.protocol](run, order, calls)
+                drive = _Drive(run.run_id, policy, await policy.describe(), key)
+                await self._play_all(drive, order, len(run.pending))
+        except (PolicyFault, _GivenUp) as error:
+            await self._give_up(run.run_id, _without(key, str(error)))
+        except Exception:
+            log.exception("run %s could not be played", run.run_id)
+            await self._give_up(run.run_id, "The server has a defect; see its log.")
+
+    def _key(self, order: Order) -> str | None:
+        if order.sealed_key is None:
+            return None
+        try:
+            return self._sealer.unseal(order.sealed_key)
+        except SealBroken as error:
+            raise _GivenUp(
+                "The API key of the policy server cannot be read any more: this server "
+                "has lost the key that sealed it. Submit the run anew."
+            ) from error
+
+    def _calls(self, order: Order, key: str | None) -> Calls:
+        bounds = Bounds(
+            order.call_timeout_s,
+            order.max_concurrent,
+            order.max_retries,
+            self._max_bytes,
+        )
+        return Calls(order.url, self._gate, bounds, key)
+
+    async def _play_all(self, drive: _Drive, order: Order, left: int) -> None:
+        workers = min(order.max_concurrent, drive.described.max_sessions, left)
+        try:
+            async with asyncio.TaskGroup() as group:
+                for number in range(1, workers + 1):
+                    group.create_task(self._work(drive, f"push-{number}"))
+        except* (PolicyFault, _GivenUp) as errors:
+            reason = str(errors.exceptions[0])
+            raise _GivenUp(reason) from errors
+
+    async def _work(self, drive: _Drive, worker_id: str) -> None:
+        """Play one session after another, until there is nothing left for it."""
+        refusals = 0
+        while True:
+            try:
+                run = await self._book.get(drive.run_id)
+                if run.state not in _PLAYED or not run.pending:
+                    return
+                await self._session(drive, run, worker_id)
+                refusals = 0
+            except (Refused, StoreFailed) as error:
+                refused = _refusal(error)
+                refusals += refused.code not in _NO_HURRY
+                self._turned_away(refused, refusals)
+                await asyncio.sleep(PAUSE_S)
+
+    def _turned_away(self, refused: Refused, refusals: int) -> None:
+        """The server refused its own worker: raises unless that will pass."""
+        if refused.code in ("convention_mismatch", "benchmark_unavailable"):
+            said = "; ".join(f"{at} {text}" for at, text in refused.errors)
+            raise _GivenUp(f"{refused.detail} {said}".strip())
+        if refusals > REFUSALS_MOST:
+            raise _GivenUp(f"The server refused its own worker: {refused.detail}")
+
+    async def _session(self, drive: _Drive, run: Run, worker_id: str) -> None:
+        command = Attach(
+            worker_id,
+            secrets.token_urlsafe(16),
+            assumes=drive.described.assumes,
+            by_server=True,
+        )
+        turn = await self._stage.attach(run, command)
+        session_id = turn["session_id"]
+        try:
+            await self._play(drive, run, worker_id, turn)
+        except PolicyFault as fault:
+            await self._fault(drive, run, worker_id, session_id, fault)
+
+    async def _play(
+        self, drive: _Drive, run: Run, worker_id: str, turn: dict[str, Any]
+    ) -> None:
+        while not turn["done"]:
+            if turn["episode"]["step"] == 0:  # PUSH-006
+                await drive.policy.reset(turn)
+            answer = await drive.policy.predict(turn)
+            command = Predict(
+                worker_id,
+                answer.session_id,
+                answer.seq,
+                [action.values for action in answer.actions],
+                "all" if answer.observe == "all" else "last",
+            )
+            try:
+                turn = await self._stage.predict(run, command)
+            except Refused as refused:
+                if refused.code == "invalid_request":
+                    raise misfit(refused) from refused
+                raise
+            drive.faults = 0
+
+    async def _fault(
+        self,
+        drive: _Drive,
+        run: Run,
+        worker_id: str,
+        session_id: str,
+        fault: PolicyFault,
+    ) -> None:
+        """End the attempt; then see whether the policy is still there."""
+        log.info("run %s, %s: %s", run.run_id, worker_id, drive.told(fault))
+        session = run.workers.get(worker_id)
+        if session is None or session.session_id != session_id:
+            return  # stopped, or lost, meanwhile
+        progress.end_by_policy(run, session, drive.told(fault), time.time())
+        self._stage.let_go([session])
+        await self._book.commit(run)
+        drive.faults += 1
+        if drive.faults >= run.manifest["max_faults"]:
+            raise fault
+        await drive.policy.describe()
+
+    async def _give_up(self, run_id: str, reason: str) -> None:
+        """PUSH-012: the run fails, and can be resumed."""
+        # What cannot be stored is forgotten; the run is played on when it is loaded.
+        with contextlib.suppress(Refused, StoreFailed):
+            run = await self._book.get(run_id)
+            self._stage.let_go(progress.give_up(run, reason, time.time()))
+            await self._book.commit(run)
+
+
+def _refusal(error: Refused | StoreFailed) -> Refused:
+    if isinstance(error, Refused):
+        return error
+    return Refused("unavailable", "The store does not answer.")
+
+
+def _without(key: str | None, text: str) -> str:
+    return text if key is None else text.replace(key, "(its API key)")

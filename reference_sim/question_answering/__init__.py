@@ -1,0 +1,1 @@
+"""Questions about pictures of the tabletop scene, answered by a vector of numbers."""

@@ -1,0 +1,63 @@
+"""Mutants of the chat models' protocol: what is asked, and how words are read."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from reference_server.push import chat
+from reference_server.push.calls import PolicyFault
+from reference_server.push.chat import ChatPolicy
+from tests.mutants import mutant, put
+
+
+@mutant("CHAT-001")
+def asks_without_the_picture() -> None:
+    """A model is scored for questions about what it was never shown."""
+    right = ChatPolicy._question
+
+    def wrong(self: ChatPolicy, turn: Any) -> dict[str, Any]:
+        body = right(self, turn)
+        (message,) = body["messages"]
+        texts = [part for part in message["content"] if part["type"] == "text"]
+        return body | {"messages": [message | {"content": texts}]}
+
+    put(ChatPolicy, "_question", wrong)
+
+
+@mutant("CHAT-002")
+def takes_the_first_line_for_the_answer() -> None:
+    """A model that thinks aloud is scored for its first thought."""
+    right = chat.read_answer
+
+    def wrong(text: str) -> dict[str, list[float]]:
+        return right(text.strip().partition("\n")[0])
+
+    put(chat, "read_answer", wrong)
+
+
+@mutant("CHAT-003")
+def calls_words_a_fault() -> None:
+    """A model that cannot answer three questions ends its whole evaluation."""
+    right = chat.read_answer
+
+    def wrong(text: str) -> dict[str, list[float]]:
+        answer = right(text)
+        if answer["number"] == [chat.NO_ANSWER]:
+            raise PolicyFault("The model's words are no answer.")
+        return answer
+
+    put(chat, "read_answer", wrong)
+
+
+@mutant("CHAT-004")
+def takes_an_error_for_an_answer() -> None:
+    """A broken model server is published as a model that knows nothing."""
+    right = chat._content
+
+    def wrong(answer: Any) -> str:
+        try:
+            return right(answer)
+        except PolicyFault:
+            return ""
+
+    put(chat, "_content", wrong)

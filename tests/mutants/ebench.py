@@ -1,0 +1,314 @@
+"""Mutants of EBench's door."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from starlette.responses import Response
+
+from reference_server import progress, protocol
+from reference_server.problems import Refused
+from reference_server.profiles import (
+    ebench,
+    ebench_answers,
+    ebench_messages,
+    ebench_pickle,
+    ebench_requests,
+    ebench_unpickle,
+)
+from reference_server.profiles.ebench import Ebench
+from reference_server.protocol import Detach, Predict
+from reference_server.run_state import Run
+from tests.mutants import mutant, put
+
+SCORE_AT = 5  # among calibration's numbers by name
+
+
+# --- control plane ---
+
+
+@mutant("EBE-001")
+def takes_another_benchmark_for_the_task() -> None:
+    """A policy is evaluated on what nobody asked for."""
+    wrong = {**ebench.BENCHMARK_SETS, "calibration": "mobile_bimanual_state"}
+    put(ebench, "BENCHMARK_SETS", wrong)
+
+
+@mutant("EBE-002")
+def refuses_a_task_without_a_word() -> None:
+    """The client prints an error that says nothing."""
+
+    def wrong(refused: Refused) -> Response:
+        body = json.loads(bytes(ebench_answers.refusal(refused).body))
+        return ebench_answers.envelope(None, body["code"], "")
+
+    put(ebench, "refusal", wrong)
+
+
+@mutant("EBE-003")
+def calls_a_queued_task_ready() -> None:
+    """Workers come too early and are turned away."""
+    right = protocol.legal
+
+    def wrong(run: Run, event: Any) -> bool:
+        return run.state == "queued" or right(run, event)
+
+    put(ebench, "legal", wrong)
+
+
+@mutant("EBE-004")
+def gives_a_resumed_task_another_id() -> None:
+    """The client looks for its progress where there is none."""
+    right = Ebench.create_task
+
+    async def wrong(self: Ebench, call: Any) -> Response:
+        response = await right(self, call)
+        if not call.body.task_id:
+            return response
+        return ebench_answers.envelope({"task_id": f"{call.body.task_id}-2"})
+
+    put(Ebench, "create_task", wrong)
+
+
+@mutant("EBE-005")
+def has_no_page_that_says_it_lives() -> None:
+    """The client refuses to begin."""
+
+    async def wrong(_self: Ebench, _call: Any) -> Response:
+        raise Refused("not_found", "There is no such page.")
+
+    put(Ebench, "docs", wrong)
+
+
+@mutant("EBE-018")
+def stops_in_one_place_only() -> None:
+    """An older client cannot stop what it began."""
+    right = Ebench.table
+
+    def wrong(self: Ebench) -> Any:
+        table = right(self)
+        del table[f"{ebench.DOOR}/stop"]
+        return table
+
+    put(Ebench, "table", wrong)
+
+
+@mutant("EBE-019")
+def counts_what_is_played_as_completed() -> None:
+    """A run seems nearer to its end than it is."""
+    right = ebench_answers.status_of
+
+    def wrong(run: Run) -> dict[str, Any]:
+        status = right(run)
+        status["completed_episodes"] += status["in_progress_episodes"]
+        return status
+
+    put(ebench, "status_of", wrong)
+
+
+# --- workers ---
+
+
+@mutant("EBE-006")
+def shows_the_first_of_many_workers() -> None:
+    """The client of sixteen workers cannot begin."""
+    right = Ebench._shown
+
+    async def wrong(self: Ebench, run: Run, turns: Mapping[str, Any]) -> Any:
+        if not any(turn.get("executed_steps") for turn in turns.values()):
+            turns = dict(list(turns.items())[:1])
+        return await right(self, run, turns)
+
+    put(Ebench, "_shown", wrong)
+
+
+@mutant("EBE-007")
+def begins_an_episode_anew_at_every_reset() -> None:
+    """Who restarts the client when it goes badly has the better score."""
+    right = Ebench._open
+
+    async def wrong(
+        self: Ebench, run: Run, worker_id: str, takeover: bool = False
+    ) -> Any:
+        session = run.workers.get(worker_id)
+        if takeover and session is not None:
+            detach = Detach(worker_id, session.session_id)
+            await self.routes.stage.detach(run, detach)
+        return await right(self, run, worker_id, takeover)
+
+    put(Ebench, "_open", wrong)
+
+
+@mutant("EBE-016")
+def lets_killed_workers_live() -> None:
+    """A slot is lost until the lease ends."""
+
+    async def wrong(_self: Ebench, call: Any) -> Response:
+        return call.answer({"data": {"success": True}})  # type: ignore[no-any-return]
+
+    put(Ebench, "kill", wrong)
+
+
+@mutant("EBE-017")
+def executes_what_was_meant_for_a_lost_episode() -> None:
+    """A new episode begins with an action that was chosen in another one."""
+    right = Ebench._turn
+
+    def wrong(self: Ebench, run: Run, worker_id: str, chunk: Any, now: float) -> Any:
+        if worker_id in run.workers:
+            return right(self, run, worker_id, chunk, now)
+
+        async def work() -> Any:
+            turn = await self._open(run, worker_id)
+            actions = ebench_messages.actions(
+                chunk.actions, run.manifest, dict, chunk.at
+            )
+            command = Predict(worker_id, turn["session_id"], 1, actions)
+            return await self.routes.stage.predict(run, command)
+
+        return work
+
+    put(Ebench, "_turn", wrong)
+
+
+@mutant("EBE-021")
+def opens_its_endpoint_to_every_account() -> None:
+    """A stranger can play somebody else's episodes badly."""
+    right = Ebench._run
+
+    async def wrong(self: Ebench, call: Any) -> Run:
+        run = await self.routes.book.get(call.path["run_id"])
+        caller = dataclasses.replace(call.caller, account=run.account)
+        return await right(self, dataclasses.replace(call, caller=caller))
+
+    put(Ebench, "_run", wrong)
+
+
+# --- steps ---
+
+
+@mutant("EBE-008")
+def executes_a_list_of_steps_backwards() -> None:
+    """A robot does last things first."""
+    right = ebench_requests.read_chunks
+
+    def wrong(body: Any, run: Run) -> Any:
+        return right(body[::-1] if isinstance(body, list) else body, run)
+
+    put(ebench, "read_chunks", wrong)
+
+
+@mutant("EBE-023")
+def calls_no_chunk_cut() -> None:
+    """A policy believes that it is still in the episode it planned for."""
+    put(ebench, "_is_cut", lambda _turn: False)
+
+
+@mutant("EBE-009")
+def keeps_the_result_of_an_episode() -> None:
+    """The client's folder of results stays empty."""
+    right = ebench_answers.shown
+
+    def wrong(*arguments: Any) -> dict[str, Any]:
+        return right(*arguments) | {"episode_result": None}
+
+    put(ebench, "shown", wrong)
+
+
+@mutant("EBE-010")
+def ends_a_run_without_metrics() -> None:
+    """The client prints an empty table at the end."""
+    put(ebench, "results_of", lambda _run: {})
+
+
+@mutant("EBE-011")
+def reads_numbers_in_single_precision() -> None:
+    """A target is met by less than the policy commanded."""
+    right = ebench_messages._numbers
+
+    def wrong(value: Any, at: str, size: int) -> list[float]:
+        with np.errstate(over="ignore"):
+            return [float(np.float32(number)) for number in right(value, at, size)]
+
+    put(ebench_messages, "_numbers", wrong)
+
+
+@mutant("EBE-012")
+def moves_the_workers_whose_actions_fit() -> None:
+    """A refused step was executed by half of the workers."""
+    right = Ebench._turn
+
+    def wrong(self: Ebench, *arguments: Any) -> Any:
+        try:
+            return right(self, *arguments)
+        except Refused as refused:
+            error = refused
+
+        async def work() -> Any:
+            raise error
+
+        return work
+
+    put(Ebench, "_turn", wrong)
+
+
+@mutant("EBE-013")
+def executes_a_lost_step_again() -> None:
+    """A robot moves twice because an answer did not arrive."""
+    put(ebench, "repeated", lambda _session, _asked: None)
+
+
+@mutant("EBE-014")
+def takes_an_equal_action_for_a_repeated_one() -> None:
+    """A policy that waits in one place never sees time pass."""
+    put(progress, "heard", lambda _session, _seq: None)
+
+
+@mutant("EBE-022")
+def shares_scores_among_the_workers_of_a_step() -> None:
+    """What one worker achieves depends on another one's luck."""
+    right = ebench_requests.read_chunks
+
+    def wrong(body: Any, run: Run) -> Any:
+        chunks = right(body, run)
+        last = [chunk.actions[-1]["action"] for chunk in chunks.values()]
+        if all(isinstance(one, list) and len(one) > SCORE_AT for one in last):
+            mean = sum(one[SCORE_AT] for one in last) / len(last)
+            for one in last:
+                one[SCORE_AT] = mean
+        return chunks
+
+    put(ebench, "read_chunks", wrong)
+
+
+# --- pickles ---
+
+
+@mutant("EBE-015")
+def passes_over_what_a_pickle_would_call() -> None:
+    """An attack looks like a slip of the pen."""
+    right = ebench_unpickle.read
+
+    def wrong(body: bytes) -> Any:
+        try:
+            return right(body)
+        except ebench_unpickle.BadPickle:
+            return None
+
+    put(ebench_unpickle, "read", wrong)
+
+
+@mutant("EBE-020")
+def names_numpy_in_its_answers() -> None:
+    """A client that reads nothing but data cannot read them."""
+    right = ebench_pickle.write
+
+    def wrong(value: Any) -> bytes:
+        body = right(value)
+        return body[:2] + b"cnumpy\ndtype\n0" + body[2:]
+
+    put(ebench_pickle, "write", wrong)

@@ -1,0 +1,207 @@
+"""Mutants of FlagEval's wire: what a script would read wrong or send in vain."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import msgspec
+from starlette.responses import Response
+
+from reference_server import auth
+from reference_server.messages import JSON
+from reference_server.operations import Call
+from reference_server.problems import Refused
+from reference_server.profiles import (
+    flageval,
+    flageval_answers,
+    flageval_requests,
+)
+from reference_server.profiles.flageval import Flageval
+from reference_server.profiles.flageval_answers import Evaluated
+from reference_server.profiles.flageval_requests import Evaluation, Named
+from tests.mutants import mutant, put
+
+Json = dict[str, Any]
+
+
+def change_result(change: Callable[[Json, Json, Any], None]) -> None:
+    """Let `change(detail, group, base)` spoil each dataset of every result."""
+    right = Evaluated.result
+
+    def wrong(self: Evaluated, base: Evaluated | None) -> Json:
+        result = right(self, base)
+        for detail in result["details"]:
+            change(detail, self.datasets[detail["dataset"]], base)
+        return result
+
+    put(Evaluated, "result", wrong)
+
+
+def change_body(operation: str, change: Callable[[Json, Call], None]) -> None:
+    """Let `change(body, call)` spoil the answers of one operation."""
+    right = getattr(Flageval, operation)
+
+    async def wrong(self: Flageval, call: Call) -> Response:
+        body = json.loads(bytes((await right(self, call)).body))
+        change(body, call)
+        return Response(msgspec.json.encode(body), media_type=JSON)
+
+    put(Flageval, operation, wrong)
+
+
+@mutant("FLE-001")
+def tells_the_evaluations_in_another_order() -> None:
+    """The number of one model is published as the other's."""
+    change_body("evaluation", lambda body, _: body["eval_tasks"].reverse())
+
+
+@mutant("FLE-002")
+def has_one_name_for_the_message() -> None:
+    """Scripts written from the document find no reason."""
+    right = flageval_answers.refusal
+
+    def wrong(refused: Refused) -> Response:
+        body = json.loads(bytes(right(refused).body))
+        del body["err_message"]
+        return Response(msgspec.json.encode(body), media_type=JSON)
+
+    put(flageval, "refusal", wrong)
+
+
+@mutant("FLE-003")
+def takes_a_used_name_for_a_repeat() -> None:
+    """The second chip is never evaluated, and shows the numbers of the first."""
+    put(Evaluation, "digest", lambda _self, _number: "same")
+
+
+@mutant("FLE-004")
+def refuses_a_repeat() -> None:
+    """Who lost the answer never learns the request_id."""
+    put(Evaluation, "digest", lambda self, _number: f"{id(self)}")
+
+
+@mutant("FLE-005")
+def forgets_how_to_generate() -> None:
+    """Every model is asked at the temperature of its server."""
+    put(flageval_requests, "_generation", lambda _text, _at: {})
+
+
+@mutant("FLE-006")
+def repeats_what_it_was_asked() -> None:
+    """API keys stand in the logs of everybody's scripts."""
+
+    def wrong(body: Json, call: Call) -> None:
+        body["asked"] = [info.api_key for info in call.body.eval_infos]
+
+    change_body("evaluation", wrong)
+
+
+@mutant("FLE-007")
+def calls_the_success_rate_accuracy() -> None:
+    """A model that is half right everywhere has an accuracy of 0."""
+    change_result(
+        lambda detail, group, _: detail.update(accuracy=group["success_rate"])
+    )
+
+
+@mutant("FLE-008")
+def reads_no_query() -> None:
+    """Clients that cannot send a body with GET get no result."""
+    right = Flageval._asked
+
+    async def wrong(self: Flageval, call: Call, *rest: Any) -> Any:
+        return await right(self, replace(call, query={}), *rest)
+
+    put(Flageval, "_asked", wrong)
+
+
+@mutant("FLE-009")
+def calls_every_failure_a_failure() -> None:
+    """A model server that was restarted is not waited for."""
+    right = flageval_answers.status_of
+
+    def wrong(*arguments: Any) -> str:
+        status = right(*arguments)
+        return "F" if status == "OOR" else status
+
+    put(flageval_answers, "status_of", wrong)
+
+
+@mutant("FLE-010")
+def subtracts_the_other_way() -> None:
+    """A model that got worse is reported as better."""
+
+    def wrong(detail: Json, _group: Json, _base: Any) -> None:
+        if detail["diff"] is not None:
+            detail["diff"] = -detail["diff"]
+
+    change_result(wrong)
+
+
+@mutant("FLE-011")
+def releases_what_was_compared_with_nothing() -> None:
+    """A chip is released because its baseline was never evaluated."""
+    right = Evaluated.result
+
+    def wrong(self: Evaluated, base: Evaluated | None) -> Json:
+        result = right(self, base)
+        return result | {"release": base is None or result["release"]}
+
+    put(Evaluated, "result", wrong)
+
+
+@mutant("FLE-012")
+def stops_the_first_model_alone() -> None:
+    """The others go on asking a model server that is to be saved."""
+    right = Flageval.stop
+
+    async def wrong(self: Flageval, call: Call) -> Response:
+        first, *_ = call.body.request_id.split(".")
+        return await right(self, replace(call, body=Named(request_id=first)))
+
+    put(Flageval, "stop", wrong)
+
+
+@mutant("FLE-009", "FLE-013")
+def says_that_it_resumes() -> None:
+    """A script waits for a night for what was never begun."""
+
+    async def wrong(self: Flageval, call: Call) -> Response:
+        await self._evaluated(call, call.body.request_id)
+        return flageval_answers.answer()
+
+    put(Flageval, "resume", wrong)
+
+
+@mutant("FLE-014")
+def counts_models_instead_of_datasets() -> None:
+    """Nobody knows how long it will take."""
+
+    def wrong(body: Json, call: Call) -> None:
+        total = len(call.body.request_id.split("."))
+        done = total if body["finished"] else 0
+        body["datasets_progress"] = f"{done}/{total}"
+
+    change_body("progress", wrong)
+
+
+@mutant("FLE-015")
+def answers_a_map_whatever_the_method() -> None:
+    """Scripts written from the document go through a list and find none."""
+    put(Flageval, "diffs_in_a_list", Flageval.diffs_by_id)
+
+
+@mutant("FLE-016")
+def shows_results_to_every_account() -> None:
+    """Who knows a request_id reads the results of others."""
+    right = Flageval._evaluated
+
+    async def wrong(self: Flageval, call: Call, request_id: str) -> Any:
+        run = await self.routes.book.get(request_id.split(".", maxsplit=1)[0])
+        call = replace(call, caller=auth.Caller(run.account, auth.SCOPES))
+        return await right(self, call, request_id)
+
+    put(Flageval, "_evaluated", wrong)

@@ -1,0 +1,219 @@
+"""Mutants of the other direction: the server that calls the policy."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Mapping
+from typing import Any
+
+import httpcore
+
+from reference_server import progress, protocol
+from reference_server.push import driver, orders, policy
+from reference_server.push.calls import Calls, PolicyFault
+from reference_server.push.driver import Driver
+from reference_server.push.policy import ProctorPolicy
+from reference_server.run_state import Run, Session
+from tests.mutants import mutant, put
+from tests.mutants.turns import no_guard, swap
+
+
+@mutant("PUSH-001")
+def plays_only_the_first_action_of_a_chunk() -> None:
+    """A policy that answers chunks is scored for something that it did not say."""
+    right = ProctorPolicy.predict
+
+    async def wrong(self: ProctorPolicy, turn: Any) -> Any:
+        answer = await right(self, turn)
+        answer.actions = answer.actions[:1]
+        return answer
+
+    put(ProctorPolicy, "predict", wrong)
+
+
+@mutant("PUSH-002")
+def takes_an_order_without_its_mode() -> None:
+    """A run waits for ever for workers, while its submitter waits for calls."""
+    put(orders, "_faults", lambda _submission: iter(()))
+    right = orders.OrderDesk.kept
+
+    async def wrong(self: orders.OrderDesk, submission: dict[str, Any]) -> Any:
+        if submission.get("mode") == "push" and "policy_server" not in submission:
+            submission = submission | {"mode": "pull"}
+        return await right(self, submission)
+
+    put(orders.OrderDesk, "kept", wrong)
+
+
+@mutant("PUSH-003")
+def lets_workers_into_a_push_run() -> None:
+    """Somebody else plays episodes in the name of the policy."""
+    swap(protocol._played_by_whom_it_is_for, no_guard)
+
+
+@mutant("PUSH-004")
+def keeps_the_key_for_predict_alone() -> None:
+    """A policy server that asks for its key never gets as far as a run."""
+    right = Calls._once
+
+    async def wrong(self: Calls, method: str, path: str, content: Any) -> Any:
+        key = self._key
+        self._key = key if path.endswith("/predict") else None
+        try:
+            return await right(self, method, path, content)
+        finally:
+            self._key = key
+
+    put(Calls, "_once", wrong)
+
+
+@mutant("PUSH-005")
+def tells_the_key_in_a_reason() -> None:
+    """Who reads the run's page reads the key of its policy server."""
+    put(driver, "_without", lambda _key, text: text)
+
+
+@mutant("PUSH-006")
+def does_not_read_what_a_reset_answers() -> None:
+    """A policy that was not ready plays on with the memory of another episode."""
+
+    async def wrong(self: ProctorPolicy, turn: Mapping[str, Any]) -> None:
+        body = {
+            "session_id": turn["session_id"],
+            "run_id": self._run.run_id,
+            "benchmark": self._run.manifest,
+            "episode": turn["episode"],
+        }
+        await self._calls.post("/v1/policy/reset", body)
+
+    put(ProctorPolicy, "reset", wrong)
+
+
+@mutant("PUSH-007")
+def calls_as_often_as_it_likes() -> None:
+    """A policy on one graphics card is asked by sixteen workers and runs out of it."""
+    right = orders.Order.of
+
+    def wrong(run: Run) -> Any:
+        order = right(run)
+        changed = {name: getattr(order, name) for name in order.__slots__}
+        return orders.Order(**changed | {"max_concurrent": run.max_workers})
+
+    put(orders.Order, "of", wrong)
+
+
+@mutant("PUSH-008")
+def asks_something_else_when_it_asks_again() -> None:
+    """A policy with a memory sees the same moment twice, as two moments."""
+    right = Calls._in_time
+    asked: set[bytes] = set()
+
+    async def wrong(self: Calls, method: str, path: str, content: Any) -> Any:
+        if content is not None and content in asked:
+            content = content.replace(b'"done":false', b'"done":false,"again":true')
+        elif content is not None:
+            asked.add(content)
+        return await right(self, method, path, content)
+
+    put(Calls, "_in_time", wrong)
+
+
+@mutant("PUSH-009")
+def waits_while_anything_comes() -> None:
+    """One byte a second holds a worker and its simulator for days."""
+
+    async def wrong(self: Calls, method: str, path: str, content: Any) -> Any:
+        try:
+            return await self._once(method, path, content)
+        except (httpcore.NetworkError, httpcore.RemoteProtocolError, OSError) as error:
+            raise PolicyFault("is not reached", again=True) from error
+
+    put(Calls, "_in_time", wrong)
+
+
+@mutant("PUSH-010")
+def blames_nobody_for_misfit_actions() -> None:
+    """A run fails, and its episodes do not say what the policy did wrong."""
+    right = progress.end_by_policy
+
+    def wrong(run: Run, session: Session, fault: str, now_wall: float) -> None:
+        episode = session.episode
+        right(run, session, fault, now_wall)
+        if episode is not None and "was refused" in fault:
+            episode.policy_fault = None
+
+    put(progress, "end_by_policy", wrong)
+
+
+@mutant("PUSH-011")
+def follows_redirects() -> None:
+    """A stranger's answer decides where this server connects to next."""
+    right = Calls._once
+
+    async def wrong(self: Calls, method: str, path: str, content: Any) -> Any:
+        own = [] if self._key is None else [("Authorization", f"Bearer {self._key}")]
+        async with self._pool.stream(
+            method, self._url + path, headers=own, content=content
+        ) as answer:
+            found = dict(answer.headers)
+        if not 300 <= answer.status < 400:
+            return await right(self, method, path, content)
+        async with self._pool.stream(method, found[b"Location"]) as answer:
+            raise PolicyFault(f"redirects (status {answer.status})")
+
+    put(Calls, "_once", wrong)
+
+
+@mutant("PUSH-012")
+def fails_for_good_without_its_policy() -> None:
+    """A policy server was restarted; the hours of its run are lost."""
+    right = progress.give_up
+
+    def wrong(run: Run, reason: str, now_wall: float) -> Any:
+        sessions = right(run, reason, now_wall)
+        if run.state == "failed" and "is not reached" in reason:
+            run.retryable = False
+        return sessions
+
+    put(progress, "give_up", wrong)
+
+
+@mutant("PUSH-013")
+def never_plays_a_resumed_run() -> None:
+    """A resumed run stays ready for ever."""
+    right = Driver.look
+    played: set[str] = set()
+
+    def wrong(self: Driver, run: Run) -> None:
+        if run.state == "failed":
+            played.add(run.run_id)
+        if run.run_id not in played or run.state == "failed":
+            right(self, run)
+
+    put(Driver, "look", wrong)
+
+
+@mutant("PUSH-017")
+def forgets_its_runs_when_it_ends() -> None:
+    """A server was updated at noon; the run of the morning is ready ever since."""
+    put(Driver, "open", lambda _self: None)
+
+
+@mutant("PUSH-014")
+def goes_on_calling_after_a_stop() -> None:
+    """A policy is paid for by the call, and called for a run that nobody wants."""
+    right = Driver._drive
+
+    async def wrong(self: Driver, run: Run) -> None:
+        try:
+            await right(self, run)
+        except asyncio.CancelledError:
+            if run.state == "stopped":
+                await asyncio.sleep(0.1)
+                async with self._calls(orders.Order.of(run), None) as again:
+                    await policy.ProctorPolicy(
+                        run, orders.Order.of(run), again
+                    ).describe()
+            raise
+
+    put(Driver, "_drive", wrong)

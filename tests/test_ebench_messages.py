@@ -1,0 +1,230 @@
+"""EBench's numbers in our names and back: order, units, what is relative to what."""
+
+from __future__ import annotations
+
+import math
+from base64 import b64decode, b64encode
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import pytest
+
+from reference_server.problems import Refused
+from reference_server.profiles.ebench_messages import actions, observation
+from reference_sim import catalog
+from reference_sim.mobile_bimanual.benchmark import BENCHMARKS
+
+Json = dict[str, Any]
+JOINTS = catalog.resolve("mobile_bimanual", None, None, max_chunk=8).manifest
+POSES = catalog.resolve("mobile_bimanual_ee", None, None, max_chunk=8).manifest
+SIXTEEN = [float(n) for n in range(16)]
+HALF_TURN = [0.0, 0.0, 0.0, 1.0]  # about z
+
+
+def made(
+    *chunk: Json,
+    manifest: Json = JOINTS,
+    last: Mapping[str, Sequence[float]] | None = None,
+) -> list[dict[str, list[float]]]:
+    def before() -> Mapping[str, Sequence[float]]:
+        assert last is not None, "nothing here is relative"
+        return last
+
+    at = [f"/{number}/0" for number in range(len(chunk))]
+    return actions(chunk, manifest, before, at)
+
+
+def refused(*chunk: Any, manifest: Json = JOINTS) -> str:
+    """Where a chunk is wrong."""
+    with pytest.raises(Refused) as caught:
+        made(*chunk, manifest=manifest)
+    assert caught.value.code == "invalid_request"
+    [(pointer, detail)] = caught.value.errors
+    assert detail
+    return pointer
+
+
+def hand(pose: Sequence[float], fingers: Sequence[float]) -> list[Any]:
+    return [list(pose[:3]), np.array(pose[3:]), list(fingers)]
+
+
+@pytest.mark.parametrize(
+    "numbers",
+    [
+        SIXTEEN,
+        np.array(SIXTEEN),
+        np.array(SIXTEEN, dtype=np.float32),
+        np.arange(16),
+        np.arange(16.0).reshape(2, 8),
+        [SIXTEEN[:8], np.array(SIXTEEN[8:])],
+    ],
+)
+def test_sixteen_numbers_are_two_arms(numbers: Any) -> None:
+    [action] = made({"action": numbers})
+    assert action == {
+        "joint_position": [0, 1, 2, 3, 4, 5, 8, 9, 10, 11, 12, 13],
+        "gripper": [6, 7, 14, 15],
+        "base_motion": [0, 0, 0],
+    }
+
+
+def test_the_base_turns_in_degrees() -> None:
+    [action] = made({"action": SIXTEEN, "base_motion": np.array([0.1, -0.2, 90.0])})
+    assert action["base_motion"] == [0.1, -0.2, math.pi / 2]
+
+
+def test_relative_arms_add_to_what_was_commanded_last() -> None:
+    step = {"action": [0.5] * 16, "is_rel": True}
+    absolute = {"action": SIXTEEN, "is_rel": np.False_}
+    chunk = made(step, step, absolute, step, last={"joint_position": [1.0] * 12})
+    joints = [action["joint_position"] for action in chunk]
+    assert joints[:2] == [[1.5] * 12, [2.0] * 12]
+    assert joints[3] == [joint + 0.5 for joint in joints[2]]
+    # Grippers have no relative form.
+    assert chunk[1]["gripper"] == [0.5] * 4
+
+
+def test_poses_are_given_hand_by_hand() -> None:
+    left, right = [1.0, 2.0, 3.0, *HALF_TURN], [4.0, 5.0, 6.0, 1.0, 0.0, 0.0, 0.0]
+    body = {
+        "action": [hand(left, (0.01, 0.02)), hand(right, (0.03, 0.04))],
+        "control_type": "ee_pose",
+    }
+    [action] = made(body, manifest=POSES)
+    assert action == {
+        "left_ee_pose": left,
+        "right_ee_pose": right,
+        "gripper": [0.01, 0.02, 0.03, 0.04],
+        "base_motion": [0, 0, 0],
+    }
+
+
+def test_relative_poses_move_the_pose_before() -> None:
+    """Turned about the origin of the frame, then shifted."""
+    delta = [0.0, 0.0, 0.5, *HALF_TURN]
+    body = {"action": [hand(delta, (0, 0))] * 2, "is_rel": True}
+    pose = [1.0, 2.0, 3.0, 1.0, 0.0, 0.0, 0.0]
+    last = {"left_ee_pose": pose, "right_ee_pose": pose}
+    first, second = made(body, body, manifest=POSES, last=last)
+    assert first["left_ee_pose"] == pytest.approx([-1, -2, 3.5, *HALF_TURN])
+    assert second["right_ee_pose"] == pytest.approx([1, 2, 4, -1, 0, 0, 0])
+
+
+def test_a_rotation_that_is_none_is_passed_on_as_no_number() -> None:
+    body = {"action": [hand([0.0] * 7, (0, 0))] * 2, "is_rel": True}
+    pose = [0.0] * 7
+    last = {"left_ee_pose": pose, "right_ee_pose": pose}
+    [action] = made(body, manifest=POSES, last=last)
+    assert all(map(math.isnan, action["left_ee_pose"]))
+
+
+@pytest.mark.parametrize(
+    ("body", "at"),
+    [
+        (SIXTEEN, ""),
+        ({}, ""),
+        ({"action": SIXTEEN[:9]}, "/action"),
+        ({"action": np.zeros(17)}, "/action"),
+        ({"action": np.zeros(5000)}, "/action"),
+        ({"action": [None] * 16}, "/action"),
+        ({"action": "0" * 16}, "/action"),
+        ({"action": np.zeros(16, dtype=bool)}, "/action"),
+        ({"action": SIXTEEN, "base_motion": [0, 0]}, "/base_motion"),
+        ({"action": SIXTEEN, "base_motion": None}, "/base_motion"),
+        ({"action": SIXTEEN, "control_type": "ee_pose"}, "/control_type"),
+        ({"action": SIXTEEN, "base_is_rel": False}, "/base_is_rel"),
+    ],
+)
+def test_what_does_not_fit_is_pointed_at(body: Any, at: str) -> None:
+    good = {"action": SIXTEEN}
+    assert refused(good, body) == f"/1/0{at}"
+
+
+@pytest.mark.parametrize(
+    ("value", "at"),
+    [(SIXTEEN, ""), ([[0.0] * 9], ""), ([[0.0] * 9, [0.0] * 8], "/1"), (None, "")],
+)
+def test_poses_that_do_not_fit_are_pointed_at(value: Any, at: str) -> None:
+    assert refused({"action": value}, manifest=POSES) == f"/0/0/action{at}"
+
+
+def test_another_benchmark_is_spoken_to_plainly() -> None:
+    manifest = {"action_space": {"b": {"size": 2}, "a": {"size": 1}}}
+    assert made({"action": [1, 2, 3]}, manifest=manifest) == [{"a": [1], "b": [2, 3]}]
+    assert refused({"action": [1, 2]}, manifest=manifest) == "/0/0/action"
+
+
+# --- observations ---
+
+EPISODE = {"instruction": "Go.", "step": 0, "task": "fetch", "episode_id": "e0007"}
+
+
+def seen(**parts: Any) -> Any:
+    empty: Json = {"state": {}, "images": {}, "tensors": {}}
+    turn = {"episode": EPISODE, "observation": empty | parts}
+    return observation(turn, "run_1", "bench")
+
+
+def values(array: Json) -> list[Any]:
+    flat = np.frombuffer(b64decode(array["data"]), array["dtype"])
+    return list(flat.reshape(array["shape"]).tolist())
+
+
+def test_an_observation_says_where_it_stands() -> None:
+    assert seen() == {
+        "instruction": "Go.",
+        "timestep": 0,
+        "reset": True,
+        "episode_id": "bench/run_1/fetch/e0007",
+        "robot_id": "bench",
+    }
+
+
+def test_the_robot_is_seen_by_its_own_names() -> None:
+    spaces = JOINTS["observation_space"]
+    state = {
+        name: [index + k / 8 for k in range(space["size"])]
+        for index, (name, space) in enumerate(spaces["state"].items())
+    }
+    found = seen(state=state)
+    assert found["robot_id"] == "lift2"
+    assert values(found["state.joints"]) == state["joint_position"]
+    assert values(found["state.gripper"]) == state["gripper"]
+    assert values(found["state.base"]) == state["base_pose"]
+    hands = [[values(part) for part in hand] for hand in found["state.ee_pose"]]
+    assert hands == [
+        [state[name][:3], state[name][3:]] for name in ("left_ee_pose", "right_ee_pose")
+    ]
+    assert not [name for name in found if "pose" in name and name != "state.ee_pose"]
+
+
+def test_every_camera_has_a_view() -> None:
+    image = {"codec": "raw", "width": 2, "height": 1, "channels": 3, "data": b"abcdef"}
+    cameras = JOINTS["observation_space"]["images"]
+    found = seen(images=dict.fromkeys(cameras, image))
+    views = {name for name in found if name.startswith("video.")}
+    assert views == {
+        f"video.{view}_camera_view" for view in ("top", "left", "right", "overlook")
+    }
+    assert values(found["video.top_camera_view"]) == [[[97, 98, 99], [100, 101, 102]]]
+
+
+def test_encoded_images_and_tensors_are_typed() -> None:
+    image = {"codec": "png", "width": 2, "height": 1, "channels": 3, "data": b"png"}
+    grey = image | {"channels": 1}
+    tensor = {"dtype": "int16", "shape": [2], "data": b"\x01\x00\x02\x00"}
+    found = seen(images={"a": image, "b": grey}, tensors={"t": tensor})
+    typed = {"type": "image", "data": b64encode(b"png")}
+    assert found["video.a_view"] == typed | {"mode": "RGB"}
+    assert found["video.b_view"] == typed | {"mode": "L"}
+    assert values(found["tensor.t"]) == [1, 2]
+
+
+def test_the_robot_of_every_track_is_known() -> None:
+    for benchmark_id in BENCHMARKS:
+        manifest = catalog.resolve(benchmark_id, None, None, max_chunk=8).manifest
+        poses = "ee" in benchmark_id
+        good = {"action": [hand([0.0] * 7, (0, 0))] * 2 if poses else SIXTEEN}
+        [action] = made(good, manifest=manifest)
+        assert set(action) == set(manifest["action_space"])

@@ -1,0 +1,305 @@
+"""Where policies are called: public addresses, and what the operator allows.
+
+A name that resolves otherwise a moment later, or a redirect, changes nothing.
+"""
+
+import asyncio
+import signal
+import ssl
+from collections.abc import Coroutine, Iterator
+from datetime import UTC, datetime, timedelta
+from ipaddress import ip_address
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+from cryptography import x509
+from cryptography.hazmat.primitives import hashes, serialization
+from cryptography.hazmat.primitives.asymmetric import ec
+
+from conformance.policy.scripted import Call, Reply, ScriptedPolicy
+from reference_server.push import addresses
+from reference_server.push.addresses import Gate, NotAllowed, Unresolved
+from reference_server.push.calls import Bounds, Calls, PolicyFault
+from tests.conftest import House
+from tests.push_parts import LOOPBACK, played, submission
+
+PUBLIC = ["93.184.215.14", "1.1.1.1", "2606:4700:4700::1111", "2002:5db8:d70e::1"]
+NOT_PUBLIC = [
+    "127.0.0.1",
+    "127.255.0.9",
+    "0.0.0.0",  # noqa: S104 - an address, not a place to listen
+    "10.1.2.3",
+    "172.16.0.1",
+    "192.168.1.1",
+    "169.254.169.254",  # where clouds tell secrets to whoever asks from inside
+    "100.64.0.1",
+    "192.0.0.170",
+    "192.0.2.1",
+    "198.18.0.1",
+    "224.0.0.1",
+    "239.1.1.1",
+    "240.0.0.1",
+    "255.255.255.255",
+    "::",
+    "::1",
+    "fe80::1",
+    "fec0::1",
+    "fc00::1",
+    "fd12::1",
+    "ff02::1",
+    "2001:db8::1",
+    "::ffff:127.0.0.1",
+    "::ffff:10.0.0.1",
+    "64:ff9b::7f00:1",
+    "64:ff9b::a9fe:a9fe",
+    "2002:7f00:1::1",
+]
+
+
+@pytest.mark.parametrize("text", PUBLIC)
+def test_public_addresses_are_admitted(text: str) -> None:
+    assert Gate().admits(ip_address(text))
+
+
+@pytest.mark.parametrize("text", NOT_PUBLIC)
+def test_others_are_not_unless_allowed(text: str) -> None:
+    assert not Gate().admits(ip_address(text))
+    assert not Gate("203.0.113.0/24").admits(ip_address(text))
+    assert Gate("all").admits(ip_address(text))
+
+
+def test_a_network_admits_what_it_holds_and_no_more() -> None:
+    gate = Gate("10.0.0.0/8, 127.0.0.1, fd00::/8")
+    for text in ("10.9.9.9", "127.0.0.1", "::ffff:127.0.0.1", "fd00::5"):
+        assert gate.admits(ip_address(text)), text
+    for text in ("127.0.0.2", "192.168.0.1", "::1", "fc00::5"):
+        assert not gate.admits(ip_address(text)), text
+
+
+@pytest.mark.parametrize("text", ["nonsense", "10.0.0.1/8", "10.0.0.0/33", "all,x"])
+def test_what_is_no_network_is_told(text: str) -> None:
+    with pytest.raises(ValueError, match=r"."):
+        Gate(text)
+
+
+def run(work: Coroutine[Any, Any, Any]) -> Any:
+    return asyncio.run(work)
+
+
+@pytest.mark.parametrize(
+    "host", ["localhost", "127.1", "2130706433", "0x7f.1", "[::1]"]
+)
+def test_a_name_is_judged_by_what_it_resolves_to(host: str) -> None:
+    with pytest.raises(NotAllowed, match="does not call policies"):
+        run(Gate().addresses(host, 80))
+
+
+@pytest.mark.parametrize("host", ["nobody.invalid", "", "a" * 64 + ".example", "a..b"])
+def test_a_name_without_address_is_unresolved(host: str) -> None:
+    with pytest.raises((Unresolved, NotAllowed)):
+        run(Gate().addresses(host, 80))
+
+
+def resolving(
+    monkeypatch: pytest.MonkeyPatch, *answers: list[str]
+) -> list[tuple[str, int]]:
+    """Let every name resolve to one answer after the other; the last one stays."""
+    left = list(answers)
+    asked: list[tuple[str, int]] = []
+
+    def resolve(host: str, port: int) -> list[addresses.Address]:
+        asked.append((host, port))
+        return [ip_address(a) for a in (left.pop(0) if len(left) > 1 else left[0])]
+
+    monkeypatch.setattr(addresses, "_resolve", resolve)
+    return asked
+
+
+def test_one_private_address_among_public_ones_refuses_the_name(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    resolving(monkeypatch, ["1.1.1.1", "10.0.0.1"])
+    with pytest.raises(NotAllowed):
+        run(Gate().addresses("policy.example", 443))
+
+
+async def described(url: str, gate: Gate) -> Any:
+    async with Calls(url, gate, Bounds(2.0, 1, 0, 10_000), "sesame") as calls:
+        return await calls.get("/v1/policy")
+
+
+@pytest.fixture
+def policy() -> Iterator[ScriptedPolicy]:
+    with ScriptedPolicy() as server:
+        yield server
+
+
+def test_a_name_is_resolved_once_for_a_connection_and_connected_to_that(
+    monkeypatch: pytest.MonkeyPatch, policy: ScriptedPolicy
+) -> None:
+    """Nothing looks at the name again between the judgement and the connection."""
+    asked = resolving(monkeypatch, ["127.0.0.1"], ["10.0.0.1"])
+    url = policy.url.replace("127.0.0.1", "policy.example")
+    answer = run(described(url, Gate("127.0.0.1")))
+    assert answer["name"] == "the kit's own policy"
+    assert [host for host, _ in asked] == ["policy.example"]
+    (call,) = policy.calls
+    assert call.headers["host"] == url.removeprefix("http://")
+
+
+def test_a_name_that_turns_private_is_not_connected_to(
+    monkeypatch: pytest.MonkeyPatch, policy: ScriptedPolicy
+) -> None:
+    """Rebinding: public when it was looked at first, this machine afterwards."""
+    resolving(monkeypatch, ["1.1.1.1"], ["127.0.0.1"])
+    gate = Gate()
+    url = policy.url.replace("127.0.0.1", "policy.example")
+    assert run(gate.addresses("policy.example", 80)) == ["1.1.1.1"]
+    with pytest.raises(PolicyFault, match=r"is not called: policy\.example is in a"):
+        run(described(url, gate))
+    assert policy.calls == []
+
+
+def test_the_next_address_is_tried(
+    monkeypatch: pytest.MonkeyPatch, policy: ScriptedPolicy
+) -> None:
+    resolving(monkeypatch, ["127.0.0.9", "127.0.0.1"])
+    url = policy.url.replace("127.0.0.1", "policy.example")
+    assert run(described(url, Gate("all")))["max_sessions"] == 16
+
+
+def test_a_secure_server_is_held_to_its_name(policy: ScriptedPolicy) -> None:
+    """TLS to a server that speaks none: told, and nothing of the key is sent."""
+    with pytest.raises(PolicyFault, match=r"is not reached|broke off"):
+        run(described(policy.url.replace("http:", "https:"), Gate("all")))
+    assert policy.calls == []
+
+
+def certified(directory: Path, name: str) -> tuple[Path, ssl.SSLContext]:
+    """A certificate for a name that signs itself, and who shows it."""
+    key = ec.generate_private_key(ec.SECP256R1())
+    who = x509.Name([x509.NameAttribute(x509.NameOID.COMMON_NAME, name)])
+    today = datetime.now(UTC)
+    certificate = (
+        x509.CertificateBuilder(who, who, key.public_key(), 1)
+        .not_valid_before(today - timedelta(days=1))
+        .not_valid_after(today + timedelta(days=1))
+        .add_extension(x509.SubjectAlternativeName([x509.DNSName(name)]), False)
+        .sign(key, hashes.SHA256())
+    )
+    pem, secret = directory / "certificate.pem", directory / "key.pem"
+    pem.write_bytes(certificate.public_bytes(serialization.Encoding.PEM))
+    secret.write_bytes(
+        key.private_bytes(
+            serialization.Encoding.PEM,
+            serialization.PrivateFormat.PKCS8,
+            serialization.NoEncryption(),
+        )
+    )
+    context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+    context.load_cert_chain(pem, secret)
+    return pem, context
+
+
+@pytest.mark.parametrize(
+    ("name", "trusted", "reached"),
+    [
+        ("policy.example", True, True),
+        ("other.example", True, False),
+        ("policy.example", False, False),
+    ],
+)
+def test_a_certificate_is_held_to_the_name_and_not_to_the_address(
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    name: str,
+    trusted: bool,
+    reached: bool,
+) -> None:
+    """The address is pinned, and TLS still asks for who was meant."""
+    resolving(monkeypatch, ["127.0.0.1"])
+    pem, context = certified(tmp_path, "policy.example")
+    if trusted:
+        monkeypatch.setenv("SSL_CERT_FILE", str(pem))
+    policy = ScriptedPolicy()
+    plain = policy._server.socket
+    policy._server.socket = context.wrap_socket(plain, server_side=True)
+    with policy:
+        url = policy.url.replace("http://127.0.0.1", f"https://{name}")
+        if reached:
+            assert run(described(url, Gate("all")))["max_sessions"] == 16
+        else:
+            with pytest.raises(PolicyFault, match="is not reached"):
+                run(described(url, Gate("all")))
+    assert len(policy.calls) == reached
+
+
+# --- a server with nothing allowed ---
+
+
+@pytest.fixture(scope="module")
+def closed(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
+    server = House(tmp_path_factory.mktemp("closed"))
+    with server.client() as client:
+        yield client
+    server.end(signal.SIGKILL)
+
+
+@pytest.mark.parametrize(
+    "url",
+    [
+        "http://127.0.0.1:8000",
+        "http://localhost:8000/x",
+        "https://[::1]/",
+        "http://[::ffff:10.0.0.1]",
+        "http://169.254.169.254/latest/meta-data",
+        "http://0.0.0.0",
+        "http://2130706433",
+        "http://192.168.0.1:443",
+    ],
+)
+def test_a_private_address_is_refused_at_submit(closed: httpx.Client, url: str) -> None:
+    answer = closed.post("/v1/runs", json=submission(url))
+    assert (answer.status_code, answer.json()["code"]) == (422, "invalid_request")
+    assert [e["pointer"] for e in answer.json()["errors"]] == ["/policy_server/url"]
+
+
+@pytest.mark.parametrize(
+    "url",
+    [
+        "ftp://example.org",
+        "file:///etc/passwd",
+        "http://",
+        "http://user:secret@example.org",
+        "http://example.org/?key=1",
+        "http://example.org/#x",
+        "http://example.org\r\nX: y",
+        "http://exämple.org",
+        "http://example.org:99999",
+        "http://example.org:x",
+        "//example.org",
+        "http://" + "a" * 500,
+    ],
+)
+def test_what_is_no_plain_url_is_refused(closed: httpx.Client, url: str) -> None:
+    answer = closed.post("/v1/runs", json=submission(url))
+    assert (answer.status_code, answer.json()["code"]) == (422, "invalid_request")
+    assert "secret" not in answer.text
+    assert {e["pointer"] for e in answer.json()["errors"]} == {"/policy_server/url"}
+
+
+def test_a_redirect_leads_nowhere(tmp_path: Any, policy: ScriptedPolicy) -> None:
+    """From an allowed address to another: the target hears nothing."""
+    house = House(tmp_path, **LOOPBACK)
+    with ScriptedPolicy() as target:
+
+        def elsewhere(_call: Call) -> Reply:
+            return Reply(b"", 307, {"Location": f"{target.url}/v1/policy"})
+
+        policy.on("describe_policy", elsewhere)
+        ended = played(house, policy.url, api_key="sesame")
+        assert "redirects (status 307)" in ended["reason"]
+        assert target.calls == []
+    assert house.end(signal.SIGKILL) != 0

@@ -1,0 +1,121 @@
+"""What the rules say of a run that this server plays: who attaches, what a fault of the
+policy counts, and how the run fails.
+"""
+
+import asyncio
+import contextlib
+import sqlite3
+from pathlib import Path
+
+import pytest
+
+from reference_server import progress
+from reference_server.protocol import Accept, Attach, Refuse, decide
+from reference_server.run_state import Run, Session, State
+from reference_server.store import Store
+from tests.conftest import NOW, a_run, attached
+
+PUSH = {"mode": "push", "benchmark_id": "calibration", "policy": {"name": "p"}}
+
+
+def push_run(state: State = "ready", length: int = 3) -> Run:
+    return a_run(length, state=state, submission=PUSH)
+
+
+@pytest.mark.parametrize("by_server", [False, True])
+@pytest.mark.parametrize("is_push", [False, True])
+def test_a_run_is_played_by_whom_it_is_for(is_push: bool, by_server: bool) -> None:
+    run = push_run() if is_push else a_run()
+    verdict = decide(run, Attach("w", "k", by_server=by_server), NOW)
+    if is_push == by_server:
+        assert verdict == Accept()
+    else:
+        assert isinstance(verdict, Refuse)
+        assert verdict.code == "illegal_transition"
+        assert verdict.members == {"state": "ready"}
+
+
+@pytest.mark.parametrize(
+    ("by_server", "lease_s"), [(False, 10.0), (True, progress.OWN_LEASE_S)]
+)
+def test_a_worker_of_the_server_needs_no_heartbeat(
+    by_server: bool, lease_s: float
+) -> None:
+    run = push_run()
+    command = Attach("w", "k", by_server=by_server)
+    session = progress.open_session(run, command, "s", NOW)
+    assert (session.idle_timeout_s, session.expires_at) == (lease_s, NOW + lease_s)
+
+
+def playing(run: Run, worker_id: str = "w", steps: int = 0) -> Session:
+    episode = run.take_pending()
+    return attached(run, worker_id, episode=episode, steps=steps)
+
+
+@pytest.mark.parametrize(("steps", "attempt"), [(0, 1), (4, 2)])
+def test_a_fault_of_the_policy_ends_its_attempt(steps: int, attempt: int) -> None:
+    """It counts from its first executed action, like any other (EPI-002, EPI-003)."""
+    run = push_run()
+    session = playing(run, steps=steps)
+    progress.end_by_policy(run, session, "It said nonsense.", NOW)
+    episode = run.episodes[0]
+    assert (episode.attempt, episode.policy_fault) == (attempt, "It said nonsense.")
+    assert run.changed == {0}
+    assert sorted(run.pending) == [0, 1, 2]
+    assert (run.state, run.workers) == ("ready", {})
+
+
+def test_a_session_that_is_done_has_no_episode_to_blame() -> None:
+    run = push_run()
+    session = attached(run, episode=None, done=True)
+    progress.end_by_policy(run, session, "It said nonsense.", NOW)
+    assert [e.policy_fault for e in run.episodes] == [None] * 3
+
+
+@pytest.mark.parametrize("state", ["queued", "ready", "running", "stopping"])
+def test_a_policy_that_cannot_be_called_fails_the_run(state: State) -> None:
+    run = push_run()
+    session = playing(run, steps=1)
+    other = playing(run, "v")
+    run.state = state
+    assert progress.give_up(run, "It is gone.", NOW) == [session, other]
+    assert (run.state, run.reason, run.retryable) == ("failed", "It is gone.", True)
+    assert [e.attempt for e in run.episodes] == [2, 1, 1]
+    assert set(run.ended.values()) == {"run_failed"}
+
+
+@pytest.mark.parametrize("state", ["stopped", "failed", "completed"])
+def test_a_run_that_has_ended_does_not_fail_once_more(state: State) -> None:
+    run = push_run(state)
+    run.reason, run.retryable = "before", False
+    assert progress.give_up(run, "It is gone.", NOW) == []
+    assert (run.state, run.reason, run.retryable) == (state, "before", False)
+
+
+def test_the_last_attempt_of_the_last_episode_completes_the_run() -> None:
+    """When closing an attempt scores the last episode, the run is completed."""
+    run = push_run(length=1)
+    playing(run, steps=1).episode = run.episodes[0]
+    run.episodes[0].attempt = 2
+    progress.give_up(run, "It is gone.", NOW)
+    result = run.episodes[0].result
+    assert result is not None
+    assert (run.state, result.outcome) == ("completed", "abandoned")
+
+
+def test_a_database_of_before_gets_room_for_faults(tmp_path: Path) -> None:
+    path = tmp_path / "x.sqlite"
+
+    async def opened() -> None:
+        store = Store(f"sqlite+aiosqlite:///{path}")
+        await store.open()
+        await store.close()
+
+    asyncio.run(opened())
+    with contextlib.closing(sqlite3.connect(path)) as database:
+        database.execute("ALTER TABLE episodes DROP COLUMN policy_fault")
+        database.commit()
+        for _ in range(2):
+            asyncio.run(opened())
+            columns = database.execute("PRAGMA table_info(episodes)").fetchall()
+            assert [c[1] for c in columns].count("policy_fault") == 1
