@@ -20,8 +20,9 @@ function tooDeep(text) {
   return false;
 }
 
-/** Half a surrogate pair is no character: many parsers would choke on an answer that repeats it. */
+/** Half a surrogate pair is no character, and 1e999 no double: many parsers would choke on an answer that repeats it. */
 function wellFormed(name, value) {
+  if (value === Infinity || value === -Infinity) throw new SyntaxError('a number beyond the doubles');
   if (!name.isWellFormed() || (typeof value === 'string' && !value.isWellFormed())) throw new SyntaxError('half a surrogate pair');
   return value;
 }

@@ -39,13 +39,14 @@ async function getRun(context) {
   const { headers } = context;
   const run = runOf(context);
   const known = headers['if-none-match']?.split(',').map((tag) => tag.trim().replace(/^W\//, '')) ?? [];
-  const [, wait = '0'] = /^wait=([0-9]{1,4})$/.exec(headers.prefer ?? '') ?? [];
+  const [, wait] = /^wait=([0-9]{1,4})$/.exec(headers.prefer ?? 'wait=0') ?? [];
+  if (wait === undefined) throw invalid(['header:Prefer', 'is wait=N']);
   const signal = AbortSignal.timeout(Math.min(Number(wait), LIMITS.wait_s_max) * 1000 + 1);
   for (;;) {
     const body = view(run, context);
     const ETag = `"${createHash('sha256').update(write(body)).digest('base64url')}"`;
     if (!known.includes(ETag) && !known.includes('*')) return { body, headers: { ETag } };
-    if (wait === '0' || signal.aborted) return { status: 304, headers: { ETag } };
+    if (Number(wait) === 0 || signal.aborted) return { status: 304, headers: { ETag } };
     await once(book.changes, 'change', { signal }).catch(() => {});
   }
 }

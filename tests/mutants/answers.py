@@ -143,7 +143,7 @@ def answers_a_used_key_whatever_the_body() -> None:
     put(RunBook, "add", wrong)
 
 
-@mutant("AUTH-003")
+@mutant("AUTH-003", "CMP-010")
 def shows_runs_to_every_account() -> None:
     """Anybody reads and stops everybody's runs."""
     right = RunBook.get
@@ -154,7 +154,7 @@ def shows_runs_to_every_account() -> None:
     put(RunBook, "get", wrong)
 
 
-@mutant("AUTH-003")
+@mutant("AUTH-003", "CMP-010")
 def says_that_a_foreign_run_exists() -> None:
     """Run ids of other accounts can be found out by trying."""
     right = RunBook.get
