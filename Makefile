@@ -44,7 +44,7 @@ conformance: setup ## Judge a server; without URL, the reference server
 		$${RAW_RESTART_CMD:+--restart-cmd "$$RAW_RESTART_CMD"} \
 		$${SEED:+--seed "$$SEED"} $${ONLY:+--only "$$ONLY"} $(ARGS)
 
-conformance-policy: setup ## Judge a policy server: URL=... TOKEN=... ARGS='...'
+conformance-policy: setup ## Judge a policy server at URL; PROCTOR_POLICY_KEY, ARGS
 	@$(python) -m conformance.policy --url "$$URL" $(ARGS)
 
 # These need an older MuJoCo than ours, and so an environment of their own.

@@ -1,16 +1,25 @@
-"""A policy server in this process, and a policy for the benchmark `calibration`."""
+"""A policy server in this process, a policy for the benchmark `calibration`, and a
+server that may call it.
+"""
 
 import contextlib
+import os
+import signal
 import socket
+import subprocess
+import sys
 import threading
 from collections.abc import Iterator
 from typing import Any
 
+import pytest
 import uvicorn
 from starlette.types import ASGIApp
 
 from reference_client import Observation
 from reference_client.policies.serving import PolicyApp
+from tests.conftest import TOKENS, House
+from tests.push_parts import LOOPBACK
 
 KEY = "sesame"
 ACTION: dict[str, Any] = {
@@ -54,3 +63,35 @@ def serving(app: ASGIApp) -> Iterator[str]:
         server.should_exit = True
         thread.join()
         listener.close()
+
+
+@pytest.fixture(autouse=True)
+def its_key(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PROCTOR_POLICY_KEY", KEY)
+
+
+@pytest.fixture(scope="module")
+def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
+    server = House(tmp_path_factory.mktemp("house"), **LOOPBACK)
+    yield server
+    server.end(signal.SIGKILL)
+    assert "Traceback" not in server.log()
+
+
+def free_port() -> int:
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        port: int = listener.getsockname()[1]
+    return port
+
+
+def proctor(
+    house: House, *words: str, command: str = "run"
+) -> subprocess.CompletedProcess[str]:
+    tokens = {"PROCTOR_TOKEN": TOKENS["alice"], "PROCTOR_URL": house.url}
+    return subprocess.run(
+        [sys.executable, "-m", "reference_client.command", command, *words],
+        env=os.environ | tokens,
+        capture_output=True,
+        text=True,
+        check=False,
+    )

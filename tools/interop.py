@@ -149,8 +149,9 @@ def page(matrix: Matrix) -> str:
         "",
         "The programs are `generated_clients/<language>/interop/`; what they should",
         "see stands in `tests/interop/scenarios.py`. `make interop URL=... TOKEN=...`",
-        "plays them against another server; `LANGUAGES=...` and `ONLY=...` choose.",
-        "Builds stay in `.cache/interop/`.",
+        "plays them against another server; the scenario `restart` needs",
+        "`RESTART_CMD='...'` there, which kills the server and starts it again.",
+        "`LANGUAGES=...` and `ONLY=...` choose. Builds stay in `.cache/interop/`.",
     ]
     return "\n".join(parts) + "\n"
 
