@@ -3,7 +3,9 @@
 A mutant is killed when the kit fails exactly the requirements that it breaks. The rows
 MODEL-… say that all rules hold together, so whatever breaks one rule may break them as
 well: they have to fail where a mutant names them, may fail with it, and are left out
-elsewhere. With --write the result of all of them becomes docs/kill-matrix.md.
+elsewhere. What is broken in a profile of its own, on whose code no other rule rests, is
+judged by the rows of that profile. With --write the result of all of them becomes
+docs/kill-matrix.md.
 """
 
 from __future__ import annotations
@@ -26,6 +28,9 @@ from tests.mutants import Mutant, load
 ROOT = Path(__file__).parents[2]
 # Long enough for every wait in the kit to time out one after another.
 KIT_TIMEOUT_S = 600
+# Profiles that are off unless asked for, and those with code of their own.
+DOORS = {"ebench", "flageval"}
+APART = {*DOORS, "compare", "push"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,18 +82,11 @@ def _judge(mutant: Mutant, seed: int) -> Kill:
         find_backend()  # once for all servers: they inherit what was found
     with tempfile.TemporaryDirectory() as report:
         server = f"{sys.executable} -m tests.mutants.serve {mutant.name}"
-        if _names(mutant, "EBE-"):
-            server += " --profiles ebench"
-        if _names(mutant, "FLE-"):
-            server += " --profiles flageval"
+        profiles = {load_ledger()[id_].profile for id_ in mutant.kills}
+        if doors := profiles & DOORS:
+            server += f" --profiles {','.join(sorted(doors))}"
         kit = [sys.executable, "-m", "conformance", "--start-cmd", server]
-        # Killing, restarting and calling policies take most of the kit's time.
-        apart = {"crash": ("CRASH-",), "push": ("PUSH-", "CHAT-")}
-        left_out = {name for name, area in apart.items() if not _names(mutant, area)}
-        kit += ["--profile", ",".join(p for p in PROFILES if p not in left_out)]
-        if not _names(mutant, "MODEL-"):
-            areas = {id_.partition("-")[0] + "-" for id_ in load_ledger()}
-            kit += ["--only", ",".join(sorted(areas - {"MODEL-"}))]
+        kit += _selection(mutant, profiles)
         done = subprocess.run(
             [*kit, "--report", report, "--seed", str(seed)],
             cwd=ROOT,
@@ -107,8 +105,17 @@ def _judge(mutant: Mutant, seed: int) -> Kill:
     )
 
 
-def _names(mutant: Mutant, area: str | tuple[str, ...]) -> bool:
-    return any(id_.startswith(area) for id_ in mutant.kills)
+def _selection(mutant: Mutant, profiles: set[str]) -> list[str]:
+    """Which rows the kit looks at."""
+    if len(profiles) == 1 and profiles <= APART:
+        return ["--profile", *profiles]
+    # Killing, restarting and calling policies take most of the kit's time.
+    left_out = {"crash", "push"} - profiles
+    selection = ["--profile", ",".join(p for p in PROFILES if p not in left_out)]
+    if not any(id_.startswith("MODEL-") for id_ in mutant.kills):
+        areas = {id_.partition("-")[0] + "-" for id_ in load_ledger()}
+        selection += ["--only", ",".join(sorted(areas - {"MODEL-"}))]
+    return selection
 
 
 def matrix(kills: Sequence[Kill]) -> str:
