@@ -26,7 +26,7 @@ from reference_server.routes import Routes
 from reference_server.run_book import RunBook
 from reference_server.settings import Settings
 from reference_server.stage import Stage
-from reference_server.store import Store, StoreFailed
+from reference_server.store import Store
 from reference_sim.runners.local import SimulatorPool
 
 log = logging.getLogger("proctor.app")
@@ -134,17 +134,9 @@ class Served:
 
         try:
             await self._app(scope, receive, send_versioned)
-        except Exception as error:
+        except Exception:
             if begun:  # nothing can be said any more; the connection is closed
                 raise
-            await _problem_of(error)(scope, receive, send_versioned)
-
-
-def _problem_of(error: Exception) -> Response:
-    if isinstance(error, StoreFailed):
-        log.error("the store failed: %s", error)
-        refused = Refused("unavailable", "The store does not answer.")
-    else:
-        log.error("a request failed", exc_info=error)
-        refused = Refused("internal_error", "The server has a defect.")
-    return problem_response(refused)
+            log.exception("a request failed")
+            refused = Refused("internal_error", "The server has a defect.")
+            await problem_response(refused)(scope, receive, send_versioned)

@@ -7,6 +7,7 @@ and media types are declared once, in `routes.py`; the order of checks is here.
 from __future__ import annotations
 
 import asyncio
+import logging
 import re
 from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import dataclass, field
@@ -19,6 +20,9 @@ from starlette.responses import Response
 from reference_server import messages
 from reference_server.auth import Caller, Tokens
 from reference_server.problems import Refused, problem_response
+from reference_server.store import StoreFailed
+
+log = logging.getLogger("proctor.operations")
 
 VERSION = "1.0"
 VERSION_MIN = "1.0"
@@ -104,11 +108,15 @@ async def perform(
     try:
         call = await _checked(request, operation, tokens, max_body_bytes)
         return await operation.handler(call)
-    except Refused as refused:
-        return (operation.refusal or problem_response)(refused)
+    except Refused as error:
+        refused = error
+    except StoreFailed as error:
+        log.error("the store failed: %s", error)  # noqa: TRY400 - it says all
+        refused = Refused("unavailable", "The store does not answer.")
     except asyncio.CancelledError:
         # By the server alone, which ends and has waited long enough.
-        return problem_response(Refused("unavailable", "The server is ending."))
+        refused = Refused("unavailable", "The server is ending.")
+    return (operation.refusal or problem_response)(refused)
 
 
 async def _checked(

@@ -177,9 +177,7 @@ def repeated(session: Session, asked: str) -> Predict | None:
     """
     if session.request is None or session.unheard != (session.seq, asked):
         return None
-    return Predict(
-        session.worker_id, session.session_id, session.seq, *session.request
-    )
+    return Predict(session.worker_id, session.session_id, session.seq, *session.request)
 
 
 # --- guards: (run, command, now) → a verdict, or None to let the next one look ---
@@ -199,9 +197,7 @@ def _event_is_legal(run: Run, command: Command, _now: float) -> Verdict | None:
     )
 
 
-def _played_by_whom_it_is_for(
-    run: Run, command: Attach, _now: float
-) -> Verdict | None:
+def _played_by_whom_it_is_for(run: Run, command: Attach, _now: float) -> Verdict | None:
     if run.is_push == command.by_server:
         return None
     return Refuse(

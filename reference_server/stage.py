@@ -108,6 +108,8 @@ class Stage:
         carried out.
         """
         while True:
+            if run.lost:  # while its caller awaited something else
+                run = await self._book.get(run.run_id)
             verdict = decide(run, command, self.sweep(run))
             match verdict:
                 case Refuse():

@@ -54,6 +54,7 @@ def test_a_name_is_used_once_and_a_repeat_is_no_second_evaluation(
         ({"mode": "no_such_thing"}, "/mode names none"),
         ({"mode": "tabletop_state"}, "/mode names no questions"),
         ({"user_id": "seven"}, "/user_id"),
+        ({"special_event": "y" * 201}, "/special_event"),
     ],
 )
 def test_an_evaluation_that_cannot_be_meant_is_refused(
@@ -82,6 +83,7 @@ def test_an_evaluation_that_cannot_be_meant_is_refused(
         ({"gen_kwargs": "temperature"}, "/eval_infos/0/gen_kwargs is name=number"),
         ({"gen_kwargs": "stop=\n"}, "/eval_infos/0/gen_kwargs is name=number"),
         ({"model": ""}, "/eval_infos/0/model"),
+        ({"tokenizer": "t" * 201}, "/eval_infos/0/tokenizer"),
         ({"api_key": KEY + "\n"}, "/eval_infos/0/api_key"),
     ],
 )
@@ -112,6 +114,9 @@ def test_what_is_missing_or_foreign_is_refused(
         assert is_refused(told, "There is no run")
         diffs = post(bob, "/evaluation_diffs", request_ids=[request_id])
         assert is_refused(diffs, "There is no run")
+    many = ".".join([request_id] * 17)  # more runs than a request may have
+    diffs = post(client, "/evaluation_diffs", request_ids=[many])
+    assert is_refused(diffs, "/request_ids/0")
     with house.client("reader") as reader:
         assert evaldiffs(reader, request_id)["err_code"] == 0
         told = post(reader, "/stop_evaluation", request_id=request_id)

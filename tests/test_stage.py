@@ -171,6 +171,22 @@ def test_who_waits_for_a_turn_that_is_lost_is_told(tmp_path: Path) -> None:
     tell(tmp_path, story)
 
 
+def test_who_comes_with_a_run_that_was_lost_is_told(tmp_path: Path) -> None:
+    """Its caller found the run, awaited something else, and another's write failed."""
+
+    async def story(parts: Parts) -> None:
+        run = await parts.book.add(calibration("count", "count"), None, "")
+        one = await parts.stage.attach(run, Attach("one", "key"))
+        other = await parts.stage.attach(run, Attach("other", "key"))
+        with parts.unwritable(), refusal("unavailable"):
+            await parts.stage.predict(run, predict(one, "one", end=1))
+        with refusal("session_ended", ended_by="unknown"):
+            await parts.stage.predict(run, predict(other, "other"))
+        assert await parts.book.get(run.run_id) is not run
+
+    tell(tmp_path, story)
+
+
 def test_the_last_turn_is_answered_although_a_successor_is_there(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

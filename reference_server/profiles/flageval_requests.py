@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Mapping
-from typing import Any, Literal
+from typing import Annotated, Any, Literal, TypeAlias
 
 import msgspec
 from pydantic import BaseModel, Field
@@ -24,7 +24,10 @@ CALL_TIMEOUT_S_MOST, RETRIES_MOST = 600, 10  # of schema PolicyServer
 EVALUATIONS_MOST = 16
 # Two datasets of `calibration`, so that a kit can judge this wire without pictures.
 CALIBRATION_TASKS = ["score", "score", "score", "score", "count", "count"]
-REQUEST_ID = r"[A-Za-z0-9_-]{1,64}(\.[A-Za-z0-9_-]{1,64}){0,15}"
+# Run ids, joined by dots.
+RequestId: TypeAlias = Annotated[
+    str, Field(pattern=r"^[A-Za-z0-9_-]{1,64}(\.[A-Za-z0-9_-]{1,64}){0,15}$")
+]
 _PAIR = re.compile(
     r"\s*([a-z][a-z0-9_]{0,39})\s*=\s*(-?[0-9]{1,9}(?:\.[0-9]{1,9})?)\s*"
 )
@@ -45,7 +48,7 @@ class EvalInfo(BaseModel):
     eval_model: str = Field(min_length=1, max_length=200)
     model: str
     eval_url: str
-    tokenizer: str
+    tokenizer: str = Field(max_length=200)
     api_key: str = NO_KEY
     batch_size: int = Field(1, ge=1)
     num_concurrent: int = Field(1, ge=1, le=1024)
@@ -62,7 +65,7 @@ class Evaluation(BaseModel):
     domain: Literal["NLP", "MM"]
     mode: str = ""
     region: Literal["bj", "sz"] = "bj"
-    special_event: str = "yes"
+    special_event: str = Field("yes", max_length=200)
     user_id: int | None = None
 
     @property
@@ -123,7 +126,7 @@ class Evaluation(BaseModel):
 
 
 class Named(BaseModel):
-    request_id: str = Field(pattern=f"^{REQUEST_ID}$")
+    request_id: RequestId
 
 
 class Progress(Named):
@@ -133,7 +136,7 @@ class Progress(Named):
 class Diffs(BaseModel):
     """The first is the baseline."""
 
-    request_ids: list[str] = Field(min_length=1, max_length=EVALUATIONS_MOST)
+    request_ids: list[RequestId] = Field(min_length=1, max_length=EVALUATIONS_MOST)
 
 
 def key_of(eval_model: str) -> str:
