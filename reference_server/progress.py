@@ -171,16 +171,19 @@ def end_by_policy(run: Run, session: Session, fault: str, now_wall: float) -> No
     close_session(run, session, "detached", now_wall)
 
 
-def give_up(run: Run, reason: str, now_wall: float) -> list[Session]:
+def give_up(
+    run: Run, reason: str, now_wall: float, *, retryable: bool = True
+) -> list[Session]:
     """The policy cannot be called (PUSH-012). Returns the sessions that ended.
 
     That is its own doing: attempts in play count, as when a client goes away.
+    retryable: whether a resume can help.
     """
     sessions = list(run.workers.values())
     _end_all(run, sessions, "run_failed", now_wall, counted=True)
     if legal(run, "fault"):
         move(run, "fault", reason)
-        run.retryable = True
+        run.retryable = retryable
     return sessions
 
 

@@ -79,18 +79,21 @@ class Predict:
     seq: int
     actions: Sequence[Mapping[str, Sequence[float]]]
     observe: Observe = "last"
+    by_server: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Heartbeat:
     worker_id: str
     session_id: str
+    by_server: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Detach:
     worker_id: str
     session_id: str
+    by_server: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,12 +200,14 @@ def _event_is_legal(run: Run, command: Command, _now: float) -> Verdict | None:
     )
 
 
-def _played_by_whom_it_is_for(run: Run, command: Attach, _now: float) -> Verdict | None:
+def _played_by_whom_it_is_for(
+    run: Run, command: Attach | Predict | Heartbeat | Detach, _now: float
+) -> Verdict | None:
     if run.is_push == command.by_server:
         return None
     return Refuse(
         "illegal_transition",
-        "This run has mode push: the server calls its policy, and nobody attaches.",
+        "This run has mode push: the server calls its policy, and nobody else plays.",
         "PUSH-003",
         members={"state": run.state},
     )
@@ -364,14 +369,15 @@ GUARDS: dict[type[Command], tuple[Callable[[Run, Any, float], Verdict | None], .
         _below_worker_limit,
     ),
     Predict: (
+        _played_by_whom_it_is_for,
         _session_is_live,
         _repeated_seq,
         _expected_seq,
         _has_an_episode,
         _actions_fit,
     ),
-    Heartbeat: (_session_is_live,),
-    Detach: (_detach_has_an_object,),
+    Heartbeat: (_played_by_whom_it_is_for, _session_is_live),
+    Detach: (_played_by_whom_it_is_for, _detach_has_an_object),
     Stop: (_event_is_legal,),
     Resume: (_event_is_legal,),
 }

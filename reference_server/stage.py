@@ -307,7 +307,10 @@ class Stage:
             session.busy, session.steps = "turning", 0
             progress.close_session(scene.run, session, "unknown", time.time())
             self.let_go([session])
-            self._book.commit_later(scene.run)
+            if scene.run.changed or scene.run.state not in ("ready", "running"):
+                self._book.commit_later(scene.run)
+            else:  # a run in play is found ready again, and nothing else has changed
+                self._book.notify(scene.run)
 
     async def _after(self, run: Run, session: Session) -> Run:
         """The run when the session's task is over; the caller decides again then."""

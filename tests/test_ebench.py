@@ -256,6 +256,22 @@ def test_a_bad_action_moves_no_worker(http: httpx.Client) -> None:
     assert (count(seen, "0"), count(seen, "1")) == (1, 1)
 
 
+def test_a_chunk_that_is_too_long_is_not_looked_into(http: httpx.Client) -> None:
+    client = opened(http, "count", "count")
+    for rest in (action(), None):
+        answer = client.send("step", pickled([{"0": action()}] * 64 + [{"0": rest}]))
+        assert (answer.status_code, answer.json()["code"]) == (422, "invalid_request")
+        [error] = answer.json()["errors"]
+        assert error["pointer"] == "/0/0"
+        assert "at most 64 actions" in error["detail"]
+    # Where the actions are not for the worker's episode, nothing is asked of them.
+    assert count(client.step({"0": action()})[0]) == 1
+    for _ in range(2):
+        _, done = client.step({"0": action(end=1)})
+    assert done
+    assert client.step([{"0": action()}] * 65)[1]
+
+
 @pytest.mark.parametrize(
     ("verb", "body", "status"),
     [

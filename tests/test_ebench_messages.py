@@ -12,6 +12,7 @@ import pytest
 
 from reference_server.problems import Refused
 from reference_server.profiles.ebench_messages import actions, observation
+from reference_server.profiles.ebench_requests import Chunk
 from reference_sim import catalog
 from reference_sim.mobile_bimanual.benchmark import BENCHMARKS
 
@@ -133,7 +134,15 @@ def test_a_rotation_that_is_none_is_passed_on_as_no_number() -> None:
         ({"action": SIXTEEN, "base_motion": [0, 0]}, "/base_motion"),
         ({"action": SIXTEEN, "base_motion": None}, "/base_motion"),
         ({"action": SIXTEEN, "control_type": "ee_pose"}, "/control_type"),
+        ({"action": SIXTEEN, "control_type": np.zeros(3)}, "/control_type"),
+        ({"action": SIXTEEN, "control_type": {}}, "/control_type"),
         ({"action": SIXTEEN, "base_is_rel": False}, "/base_is_rel"),
+        ({"action": SIXTEEN, "base_is_rel": np.ones(3)}, "/base_is_rel"),
+        ({"action": SIXTEEN, "base_is_rel": "yes"}, "/base_is_rel"),
+        ({"action": SIXTEEN, "is_rel": np.zeros(3, dtype=bool)}, "/is_rel"),
+        ({"action": SIXTEEN, "is_rel": np.zeros(0)}, "/is_rel"),
+        ({"action": SIXTEEN, "is_rel": "no"}, "/is_rel"),
+        ({"action": SIXTEEN, "is_rel": None}, "/is_rel"),
     ],
 )
 def test_what_does_not_fit_is_pointed_at(body: Any, at: str) -> None:
@@ -147,6 +156,52 @@ def test_what_does_not_fit_is_pointed_at(body: Any, at: str) -> None:
 )
 def test_poses_that_do_not_fit_are_pointed_at(value: Any, at: str) -> None:
     assert refused({"action": value}, manifest=POSES) == f"/0/0/action{at}"
+
+
+# Whatever can be unpickled, in every place; no warning of numpy's either.
+NUMBERS: list[Any] = [0, 1, -1, 2**64 - 1, 0.5, math.nan, -math.inf, 1e308, 5e-324]
+PLAIN: list[Any] = [*NUMBERS, None, True, False, "", "ee_pose", "joint_position"]
+PLAIN += [np.array(one) for one in (*NUMBERS, True, [], [[]], [True, False])]
+PLAIN += [np.full(shape, 0.1) for shape in ((3,), (16,), (2, 9), (5000,))]
+PLAIN += [
+    [],
+    [[]],
+    [None],
+    [{}],
+    {},
+    {"action": 1},
+    {0: None},
+    [[1.0], "x"],
+    [[[]]] * 2,
+]
+PLAIN += [[one] * size for one in NUMBERS for size in (3, 16)]
+PLAIN += [[[one] * 9] * 2 for one in NUMBERS]
+MEMBERS = ["action", "base_motion", "control_type", "base_is_rel", "is_rel", "other", 7]
+GOOD = {
+    "joints": (JOINTS, {"action": SIXTEEN}),
+    "poses": (POSES, {"action": [hand([0.1] * 7, (0, 0))] * 2}),
+}
+
+
+@pytest.mark.parametrize("member", MEMBERS)
+@pytest.mark.parametrize("robot", sorted(GOOD))
+def test_no_value_in_any_place_is_an_accident(robot: str, member: Any) -> None:
+    manifest, good = GOOD[robot]
+    vectors = {**POSES["observation_space"]["state"], **JOINTS["action_space"]}
+    last = {name: [0.5] * entry["size"] for name, entry in vectors.items()}
+    for value in PLAIN:
+        for relative in (False, True):
+            action = good | {"is_rel": relative, member: value}
+            assert Chunk([action], ["/0"]).digest()
+            try:
+                [found] = made(action, manifest=manifest, last=last)
+            except Refused as refused:
+                assert refused.code == "invalid_request"
+                assert [at for at, _ in refused.errors][0].startswith(f"/0/0/{member}")
+            else:
+                sizes = {name: len(numbers) for name, numbers in found.items()}
+                spaces = manifest["action_space"].items()
+                assert sizes == {name: space["size"] for name, space in spaces}
 
 
 def test_another_benchmark_is_spoken_to_plainly() -> None:

@@ -106,6 +106,17 @@ def test_numpy_1_is_read_like_numpy_2(protocol: int) -> None:
         assert read(old).shape == (2,)
 
 
+@pytest.mark.parametrize("protocol", PROTOCOLS)
+def test_much_is_not_too_much(protocol: int) -> None:
+    """Sixteen workers whose actions share what they can, and large arrays."""
+    action = {"action": np.arange(16.0), "control_type": "joint_position"}
+    steps = [dict.fromkeys(map(str, range(16)), action)] * 64
+    arrays = [np.full(50_000, number, ">f8") for number in (0.1, -0.3, 1e300)]
+    found = read(pickled([steps, arrays], protocol))
+    assert len(found[0]) == 64
+    assert [one.tolist() for one in found[1]] == [one.tolist() for one in arrays]
+
+
 def test_no_opcode_of_a_client_is_missing() -> None:
     values: list[Any] = [
         [0, 2**9, 2**17, -1, 2**40, 1.5, "x", "y" * 300, None, True, {}, (), []]
@@ -312,6 +323,10 @@ LATIN = (
     + b"x" * 2**20
     + b"q\x01Vlatin1\nq\x02\x86q\x03"
 )
+MEGABYTE = b"\x00\x00\x10\x00" + b"\x01" * 2**20  # its length, and as many bytes
+BUFFER = b"cnumpy._core.numeric\n_frombuffer\nq\x00B" + MEGABYTE + b"q\x01"
+BUFFER += DTYPE.replace(b"V<", b"V>") + b"q\x02](I131072\n\x85q\x03"
+COLLIDING = b"".join(b"p%d\n" % (k * (2**61 - 1)) for k in range(20_000))
 # name → (the pickle, what the refusal says)
 BOMBS: dict[str, tuple[bytes, str]] = {
     "lists of lists": (pickled(nested(10, 50)), "values"),
@@ -321,6 +336,11 @@ BOMBS: dict[str, tuple[bytes, str]] = {
     "a deep name": (b"\x80\x04)" + b"\x85" * 200_000 + b"\x8c\x05dtype\x93.", "name"),
     "opcodes": (b"(" + b"N" * (OPCODES_MAX + 1) + b"l.", "opcodes"),
     "marks": (b"(" * (OPCODES_MAX + 1) + b".", "opcodes"),
+    "empty arrays": (pickled([[np.zeros(0)] * 2000] * 2000), "values"),
+    "one text often": (b"](X" + MEGABYTE + b"q\x00" + b"h\x00" * 99 + b"e.", "text"),
+    "one buffer": (BUFFER + b"h\x00(h\x01h\x02h\x03VC\ntR" * 99 + b"e.", "grows"),
+    "a shape": (filled(b"(\x8b" + MEGABYTE + b"q\x00h\x00h\x00t") + b".", "shape"),
+    "a memo": (b"N" + COLLIDING + b".", "place"),
     "bytes of one text": (LATIN + b"](" + b"h\x00h\x03R" * 1000 + b"e.", "grows"),
 }
 

@@ -73,6 +73,7 @@ def test_chat_002_the_last_line_is_the_answer(story: Story) -> None:
     forms = [SCORE, f" {SCORE}\n", f"Answer: {SCORE}", f"**answer: {SCORE}**"]
     forms += [f"`{SCORE}`", f"1\n{SCORE}\n\n", f"<think>1</think>{SCORE}", f"{SCORE}."]
     forms += [f"<think>\n1\n</think>\n0\n\n**{SCORE}**\n"]
+    forms += [f"**{SCORE}**.", f"Answer: **{SCORE}**."]
     with chat_server(story) as chat:
         said = iter(forms)
         chat.says = lambda _: next(said)

@@ -29,6 +29,9 @@ Network: TypeAlias = IPv4Network | IPv6Network
 EVERYWHERE = "all"
 # A translator would carry what follows these 96 bits into its IPv4 network.
 _NAT64 = IPv6Network("64:ff9b::/96")
+# All that is given out for use in public. Elsewhere are other forms of IPv4 addresses
+# (a local translator's, compatible ones), which end in whatever network there is.
+_PUBLIC_6 = IPv6Network("2000::/3")
 
 
 class NotAllowed(Exception):
@@ -60,24 +63,27 @@ class Gate:
         meant = _meant(address)
         if self._open or any(_holds(n, {address, meant}) for n in self._networks):
             return True
-        odd = meant.is_multicast or getattr(meant, "is_site_local", False)
-        return meant.is_global and not odd
+        given_out = meant.version == 4 or meant in _PUBLIC_6
+        return given_out and meant.is_global and not meant.is_multicast
 
     async def addresses(self, host: str, port: int) -> list[str]:
         """All addresses of a host, each of them admitted.
 
         Raises NotAllowed when any is not, and Unresolved.
         """
-        loop = asyncio.get_running_loop()
-        try:
-            found = await loop.run_in_executor(self._threads, _resolve, host, port)
-        except (OSError, UnicodeError) as error:
-            raise Unresolved(f"{host} has no address") from error
+        found = _literal(host) or await self._resolved(host, port)
         if not all(self.admits(address) for address in found):
             raise NotAllowed(
                 f"{host} is in a network that this server does not call policies in"
             )
         return [str(address) for address in found]
+
+    async def _resolved(self, host: str, port: int) -> list[Address]:
+        loop = asyncio.get_running_loop()
+        try:
+            return await loop.run_in_executor(self._threads, _resolve, host, port)
+        except (OSError, UnicodeError) as error:
+            raise Unresolved(f"{host} has no address") from error
 
 
 class CheckedBackend(httpcore.AsyncNetworkBackend):
@@ -110,12 +116,22 @@ class CheckedBackend(httpcore.AsyncNetworkBackend):
         await self._backend.sleep(seconds)
 
 
+def _literal(host: str) -> list[Address]:
+    """The address that a host is written as: it needs no resolver."""
+    try:
+        return [_address(host.removeprefix("[").removesuffix("]"))]
+    except ValueError:
+        return []
+
+
 def _resolve(host: str, port: int) -> list[Address]:
-    literal = host.removeprefix("[").removesuffix("]")
-    found = socket.getaddrinfo(literal, port, type=socket.SOCK_STREAM)
+    found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)
+    return list(dict.fromkeys(_address(str(entry[4][0])) for entry in found))
+
+
+def _address(text: str) -> Address:
     # A scope (`fe80::1%eth0`) is the machine's own business.
-    texts = dict.fromkeys(str(entry[4][0]).partition("%")[0] for entry in found)
-    return [ip_address(text) for text in texts]
+    return ip_address(str(ip_address(text)).partition("%")[0])
 
 
 def _meant(address: Address) -> Address:

@@ -17,7 +17,7 @@ from typing import Any, Self
 import httpcore
 import msgspec
 
-from reference_server.messages import JSON, decode
+from reference_server.messages import JSON, decode, pointer
 from reference_server.problems import PROBLEM_JSON, Refused
 from reference_server.push.addresses import (
     CheckedBackend,
@@ -42,6 +42,23 @@ class PolicyFault(Exception):
         super().__init__(text)
         self.again = again
         self.after_s = after_s
+
+
+class Pauses:
+    """Ever longer ones: many that were turned away together come back one by one."""
+
+    def __init__(self, first_s: float, most_s: float) -> None:
+        self._first_s = self._next_s = first_s
+        self._most_s = most_s
+
+    def next_s(self) -> float:
+        pause_s = self._next_s * random.uniform(0.8, 1.2)
+        self._next_s = min(2 * self._next_s, self._most_s)
+        return pause_s
+
+    def begin(self) -> None:
+        """From the first one again."""
+        self._next_s = self._first_s
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,9 +98,20 @@ class Calls:
         """The JSON that answers a body. Raises PolicyFault."""
         return await self._patiently("POST", path, msgspec.json.encode(body))
 
+    def without_key(self, text: str) -> str:
+        """A text of the policy server's for its submitter, before anything is cut off.
+
+        It may say the key (PUSH-005), also in a JSON pointer.
+        """
+        if self._key is None:
+            return text
+        for said in (self._key, pointer([self._key]).removeprefix("/")):
+            text = text.replace(said, "(its API key)")
+        return text
+
     async def _patiently(self, method: str, path: str, content: bytes | None) -> Any:
         left = self._bounds.max_retries
-        pause_s = PAUSE_S
+        pauses = Pauses(PAUSE_S, PAUSE_MOST_S)
         while True:
             try:
                 async with self._slots:
@@ -94,9 +122,7 @@ class Calls:
                     raise _told(self._url, path, fault, tries) from fault
                 after_s = fault.after_s
             left -= 1
-            # Many workers that were turned away together come back one by one.
-            await asyncio.sleep(max(after_s, pause_s * random.uniform(0.8, 1.2)))
-            pause_s = min(2 * pause_s, PAUSE_MOST_S)
+            await asyncio.sleep(max(after_s, pauses.next_s()))
 
     async def _in_time(self, method: str, path: str, content: bytes | None) -> Any:
         timeout_s = self._bounds.timeout_s
@@ -129,7 +155,7 @@ class Calls:
             found = {name: value.decode("latin-1") for name, value in named.items()}
             if 300 <= answer.status < 400:  # PUSH-011
                 raise PolicyFault(f"redirects (status {answer.status})")
-            return _read(answer.status, found, await self._body(answer))
+            return self._read(answer.status, found, await self._body(answer))
 
     async def _body(self, answer: httpcore.Response) -> bytes:
         parts: list[bytes] = []
@@ -141,41 +167,44 @@ class Calls:
             parts.append(part)
         return b"".join(parts)
 
+    def _read(self, status: int, headers: Mapping[str, str], body: bytes) -> Any:
+        if status == 429 or status >= 500:
+            text = f"answered with status {status}{self._reason(headers, body)}"
+            raise PolicyFault(text, again=True, after_s=_retry_after_s(headers))
+        if status != 200:
+            text = f"answered with status {status}{self._reason(headers, body)}"
+            raise PolicyFault(text)
+        if headers.get("content-encoding", "identity") != "identity":
+            raise PolicyFault("compressed its answer, which was not asked for")
+        if _media_type(headers) != JSON:
+            said = self.without_key(headers.get("content-type", ""))
+            shown = _printable(said.partition(";")[0].strip()[:60])
+            raise PolicyFault(f"answered with {shown or 'no media type'}")
+        try:
+            return decode(body, JSON)
+        except Refused as error:
+            raise PolicyFault(f"answered what is no JSON ({error.detail})") from error
 
-def _read(status: int, headers: Mapping[str, str], body: bytes) -> Any:
-    if status == 429 or status >= 500:
-        text = f"answered with status {status}{_reason(headers, body)}"
-        raise PolicyFault(text, again=True, after_s=_retry_after_s(headers))
-    if status != 200:
-        raise PolicyFault(f"answered with status {status}{_reason(headers, body)}")
-    if headers.get("content-encoding", "identity") != "identity":
-        raise PolicyFault("compressed its answer, which was not asked for")
-    media_type = _media_type(headers)
-    if media_type != JSON:
-        raise PolicyFault(f"answered with {media_type[:60] or 'no media type'}")
-    try:
-        return decode(body, JSON)
-    except Refused as error:
-        raise PolicyFault(f"answered what is no JSON ({error.detail})") from error
+    def _reason(self, headers: Mapping[str, str], body: bytes) -> str:
+        """What a problem says, if the answer is one: its author wants to read it."""
+        if _media_type(headers) != PROBLEM_JSON:
+            return ""
+        try:
+            problem = decode(body, JSON)
+        except Refused:
+            return ""
+        said = [problem.get(n) for n in ("code", "detail")] if _is_map(problem) else []
+        text = ": ".join(part for part in said if isinstance(part, str))
+        shown = _printable(self.without_key(text)[:_TOLD_CHARACTERS])
+        return f" ({shown})" if shown else ""
 
 
 def _media_type(headers: Mapping[str, str]) -> str:
-    declared = headers.get("content-type", "").partition(";")[0]
-    return "".join(c for c in declared.strip().lower() if c.isprintable())
+    return headers.get("content-type", "").partition(";")[0].strip().lower()
 
 
-def _reason(headers: Mapping[str, str], body: bytes) -> str:
-    """What a problem says, if the answer is one: its author wants to read it."""
-    if _media_type(headers) != PROBLEM_JSON:
-        return ""
-    try:
-        problem = decode(body, JSON)
-    except Refused:
-        return ""
-    said = [problem.get(n) for n in ("code", "detail")] if _is_map(problem) else []
-    text = ": ".join(part for part in said if isinstance(part, str))
-    shown = "".join(c if c.isprintable() else " " for c in text[:_TOLD_CHARACTERS])
-    return f" ({shown})" if shown else ""
+def _printable(text: str) -> str:
+    return "".join(c if c.isprintable() else " " for c in text)
 
 
 def _is_map(value: object) -> bool:

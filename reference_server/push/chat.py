@@ -27,7 +27,8 @@ _NOT_SHOWN = "A chat model is shown png or jpeg; submit the run with one of thes
 
 _THOUGHT_END = "</think>"
 _LABEL = re.compile(r"answer\s*:\s*", re.IGNORECASE)
-_CHOICE = re.compile(r"\(([A-Za-z])\)|([A-Za-z])[).]?")
+_AROUND = "*` \t"
+_CHOICE = re.compile(r"\(([A-Za-z])\)|([A-Za-z])\)?")
 _DECIMAL = r"[0-9]{1,6}(?:\.[0-9]{1,9})?"
 _NUMBER = re.compile(_DECIMAL)
 _POINT = re.compile(rf"[(\[]?\s*({_DECIMAL})(?:\s*,\s*|\s+)({_DECIMAL})\s*[)\]]?")
@@ -106,14 +107,14 @@ def read_answer(text: str) -> dict[str, list[float]]:
     """The action that a model's words are: at most one of its entries is an answer."""
     values = {name: [NO_ANSWER] * size for name, size in ANSWER_SIZES.items()}
     said = text.rpartition(_THOUGHT_END)[2].strip()
-    line = said.splitlines()[-1].strip().strip("*`").strip() if said else ""
+    line = said.splitlines()[-1].strip().strip(_AROUND) if said else ""
     line = _LABEL.sub("", line, count=1) if _LABEL.match(line) else line
-    line = line.strip("*` ")
+    # The one full stop may stand inside of what is around the answer, or behind it.
+    line = line.strip(_AROUND).removesuffix(".").strip(_AROUND)
     if choice := _CHOICE.fullmatch(line):
         letter = (choice[1] or choice[2]).upper()
         values["choice"] = [float(ord(letter) - ord("A"))]
         return values
-    line = line.removesuffix(".")
     if _NUMBER.fullmatch(line):
         values["number"] = [float(line)]
     elif point := _POINT.fullmatch(line):

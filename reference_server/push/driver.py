@@ -21,28 +21,37 @@ from reference_server import progress
 from reference_server.problems import Refused
 from reference_server.protocol import Attach, Predict
 from reference_server.push.addresses import Gate
-from reference_server.push.calls import Bounds, Calls, PolicyFault
+from reference_server.push.calls import Bounds, Calls, Pauses, PolicyFault
 from reference_server.push.orders import Order
 from reference_server.push.policy import Description, Policy, misfit
 from reference_server.push.protocols import PROTOCOLS
 from reference_server.push.seal import SealBroken, Sealer
-from reference_server.run_book import RunBook
+from reference_server.run_book import RELOAD_S, RunBook
 from reference_server.run_state import Run
 from reference_server.stage import Stage
 from reference_server.store import StoreFailed
 
 log = logging.getLogger("proctor.push")
 
-# How long a worker pauses that the server itself turned away, and how often it may be
-# before it is taken for a defect. A server without a free simulator frees one in time.
+# How long a worker pauses, at first and at most, that the server itself turned away or
+# whose policy went wrong; and how often it may be turned away before that is taken for
+# a defect. A server without a free simulator frees one in time.
 PAUSE_S = 0.2
+PAUSE_MOST_S = 5.0
 REFUSALS_MOST = 50
 _NO_HURRY = ("no_capacity", "worker_limit")
 _PLAYED = ("ready", "running")
 
 
 class _GivenUp(Exception):
-    """The run cannot go on now; the message is its reason."""
+    """The run cannot go on now; the message is its reason.
+
+    for_good: nor will it after a resume.
+    """
+
+    def __init__(self, reason: str, *, for_good: bool = False) -> None:
+        super().__init__(reason)
+        self.for_good = for_good
 
 
 @dataclass(slots=True)
@@ -52,12 +61,17 @@ class _Drive:
     run_id: str
     policy: Policy
     described: Description
-    key: str | None
+    calls: Calls
     faults: int = 0
 
-    def told(self, fault: PolicyFault) -> str:
-        """What the submitter is told; a policy may have said its key (PUSH-005)."""
-        return _without(self.key, str(fault))
+
+@dataclass(slots=True)
+class _Worker:
+    """pauses: since it last had a turn executed."""
+
+    worker_id: str
+    drive: _Drive
+    pauses: Pauses
 
 
 class Driver:
@@ -105,24 +119,32 @@ class Driver:
     def _over(self, run_id: str) -> None:
         """A run that was stopped and resumed meanwhile is played on."""
         del self._drives[run_id]
+        self._look_again(run_id)
+
+    async def _look_at(self, run_id: str) -> None:
+        """Now or when it can be loaded: nobody else may ever do that (PUSH-017)."""
+        try:
+            self.look(await self._book.get(run_id))
+        except StoreFailed:
+            log.exception("run %s could not be loaded", run_id)
+            loop = asyncio.get_running_loop()
+            loop.call_later(RELOAD_S, self._look_again, run_id)
+
+    def _look_again(self, run_id: str) -> None:
         if not self._closed:
             self._book.begin(self._look_at(run_id))
 
-    async def _look_at(self, run_id: str) -> None:
-        # A run that cannot be loaded now is looked at when it is.
-        with contextlib.suppress(StoreFailed):
-            self.look(await self._book.get(run_id))
-
     async def _drive(self, run: Run) -> None:
-        order, key = Order.of(run), None
+        order = Order.of(run)
         try:
-            key = self._key(order)
-            async with self._calls(order, key) as calls:
+            async with self._calls(order, self._key(order)) as calls:
                 policy = PROTOCOLS[order.protocol](run, order, calls)
-                drive = _Drive(run.run_id, policy, await policy.describe(), key)
+                drive = _Drive(run.run_id, policy, await policy.describe(), calls)
                 await self._play_all(drive, order, len(run.pending))
-        except (PolicyFault, _GivenUp) as error:
-            await self._give_up(run.run_id, _without(key, str(error)))
+        except PolicyFault as error:
+            await self._give_up(run.run_id, str(error))
+        except _GivenUp as error:
+            await self._give_up(run.run_id, str(error), retryable=not error.for_good)
         except Exception:
             log.exception("run %s could not be played", run.run_id)
             await self._give_up(run.run_id, "The server has a defect; see its log.")
@@ -135,7 +157,8 @@ class Driver:
         except SealBroken as error:
             raise _GivenUp(
                 "The API key of the policy server cannot be read any more: this server "
-                "has lost the key that sealed it. Submit the run anew."
+                "has lost the key that sealed it. Submit the run anew.",
+                for_good=True,
             ) from error
 
     def _calls(self, order: Order, key: str | None) -> Calls:
@@ -152,85 +175,88 @@ class Driver:
         try:
             async with asyncio.TaskGroup() as group:
                 for number in range(1, workers + 1):
-                    group.create_task(self._work(drive, f"push-{number}"))
+                    pauses = Pauses(PAUSE_S, PAUSE_MOST_S)
+                    worker = _Worker(f"push-{number}", drive, pauses)
+                    group.create_task(self._work(worker))
         except* (PolicyFault, _GivenUp) as errors:
             reason = str(errors.exceptions[0])
             raise _GivenUp(reason) from errors
 
-    async def _work(self, drive: _Drive, worker_id: str) -> None:
+    async def _work(self, worker: _Worker) -> None:
         """Play one session after another, until there is nothing left for it."""
         refusals = 0
         while True:
             try:
-                run = await self._book.get(drive.run_id)
+                run = await self._book.get(worker.drive.run_id)
                 if run.state not in _PLAYED or not run.pending:
                     return
-                await self._session(drive, run, worker_id)
+                went_well = await self._session(worker, run)
                 refusals = 0
             except (Refused, StoreFailed) as error:
-                refused = _refusal(error)
+                refused, went_well = _refusal(error), False
                 refusals += refused.code not in _NO_HURRY
-                self._turned_away(refused, refusals)
-                await asyncio.sleep(PAUSE_S)
+                self._turned_away(worker.drive, refused, refusals)
+            if not went_well:
+                await asyncio.sleep(worker.pauses.next_s())
 
-    def _turned_away(self, refused: Refused, refusals: int) -> None:
+    def _turned_away(self, drive: _Drive, refused: Refused, refusals: int) -> None:
         """The server refused its own worker: raises unless that will pass."""
         if refused.code in ("convention_mismatch", "benchmark_unavailable"):
             said = "; ".join(f"{at} {text}" for at, text in refused.errors)
-            raise _GivenUp(f"{refused.detail} {said}".strip())
+            told = drive.calls.without_key(said)
+            raise _GivenUp(f"{refused.detail} {told}".strip())
         if refusals > REFUSALS_MOST:
             raise _GivenUp(f"The server refused its own worker: {refused.detail}")
 
-    async def _session(self, drive: _Drive, run: Run, worker_id: str) -> None:
+    async def _session(self, worker: _Worker, run: Run) -> bool:
+        """Whether it came to its end without a fault of the policy."""
         command = Attach(
-            worker_id,
+            worker.worker_id,
             secrets.token_urlsafe(16),
-            assumes=drive.described.assumes,
+            assumes=worker.drive.described.assumes,
             by_server=True,
         )
         turn = await self._stage.attach(run, command)
         session_id = turn["session_id"]
         try:
-            await self._play(drive, run, worker_id, turn)
+            await self._play(worker, run, turn)
         except PolicyFault as fault:
-            await self._fault(drive, run, worker_id, session_id, fault)
+            await self._fault(worker, run, session_id, fault)
+            return False
+        return True
 
-    async def _play(
-        self, drive: _Drive, run: Run, worker_id: str, turn: dict[str, Any]
-    ) -> None:
+    async def _play(self, worker: _Worker, run: Run, turn: dict[str, Any]) -> None:
+        drive = worker.drive
         while not turn["done"]:
             if turn["episode"]["step"] == 0:  # PUSH-006
                 await drive.policy.reset(turn)
             answer = await drive.policy.predict(turn)
             command = Predict(
-                worker_id,
+                worker.worker_id,
                 answer.session_id,
                 answer.seq,
                 [action.values for action in answer.actions],
                 "all" if answer.observe == "all" else "last",
+                by_server=True,
             )
             try:
                 turn = await self._stage.predict(run, command)
             except Refused as refused:
                 if refused.code == "invalid_request":
-                    raise misfit(refused) from refused
+                    raise misfit(refused, drive.calls) from refused
                 raise
             drive.faults = 0
+            worker.pauses.begin()
 
     async def _fault(
-        self,
-        drive: _Drive,
-        run: Run,
-        worker_id: str,
-        session_id: str,
-        fault: PolicyFault,
+        self, worker: _Worker, run: Run, session_id: str, fault: PolicyFault
     ) -> None:
         """End the attempt; then see whether the policy is still there."""
-        log.info("run %s, %s: %s", run.run_id, worker_id, drive.told(fault))
-        session = run.workers.get(worker_id)
+        log.info("run %s, %s: %s", run.run_id, worker.worker_id, fault)
+        drive, session = worker.drive, run.workers.get(worker.worker_id)
         if session is None or session.session_id != session_id:
             return  # stopped, or lost, meanwhile
-        progress.end_by_policy(run, session, drive.told(fault), time.time())
+        progress.end_by_policy(run, session, str(fault), time.time())
         self._stage.let_go([session])
         await self._book.commit(run)
         drive.faults += 1
@@ -238,12 +264,15 @@ class Driver:
             raise fault
         await drive.policy.describe()
 
-    async def _give_up(self, run_id: str, reason: str) -> None:
-        """PUSH-012: the run fails, and can be resumed."""
+    async def _give_up(
+        self, run_id: str, reason: str, *, retryable: bool = True
+    ) -> None:
+        """PUSH-012: the run fails, and can be resumed if that helps."""
         # What cannot be stored is forgotten; the run is played on when it is loaded.
         with contextlib.suppress(Refused, StoreFailed):
             run = await self._book.get(run_id)
-            self._stage.let_go(progress.give_up(run, reason, time.time()))
+            ended = progress.give_up(run, reason, time.time(), retryable=retryable)
+            self._stage.let_go(ended)
             await self._book.commit(run)
 
 
@@ -251,7 +280,3 @@ def _refusal(error: Refused | StoreFailed) -> Refused:
     if isinstance(error, Refused):
         return error
     return Refused("unavailable", "The store does not answer.")
-
-
-def _without(key: str | None, text: str) -> str:
-    return text if key is None else text.replace(key, "(its API key)")

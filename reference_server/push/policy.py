@@ -57,12 +57,12 @@ class ProctorPolicy:
 
     async def describe(self) -> Description:
         answer = await self._calls.get("/v1/policy")
-        told = _read(models.PolicyDescription, answer, "describe_policy")
+        told = self._read(models.PolicyDescription, answer, "describe_policy")
         spoken = told.protocol
         if not _number(spoken.min) <= _number(VERSION) <= _number(spoken.max):
+            least, most = map(self._calls.without_key, (spoken.min, spoken.max))
             raise PolicyFault(
-                f"The policy server speaks {spoken.min[:20]} to {spoken.max[:20]}, "
-                f"not {VERSION}."
+                f"The policy server speaks {least[:20]} to {most[:20]}, not {VERSION}."
             )
         assumes = told.model_dump().get("assumes")
         return Description(told.max_sessions, assumes)
@@ -78,7 +78,7 @@ class ProctorPolicy:
             "episode": episode,
         }
         answer = await self._calls.post("/v1/policy/reset", body)
-        ready = _read(models.PolicyReset, answer, "reset")
+        ready = self._read(models.PolicyReset, answer, "reset")
         told = (ready.session_id, ready.episode_id, ready.attempt)
         if told != (turn["session_id"], episode["episode_id"], episode["attempt"]):
             raise PolicyFault("The policy acknowledged another reset than it was sent.")
@@ -88,33 +88,34 @@ class ProctorPolicy:
         try:
             predict = validate(models.Predict, answer)
         except Refused as refused:
-            raise misfit(refused) from refused
+            raise misfit(refused, self._calls) from refused
         if (predict.session_id, predict.seq) != (turn["session_id"], turn["seq"] + 1):
             raise PolicyFault("The policy answered another turn than it was asked for.")
         return predict
 
+    def _read(self, model: type[Answered], answer: Any, operation: str) -> Answered:
+        """An answer by its schema, with what the schema does not know passed over."""
+        try:
+            return model.model_validate(answer, strict=True, extra="ignore")
+        except ValidationError as error:
+            faults = error.errors(include_url=False, include_context=False)
+            errors = [(pointer(f["loc"]), f["msg"]) for f in faults]
+            said = _listed(errors, self._calls)
+            raise PolicyFault(
+                f"The policy's answer to {operation} is not as policy.yaml says: "
+                f"{said}."
+            ) from error
 
-def misfit(refused: Refused) -> PolicyFault:
+
+def misfit(refused: Refused, calls: Calls) -> PolicyFault:
     """An answer of predict that the schema or the benchmark refuses (PUSH-010)."""
-    said = _listed(refused.errors) or refused.detail
+    said = _listed(refused.errors, calls) or refused.detail
     return PolicyFault(f"The policy's answer to predict was refused: {said}.")
 
 
-def _read(model: type[Answered], answer: Any, operation: str) -> Answered:
-    """An answer by its schema, with what the schema does not know passed over."""
-    try:
-        return model.model_validate(answer, strict=True, extra="ignore")
-    except ValidationError as error:
-        faults = error.errors(include_url=False, include_context=False)
-        said = _listed([(pointer(f["loc"]), f["msg"]) for f in faults])
-        raise PolicyFault(
-            f"The policy's answer to {operation} is not as policy.yaml says: {said}."
-        ) from error
-
-
-def _listed(errors: Any) -> str:
+def _listed(errors: Any, calls: Calls) -> str:
     told = [f"{at or '/'} {text}" for at, text in list(errors)[:_FAULTS_TOLD]]
-    text = "; ".join(told)[:500]
+    text = calls.without_key("; ".join(told))[:500]
     return "".join(c if c.isprintable() else " " for c in text)
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import httpcore
 
 from reference_server import progress, protocol
-from reference_server.push import driver, orders, policy
+from reference_server.push import orders, policy
 from reference_server.push.calls import Calls, PolicyFault
 from reference_server.push.driver import Driver
 from reference_server.push.policy import ProctorPolicy
@@ -70,7 +70,7 @@ def keeps_the_key_for_predict_alone() -> None:
 @mutant("PUSH-005")
 def tells_the_key_in_a_reason() -> None:
     """Who reads the run's page reads the key of its policy server."""
-    put(driver, "_without", lambda _key, text: text)
+    put(Calls, "without_key", lambda _self, text: text)
 
 
 @mutant("PUSH-006")
@@ -169,8 +169,8 @@ def fails_for_good_without_its_policy() -> None:
     """A policy server was restarted; the hours of its run are lost."""
     right = progress.give_up
 
-    def wrong(run: Run, reason: str, now_wall: float) -> Any:
-        sessions = right(run, reason, now_wall)
+    def wrong(run: Run, reason: str, now_wall: float, **more: bool) -> Any:
+        sessions = right(run, reason, now_wall, **more)
         if run.state == "failed" and "is not reached" in reason:
             run.retryable = False
         return sessions
