@@ -77,7 +77,7 @@ def test_the_base_turns_in_degrees() -> None:
 
 def test_relative_arms_add_to_what_was_commanded_last() -> None:
     step = {"action": [0.5] * 16, "is_rel": True}
-    absolute = {"action": SIXTEEN, "is_rel": np.False_}
+    absolute = {"action": SIXTEEN, "is_rel": False}
     chunk = made(step, step, absolute, step, last={"joint_position": [1.0] * 12})
     joints = [action["joint_position"] for action in chunk]
     assert joints[:2] == [[1.5] * 12, [2.0] * 12]
@@ -177,7 +177,7 @@ PLAIN += [
 PLAIN += [[one] * size for one in NUMBERS for size in (3, 16)]
 PLAIN += [[[one] * 9] * 2 for one in NUMBERS]
 MEMBERS = ["action", "base_motion", "control_type", "base_is_rel", "is_rel", "other", 7]
-GOOD = {
+GOOD: dict[str, tuple[Json, Json]] = {
     "joints": (JOINTS, {"action": SIXTEEN}),
     "poses": (POSES, {"action": [hand([0.1] * 7, (0, 0))] * 2}),
 }
@@ -195,9 +195,10 @@ def test_no_value_in_any_place_is_an_accident(robot: str, member: Any) -> None:
             assert Chunk([action], ["/0"]).digest()
             try:
                 [found] = made(action, manifest=manifest, last=last)
-            except Refused as refused:
-                assert refused.code == "invalid_request"
-                assert [at for at, _ in refused.errors][0].startswith(f"/0/0/{member}")
+            except Refused as error:
+                [(pointer, _)] = error.errors
+                if not pointer.startswith(f"/0/0/{member}"):
+                    pytest.fail(f"{value!r} in {member}: {pointer} is refused")
             else:
                 sizes = {name: len(numbers) for name, numbers in found.items()}
                 spaces = manifest["action_space"].items()

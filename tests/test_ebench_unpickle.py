@@ -110,7 +110,7 @@ def test_numpy_1_is_read_like_numpy_2(protocol: int) -> None:
 def test_much_is_not_too_much(protocol: int) -> None:
     """Sixteen workers whose actions share what they can, and large arrays."""
     action = {"action": np.arange(16.0), "control_type": "joint_position"}
-    steps = [dict.fromkeys(map(str, range(16)), action)] * 64
+    steps = [dict.fromkeys("0123456789abcdef", action)] * 64
     arrays = [np.full(50_000, number, ">f8") for number in (0.1, -0.3, 1e300)]
     found = read(pickled([steps, arrays], protocol))
     assert len(found[0]) == 64
@@ -318,12 +318,8 @@ def nested(levels: int, width: int) -> Any:
     return inside
 
 
-LATIN = (
-    b"c_codecs\nencode\nq\x00X\x00\x00\x10\x00"
-    + b"x" * 2**20
-    + b"q\x01Vlatin1\nq\x02\x86q\x03"
-)
 MEGABYTE = b"\x00\x00\x10\x00" + b"\x01" * 2**20  # its length, and as many bytes
+LATIN = b"c_codecs\nencode\nq\x00X" + MEGABYTE + b"q\x01Vlatin1\nq\x02\x86q\x03"
 BUFFER = b"cnumpy._core.numeric\n_frombuffer\nq\x00B" + MEGABYTE + b"q\x01"
 BUFFER += DTYPE.replace(b"V<", b"V>") + b"q\x02](I131072\n\x85q\x03"
 COLLIDING = b"".join(b"p%d\n" % (k * (2**61 - 1)) for k in range(20_000))

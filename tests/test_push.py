@@ -209,9 +209,21 @@ def test_nobody_attaches_to_a_run_of_the_server(
             "illegal_transition",
         )
         assert answer.json()["state"] == "running"
+    # What the policy server was told of the session opens nothing either.
+    turn = policy.called("predict")[0].body
+    session = {"session_id": turn["session_id"]}
+    play = {"seq": turn["seq"] + 1, "actions": [Story.action(end=1)]}
+    for answer in (
+        client.post(f"{path}/predict", json=session | play),
+        client.post(f"{path}/heartbeat", json=session),
+        client.delete(path, params=session),
+    ):
+        assert answer.json()["code"] == "illegal_transition"
     going.set()
     assert until(client, run_id)["state"] == "completed"
     assert len(policy.called("reset")) == 1
+    (episode,) = episodes(client, run_id)
+    assert episode["result"]["score"] == 0.25
 
 
 def test_a_stop_ends_the_calls_and_a_resume_goes_on(
@@ -321,6 +333,8 @@ def test_a_lost_sealing_key_is_told(tmp_path: Path, policy: ScriptedPolicy) -> N
     house.start()
     with house.client() as client:
         run = until(client, run_id)
-    assert run["state"] == "failed"
+        resumed = client.post(f"/v1/runs/{run_id}/resume")
+    assert (run["state"], run["retryable"]) == ("failed", False)
     assert "Submit the run anew" in run["reason"]
+    assert resumed.json()["code"] == "illegal_transition"
     house.end(signal.SIGKILL)

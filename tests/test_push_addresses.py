@@ -55,6 +55,9 @@ NOT_PUBLIC = [
     "64:ff9b::7f00:1",
     "64:ff9b::a9fe:a9fe",
     "2002:7f00:1::1",
+    "64:ff9b:1::7f00:1",  # a translator's of one's own (RFC 8215)
+    "::7f00:1",
+    "::ffff:0:7f00:1",
 ]
 
 
@@ -115,6 +118,29 @@ def resolving(
 
     monkeypatch.setattr(addresses, "_resolve", resolve)
     return asked
+
+
+@pytest.mark.parametrize(
+    ("host", "connected_to"),
+    [
+        ("1.1.1.1", "1.1.1.1"),
+        ("[2606:4700::1]", "2606:4700::1"),
+        ("2606:4700::1%eth0", "2606:4700::1"),
+        ("127.0.0.1", None),
+        ("::1", None),
+    ],
+)
+def test_an_address_is_judged_without_a_resolver(
+    monkeypatch: pytest.MonkeyPatch, host: str, connected_to: str | None
+) -> None:
+    """Strangers' slow names hold up names alone."""
+    asked = resolving(monkeypatch, ["9.9.9.9"])
+    if connected_to is None:
+        with pytest.raises(NotAllowed):
+            run(Gate().addresses(host, 80))
+    else:
+        assert run(Gate().addresses(host, 80)) == [connected_to]
+    assert asked == []
 
 
 def test_one_private_address_among_public_ones_refuses_the_name(

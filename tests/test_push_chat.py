@@ -43,6 +43,11 @@ NONE = action()
         ("(0.2,0.75)", action(point=(0.2, 0.75))),
         ("[1 0]", action(point=(1, 0))),
         ("Answer: 0.5 0.5.", action(point=(0.5, 0.5))),
+        ("**B**.", action(choice=1)),
+        ("`(c)`.", action(choice=2)),
+        ("Answer: **3**.", action(number=3)),
+        ("**Answer:** 3.", action(number=3)),
+        ("**Answer: `0.2, 0.75.`**", action(point=(0.2, 0.75))),
     ],
 )
 def test_words_are_read(said: str, answer: Any) -> None:
@@ -55,6 +60,7 @@ def test_words_are_read(said: str, answer: Any) -> None:
         *("", " \n ", "I do not know", "A or B", "A B", "AB", "A) left", "B\nor so"),
         *("-3", "three", "1e3", "1234567", "3 cubes", "0x10", "٣", "½", "NaN", "inf"),
         *("0.2; 0.3", "0.2, 0.3, 0.4", "x=0.2, y=0.3", "0.2,", "<think>B"),
+        *("3..", "**B.**.", "**", "*.*"),
         *("Answer:", "Answer: Answer: B", "(B", "B]", "{}", "\x00", "B" * 100_000),
     ],
 )

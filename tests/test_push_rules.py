@@ -10,10 +10,19 @@ from pathlib import Path
 import pytest
 
 from reference_server import progress
-from reference_server.protocol import Accept, Attach, Refuse, decide
+from reference_server.protocol import (
+    Accept,
+    Attach,
+    Command,
+    Detach,
+    Heartbeat,
+    Predict,
+    Refuse,
+    decide,
+)
 from reference_server.run_state import Run, Session, State
 from reference_server.store import Store
-from tests.conftest import NOW, a_run, attached
+from tests.conftest import ACTION, NOW, a_run, attached
 
 PUSH = {"mode": "push", "benchmark_id": "calibration", "policy": {"name": "p"}}
 
@@ -33,6 +42,27 @@ def test_a_run_is_played_by_whom_it_is_for(is_push: bool, by_server: bool) -> No
         assert isinstance(verdict, Refuse)
         assert verdict.code == "illegal_transition"
         assert verdict.members == {"state": "ready"}
+
+
+def of_a_session(by_server: bool) -> list[Command]:
+    return [
+        Predict("w", "session-of-w", 4, [ACTION], by_server=by_server),
+        Heartbeat("w", "session-of-w", by_server),
+        Detach("w", "session-of-w", by_server),
+    ]
+
+
+def test_who_knows_a_session_of_the_server_can_do_nothing_with_it() -> None:
+    """A policy server is told the session; it has not to play it."""
+    run = push_run("running")
+    attached(run)
+    for command in of_a_session(by_server=True):
+        assert decide(run, command, NOW) == Accept()
+    for command in of_a_session(by_server=False):
+        verdict = decide(run, command, NOW)
+        assert isinstance(verdict, Refuse)
+        assert (verdict.code, verdict.requirement) == ("illegal_transition", "PUSH-003")
+        assert verdict.members == {"state": "running"}
 
 
 @pytest.mark.parametrize(
@@ -82,6 +112,12 @@ def test_a_policy_that_cannot_be_called_fails_the_run(state: State) -> None:
     assert (run.state, run.reason, run.retryable) == ("failed", "It is gone.", True)
     assert [e.attempt for e in run.episodes] == [2, 1, 1]
     assert set(run.ended.values()) == {"run_failed"}
+
+
+def test_a_run_fails_for_good_when_no_resume_can_help() -> None:
+    run = push_run()
+    progress.give_up(run, "Its key is lost.", NOW, retryable=False)
+    assert (run.state, run.retryable) == ("failed", False)
 
 
 @pytest.mark.parametrize("state", ["stopped", "failed", "completed"])

@@ -71,7 +71,8 @@ def test_push_002_mode_and_policy_server_belong_together(story: Story) -> None:
 def test_push_003_nobody_else_attaches(story: Story) -> None:
     """A worker wants into a run that the server plays, also by takeover.
 
-    Expect `illegal_transition`, and the run to be completed without it.
+    It then plays, keeps and ends the session that the policy was told of. Expect
+    `illegal_transition`, and the run to be completed without it.
     """
     with policy_server(story) as policy:
         going = _held(policy)
@@ -80,8 +81,20 @@ def test_push_003_nobody_else_attaches(story: Story) -> None:
         for takeover in (False, True):
             refused = run.worker().try_attach(takeover=takeover)
             expect.refused(refused, "illegal_transition")
+        turn = policy.called("predict")[0].body
+        named = {"session_id": turn["session_id"]}
+        play = {"seq": turn["seq"] + 1, "actions": [story.action(score=1, end=1)]}
+        how = {"worker_id": run.worker().id}
+        for answer in (
+            run.call("predict", json=named | play, **how),
+            run.call("heartbeat", json=named, **how),
+            run.call("detach_worker", params=named, **how),
+        ):
+            expect.refused(answer, "illegal_transition")
         going.set()
         ended(run, "completed")
+        scores = [episode["result"]["score"] for episode in run.episodes()]
+        expect.equal(scores, [policy.score] * 2, "scores")
 
 
 @requirement("PUSH-004")

@@ -208,6 +208,8 @@ class Ebench:
         session = run.workers.get(worker_id)
         if session is None:  # these actions were chosen in an episode that is over
             return partial(self._open, run, worker_id)
+        if not session.done:  # nothing is asked of actions that nobody will execute
+            ebench_messages.check_length(chunk.actions, run.manifest, chunk.at)
         digest = chunk.digest()
         command = repeated(session, digest)
         if command is None and session.done and not session.busy:

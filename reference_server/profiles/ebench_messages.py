@@ -15,6 +15,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from reference_server import spaces
 from reference_server.problems import Refused
 
 Values: TypeAlias = dict[str, list[float]]
@@ -58,6 +59,15 @@ def actions(
     return made
 
 
+def check_length(
+    chunk: Sequence[Any], manifest: Mapping[str, Any], at: Sequence[str]
+) -> None:
+    """Refuses a chunk that is too long before work goes into it."""
+    if len(chunk) > manifest["max_chunk"]:
+        [(_, text)] = spaces.misfits(chunk, manifest)
+        raise _misfit(at[0], text)
+
+
 def _before(made: list[Values], last: Last) -> Last:
     """Relative to the action before, which may stand in the same chunk."""
     return (lambda: made[-1]) if made else last
@@ -66,17 +76,17 @@ def _before(made: list[Values], last: Last) -> Last:
 def _lift2(action: dict[str, Any], poses: bool, last: Last, at: str) -> Values:
     wanted = "ee_pose" if poses else "joint_position"
     control = action.get("control_type", wanted)
-    if control != wanted:
+    if type(control) is not str or control != wanted:
         raise _misfit(
             f"{at}/control_type",
             f"is {wanted} on this benchmark; the other one is a benchmark_set of its "
             "own (mobile_bimanual, mobile_bimanual_ee)",
         )
-    if not action.get("base_is_rel", True):
+    if not _flag(action, "base_is_rel", True, at):
         raise _misfit(f"{at}/base_is_rel", "only steps of the base are executed here")
     base = _numbers(action.get("base_motion", [0.0, 0.0, 0.0]), f"{at}/base_motion", 3)
     made: Values = {"base_motion": [base[0], base[1], math.radians(base[2])]}
-    relative = bool(action.get("is_rel", False))
+    relative = _flag(action, "is_rel", False, at)
     if not poses:
         n = _numbers(action["action"], f"{at}/action", 16)
         joints, fingers = n[0:6] + n[8:14], n[6:8] + n[14:16]
@@ -92,6 +102,13 @@ def _lift2(action: dict[str, Any], poses: bool, last: Last, at: str) -> Values:
         made[name] = _moved(n[:7], last()[name]) if relative else n[:7]
         made["gripper"] += n[7:]
     return made
+
+
+def _flag(action: dict[str, Any], name: str, absent: bool, at: str) -> bool:
+    flag = action.get(name, absent)
+    if type(flag) not in (bool, int):
+        raise _misfit(f"{at}/{name}", "is a boolean")
+    return bool(flag)
 
 
 def _plain(action: dict[str, Any], sizes: Mapping[str, int], at: str) -> Values:
@@ -139,7 +156,8 @@ def _moved(delta: Sequence[float], pose: Sequence[float]) -> list[float]:
     norm = dw * dw + dx * dx + dy * dy + dz * dz
     if norm == 0:
         return [math.nan] * 7  # no rotation: refused like any number that is none
-    twice = 2 / norm * np.cross(axis, np.cross(axis, point) + dw * point)
+    with np.errstate(all="ignore"):  # what is not finite any more is refused as well
+        twice = 2 / norm * np.cross(axis, np.cross(axis, point) + dw * point)
     return [*(point + twice + np.array(delta[:3])).tolist(), *turned]
 
 

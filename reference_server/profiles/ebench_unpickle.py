@@ -4,8 +4,8 @@ EBench's client speaks pickle, a language whose programs may call anything. Here
 is called: arguments of opcodes are read by `pickletools`, which runs none, and a
 machine with a stack of its own knows the few that plain data is made of. Numpy's arrays
 and numbers are recognised by the pattern in which numpy writes them and made with
-`frombuffer`; whatever else is named, is refused. Size, depth and number of values are
-bounded, those of what a pickle refers to many times as well.
+`frombuffer`; whatever else is named, is refused. Depth, number of values, text and
+bytes are bounded, and what a pickle refers to many times counts as often.
 
 Knows nothing of requests, and must not import `pickle`.
 """
@@ -23,10 +23,12 @@ from numpy.typing import NDArray
 
 OPCODES_MAX = 400_000
 VALUES_MAX = 400_000
+TEXT_MAX = 2**22  # characters, each as often as it is seen
 DEPTH_MAX = 16
 DIMENSIONS_MAX = 8
 WHOLE_MAX = 2**64
 KEY_MAX = 2**31  # larger numbers as keys could be chosen to collide
+SIDE_MAX = 2**31  # of an array; the product of longer numbers takes long
 
 _DTYPES = {f"{kind}{size}" for kind in "iu" for size in (1, 2, 4, 8)}
 _DTYPES |= {"b1", "f2", "f4", "f8"}
@@ -89,7 +91,7 @@ def read(body: bytes) -> Any:
     """The value in a pickle of any protocol, tuples as lists.
 
     Dicts, lists, strings, numbers, booleans, None and numpy arrays (boolean, integer or
-    floating, in the byte order of this machine). Raises BadPickle and nothing else.
+    floating; in the byte order of this machine). Raises BadPickle and nothing else.
     """
     machine = _Machine(len(body))
     try:
@@ -108,7 +110,7 @@ class _Machine:
         self.stack: list[Any] = []
         self._below: list[list[Any]] = []
         self.memo: dict[int, Any] = {}
-        self._bytes_left = 2 * size  # text may become bytes once, and not over and over
+        self._bytes_left = 2 * size  # text becomes bytes once, and bytes an array once
 
     def run(self, body: bytes) -> Any:
         data = BytesIO(body)
@@ -169,16 +171,34 @@ class _Machine:
         elif isinstance(made, _Array) and made.filled is None:
             version, shape, dtype, is_fortran, data = state
             _need(version == 1, "a strange array")
-            made.filled = _array(data, dtype, shape, "F" if is_fortran else "C")
+            made.filled = self.array(data, dtype, shape, "F" if is_fortran else "C")
         else:
             raise BadPickle("it sets the state of something")
 
     def encoded(self, text: Any, codec: Any) -> bytes:
         _need(isinstance(text, str) and codec == "latin1", "a strange encoding")
-        self._bytes_left -= len(text)
-        _need(self._bytes_left >= 0, "it grows")
+        self._spend(len(text))
         encoded: bytes = text.encode("latin-1")
         return encoded
+
+    def array(self, data: Any, dtype: Any, shape: Any, order: Any) -> NDArray[Any]:
+        """As numpy reads it; charged again for each time that it is made."""
+        _need(isinstance(data, bytes | bytearray), "an array without its bytes")
+        _need(isinstance(dtype, _Dtype), "an array without a dtype")
+        _need(isinstance(shape, tuple) and len(shape) <= DIMENSIONS_MAX, "a bad shape")
+        _need(all(type(n) is int and 0 <= n < SIDE_MAX for n in shape), "a bad shape")
+        _need(order in ("C", "F"), "a strange order")
+        kind = dtype.get()
+        size = math.prod(shape) * kind.itemsize
+        _need(size == len(data), "an array of another size")
+        self._spend(size)
+        array = np.frombuffer(data, kind).reshape(shape, order=order)
+        return array.astype(kind.newbyteorder("="), copy=False)
+
+    def _spend(self, count: int) -> None:
+        """Take from how many bytes may be made of those that came."""
+        self._bytes_left -= count
+        _need(self._bytes_left >= 0, "it grows")
 
 
 def _need(condition: object, otherwise: str) -> None:
@@ -198,27 +218,15 @@ def _reconstruct(_: _Machine, kind: Any, shape: Any, code: Any) -> _Array:
 
 
 def _frombuffer(
-    _: _Machine, data: Any, dtype: Any, shape: Any, order: Any = "C"
+    machine: _Machine, data: Any, dtype: Any, shape: Any, order: Any = "C"
 ) -> _Array:
     array = _Array()
-    array.filled = _array(data, dtype, shape, order)
+    array.filled = machine.array(data, dtype, shape, order)
     return array
 
 
-def _scalar(_: _Machine, dtype: Any, data: Any) -> Any:
-    return _array(data, dtype, (1,), "C").item()
-
-
-def _array(data: Any, dtype: Any, shape: Any, order: Any) -> NDArray[Any]:
-    _need(isinstance(data, bytes | bytearray), "an array without its bytes")
-    _need(isinstance(dtype, _Dtype), "an array without a dtype")
-    _need(isinstance(shape, tuple) and len(shape) <= DIMENSIONS_MAX, "a strange shape")
-    _need(all(type(n) is int and n >= 0 for n in shape), "a strange shape")
-    _need(order in ("C", "F"), "a strange order")
-    kind = dtype.get()
-    _need(math.prod(shape) * kind.itemsize == len(data), "an array of another size")
-    array = np.frombuffer(data, kind).reshape(shape, order=order)
-    return array.astype(kind.newbyteorder("="), copy=False)
+def _scalar(machine: _Machine, dtype: Any, data: Any) -> Any:
+    return machine.array(data, dtype, (1,), "C").item()
 
 
 _CALLS: Mapping[_Name, Callable[..., Any]] = {
@@ -289,6 +297,7 @@ def _set_many(machine: _Machine, _: Any) -> None:
 
 
 def _put(machine: _Machine, index: int) -> None:
+    _need(0 <= index < KEY_MAX, "a strange place to remember it")
     machine.memo[index] = machine.stack[-1]
 
 
@@ -364,10 +373,11 @@ class _Tree:
 
     def __init__(self) -> None:
         self._left = VALUES_MAX
+        self._text_left = TEXT_MAX
 
     def of(self, value: Any, depth: int = 0) -> Any:
         array = value.filled if isinstance(value, _Array) else None
-        self._left -= 1 if array is None else array.size
+        self._left -= 1 if array is None else max(array.size, 1)
         _need(self._left >= 0, f"more than {VALUES_MAX} values")
         _need(depth <= DEPTH_MAX, "it is nested too deeply, or in itself")
         if array is not None:
@@ -380,6 +390,8 @@ class _Tree:
                 for key, item in value.items()
             }
         if type(value) is str:
+            self._text_left -= len(value)
+            _need(self._text_left >= 0, f"more than {TEXT_MAX} characters of text")
             value.encode()  # a lone surrogate is no text
             return value
         plain = value is None or type(value) in (bool, int, float)

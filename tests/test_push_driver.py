@@ -1,0 +1,299 @@
+"""The driver without a network: how long its workers wait, what it does when the store
+fails, and that no part of a key is in what a policy server made it say.
+"""
+
+import asyncio
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from conformance.policy.scripted import Call, Reply, ScriptedPolicy
+from reference_server import models
+from reference_server.problems import PROBLEM_JSON, Refused
+from reference_server.protocol import Attach
+from reference_server.push import driver
+from reference_server.push.addresses import Gate
+from reference_server.push.calls import Bounds, Calls, Pauses, PolicyFault
+from reference_server.push.driver import Driver
+from reference_server.push.orders import Order
+from reference_server.push.policy import Description, ProctorPolicy, misfit
+from reference_server.push.protocols import PROTOCOLS
+from reference_server.push.seal import Sealer
+from reference_server.run_state import Run
+from reference_server.store import StoreFailed
+from reference_sim.runners.local import NoCapacity, SimulatorPool
+from tests import parts as rest
+from tests.parts import Parts, calibration, refusal, tell
+
+ORDER = {"url": "http://127.0.0.1:9", "protocol": "proctor", "max_concurrent": 1}
+
+
+class Scripted:
+    """A policy that goes wrong as often as `faults` says, and then plays."""
+
+    def __init__(self, faults: int = 0) -> None:
+        self.faults = faults
+
+    def __call__(self, *_: Any) -> "Scripted":
+        return self
+
+    async def describe(self) -> Description:
+        return Description(1)
+
+    async def reset(self, _turn: Any) -> None:
+        """There is nothing to forget."""
+
+    async def predict(self, turn: Any) -> models.Predict:
+        if self.faults:
+            self.faults -= 1
+            raise PolicyFault("It said nonsense.")
+        command = rest.predict(turn, end=1)
+        return models.Predict(
+            session_id=command.session_id,
+            seq=command.seq,
+            actions=[models.Action(values=dict(command.actions[0]))],
+        )
+
+
+def push_run() -> Run:
+    run = calibration("score")
+    run.submission = {**run.submission, "mode": "push", "policy_server": ORDER}
+    return run
+
+
+def driving(parts: Parts) -> Driver:
+    return Driver(parts.book, parts.stage, Gate("all"), Sealer(), 65536)
+
+
+async def completed(parts: Parts) -> Run:
+    while True:
+        news, run = parts.book.news("run_1"), await parts.book.get("run_1")
+        if run.state in ("completed", "failed"):
+            assert run.state == "completed", run.reason
+            return run
+        await parts.book.changed(news, 10)
+
+
+@pytest.fixture
+def pauses(monkeypatch: pytest.MonkeyPatch) -> list[float]:
+    """How long workers wanted to pause; none of them does."""
+    asked: list[float] = []
+    right = Pauses.next_s
+
+    def next_s(self: Pauses) -> float:
+        asked.append(right(self))
+        return 0.0
+
+    monkeypatch.setattr(Pauses, "next_s", next_s)
+    return asked
+
+
+def grow(asked: list[float], *due: float) -> bool:
+    return len(asked) == len(due) and all(
+        0.79 * d <= a <= 1.21 * d for a, d in zip(asked, due, strict=True)
+    )
+
+
+def test_a_worker_waits_ever_longer_for_a_simulator(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, pauses: list[float]
+) -> None:
+    """And begins anew with short pauses after a turn."""
+    monkeypatch.setitem(PROTOCOLS, "proctor", Scripted())
+    right, refused = SimulatorPool.acquire, 7
+
+    async def acquire(self: SimulatorPool, *given: Any, **named: Any) -> Any:
+        if len(pauses) < refused:
+            raise NoCapacity("All simulators are busy.")
+        return await right(self, *given, **named)
+
+    monkeypatch.setattr(SimulatorPool, "acquire", acquire)
+
+    async def story(parts: Parts) -> None:
+        playing = driving(parts)
+        await parts.book.add(push_run(), None, "")
+        run = await completed(parts)
+        assert [e.attempt for e in run.episodes] == [1]
+        await playing.close()
+
+    tell(tmp_path, story)
+    assert grow(pauses, 0.2, 0.4, 0.8, 1.6, 3.2, 5.0, 5.0), pauses
+
+
+def test_a_worker_pauses_after_a_fault_of_its_policy(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, pauses: list[float]
+) -> None:
+    monkeypatch.setitem(PROTOCOLS, "proctor", Scripted(faults=2))
+
+    async def story(parts: Parts) -> None:
+        playing = driving(parts)
+        await parts.book.add(push_run(), None, "")
+        await completed(parts)
+        await playing.close()
+
+    tell(tmp_path, story)
+    assert grow(pauses, 0.2, 0.4), pauses
+
+
+def test_pauses_begin_anew() -> None:
+    one = Pauses(0.2, 5.0)
+    assert grow([one.next_s(), one.next_s()], 0.2, 0.4)
+    one.begin()
+    assert grow([one.next_s()], 0.2)
+
+
+def test_a_session_without_a_simulator_is_not_stored(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nothing of the run has changed that the store has; who waits is told."""
+
+    async def acquire(*_: Any, **__: Any) -> Any:
+        raise NoCapacity("All simulators are busy.")
+
+    monkeypatch.setattr(SimulatorPool, "acquire", acquire)
+
+    async def story(parts: Parts) -> None:
+        run = await parts.book.add(calibration("score"), None, "")
+        assert await parts.book.is_stored(run)
+        saved: list[str] = []
+
+        async def save(run: Run) -> None:
+            saved.append(run.state)
+
+        monkeypatch.setattr(parts.store, "save", save)
+        with refusal("no_capacity"):
+            await parts.stage.attach(run, Attach("w", "key"))
+        await parts.book.close()
+        assert (run.state, run.workers, saved) == ("ready", {}, [])
+
+    tell(tmp_path, story)
+
+
+def test_a_run_that_could_not_be_loaded_is_looked_at_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """PUSH-017: nobody asks for it meanwhile."""
+    monkeypatch.setitem(PROTOCOLS, "proctor", Scripted())
+    monkeypatch.setattr(driver, "RELOAD_S", 0.001, raising=False)
+
+    async def before(parts: Parts) -> None:
+        await parts.book.add(push_run(), None, "")
+
+    async def story(parts: Parts) -> None:
+        right, failed, scored = parts.store.load, 0, asyncio.Event()
+
+        async def load(run_id: str) -> Run | None:
+            nonlocal failed
+            failed += 1
+            if failed <= 3:
+                raise StoreFailed("The disk is away.")
+            run = await right(run_id)
+            scored.set()
+            return run
+
+        monkeypatch.setattr(parts.store, "load", load)
+        playing = driving(parts)
+        playing.open()
+        await asyncio.wait_for(scored.wait(), 5)
+        await completed(parts)
+        await playing.close()
+
+    tell(tmp_path, before, story)
+
+
+# --- keys ---
+
+LONG_KEY = "sk-" + "0123456789" * 4
+SLASHED = "ab/cd~ef/gh"
+
+
+@pytest.fixture
+def policy() -> Iterator[ScriptedPolicy]:
+    with ScriptedPolicy() as server:
+        yield server
+
+
+def told(policy: ScriptedPolicy, key: str, operation: str = "describe") -> str:
+    """What a run's submitter is told when the policy server is asked."""
+
+    async def ask() -> Any:
+        bounds = Bounds(2.0, 1, 0, 65536)
+        async with Calls(policy.url, Gate("all"), bounds, key) as calls:
+            run = push_run()
+            asked = ProctorPolicy(run, Order.of(run), calls)
+            if operation == "describe":
+                return await asked.describe()
+            return await asked.predict({"session_id": "s", "seq": 0, "episode": {}})
+
+    with pytest.raises(PolicyFault) as caught:
+        asyncio.run(ask())
+    return str(caught.value)
+
+
+@pytest.mark.parametrize("before", [0, 150, 170, 190, 199])
+def test_no_part_of_a_key_is_told_where_a_text_is_cut(
+    policy: ScriptedPolicy, before: int
+) -> None:
+    problem = {"detail": "x" * before + LONG_KEY}
+    reply = Reply(problem, 401, {"Content-Type": PROBLEM_JSON})
+    policy.on("describe_policy", lambda _: reply)
+    text = told(policy, LONG_KEY)
+    assert "status 401" in text
+    assert LONG_KEY[:4] not in text
+
+
+def test_a_key_in_a_media_type_is_not_told(policy: ScriptedPolicy) -> None:
+    named = {"Content-Type": "text/" + "x" * 40 + LONG_KEY.upper()}
+    policy.on("describe_policy", lambda _: Reply(b"", 200, named))
+    text = told(policy, LONG_KEY.upper())
+    assert "answered with text/xx" in text
+    assert LONG_KEY[:4] not in text.lower()
+
+
+@pytest.mark.parametrize("length", [0, 440, 460, 480])
+def test_a_key_as_a_name_is_not_told(policy: ScriptedPolicy, length: int) -> None:
+    """A JSON pointer writes a slash otherwise, and long lists are cut."""
+
+    def wrong(call: Call) -> Reply:
+        right: dict[str, Any] = dict(policy.played(call).body)
+        return Reply(right | {"x" * length + SLASHED: 1})
+
+    policy.on("predict", wrong)
+    text = told(policy, SLASHED, "predict")
+    assert "was refused" in text
+    assert "ab~1" not in text
+    assert SLASHED[:3] not in text
+
+
+def test_a_key_as_a_name_that_a_benchmark_refuses_is_not_told() -> None:
+    calls = Calls("http://x", Gate(), Bounds(1.0, 1, 0, 1), SLASHED)
+    at = "/actions/0/values/ab~1cd~0ef~1gh"
+    refused = Refused("invalid_request", "No.", errors=[(at, "is no name")])
+    assert str(misfit(refused, calls)) == (
+        "The policy's answer to predict was refused: "
+        "/actions/0/values/(its API key) is no name."
+    )
+
+
+def test_a_key_among_the_assumptions_is_not_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Assuming(Scripted):
+        async def describe(self) -> Description:
+            return Description(1, {"action": {SLASHED: {"size": 1}}})
+
+    monkeypatch.setitem(PROTOCOLS, "proctor", Assuming())
+
+    async def story(parts: Parts) -> None:
+        sealer = Sealer()
+        playing = Driver(parts.book, parts.stage, Gate("all"), sealer, 65536)
+        run = push_run()
+        asked = ORDER | {"sealed_key": sealer.seal(SLASHED)}
+        run.submission = {**run.submission, "policy_server": asked}
+        await parts.book.add(run, None, "")
+        with pytest.raises(AssertionError, match=r"/assumes/action/\(its API key\)"):
+            await completed(parts)
+        await playing.close()
+
+    tell(tmp_path, story)
