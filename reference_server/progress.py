@@ -91,8 +91,12 @@ def begin_turn(session: Session, command: Predict, now: float) -> None:
 
 
 def await_hearing(session: Session, command: Predict, asked: str) -> None:
-    """A client that counts no turns asked for this one; see `protocol.repeated`."""
-    session.unheard = (command.seq, asked)
+    """A client that counts no turns asked for this one; see `protocol.repeated`.
+
+    While a turn is played, its own answer is the one that may be lost.
+    """
+    if not session.busy or command.seq == session.seq:
+        session.unheard = (command.seq, asked)
 
 
 def heard(session: Session, seq: int) -> None:

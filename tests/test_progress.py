@@ -144,6 +144,15 @@ def test_a_turn_is_unheard_until_its_own_answer_has_left() -> None:
     assert session.unheard is None
 
 
+def test_a_turn_in_play_stays_the_one_that_is_awaited() -> None:
+    session = opened(a_run())
+    first, next_ = (Predict("w", "s", seq, [ACTION]) for seq in (1, 2))
+    progress.await_hearing(session, first, "first")
+    progress.begin_turn(session, first, 0.0)
+    progress.await_hearing(session, next_, "next")
+    assert session.unheard == (1, "first")
+
+
 # --- episodes ---
 
 
