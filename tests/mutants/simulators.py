@@ -219,7 +219,7 @@ def scores_more_than_one() -> None:
         put(module, "result_view", wrong)
 
 
-@mutant("CAL-002", "SCORE-006", "SCORE-011")
+@mutant("CAL-002", "CMP-004", "CMP-005", "CMP-008", "SCORE-006", "SCORE-011")
 def scores_the_best_and_not_the_last_value() -> None:
     """The task `score` cannot be used to judge aggregation."""
 
