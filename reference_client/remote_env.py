@@ -24,6 +24,7 @@ from pydantic_core import to_jsonable_python
 
 from reference_client import spaces
 from reference_client.connection import Connection
+from reference_client.data_plane import DataPlane
 from reference_client.errors import ProctorError
 from reference_client.heartbeat import Heart
 from reference_client.messages import Turn
@@ -93,6 +94,7 @@ class RemoteEnv(gymnasium.Env[spaces.Seen, dict[str, Any]]):
         self._closing = contextlib.ExitStack()
         self._attached = contextlib.ExitStack()  # the session and its heart
         self._session: Session | None = None
+        self._planes: dict[str, DataPlane] = {}  # by endpoint
         self._run: Run | None = None
         self._seen: Observation | None = None
         self._in_episode = False
@@ -229,7 +231,9 @@ class RemoteEnv(gymnasium.Env[spaces.Seen, dict[str, Any]]):
                 raise RunDone(self._run.run_id)
 
     def _attach(self, run: Run) -> None:
-        seat = Seat(self._connection.data(run.endpoint), run, self._worker_id)
+        if run.endpoint not in self._planes:  # one for all sessions and runs there
+            self._planes[run.endpoint] = self._connection.data(run.endpoint)
+        seat = Seat(self._planes[run.endpoint], run, self._worker_id)
         session = Session.attach(
             seat, self._patience, takeover=self._takeover, assumes=self._assumes
         )

@@ -163,6 +163,19 @@ def test_a_reset_before_the_end_costs_an_attempt(house: House) -> None:
     env.close()
 
 
+def test_sessions_share_one_connection() -> None:
+    env = remote("count", "count")
+    sessions = set()
+    for _ in range(3):
+        env.reset()
+        env.step(action())
+        assert env._session is not None
+        sessions.add(env._session.turn.session_id)
+    assert len(sessions) == 3
+    assert len(env._connection._planes) == 1
+    env.close()
+
+
 def test_a_lost_session_truncates_and_the_episode_comes_again(house: House) -> None:
     """Another program takes the worker over and leaves. Expect to be told why."""
     env = remote("count")
