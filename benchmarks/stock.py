@@ -21,13 +21,13 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
+from benchmarks import rounds
+from benchmarks.contenders.ours_client import TOKEN
 from reference_server.benchmarks import digest
 from reference_server.run_state import Episode, Outcome, Result, Run, State
 from reference_server.store import Store
 from reference_sim import catalog
 
-ROOT = Path(__file__).resolve().parent.parent
-TOKEN = "growth"  # noqa: S105 - opens nothing but this server
 HEADERS = {"Authorization": f"Bearer {TOKEN}", "Content-Type": "application/json"}
 FIRST_FINISHED, FIRST_READY = 10, 10**6
 READY_RUNS = 120
@@ -157,7 +157,7 @@ class House:
         }
         self.process = subprocess.Popen(
             [sys.executable, "-m", "reference_server"],
-            cwd=ROOT,
+            cwd=rounds.ROOT,
             env=os.environ | chosen | settings,
             stdout=subprocess.PIPE,
             text=True,
@@ -183,9 +183,7 @@ class House:
         return int(line.split()[1]) / 1024
 
     def cpu_s(self) -> float:
-        stat = Path(f"/proc/{self.process.pid}/stat").read_text()
-        spent = stat.rpartition(")")[2].split()[11:13]
-        return sum(map(int, spent)) / os.sysconf("SC_CLK_TCK")
+        return rounds.cpu_s(self.process.pid)
 
     def written_bytes(self) -> int:
         counts = Path(f"/proc/{self.process.pid}/io").read_text().splitlines()

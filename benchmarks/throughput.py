@@ -10,25 +10,22 @@ costs is its own affair, what a client costs is counted.
 
 from __future__ import annotations
 
-import contextlib
 import itertools
 import multiprocessing
 import os
 import statistics
-import subprocess
-import sys
 import tempfile
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from benchmarks import page
-from benchmarks.contenders.ours_client import TOKEN, Connection
+from benchmarks.contenders.ours_client import Connection
 from benchmarks.results import Json
-from benchmarks.rounds import ROOT
+from benchmarks.stock import house
 
 ACTIONS: dict[str, dict[str, list[float]]] = {
     "tabletop_state": {
@@ -64,7 +61,11 @@ def measure(trying: bool, say: Callable[[str], None]) -> Json:
     """The section. trying: once each, and short."""
     os.environ["OPENBLAS_NUM_THREADS"] = "1"  # processes are the parallelism
     seconds, rounds = (SECONDS_TRIED, 1) if trying else (SECONDS, ROUNDS)
-    with _server() as url:
+    with (
+        tempfile.TemporaryDirectory() as scratch,
+        house(Path(scratch, "bench.sqlite")) as server,
+    ):
+        url = f"http://{server.netloc}"
         rows = [_row(case, url, seconds, rounds, say) for case in CASES]
     return {"seconds": seconds, "rounds": rounds, "rows": rows}
 
@@ -193,29 +194,6 @@ def protocol(case: Case, url: str, seconds: float) -> float:
     for one in crew:
         one.close()
     return total
-
-
-@contextlib.contextmanager
-def _server() -> Iterator[str]:
-    with tempfile.TemporaryDirectory() as scratch:
-        settings = {
-            "PROCTOR_PORT": "0",
-            "PROCTOR_TOKENS": f"bench:read+run:{TOKEN}",
-            "PROCTOR_DATABASE": str(Path(scratch, "bench.sqlite")),
-        }
-        server = subprocess.Popen(
-            [sys.executable, "-m", "reference_server"],
-            cwd=ROOT,
-            env={**os.environ, **settings},
-            stdout=subprocess.PIPE,
-            text=True,
-        )
-        try:
-            assert server.stdout is not None
-            yield server.stdout.readline().split()[-1]
-        finally:
-            server.terminate()
-            server.communicate()
 
 
 def tables(section: Json) -> str:

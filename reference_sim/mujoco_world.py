@@ -319,11 +319,6 @@ class World:
         return self._addresses[joints]
 
 
-def preload() -> None:
-    """Imports mujoco now, for a process whose forks are each to save that time."""
-    _mujoco()
-
-
 @cache
 def _mujoco() -> Any:
     """mujoco, imported without loading any graphics library."""

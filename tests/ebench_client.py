@@ -1,22 +1,41 @@
 """A client of EBench's wire, as facts about it say: it pickles with `pickle`.
 
 For tests only: it unpickles what our own server wrote. It keeps no state but its names.
+The server of most of these tests is here too.
 """
 
 from __future__ import annotations
 
 import base64
 import pickle
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import httpx
 import numpy as np
+import pytest
+
+from tests.conftest import House
 
 Json = dict[str, Any]
 CONTROL = "/api/v1/benchmark/onlineEvaluation"
 PICKLED = {"Content-Type": "application/octet-stream"}
+
+
+@pytest.fixture(scope="module")
+def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
+    one = House(tmp_path_factory.mktemp("house"), PROCTOR_PROFILES="ebench")
+    try:
+        yield one
+    finally:
+        one.end()
+
+
+@pytest.fixture
+def http(house: House) -> Iterator[httpx.Client]:
+    with house.client() as client:
+        yield client
 
 
 @dataclass

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import signal
 import time
 from collections.abc import Iterator
 from typing import Any
@@ -12,7 +11,7 @@ import pytest
 
 from conformance.policy.chat import ScriptedChat
 from tests.conftest import PATIENCE_S, House
-from tests.push_parts import LOOPBACK
+from tests.push_parts import calling
 
 KEY = "sk-this-is-nobodys-business"
 TASKS = {"score": 4, "count": 2}
@@ -21,12 +20,9 @@ TASKS = {"score": 4, "count": 2}
 @pytest.fixture(scope="module")
 def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
     path = tmp_path_factory.mktemp("flageval")
-    server = House(path, **LOOPBACK, PROCTOR_PROFILES="flageval")
-    yield server
-    server.end(signal.SIGKILL)
-    assert "Traceback" not in server.log()
+    yield from calling(path, PROCTOR_PROFILES="flageval")
     kept = [p.read_bytes() for p in path.rglob("*") if p.is_file()]
-    assert KEY.encode() not in b"".join([*kept, server.log().encode()])
+    assert KEY.encode() not in b"".join(kept)
 
 
 @pytest.fixture

@@ -5,10 +5,12 @@ comes from a bare socket.
 """
 
 import contextlib
+import signal
 import socket
 import threading
 import time
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import httpx
@@ -18,6 +20,14 @@ from tests.conftest import PATIENCE_S, House
 ENDED = ("completed", "failed", "stopped")
 LOOPBACK = {"PROCTOR_ALLOW_PRIVATE_POLICIES": "127.0.0.0/8"}
 HEAD = b"HTTP/1.1 200 OK\r\nContent-Type: application/json\r\n"
+
+
+def calling(path: Path, **settings: str) -> Iterator[House]:
+    """A server that may call policies on this machine; nothing in it may go wrong."""
+    server = House(path, **LOOPBACK, **settings)
+    yield server
+    server.end(signal.SIGKILL)
+    assert "Traceback" not in server.log()
 
 
 def submission(url: str, *tasks: str, **members: Any) -> dict[str, Any]:

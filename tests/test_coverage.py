@@ -19,7 +19,11 @@ ROOT = Path(__file__).resolve().parent.parent
 OWN_TESTS = {
     "reference_server/comparison.py": ("test_comparison.py",),
     "reference_server/problems.py": ("test_problems.py",),
-    "reference_server/progress.py": ("test_progress.py", "test_push_rules.py"),
+    "reference_server/progress.py": (
+        "test_progress.py",
+        "test_progress_in_any_order.py",
+        "test_push_rules.py",
+    ),
     "reference_server/protocol.py": ("test_protocol.py", "test_push_rules.py"),
     "reference_server/profiles/ebench_unpickle.py": ("test_ebench_unpickle.py",),
     "reference_server/scoring.py": ("test_scoring.py",),

@@ -27,26 +27,15 @@ from tests.ebench_client import (
     Json,
     action,
     count,
+    house,
+    http,
     native,
     opened,
     pickled,
     run_of,
 )
 
-
-@pytest.fixture(scope="module")
-def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
-    one = House(tmp_path_factory.mktemp("house"), PROCTOR_PROFILES="ebench")
-    try:
-        yield one
-    finally:
-        one.end()
-
-
-@pytest.fixture
-def http(house: House) -> Iterator[httpx.Client]:
-    with house.client() as client:
-        yield client
+__all__ = ["house", "http"]
 
 
 @pytest.fixture(scope="module")

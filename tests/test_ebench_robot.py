@@ -3,32 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 
 import httpx
 import numpy as np
 import pytest
 
 from reference_sim.mobile_bimanual.experts import MobileBimanualExpert
-from tests.conftest import House
-from tests.ebench_client import EbenchClient, Json, episodes_of
+from tests.ebench_client import EbenchClient, Json, episodes_of, house, http
+
+__all__ = ["house", "http"]
 
 LIFT2 = [0.0, 0.25, 1.6, 1.2, 0.0, 0.0, 0.04, 0.04] * 2
-
-
-@pytest.fixture(scope="module")
-def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
-    one = House(tmp_path_factory.mktemp("house"), PROCTOR_PROFILES="ebench")
-    try:
-        yield one
-    finally:
-        one.end()
-
-
-@pytest.fixture
-def http(house: House) -> Iterator[httpx.Client]:
-    with house.client() as client:
-        yield client
 
 
 def test_the_robot_is_played_by_its_own_numbers(http: httpx.Client) -> None:

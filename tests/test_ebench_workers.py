@@ -5,7 +5,6 @@ from __future__ import annotations
 import signal
 import socket
 import time
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -20,26 +19,15 @@ from tests.ebench_client import (
     action,
     count,
     episodes_of,
+    house,
+    http,
     native,
     opened,
     pickled,
     run_of,
 )
 
-
-@pytest.fixture(scope="module")
-def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
-    one = House(tmp_path_factory.mktemp("house"), PROCTOR_PROFILES="ebench")
-    try:
-        yield one
-    finally:
-        one.end()
-
-
-@pytest.fixture
-def http(house: House) -> Iterator[httpx.Client]:
-    with house.client() as client:
-        yield client
+__all__ = ["house", "http"]
 
 
 # --- workers ---

@@ -20,6 +20,7 @@ from reference_server.messages import validate
 from tests.conftest import PATIENCE_S, House
 from tests.push_parts import (
     LOOPBACK,
+    calling,
     episodes,
     played,
     submission,
@@ -30,11 +31,7 @@ from tests.push_parts import (
 
 @pytest.fixture(scope="module")
 def pushing(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
-    """A server that may call policies on this machine."""
-    server = House(tmp_path_factory.mktemp("pushing"), **LOOPBACK)
-    yield server
-    server.end(signal.SIGKILL)
-    assert "Traceback" not in server.log()
+    yield from calling(tmp_path_factory.mktemp("pushing"))
 
 
 @pytest.fixture

@@ -2,7 +2,6 @@
 
 import base64
 import io
-import signal
 import threading
 from collections.abc import Iterator
 from typing import Any, cast
@@ -17,7 +16,7 @@ from reference_sim import catalog
 from reference_sim.question_answering.questions import action, draw
 from reference_sim.tabletop.scene import TabletopScene
 from tests.conftest import House, a_run
-from tests.push_parts import LOOPBACK, episodes, submission, until
+from tests.push_parts import calling, episodes, submission, until
 
 NONE = action()
 
@@ -90,10 +89,7 @@ def test_what_no_item_has_is_no_answer(said: str, answer: Any) -> None:
 
 @pytest.fixture(scope="module")
 def pushing(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
-    server = House(tmp_path_factory.mktemp("chat"), **LOOPBACK)
-    yield server
-    server.end(signal.SIGKILL)
-    assert "Traceback" not in server.log()
+    yield from calling(tmp_path_factory.mktemp("chat"))
 
 
 @pytest.fixture

@@ -4,7 +4,6 @@ reason that the submitter can read, nothing of it is executed, and nothing hangs
 
 import itertools
 import re
-import signal
 import socket
 import threading
 import time
@@ -17,7 +16,7 @@ from conformance.policy.scripted import Call, Reply, ScriptedPolicy, busy
 from conformance.story import Story
 from tests import push_parts
 from tests.conftest import House
-from tests.push_parts import LOOPBACK, bare_server, played
+from tests.push_parts import bare_server, calling, played
 
 TIMEOUT_S = 0.5
 # Of a fault: so often it may happen in a row before the run fails, and once more.
@@ -26,13 +25,8 @@ LONGEST_S = 10.0
 
 @pytest.fixture(scope="module")
 def pushing(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
-    """A server that may call policies on this machine."""
-    server = House(
-        tmp_path_factory.mktemp("pushing"), PROCTOR_MAX_BODY_BYTES="65536", **LOOPBACK
-    )
-    yield server
-    server.end(signal.SIGKILL)
-    assert "Traceback" not in server.log()
+    path = tmp_path_factory.mktemp("pushing")
+    yield from calling(path, PROCTOR_MAX_BODY_BYTES="65536")
 
 
 @pytest.fixture

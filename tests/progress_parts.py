@@ -1,0 +1,39 @@
+"""What the tests of `progress` do over and over: open a session, play a turn."""
+
+from collections.abc import Callable
+from typing import Any
+
+from hypothesis import strategies as st
+
+from reference_server import progress, run_state
+from reference_server.progress import Outcome
+from reference_server.protocol import (
+    Attach,
+    Predict,
+)
+from reference_server.run_state import Run, Session
+from tests.conftest import ACTION, NOW
+
+WALL = 5000.0
+Draw = Callable[[st.SearchStrategy[Any]], Any]
+
+
+def played(executed: int = 1, *, ended: bool = False, **changes: Any) -> Outcome:
+    facts = {"terminated": ended, "truncated": False, "success": False, "score": 0.5}
+    return Outcome(executed, ended, **facts | changes)
+
+
+def opened(run: Run, worker_id: str = "w", now: float = NOW) -> Session:
+    session = progress.open_session(run, Attach(worker_id, "key"), "s", now)
+    progress.answer(session, {"seq": 0}, now)
+    return session
+
+
+def play(
+    run: Run, session: Session, outcome: Outcome, now: float = NOW
+) -> run_state.Episode | None:
+    command = Predict(session.worker_id, session.session_id, session.seq + 1, [ACTION])
+    progress.begin_turn(session, command, now)
+    ended = progress.end_turn(run, session, outcome, WALL)
+    progress.answer(session, {"seq": session.seq}, now)
+    return ended
