@@ -4,8 +4,8 @@ The same control steps are played in bare Python loops, one process each, and th
 whole reference server with as many workers, in turn (A B A B …) on the same cores.
 Sessions, exactly-once, scoring and the store are at work as always.
 
-A client here is a thread with one kept connection, MessagePack both ways: what a policy
-costs is its own affair, what a client costs is counted.
+A client here is a thread with the data plane of `reference_client`: what a policy costs
+is its own affair, what a client costs is counted.
 """
 
 from __future__ import annotations
@@ -17,15 +17,19 @@ import statistics
 import tempfile
 import threading
 import time
+import uuid
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from proctor_client import AttachWorker, PolicyInfo, StopRun, SubmitRun
+
 from benchmarks import page
-from benchmarks.contenders.ours_client import Connection
+from benchmarks.contenders.ours_client import TOKEN
 from benchmarks.results import Json
 from benchmarks.stock import house
+from reference_client.connection import Connection
 
 ACTIONS: dict[str, dict[str, list[float]]] = {
     "tabletop_state": {
@@ -149,12 +153,14 @@ class Worker:
 
     def __init__(self, case: Case, url: str, run_id: str, number: int) -> None:
         self._case = case
-        self._connection = Connection(url, "msgpack")
+        self._connection = Connection(url, TOKEN, requests=1)
+        self._plane = self._connection.data(url)
         self._attach(run_id, f"w{number}")
 
     def _attach(self, run_id: str, worker_id: str) -> None:
-        self._predict, turn = self._connection.attach(run_id, worker_id)
-        self._session_id, self._seq = turn.session_id, turn.seq
+        self._run_id, self._worker_id = run_id, worker_id
+        request = AttachWorker(attach_key=uuid.uuid4().hex)
+        self._turn = self._plane.attach_worker(run_id, worker_id, request)
 
     def play(self, seconds: float, together: threading.Barrier) -> float:
         """Returns steps per second."""
@@ -163,36 +169,43 @@ class Worker:
         together.wait()
         began = time.monotonic()
         while time.monotonic() < began + seconds:
-            self._seq += 1
-            body = {
-                "session_id": self._session_id,
-                "seq": self._seq,
-                "actions": actions,
-            }
-            turn = self._connection.turn("POST", self._predict, body)
-            steps += turn.executed_steps
-            if turn.done:
+            before = self._turn
+            self._turn = self._plane.predict(
+                self._run_id,
+                self._worker_id,
+                before.session_id,
+                before.seq + 1,
+                actions,
+            )
+            steps += self._turn.executed_steps
+            if self._turn.done:
                 benchmark_id = self._case.benchmark
-                self._attach(self._connection.submit(benchmark_id=benchmark_id), "w")
+                self._attach(submitted(self._connection, benchmark_id, 1), "w")
         return steps / (time.monotonic() - began)
 
     def close(self) -> None:
         self._connection.close()
 
 
+def submitted(connection: Connection, benchmark_id: str, workers: int) -> str:
+    """The id of a new run."""
+    policy = PolicyInfo(name="benchmarks")
+    asked = SubmitRun(benchmark_id=benchmark_id, policy=policy, max_workers=workers)
+    return connection.control.submit_run(asked).run_id
+
+
 def protocol(case: Case, url: str, seconds: float) -> float:
     """Control steps per second of all workers together."""
-    control = Connection(url, "json")
-    run_id = control.submit(benchmark_id=case.benchmark, max_workers=case.workers)
-    crew = [Worker(case, url, run_id, number) for number in range(case.workers)]
-    together = threading.Barrier(case.workers)
-    with ThreadPoolExecutor(case.workers) as threads:
-        plays = [threads.submit(one.play, seconds, together) for one in crew]
-        total = sum(play.result() for play in plays)
-    control.stop(run_id)
-    control.close()
-    for one in crew:
-        one.close()
+    with Connection(url, TOKEN, requests=1) as connection:
+        run_id = submitted(connection, case.benchmark, case.workers)
+        crew = [Worker(case, url, run_id, number) for number in range(case.workers)]
+        together = threading.Barrier(case.workers)
+        with ThreadPoolExecutor(case.workers) as threads:
+            plays = [threads.submit(one.play, seconds, together) for one in crew]
+            total = sum(play.result() for play in plays)
+        connection.control.stop_run(run_id, StopRun())
+        for one in crew:
+            one.close()
     return total
 
 

@@ -10,10 +10,9 @@ ask again is decided in `patience.py`.
 from __future__ import annotations
 
 import contextlib
-import http.client
-import ssl
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from typing import Any
 from urllib.parse import quote, urlsplit
 
@@ -25,8 +24,9 @@ from proctor_client import (
     DataApi,
     Problem,
 )
-from urllib3.util.wait import wait_for_read
+from urllib3 import HTTPHeaderDict
 
+from reference_client.exchange import Answer, Exchange
 from reference_client.messages import Turn
 
 JSON, MSGPACK = "application/json", "application/msgpack"
@@ -47,25 +47,26 @@ class DataPlane:
     client: the generated client of this endpoint, for all that is not a turn.
     timeouts_s: to connect, and between two pieces of an answer.
 
-    `attach_worker` and `predict` raise ApiException for refusals, OSError and
-    http.client.HTTPException for silence, msgspec.MsgspecError and ValueError for
-    answers that break the schema.
+    `attach_worker` and `predict` raise ApiException for refusals, OSError for silence,
+    msgspec.MsgspecError and ValueError for answers that break the schema.
     """
 
     def __init__(
         self,
         endpoint: str,
         client: ApiClient,
-        headers: dict[str, str],
+        headers: Mapping[str, str],
         timeouts_s: tuple[float, float],
     ) -> None:
         parts = urlsplit(endpoint)
         self._base = parts.path.rstrip("/")
-        self._headers = headers
-        self._timeouts_s = timeouts_s
+        if any(set("\r\n\0") & set(value) for value in headers.values()):
+            raise ValueError("a header holds a line break; is the token one line?")
+        lines = {"Host": parts.netloc.rpartition("@")[2], **headers, "Accept": _EITHER}
+        self._lines = "".join(f"{name}: {value}\r\n" for name, value in lines.items())
         self._media_type = JSON
         self._rooms: deque[bytearray] = deque(maxlen=_ROOMS)
-        self.connection = _connection(parts.scheme, parts.netloc, timeouts_s[0])
+        self.exchange = Exchange(endpoint, timeouts_s, self._room)
         api = DataApi(client)
         self.heartbeat, self.detach_worker = api.heartbeat, api.detach_worker
 
@@ -88,49 +89,24 @@ class DataPlane:
         return self._ask("POST", f"{_path(run_id, worker_id)}/predict", body)
 
     def close(self) -> None:
-        self.connection.close()
+        self.exchange.close()
 
     def _ask(self, method: str, path: str, body: Any) -> Turn:
-        connection = self.connection
-        try:
-            # Nothing was asked: what can be read is the end of it.
-            if connection.sock is not None and wait_for_read(connection.sock, 0.0):
-                connection.close()
-            types = {"Content-Type": self._media_type, "Accept": _EITHER}
-            encoded = _ENCODERS[self._media_type](body)
-            connection.request(
-                method, self._base + path, encoded, self._headers | types
-            )
-            assert connection.sock is not None
-            connection.sock.settimeout(self._timeouts_s[1])
-            return self._answer(connection.getresponse())
-        except ApiException:
-            raise
-        except BaseException:
-            connection.close()  # what comes on it next would answer no question
-            raise
-
-    def _answer(self, response: http.client.HTTPResponse) -> Turn:
-        told = response.headers.get("Content-Type", "").partition(";")[0].strip()
-        if response.status != 200:
-            raise _refusal(response)
+        encoded = _ENCODERS[self._media_type](body)
+        head = (
+            f"{method} {self._base}{path} HTTP/1.1\r\n{self._lines}"
+            f"Content-Type: {self._media_type}\r\n"
+            f"Content-Length: {len(encoded)}\r\n\r\n"
+        )
+        answer = self.exchange.ask(head.encode("latin-1") + encoded)
+        if answer.status != 200:
+            raise _refusal(answer)
+        told = answer.headers.get("content-type", "").partition(";")[0].strip()
         if told not in _DECODERS:
             raise ValueError(f"a turn as {told or 'nothing'}")
-        turn = _DECODERS[told](self._received(response))
+        turn = _DECODERS[told](answer.body)
         self._media_type = told
         return turn
-
-    def _received(self, response: http.client.HTTPResponse) -> bytes | memoryview:
-        if response.length is None:
-            return response.read()
-        room = self._room(response.length)
-        filled = 0
-        while filled < len(room) and (count := response.readinto(room[filled:])):
-            filled += count
-        if filled < len(room):
-            raise http.client.IncompleteRead(b"", len(room) - filled)
-        response.close()
-        return room
 
     def _room(self, size: int) -> memoryview:
         """Memory for an answer at which nobody looks any more, of exactly that size."""
@@ -151,46 +127,15 @@ def _is_looked_at(room: bytearray) -> bool:
     return False
 
 
-class _Plain(http.client.HTTPConnection):
-    """Sends a request as a whole; the library would send its head by itself.
-
-    Both parts would cost a system call here and wake the server there. Every request
-    has a body.
-    """
-
-    _head = b""
-
-    def send(self, data: Any) -> None:
-        if self._head:
-            data, self._head = self._head + data, b""
-            super().send(data)
-        else:
-            self._head = data
-
-    def close(self) -> None:
-        self._head = b""
-        super().close()
-
-
-class _Secure(_Plain, http.client.HTTPSConnection):
-    """The same over TLS."""
-
-
-def _connection(scheme: str, place: str, timeout_s: float) -> Any:
-    if scheme == "https":
-        context = ssl.create_default_context()
-        return _Secure(place, timeout=timeout_s, context=context)
-    return _Plain(place, timeout=timeout_s)
-
-
+@lru_cache(maxsize=64)
 def _path(run_id: str, worker_id: str) -> str:
     return f"/v1/runs/{quote(run_id, safe='')}/workers/{quote(worker_id, safe='')}"
 
 
-def _refusal(response: http.client.HTTPResponse) -> ApiException:
+def _refusal(answer: Answer) -> ApiException:
     """As the generated client raises it; without `data` if nobody explains it."""
-    refusal = ApiException(status=response.status, reason=response.reason)
-    refusal.headers = response.headers
+    refusal = ApiException(status=answer.status, reason=answer.reason)
+    refusal.headers = HTTPHeaderDict(answer.headers)
     with contextlib.suppress(ValueError):
-        refusal.data = Problem.from_json(response.read().decode())
+        refusal.data = Problem.from_json(bytes(answer.body).decode())
     return refusal

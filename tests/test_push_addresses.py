@@ -5,23 +5,19 @@ A name that resolves otherwise a moment later, or a redirect, changes nothing.
 
 import asyncio
 import signal
-import ssl
 from collections.abc import Coroutine, Iterator
-from datetime import UTC, datetime, timedelta
 from ipaddress import ip_address
 from pathlib import Path
 from typing import Any
 
 import httpx
 import pytest
-from cryptography import x509
-from cryptography.hazmat.primitives import hashes, serialization
-from cryptography.hazmat.primitives.asymmetric import ec
 
 from conformance.policy.scripted import Call, Reply, ScriptedPolicy
 from reference_server.push import addresses
 from reference_server.push.addresses import Gate, NotAllowed, Unresolved
 from reference_server.push.calls import Bounds, Calls, PolicyFault
+from tests.certificates import certified
 from tests.conftest import House
 from tests.push_parts import LOOPBACK, played, submission
 
@@ -201,32 +197,6 @@ def test_a_secure_server_is_held_to_its_name(policy: ScriptedPolicy) -> None:
     with pytest.raises(PolicyFault, match=r"is not reached|broke off"):
         run(described(policy.url.replace("http:", "https:"), Gate("all")))
     assert policy.calls == []
-
-
-def certified(directory: Path, name: str) -> tuple[Path, ssl.SSLContext]:
-    """A certificate for a name that signs itself, and who shows it."""
-    key = ec.generate_private_key(ec.SECP256R1())
-    who = x509.Name([x509.NameAttribute(x509.NameOID.COMMON_NAME, name)])
-    today = datetime.now(UTC)
-    certificate = (
-        x509.CertificateBuilder(who, who, key.public_key(), 1)
-        .not_valid_before(today - timedelta(days=1))
-        .not_valid_after(today + timedelta(days=1))
-        .add_extension(x509.SubjectAlternativeName([x509.DNSName(name)]), False)
-        .sign(key, hashes.SHA256())
-    )
-    pem, secret = directory / "certificate.pem", directory / "key.pem"
-    pem.write_bytes(certificate.public_bytes(serialization.Encoding.PEM))
-    secret.write_bytes(
-        key.private_bytes(
-            serialization.Encoding.PEM,
-            serialization.PrivateFormat.PKCS8,
-            serialization.NoEncryption(),
-        )
-    )
-    context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
-    context.load_cert_chain(pem, secret)
-    return pem, context
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,227 @@
+"""The client's connection against servers that send whatever they like."""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+import ssl
+import threading
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import pytest
+
+from reference_client import exchange
+from reference_client.exchange import Answer, BrokenAnswer, Exchange
+from tests.certificates import certified
+
+TIMEOUTS_S = (5.0, 20.0)
+REQUEST = b"POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 0\r\n\r\n"
+OK = b"HTTP/1.1 200 OK\r\nX-Two: b\r\nContent-Length: 4\r\n\r\nbody"
+
+
+class Scripted:
+    """Answers the n-th request with the pieces of the n-th script, each sent apart.
+
+    A script that ends with None hangs up after it. connections: how many were made.
+    """
+
+    def __init__(
+        self, scripts: Sequence[Sequence[bytes | None]], tls: ssl.SSLContext | None
+    ) -> None:
+        self._scripts = list(scripts)
+        self._tls = tls
+        self._listener = socket.create_server(("127.0.0.1", 0))
+        self.port = self._listener.getsockname()[1]
+        self.connections = 0
+        self._thread = threading.Thread(target=self._serve, daemon=True)
+        self._thread.start()
+
+    def close(self) -> None:
+        self._listener.shutdown(socket.SHUT_RDWR)
+        self._listener.close()
+        self._thread.join(10)
+
+    def _serve(self) -> None:
+        with contextlib.suppress(OSError):
+            while True:
+                connected, _ = self._listener.accept()
+                self.connections += 1
+                with connected:
+                    self._talk(connected)
+
+    def _talk(self, connected: socket.socket) -> None:
+        connected.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        if self._tls is not None:
+            connected = self._tls.wrap_socket(connected, server_side=True)
+        with connected:
+            while self._scripts and _heard(connected):
+                for piece in self._scripts.pop(0):
+                    if piece is None:
+                        return
+                    connected.sendall(piece)
+            _heard(connected)  # its end
+
+
+def _heard(connected: socket.socket) -> bool:
+    heard = b""
+    while not heard.endswith(b"\r\n\r\n"):
+        part = connected.recv(4096)
+        if not part:
+            return False
+        heard += part
+    return True
+
+
+@contextlib.contextmanager
+def scripted(
+    *scripts: Sequence[bytes | None], tls: ssl.SSLContext | None = None
+) -> Iterator[tuple[Scripted, Exchange]]:
+    server = Scripted(scripts, tls)
+    scheme = "https" if tls else "http"
+    url = f"{scheme}://{'localhost' if tls else '127.0.0.1'}:{server.port}/base"
+    asking = Exchange(url, TIMEOUTS_S, lambda size: memoryview(bytearray(size)))
+    try:
+        yield server, asking
+    finally:
+        asking.close()
+        server.close()
+
+
+def told(answer: Answer) -> tuple[int, str, bytes]:
+    return answer.status, answer.reason, bytes(answer.body)
+
+
+def test_a_connection_is_kept() -> None:
+    with scripted([OK], [OK], [OK]) as (server, asking):
+        for _ in range(3):
+            answer = asking.ask(REQUEST)
+            assert told(answer) == (200, "OK", b"body")
+            assert answer.headers == {"x-two": "b", "content-length": "4"}
+        assert server.connections == 1
+
+
+@pytest.mark.parametrize(
+    "pieces",
+    [
+        [bytes([byte]) for byte in OK],
+        [OK[:-4], OK[-4:]],
+        [b"HTTP/1.1 103 Early Hints\r\nLink: x\r\n\r\n", OK],
+        [b"HTTP/1.1 103 Early Hints\r\nLink: x\r\n\r\n" + OK],
+        [
+            b"HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\n2\r\nbo\r\n",
+            b"2\r\ndy\r\n0\r\n\r\n",
+        ],
+    ],
+    ids=["bytes", "head and body", "interim", "interim at once", "chunks"],
+)
+def test_an_answer_may_come_in_any_pieces(pieces: list[bytes]) -> None:
+    with scripted(pieces, [OK]) as (server, asking):
+        assert told(asking.ask(REQUEST)) == (200, "OK", b"body")
+        assert told(asking.ask(REQUEST)) == (200, "OK", b"body")
+        assert server.connections == 1
+
+
+@pytest.mark.parametrize(
+    "pieces",
+    [
+        [b"HTTP/1.1 200 OK\r\nConnection: close\r\nContent-Length: 4\r\n\r\nbody"],
+        [b"HTTP/1.0 200 OK\r\nContent-Length: 4\r\n\r\nbody"],
+        [b"HTTP/1.1 200 OK\r\nConnection: close\r\n\r\nbo", b"dy", None],
+        [b"HTTP/1.1 200 OK\r\n\r\nbody", None],
+    ],
+)
+def test_a_connection_that_ends_with_its_answer_is_left(
+    pieces: list[bytes | None],
+) -> None:
+    with scripted(pieces, [OK]) as (server, asking):
+        assert told(asking.ask(REQUEST)) == (200, "OK", b"body")
+        assert told(asking.ask(REQUEST)) == (200, "OK", b"body")
+        assert server.connections == 2
+
+
+def test_a_large_body_is_received_where_it_will_be_used() -> None:
+    body = bytes(range(256)) * 4096
+    head = b"HTTP/1.1 200 OK\r\nContent-Length: %d\r\n\r\n" % len(body)
+    rooms = []
+
+    def room(size: int) -> memoryview:
+        rooms.append(memoryview(bytearray(size)))
+        return rooms[-1]
+
+    with scripted([head + body]) as (server, _):
+        asking = Exchange(f"http://127.0.0.1:{server.port}", TIMEOUTS_S, room)
+        answer = asking.ask(REQUEST)
+        asking.close()
+    assert answer.body is rooms[0]
+    assert answer.body == body
+
+
+def test_a_refusal_without_a_body_is_an_answer() -> None:
+    with scripted([b"HTTP/1.1 204 No Content\r\n\r\n"], [OK]) as (server, asking):
+        assert told(asking.ask(REQUEST)) == (204, "No Content", b"")
+        assert told(asking.ask(REQUEST)) == (200, "OK", b"body")
+        assert server.connections == 1
+
+
+@pytest.mark.parametrize(
+    ("pieces", "why"),
+    [
+        ([None], "ended before"),
+        ([b"HTTP/1.1 200", None], "ended before"),
+        ([OK[:-1], None], "ended before"),
+        (
+            [b"HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\n2\r\nbo", None],
+            "ended before",
+        ),
+        ([b"SSH-2.0-OpenSSH_9.6\r\n"], "no HTTP"),
+        ([b"HTTP/1.1 200 OK\r\nContent-Length: -4\r\n\r\nbody"], "no HTTP"),
+        ([b"HTTP/1.1 200 OK\r\nContent-Length: 4x\r\n\r\nbody"], "no HTTP"),
+        ([OK + OK], "no HTTP"),
+        ([b"HTTP/1.1 200 OK\r\nContent-Length: 99999999999\r\n\r\n"], "99999999999"),
+        ([b"HTTP/1.1 200 OK\r\n", *[b"X: " + b"y" * 2**15 + b"\r\n"] * 8], "no end"),
+    ],
+)
+def test_what_is_no_answer_is_told_and_left(
+    pieces: list[bytes | None], why: str
+) -> None:
+    with scripted(pieces, [OK]) as (server, asking):
+        with pytest.raises(BrokenAnswer, match=why):
+            asking.ask(REQUEST)
+        assert asking.connected is None
+    assert server.connections == 1
+
+
+def test_an_answer_without_end_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(exchange, "ANSWER_BYTES_MAX", 2**18)
+    head = b"HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\n"
+    chunk = b"10000\r\n" + b"x" * 2**16 + b"\r\n"
+    with (
+        scripted([head, *[chunk] * 5]) as (_, asking),
+        pytest.raises(BrokenAnswer, match="no end"),
+    ):
+        asking.ask(REQUEST)
+
+
+def test_silence_has_an_end() -> None:
+    with scripted([b"HTTP/1.1 200 OK\r\n"]) as (server, _):
+        url = f"http://127.0.0.1:{server.port}"
+        asking = Exchange(url, (5.0, 0.05), lambda size: memoryview(bytearray(size)))
+        with pytest.raises(TimeoutError):
+            asking.ask(REQUEST)
+        assert asking.connected is None
+
+
+def test_tls_is_spoken_to_whom_the_certificate_names(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    authority, tls = certified(tmp_path, "localhost")
+    with scripted([OK], [OK], tls=tls) as (server, asking):
+        monkeypatch.setenv("SSL_CERT_FILE", str(authority))
+        for _ in range(2):
+            assert told(asking.ask(REQUEST)) == (200, "OK", b"body")
+        assert server.connections == 1
+    with scripted([OK], tls=tls) as (_, asking):
+        monkeypatch.delenv("SSL_CERT_FILE")
+        with pytest.raises(ssl.SSLCertVerificationError):
+            asking.ask(REQUEST)
