@@ -11,6 +11,7 @@ import logging
 import re
 from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
 from pydantic import BaseModel
@@ -146,16 +147,20 @@ async def _checked(
 def check_version(request: Request) -> None:
     """VER-002."""
     wanted = request.headers.get("proctor-version")
-    if wanted is None:
-        return
-    spoken = re.fullmatch(r"[0-9]{1,4}\.[0-9]{1,4}", wanted)
-    if not spoken or not _pair(VERSION_MIN) <= _pair(wanted) <= _pair(VERSION_MAX):
+    if wanted is not None and not _is_spoken(wanted):
         raise Refused(
             "unsupported_version",
             f"Version {wanted[:20]} was asked for; {VERSION_MIN} to {VERSION_MAX} are "
             "spoken here.",
             requirement="VER-002",
         )
+
+
+@lru_cache(maxsize=64)
+def _is_spoken(version: str) -> bool:
+    if not re.fullmatch(r"[0-9]{1,4}\.[0-9]{1,4}", version):
+        return False
+    return _pair(VERSION_MIN) <= _pair(version) <= _pair(VERSION_MAX)
 
 
 def _pair(version: str) -> tuple[int, int]:

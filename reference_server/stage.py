@@ -276,7 +276,7 @@ class Stage:
         self, scene: Scene, work: Awaitable[dict[str, Any]]
     ) -> dict[str, Any]:
         """Run a session's work as its one task, which outlives a caller that leaves."""
-        scene.task = asyncio.ensure_future(self._guarded(scene, work))
+        scene.task = asyncio.create_task(self._guarded(scene, work))
         # What it fails with is looked at, also when its caller has left.
         scene.task.add_done_callback(lambda task: task.cancelled() or task.exception())
         return await asyncio.shield(scene.task)

@@ -33,6 +33,7 @@ from reference_sim.interface import TaskUnplayable
 # Found out by the server (which backend draws), possibly after the nursery started.
 _LATE_ENVIRONMENT = ("MUJOCO_GL", "PROCTOR_GL")
 _NURSERY, _WORKER = "reference_sim.runners.nursery", "reference_sim.worker"
+_INBOX_BYTES = 2**15  # more than a turn without pictures
 _START_TIMEOUT_S = 60.0  # a machine that is out of breath is not a hung simulator
 _EXIT_TIMEOUT_S = 10
 _REPLIES = msgspec.msgpack.Decoder(worker.Reply)
@@ -182,9 +183,9 @@ class Process(asyncio.BufferedProtocol):
         self._answer: asyncio.Future[worker.Reply] = self._loop.create_future()
         self._heard_at = self._loop.time()
         self._transport: asyncio.Transport | None = None
-        self._buffer = bytearray(worker.HEADER.size)
-        self._filled = 0
-        self._in_body = False
+        self._inbox = bytearray(_INBOX_BYTES)
+        self._large: bytearray | None = None  # a frame that the inbox cannot hold
+        self._filled = 0  # bytes of whichever of the two is received into
         self._canvas = memoryview(b"")
 
     async def start(self) -> None:
@@ -286,20 +287,33 @@ class Process(asyncio.BufferedProtocol):
         self.end("died")
 
     def get_buffer(self, sizehint: int) -> memoryview:
-        return memoryview(self._buffer)[self._filled :]
+        return memoryview(self._large or self._inbox)[self._filled :]
 
     def buffer_updated(self, nbytes: int) -> None:
         self._filled += nbytes
-        if self._filled < len(self._buffer):
-            return
-        received, self._filled = self._buffer, 0
-        self._in_body = not self._in_body
-        if self._in_body:
-            (length,) = worker.HEADER.unpack(received)
-            self._buffer = bytearray(length)
-        else:
-            self._buffer = bytearray(worker.HEADER.size)
-            self._receive(received)
+        if self._large is None:
+            self._read_inbox()
+        elif self._filled == len(self._large):
+            body, self._large, self._filled = self._large, None, 0
+            self._receive(body)
+
+    def _read_inbox(self) -> None:
+        """Take every whole frame out of it; what is left stays, at its front."""
+        inbox, head = self._inbox, worker.HEADER.size
+        while self._filled >= head:
+            (length,) = worker.HEADER.unpack_from(inbox)
+            if head + length > len(inbox):
+                self._large = bytearray(length)
+                self._filled -= head
+                self._large[: self._filled] = inbox[head : head + self._filled]
+                return
+            if head + length > self._filled:
+                return
+            body = inbox[head : head + length]
+            rest = inbox[head + length : self._filled]
+            inbox[: len(rest)] = rest
+            self._filled = len(rest)
+            self._receive(body)
 
     def _receive(self, body: bytearray) -> None:
         self._heard_at = self._loop.time()

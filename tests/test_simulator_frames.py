@@ -1,0 +1,75 @@
+"""Frames of a simulator process, however the socket cuts or joins them."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import socket
+from collections.abc import Iterator, Sequence
+
+import pytest
+
+from reference_sim import worker
+from reference_sim.runners.process import Process
+
+SMALL = worker.Failed("x", unplayable=True)
+LARGE = worker.Failed("y" * 200_000, unplayable=True)
+
+
+class Here:
+    """`Starter` of a process that this test plays."""
+
+    def start(self, child_end: socket.socket) -> None:
+        self.end = socket.socket(fileno=os.dup(child_end.fileno()))
+        self.end.setblocking(False)
+
+    def kill(self, pid: int) -> None:
+        self.end.close()
+
+    async def close(self) -> None:
+        self.end.close()
+
+
+@pytest.fixture
+def here() -> Iterator[Here]:
+    starter = Here()
+    yield starter
+    starter.end.close()
+
+
+def cut(stream: bytes, size: int) -> list[bytes]:
+    return [stream[at : at + size] for at in range(0, len(stream), size)]
+
+
+@pytest.mark.parametrize(
+    ("replies", "size"),
+    [
+        ([SMALL], 1),
+        ([worker.Busy(), worker.Busy(), SMALL], 10**9),
+        ([worker.Busy(), SMALL], 3),
+        ([LARGE], 10**9),
+        ([worker.Busy(), LARGE], 4099),
+        ([worker.Busy(), LARGE], 2**15),
+    ],
+)
+def test_frames_come_in_any_pieces(
+    here: Here, replies: Sequence[worker.Reply], size: int
+) -> None:
+    async def play() -> None:
+        loop = asyncio.get_running_loop()
+        process = Process(here, 20.0, lambda _: None)
+        starting = asyncio.create_task(process.start())
+        await asyncio.sleep(0)
+        await loop.sock_sendall(here.end, worker.frame(worker.Hello(1)))
+        await starting
+        for _ in range(3):  # nothing of one answer is left to the next
+            asking = asyncio.create_task(process.ask(worker.Observe(), worker.Failed))
+            await loop.sock_recv(here.end, 4096)
+            stream = b"".join(map(bytes, map(worker.frame, replies)))
+            for piece in cut(stream, size):
+                await loop.sock_sendall(here.end, piece)
+                await asyncio.sleep(0)
+            assert await asking == replies[-1]
+        process.end("is not needed")
+
+    asyncio.run(play())
