@@ -25,6 +25,7 @@ from reference_client.observation import observation_of
 from reference_client.patience import Interrupted, Patience
 from reference_client.policy import Vector, chunk_of
 from reference_client.progress import Board, Progress, ProgressLine
+from reference_sim.encoding import encode_image
 
 URL = "http://127.0.0.1:1"
 BLACK = np.zeros((2, 2, 3), np.uint8)
@@ -134,6 +135,20 @@ def test_pixels_arrive_in_rows_columns_and_channels(channels: int) -> None:
         assert not seen.flags.writeable
 
 
+@pytest.mark.parametrize("channels", [1, 3])
+def test_a_jpeg_keeps_its_colours(channels: int) -> None:
+    pixels = np.zeros((48, 64, channels), np.uint8)
+    pixels[:24, :, 0] = 200  # of three channels the red one
+    data = bytes(encode_image(pixels[::-1], "jpeg")["data"])
+    assert data.startswith(b"\xff\xd8\xff")
+    images = image("jpeg", 64, 48, channels, data)
+    seen = observation_of(turn_with(images=images)).images["camera"]
+    assert not seen.flags.writeable
+    assert seen.shape == pixels.shape
+    assert np.abs(seen[:16].astype(int)).max() < 8
+    assert np.abs(seen[32:].astype(int) - pixels[:16]).max() < 8
+
+
 def test_tensors_are_little_endian_views() -> None:
     data = bytes([1, 0, 2, 0])
     tensor = {"dtype": "uint16", "shape": [2, 1], "data": memoryview(data)}
@@ -155,6 +170,23 @@ def test_tensors_are_little_endian_views() -> None:
         (
             {"images": image("png", 2, 2, 3, compressed(BLACK, "gif"))},
             "is no png",
+        ),
+        ({"images": image("jpeg", 2, 2, 3, b"no jpeg")}, "is no jpeg"),
+        (
+            {"images": image("jpeg", 2, 2, 3, compressed(BLACK, "jpeg")[:-2])},
+            "is no jpeg",
+        ),
+        (
+            {"images": image("jpeg", 2, 2, 3, compressed(BLACK[:1], "jpeg"))},
+            "announced as",
+        ),
+        (
+            {"images": image("jpeg", 2, 2, 2, compressed(BLACK, "jpeg"))},
+            "is no jpeg",
+        ),
+        (
+            {"images": image("jpeg", 2, 2, 3, compressed(BLACK, "png"))},
+            "is no jpeg",
         ),
     ],
 )
