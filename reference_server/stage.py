@@ -331,7 +331,6 @@ class Stage:
     ) -> dict[str, Any]:
         progress.answer(scene.session, turn, time.monotonic())
         turns.finish(turn, scene.session, time.perf_counter() - started)
-        self._book.notify(scene.run)
         return turn
 
     def _still(self, scene: Scene) -> None:
