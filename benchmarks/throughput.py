@@ -1,8 +1,9 @@
 """How much of the simulator's speed is left over the protocol: section `throughput`.
 
-The same control steps are played in bare Python loops, one process each, and through a
-whole reference server with as many workers, in turn (A B A B …) on the same cores.
-Sessions, exactly-once, scoring and the store are at work as always.
+The same control steps are played in bare Python loops, one process each, by such
+processes behind a bare TCP socket (bare.py), and through a whole reference server with
+as many workers, in turn (A B C A B C …) on the same cores. Sessions, exactly-once,
+scoring and the store are at work as always.
 
 A client here is a thread with the data plane of `reference_client`: what a policy costs
 is its own affair, what a client costs is counted.
@@ -10,8 +11,6 @@ is its own affair, what a client costs is counted.
 
 from __future__ import annotations
 
-import itertools
-import multiprocessing
 import os
 import statistics
 import tempfile
@@ -21,43 +20,24 @@ import uuid
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any, NamedTuple
 
 from proctor_client import AttachWorker, PolicyInfo, StopRun, SubmitRun
 
 from benchmarks import page
+from benchmarks.bare import ACTIONS, Case, bare, behind_tcp
 from benchmarks.contenders.ours_client import TOKEN
 from benchmarks.results import Json
 from benchmarks.stock import house
 from reference_client.connection import Connection
 
-ACTIONS: dict[str, dict[str, list[float]]] = {
-    "tabletop_state": {
-        "joint_position": [0.0, 0.3, 0.0, 1.6, 0.0, 1.2416, 0.0],
-        "gripper": [1.0],
-    },
-    "mobile_bimanual": {
-        "joint_position": [0.0] * 12,
-        "gripper": [0.0] * 4,
-        "base_motion": [0.0] * 3,
-    },
-}
 ROUNDS, SECONDS = 3, 2.0
 SECONDS_TRIED = 0.5
-
-
-class Case(NamedTuple):
-    """chunk: actions in a turn."""
-
-    benchmark: str
-    workers: int
-    chunk: int
 
 
 CASES = (
     *(Case("tabletop_state", workers, 1) for workers in (1, 2, 4, 8, 16)),
     *(Case("tabletop_state", 16, chunk) for chunk in (8, 32)),
-    Case("mobile_bimanual", 4, 1),
+    *(Case("mobile_bimanual", workers, 1) for workers in (4, 16)),
 )
 
 
@@ -77,72 +57,24 @@ def measure(trying: bool, say: Callable[[str], None]) -> Json:
 def _row(
     case: Case, url: str, seconds: float, rounds: int, say: Callable[[str], None]
 ) -> Json:
-    bares, ours = [], []
+    bares, limits, ours = [], [], []
     for _ in range(rounds):
         bares.append(bare(case, seconds))
+        limits.append(behind_tcp(case, seconds))
         ours.append(protocol(case, url, seconds))
     shares = [own / plain for own, plain in zip(ours, bares, strict=True)]
+    limit = [raw / plain for raw, plain in zip(limits, bares, strict=True)]
     row = {
         **case._asdict(),
         "bare_steps_per_s": round(statistics.median(bares), 1),
+        "tcp_steps_per_s": round(statistics.median(limits), 1),
         "protocol_steps_per_s": round(statistics.median(ours), 1),
+        "tcp_share": round(statistics.median(limit), 3),
         "share": round(statistics.median(shares), 3),
         "share_worst": round(min(shares), 3),
     }
     say(f"{row}")
     return row
-
-
-# Bare
-
-
-def bare(case: Case, seconds: float) -> float:
-    """Control steps per second of all processes together."""
-    spawn = multiprocessing.get_context("spawn")
-    counted = spawn.SimpleQueue()
-    together = spawn.Barrier(case.workers)
-    crew = [
-        spawn.Process(target=bare_loop, args=(case, number, seconds, together, counted))
-        for number in range(case.workers)
-    ]
-    for one in crew:
-        one.start()
-    told = [float(counted.get()) for _ in crew]
-    for one in crew:
-        one.join()
-    return sum(told)
-
-
-def bare_loop(
-    case: Case, number: int, seconds: float, together: Any, counted: Any
-) -> None:
-    """Plays the benchmark's episodes, observes after each chunk; until time is over."""
-    from reference_sim import catalog
-    from reference_sim.episode import Episode
-
-    resolved = catalog.resolve(case.benchmark)
-    simulator = catalog.make(resolved.world)
-    episodes = itertools.cycle(resolved.episodes[number:] + resolved.episodes[:number])
-    chunk, steps = [ACTIONS[case.benchmark]] * case.chunk, 0
-    simulator.reset(resolved.episodes[0].task, 0, resolved.episodes[0].split)
-    simulator.observe()  # the first picture takes long
-    together.wait()
-    began = time.monotonic()
-    while time.monotonic() < began + seconds:
-        plan = next(episodes)
-        episode = Episode(
-            simulator,
-            plan.task,
-            plan.seed,
-            split=plan.split,
-            max_steps=resolved.manifest["max_steps"],
-            success_rule=resolved.manifest["success_rule"],
-        )
-        simulator.observe()
-        while not episode.ended and time.monotonic() < began + seconds:
-            steps += sum(1 for _ in episode.play(chunk))
-            simulator.observe()
-    counted.put(steps / (time.monotonic() - began))
 
 
 # Over the protocol
@@ -217,6 +149,7 @@ def tables(section: Json) -> str:
             str(row["chunk"]),
             f"{row['bare_steps_per_s']:.0f}",
             f"{row['protocol_steps_per_s']:.0f}",
+            f"{row['tcp_share']:.2f}",
             f"{row['share']:.2f}",
             f"{row['share_worst']:.2f}",
         ]
@@ -224,7 +157,7 @@ def tables(section: Json) -> str:
     ]
     head = [
         *("", "workers", "actions in a turn", "bare, steps/s"),
-        *("over the protocol, steps/s", "share", "worst share"),
+        *("over the protocol, steps/s", "share of raw TCP", "share", "worst share"),
     ]
     return "\n\n".join([page.table(head, rows), _cost(section), _where(section)])
 

@@ -6,7 +6,6 @@ members of the spec's schema Problem. This file knows no socket and sends nothin
 
 from __future__ import annotations
 
-import http.client
 from collections.abc import Sequence
 
 import urllib3.exceptions
@@ -21,7 +20,7 @@ WORKER_DIED = "worker_died"
 POLICY_FAILED = "policy_failed"
 
 # What the generated client and the data plane raise when no answer comes.
-SILENCE = (urllib3.exceptions.HTTPError, http.client.HTTPException, OSError)
+SILENCE = (urllib3.exceptions.HTTPError, OSError)
 
 _HERE = {
     "unauthenticated": "Here that is the argument `token`, or PROCTOR_TOKEN.",

@@ -1,0 +1,158 @@
+"""The simulators themselves: without a protocol, and behind nothing but a TCP socket.
+
+The second is the physical limit of any evaluation over a network: one process for each
+worker plays what it is sent and answers with the bytes of the observation, and a thread
+sends and receives them. Nothing is named, checked, counted, kept or scored.
+"""
+
+from __future__ import annotations
+
+import itertools
+import multiprocessing
+import socket
+import threading
+import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any, NamedTuple
+
+from reference_sim import catalog
+from reference_sim.episode import Episode
+from reference_sim.interface import Observation
+
+ACTIONS: dict[str, dict[str, list[float]]] = {
+    "tabletop_state": {
+        "joint_position": [0.0, 0.3, 0.0, 1.6, 0.0, 1.2416, 0.0],
+        "gripper": [1.0],
+    },
+    "mobile_bimanual": {
+        "joint_position": [0.0] * 12,
+        "gripper": [0.0] * 4,
+        "base_motion": [0.0] * 3,
+    },
+}
+_SPAWN = multiprocessing.get_context("spawn")
+_COUNT_BYTES = 8  # executed steps, before the observation
+
+
+class Case(NamedTuple):
+    """chunk: actions in a turn."""
+
+    benchmark: str
+    workers: int
+    chunk: int
+
+    @property
+    def request_bytes(self) -> int:
+        return 8 * self.chunk * sum(map(len, ACTIONS[self.benchmark].values()))
+
+
+def turns(case: Case, number: int) -> Iterator[tuple[int, Observation]]:
+    """Plays the benchmark's episodes without end: executed steps, and what is seen.
+
+    At first and when an episode begins nothing is executed.
+    """
+    resolved = catalog.resolve(case.benchmark)
+    simulator = catalog.make(resolved.world)
+    chunk = [ACTIONS[case.benchmark]] * case.chunk
+    plans = resolved.episodes[number:] + resolved.episodes[:number]
+    for plan in itertools.cycle(plans):
+        episode = Episode(
+            simulator,
+            plan.task,
+            plan.seed,
+            split=plan.split,
+            max_steps=resolved.manifest["max_steps"],
+            success_rule=resolved.manifest["success_rule"],
+        )
+        yield 0, simulator.observe()
+        while not episode.ended:
+            yield sum(1 for _ in episode.play(chunk)), simulator.observe()
+
+
+def bare(case: Case, seconds: float) -> float:
+    """Control steps per second of all processes together."""
+    counted, together = _SPAWN.SimpleQueue(), _SPAWN.Barrier(case.workers)
+    crew = [
+        _SPAWN.Process(target=_loop, args=(case, number, seconds, together, counted))
+        for number in range(case.workers)
+    ]
+    for one in crew:
+        one.start()
+    told = [float(counted.get()) for _ in crew]
+    for one in crew:
+        one.join()
+    return sum(told)
+
+
+def _loop(case: Case, number: int, seconds: float, together: Any, counted: Any) -> None:
+    playing, steps = turns(case, number), 0
+    next(playing)  # the first picture takes long
+    together.wait()
+    began = time.monotonic()
+    while time.monotonic() < began + seconds:
+        steps += next(playing)[0]
+    counted.put(steps / (time.monotonic() - began))
+
+
+def behind_tcp(case: Case, seconds: float) -> float:
+    """The same, asked for by a thread each over a socket of its own."""
+    told = _SPAWN.SimpleQueue()
+    crew = [
+        _SPAWN.Process(target=_answer, args=(case, number, told))
+        for number in range(case.workers)
+    ]
+    for one in crew:
+        one.start()
+    places = [told.get() for _ in crew]
+    together = threading.Barrier(case.workers)
+    with ThreadPoolExecutor(case.workers) as threads:
+        asks = [
+            threads.submit(_ask, case, port, size, seconds, together)
+            for port, size in places
+        ]
+        total = sum(ask.result() for ask in asks)
+    for one in crew:
+        one.join()
+    return total
+
+
+def _answer(case: Case, number: int, told: Any) -> None:
+    """Serves one connection until it is closed."""
+    playing = turns(case, number)
+    _, seen = next(playing)
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        size = sum(map(len, _parts(0, seen)))
+        told.put((listener.getsockname()[1], size))
+        connection, _ = listener.accept()
+    with connection:
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        while connection.recv(case.request_bytes, socket.MSG_WAITALL):
+            steps, seen = next(playing)
+            for part in _parts(steps, seen):
+                connection.sendall(part)
+
+
+def _parts(steps: int, seen: Observation) -> list[bytes | memoryview]:
+    """What is small in one piece, and each picture from where it is."""
+    state = b"".join(vector.tobytes() for vector in seen.state.values())
+    pictures = (image.data.cast("B") for image in seen.images.values())
+    return [steps.to_bytes(_COUNT_BYTES, "big") + state, *pictures]
+
+
+def _ask(
+    case: Case, port: int, size: int, seconds: float, together: threading.Barrier
+) -> float:
+    request, steps = bytes(case.request_bytes), 0
+    room = memoryview(bytearray(size))
+    with socket.create_connection(("127.0.0.1", port)) as connection:
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        together.wait()
+        began = time.monotonic()
+        while time.monotonic() < began + seconds:
+            connection.sendall(request)
+            filled = 0
+            while filled < size:
+                filled += connection.recv_into(room[filled:])
+            steps += int.from_bytes(room[:_COUNT_BYTES], "big")
+        return steps / (time.monotonic() - began)
