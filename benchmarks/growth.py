@@ -4,7 +4,8 @@
 on each and asks them in turn, over one kept connection each: what a request costs is
 compared inside one run of this program, never with an earlier one. It also weighs the
 server before and after thousands of runs were looked at, played and left waiting, and
-under a thousand idle long-polls, and counts what a turn writes to disk.
+under a thousand idle long-polls and event streams, and counts what a turn writes to
+disk.
 
 It writes the section `growth` of results.json and its part of docs/performance.md.
 """
@@ -21,7 +22,7 @@ import statistics
 import sys
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -30,6 +31,7 @@ from benchmarks import page, results
 from benchmarks.contenders.ours_client import TOKEN
 from benchmarks.stock import (
     FIRST_FINISHED,
+    READY_RUNS,
     TASKS,
     House,
     Shelf,
@@ -39,6 +41,7 @@ from benchmarks.stock import (
 
 WARM_UP = 5  # rounds that are not counted
 LIMIT = 50  # of a page
+WAITING = 1000
 SUBMISSION = {
     "benchmark_id": "calibration",
     "policy": {"name": "growth"},
@@ -233,15 +236,32 @@ def measure_turns(path: Path, turns: int) -> dict[str, Any]:
     return {"turns": turns, "written_bytes": inside, "last_turn_bytes": ending}
 
 
-# --- long-polls ---
+# --- who waits for news ---
+
+Connection = tuple[asyncio.StreamReader, asyncio.StreamWriter]
 
 
-async def poll(netloc: str, number: int) -> asyncio.StreamWriter:
-    """A connection on which get_run waits for news of a run of its own."""
+async def connected(netloc: str, path: str) -> tuple[Connection, str]:
+    """A connection, and what a request for the path begins with."""
     address, _, port = netloc.rpartition(":")
-    reader, writer = await asyncio.open_connection(address, int(port))
-    head = f"GET /v1/runs/completed_{number} HTTP/1.1\r\nHost: {netloc}\r\n"
-    head += f"Authorization: Bearer {TOKEN}\r\n"
+    connection = await asyncio.open_connection(address, int(port))
+    head = f"GET {path} HTTP/1.1\r\nHost: {netloc}\r\n"
+    return connection, head + f"Authorization: Bearer {TOKEN}\r\n"
+
+
+async def follow(netloc: str, number: int) -> Connection:
+    """Events of a run of its own, in which nothing happens."""
+    path = f"/v1/runs/ready_{number}/events"
+    (reader, writer), head = await connected(netloc, path)
+    writer.write(f"{head}\r\n".encode())
+    await reader.readuntil(b"\nevent: run\n")
+    return reader, writer
+
+
+async def poll(netloc: str, number: int) -> Connection:
+    """A get_run that waits for news of a run of its own."""
+    path = f"/v1/runs/completed_{number}"
+    (reader, writer), head = await connected(netloc, path)
     writer.write(f"{head}\r\n".encode())
     said = (await reader.readuntil(b"\r\n\r\n")).decode().lower()
     named = dict(line.split(": ", 1) for line in said.splitlines() if ": " in line)
@@ -249,26 +269,31 @@ async def poll(netloc: str, number: int) -> asyncio.StreamWriter:
     head += f"If-None-Match: {named['etag']}\r\nPrefer: wait=120\r\n\r\n"
     writer.write(head.encode())
     await writer.drain()
-    return writer
+    return reader, writer
 
 
-async def measure_polls(path: Path, polls: int, seconds: float) -> dict[str, Any]:
-    """MB and CPU of long-polls that wait for nothing, each for another run."""
+async def measure_waiting(
+    path: Path,
+    wait: Callable[[str, int], Awaitable[Connection]],
+    count: int,
+    seconds: float,
+) -> dict[str, Any]:
+    """MB and CPU of those who wait for nothing, each for another run."""
     with house(path) as server:
         look(server, range(8000, 8300))
         before_mb = server.memory_mb()
-        waiting = [await poll(server.netloc, number) for number in range(polls)]
+        waiting = [await wait(server.netloc, number) for number in range(count)]
         await asyncio.sleep(3.0)
         cpu_s, began = server.cpu_s(), time.monotonic()
         await asyncio.sleep(seconds)
         busy = (server.cpu_s() - cpu_s) / (time.monotonic() - began)
         after_mb = server.memory_mb()
-        for writer in waiting:
+        for _, writer in waiting:
             writer.close()
         await asyncio.sleep(3.0)
         left_mb = server.memory_mb()
     return {
-        "polls": polls,
+        "waiting": count,
         "cost_mb": round(after_mb - before_mb, 1),
         "cpu_share": round(busy, 4),
         "kept_mb": round(left_mb - before_mb, 1),
@@ -294,8 +319,8 @@ def told(body: dict[str, Any]) -> str:
 
 def sentences(body: dict[str, Any]) -> list[str]:
     """What has no row, a line each."""
-    memory, polls, turns = body["memory"], body["long_polls"], body["turns"]
-    queue, share = body["queue"]["ratio"], 100 * polls["cpu_share"]
+    memory, turns, queue = body["memory"], body["turns"], body["queue"]["ratio"]
+    idle = {"long-polls": body["long_polls"], "event streams": body["event_streams"]}
     weighed = {
         "looked_at": "600 and 3600 finished runs were looked at",
         "played": "300 and 1000 more were played to their end",
@@ -308,9 +333,10 @@ def sentences(body: dict[str, Any]) -> list[str]:
             f"{memory[name]['many_mb']:.0f} MB."
             for name, what in weighed.items()
         ),
-        (
-            f"{polls['polls']} idle long-polls, each for a run of its own, cost "
-            f"{polls['cost_mb']:.0f} MB and {share:.1f} % of a core."
+        *(
+            f"{cost['waiting']} idle {what}, each for a run of its own, cost "
+            f"{cost['cost_mb']:.0f} MB and {100 * cost['cpu_share']:.1f} % of a core."
+            for what, cost in idle.items()
         ),
         (
             f"{turns['turns']} turns inside an episode write {turns['written_bytes']} "
@@ -327,7 +353,8 @@ def sentences(body: dict[str, Any]) -> list[str]:
 
 def main() -> int:
     arguments = argparse.ArgumentParser(description=__doc__)
-    arguments.add_argument("--rounds", type=int, default=100, help="at most 120")
+    most = f"at most {READY_RUNS}"
+    arguments.add_argument("--rounds", type=int, default=100, help=most)
     arguments.add_argument("--poll-seconds", type=float, default=30.0)
     arguments.add_argument("--only", help="one part; it is printed and not written")
     arguments.add_argument("--keep", type=Path, help="where databases stay for another")
@@ -345,7 +372,10 @@ def main() -> int:
         parts: dict[str, Callable[[], dict[str, Any]]] = {
             "requests": lambda: measure_requests(directory, options.rounds),
             "long_polls": lambda: asyncio.run(
-                measure_polls(large, 1000, options.poll_seconds)
+                measure_waiting(large, poll, WAITING, options.poll_seconds)
+            ),
+            "event_streams": lambda: asyncio.run(
+                measure_waiting(large, follow, WAITING, options.poll_seconds)
             ),
             "turns": lambda: measure_turns(large, 200),
             "memory": lambda: measure_memory(large),

@@ -30,7 +30,7 @@ from reference_sim import catalog
 
 HEADERS = {"Authorization": f"Bearer {TOKEN}", "Content-Type": "application/json"}
 FIRST_FINISHED, FIRST_READY = 10, 10**6
-READY_RUNS = 120
+READY_RUNS = 1000
 TASKS = ("score", "count", "delay", "echo")
 
 

@@ -3,16 +3,19 @@
 It needs bash, curl and python3. Ids that the server made up (runs, sessions, cursors)
 are caught in variables, so that the script works on a fresh server; tokens and the URL
 are variables anyway. What ran side by side runs side by side again, and where the
-check waited for a state, the script waits for it, too.
+check waited for a state, the script waits for it, too. Events are read for as long as
+the check read them, and their ids are taken from what was read.
 """
 
 import base64
 import json
+import math
 import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
 from conformance.journal import Exchange
+from conformance.spec import EVENT_STREAM
 
 _CAUGHT = {"run_id": "RUN", "session_id": "SESSION", "next_cursor": "CURSOR"}
 _PAUSE_WORTH_REPEATING_S = 0.3
@@ -29,6 +32,11 @@ _KEEP = (
     "keep() { python3 -c 'import json, sys; said = sys.stdin.read(); "
     r'sys.stderr.write(said); print(json.loads(said.split("\n→")[0])[sys.argv[1]])'
     '\' "$1"; }'
+)
+_NTH_ID = (
+    "nth_id() { python3 -c 'import re, sys; told = open(sys.argv[2]).read(); "
+    'print(re.findall(r"(?m)^id: *(\\S+)", told)[int(sys.argv[1]) - 1])'
+    '\' "$1" "$2"; }'
 )
 _WAIT_FOR = (
     "wait_for() { for _ in {1..100}; do "
@@ -50,7 +58,7 @@ class Script:
         """Give the commands, each followed by what came back."""
         groups = list(_without_polls(exchanges))
         texts = [_text_of(polls[-1]) for polls in groups]
-        free_at = groups[0][-1].started_at if groups else 0.0
+        free_at = beside_until = groups[0][-1].started_at if groups else 0.0
         is_alone = True
         for index, polls in enumerate(groups):
             exchange = polls[-1]
@@ -72,10 +80,13 @@ class Script:
                 command = f"wait_for state {state} {command}"
             elif goes_on and command.startswith("curl"):
                 # The check sent the next request before this one was answered.
+                beside_until = max(beside_until, ended_at)
                 command, is_alone, ended_at = f"{command} &", False, exchange.started_at
             yield command
             yield f"# → {outcome_of(exchange)}"
-            if not is_alone and not goes_on:
+            if not is_alone and (
+                is_last or groups[index + 1][0].started_at >= beside_until
+            ):
                 yield "wait"
                 is_alone = True
             free_at = ended_at
@@ -94,6 +105,8 @@ class Script:
 
     def _command(self, exchange: Exchange) -> str:
         parts = ["curl", "-sS"]
+        if _is_stream(exchange):
+            parts.append(f"-N --max-time {math.ceil(exchange.elapsed_s) + 1}")
         if exchange.method == "HEAD":
             parts.append("--head")
         elif exchange.method != "GET":
@@ -143,6 +156,8 @@ class Script:
 
     def _catch(self, exchange: Exchange, command: str, later: str) -> str:
         """Keep what the answer made up, if later requests need it."""
+        if _is_stream(exchange):
+            return self._catch_events(exchange, command, later)
         for member, value in _made_up(exchange):
             if value in self._variables or value not in later:
                 continue
@@ -153,9 +168,31 @@ class Script:
             return f"{name}=$({command} | keep {member})"
         return command
 
+    def _catch_events(self, exchange: Exchange, command: str, later: str) -> str:
+        """Keep events in a file, if later requests go on behind some of them."""
+        text = exchange.answer_body.decode("utf-8", "replace")
+        told = re.findall(r"^id: *(\S+)", text, re.MULTILINE)
+        new = {
+            id_: number
+            for number, id_ in enumerate(told, start=1)
+            if f": {id_}" in later and len(id_) >= _ID_LEAST_LENGTH
+        }
+        if not new.keys() - self._variables.keys():
+            return f"{command} || :"  # where it was left off is no failure
+        self._counts["events"] = self._counts.get("events", 0) + 1
+        file = f"events_{self._counts['events']}"
+        for id_, number in new.items():
+            self._variables.setdefault(id_, f"(nth_id {number} {file})")
+        return f"{command} | tee {file}"
+
 
 def _text_of(exchange: Exchange) -> str:
-    return f"{exchange.url} {exchange.request_body.decode('latin-1')}"
+    headers = "".join(f" {n}: {v}" for n, v in exchange.request_headers.items())
+    return f"{exchange.url}{headers} {exchange.request_body.decode('latin-1')}"
+
+
+def _is_stream(exchange: Exchange) -> bool:
+    return exchange.answer_headers.get("content-type", "").startswith(EVENT_STREAM)
 
 
 def _is_cut(exchange: Exchange) -> bool:
@@ -242,4 +279,6 @@ def script(exchanges: Iterable[Exchange], base_url: str) -> list[str]:
         head.append(_KEEP)
     if any(line.startswith("wait_for") for line in commands):
         head.append(_WAIT_FOR)
+    if any("$(nth_id " in line for line in commands):
+        head.append(_NTH_ID)
     return [*head, *commands]

@@ -10,12 +10,12 @@ import itertools
 import time
 import uuid
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from conformance.expect import SetUpFailed, Violation
 from conformance.spec import Operation
-from conformance.wire import Answer, Wire
+from conformance.wire import Answer, Stream, Wire
 
 if TYPE_CHECKING:
     from conformance.story import Story
@@ -68,6 +68,16 @@ class Run:
         if operation_id == "attach_worker" and answer.status == 200:
             self._remember(str(how.get("worker_id")), answer.json)
         return answer
+
+    @contextlib.contextmanager
+    def stream(
+        self, operation_id: str, headers: Mapping[str, str]
+    ) -> Iterator[Stream | Answer]:
+        """Read what an operation on this run tells of it, while it is told."""
+        operation = self.story.spec.operations[operation_id]
+        path = self.base_url_of(operation) + operation.path.format(run_id=self.id)
+        with self.wire.stream(operation, path, headers) as opened:
+            yield opened
 
     def base_url_of(self, operation: Operation) -> str:
         """Where an operation on this run is served: its endpoint, or the service."""

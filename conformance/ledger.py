@@ -12,7 +12,10 @@ from dataclasses import dataclass
 from conformance.spec import SPEC_DIRECTORY, load_policy_spec, load_profiles, load_spec
 
 _SCORING_LINE = re.compile(r"^- \[(?P<id>SCORE-\d{3})\] (?P<text>.+)$", re.MULTILINE)
-PROFILES = ("core", "msgpack", "compare", "push", "crash", "ebench", "flageval")
+PROFILES = (
+    *("core", "msgpack", "compare", "events", "push", "crash"),
+    *("ebench", "flageval"),
+)
 POLICY = "policy"  # not of a server, but of a policy server, which is judged alone
 NEVER_ANNOUNCED = ("core", "crash")  # every server has them, or shows them by itself
 

@@ -24,6 +24,7 @@ _DOCUMENTS = ("openapi.yaml", "policy.yaml", "scoring.md", "calibration.md")
 JSON = "application/json"
 MSGPACK = "application/msgpack"
 PROBLEM_JSON = "application/problem+json"
+EVENT_STREAM = "text/event-stream"
 _METHODS = ("get", "put", "post", "delete")
 # RFC 3339, section 5.6, with the letters that it allows in lower case as well.
 _DATE_TIME = re.compile(
@@ -66,6 +67,21 @@ class Operation:
     def request_media_types(self) -> list[str]:
         """Name the media types in which a body may be sent."""
         return list(self.description.get("requestBody", {}).get("content", {}))
+
+    def answer_media_types(self) -> list[str]:
+        """Name the media types of its successful answers."""
+        answers = self.description["responses"].items()
+        return [
+            media_type
+            for status, answer in answers
+            if status.startswith("2")
+            for media_type in answer.get("content", {})
+        ]
+
+    @property
+    def goes_on(self) -> bool:
+        """Whether its answer is a stream of events."""
+        return EVENT_STREAM in self.answer_media_types()
 
     def response(self, status: int) -> Mapping[str, Any] | None:
         """Find what is said of a status: by itself or by its class, else None."""

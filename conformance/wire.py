@@ -5,13 +5,17 @@ check's journal and is judged by the rules that hold for all answers. What is se
 never corrected here: a check may send anything.
 """
 
+import codecs
+import contextlib
 import functools
 import http.cookiejar
 import ipaddress
 import json as json_module
+import re
+import socket
 import ssl
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 from urllib.parse import urlsplit
@@ -22,9 +26,20 @@ import msgspec
 from conformance.expect import Violation
 from conformance.journal import Exchange, Journal
 from conformance.judge import Judged, Tally
-from conformance.spec import JSON, MSGPACK, PROBLEM_JSON, Operation, Spec
+from conformance.spec import (
+    EVENT_STREAM,
+    JSON,
+    MSGPACK,
+    PROBLEM_JSON,
+    Operation,
+    Spec,
+)
 
 OWN_TOKEN = "own"
+# Of an answer that goes on: what is kept, and how long its beginning is waited for.
+_STREAM_KEPT = 4096
+_BEGINNING_S = 3.0
+_FIRST_EVENT = re.compile(rb"^data[^\r\n]*(\r\n|\n|\r){2}", re.MULTILINE)
 _CONNECTIONS = httpx.Limits(
     max_connections=200, max_keepalive_connections=60, keepalive_expiry=2.0
 )
@@ -75,6 +90,9 @@ def parse(media_type: str, body: bytes) -> tuple[Any, bool]:
             return msgspec.json.decode(body), True
         if media_type == MSGPACK:
             return msgspec.msgpack.decode(body), True
+        if media_type == EVENT_STREAM:
+            # The end of what was kept may be half a character.
+            return codecs.getincrementaldecoder("utf-8")().decode(body), True
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
         pass
     return None, False
@@ -105,6 +123,37 @@ def _is_this_machine(url: str) -> bool:
         return ipaddress.ip_address(host).is_loopback
     except ValueError:
         return host == "localhost"
+
+
+class Stream:
+    """An answer that goes on: what comes of it, until it ends or somebody hangs up."""
+
+    def __init__(self, response: httpx.Response) -> None:
+        self.body = b""
+        self._response = response
+
+    def parts(self) -> Iterator[bytes]:
+        """Give what comes while it comes; a stream that breaks off has ended."""
+        with contextlib.suppress(httpx.TransportError, OSError):
+            for part in self._response.iter_bytes():
+                self.body += part[: max(0, _STREAM_KEPT - len(self.body))]
+                yield part
+
+    def hang_up(self) -> None:
+        """End it from another thread than the one that reads it."""
+        network = self._response.extensions["network_stream"]
+        with contextlib.suppress(OSError):
+            network.get_extra_info("socket").shutdown(socket.SHUT_RDWR)
+
+
+def _beginning(response: httpx.Response) -> bytes:
+    """Read the first of events that may have no end."""
+    stream, until = Stream(response), time.monotonic() + _BEGINNING_S
+    with contextlib.closing(response):
+        for _ in stream.parts():
+            if _FIRST_EVENT.search(stream.body) or time.monotonic() > until:
+                break
+    return stream.body
 
 
 class Wire:
@@ -144,11 +193,59 @@ class Wire:
     ) -> Answer:
         """Send one request. `path` may be absolute; `token` None sends none.
 
-        Raises NoAnswer when there is no answer at all.
+        Raises NoAnswer when there is no answer at all. Of events, which have no end,
+        the first is the answer, or what comes in a few seconds.
         """
         if json is not None:
             content = json_module.dumps(json).encode()
             headers = {"Content-Type": JSON, **(headers or {})}
+        request, exchange = self._prepared(
+            method,
+            path,
+            content=content,
+            headers=headers,
+            params=params,
+            timeout_s=timeout_s,
+            token=token,
+        )
+        if operation is None:
+            operation = self._operation_of(method, str(request.url))
+        goes_on = operation is not None and operation.goes_on
+        response = self._sent(request, exchange, goes_on)
+        is_read = response.is_stream_consumed
+        body = response.content if is_read else _beginning(response)
+        return self._answered(response, body, exchange, operation)
+
+    @contextlib.contextmanager
+    def stream(
+        self, operation: Operation, path: str, headers: Mapping[str, str]
+    ) -> Iterator[Stream | Answer]:
+        """Send a GET whose answer goes on; an Answer when it does not."""
+        # Whoever hangs up ends a connection that nobody else will have.
+        headers = {"Connection": "close", **headers}
+        request, exchange = self._prepared("GET", path, headers=headers)
+        response = self._sent(request, exchange, goes_on=True)
+        if response.is_stream_consumed:
+            yield self._answered(response, response.content, exchange, operation)
+            return
+        stream = Stream(response)
+        try:
+            yield stream
+        finally:
+            response.close()
+            self._answered(response, stream.body, exchange, operation)
+
+    def _prepared(
+        self,
+        method: str,
+        path: str,
+        *,
+        headers: Mapping[str, str] | None,
+        content: bytes | Iterable[bytes] | None = None,
+        params: Mapping[str, Any] | None = None,
+        timeout_s: float = 30.0,
+        token: str | None = OWN_TOKEN,
+    ) -> tuple[httpx.Request, Exchange]:
         url = path if "://" in path else self.base_url + path
         number = self._journal.next_number()
         correlation_id = f"{self._journal.name}/{number}"
@@ -179,33 +276,44 @@ class Wire:
             request_body=content if isinstance(content, bytes) else b"",
             request_size=0 if content is None else size,
         )
-        if operation is None:
-            operation = self._operation_of(method, str(request.url))
-        return self._send(request, exchange, operation)
+        return request, exchange
 
-    def _send(
-        self, request: httpx.Request, exchange: Exchange, operation: Operation | None
-    ) -> Answer:
-        exchange.started_at = started_at = time.monotonic()
+    def _sent(
+        self, request: httpx.Request, exchange: Exchange, goes_on: bool
+    ) -> httpx.Response:
+        """Give the answer; of events only the head."""
+        exchange.started_at = time.monotonic()
         try:
-            response = self._client.send(request)
+            response = self._client.send(request, stream=goes_on)
+            if media_type_of(response.headers) != EVENT_STREAM:
+                response.read()
         except (httpx.TransportError, OSError) as error:
-            exchange.elapsed_s = time.monotonic() - started_at
+            exchange.elapsed_s = time.monotonic() - exchange.started_at
             exchange.error = f"{type(error).__name__}: {error}"
             self._journal.add(exchange)
             raise NoAnswer("an answer", exchange.error, exchange.number) from error
+        return response
+
+    def _answered(
+        self,
+        response: httpx.Response,
+        body: bytes,
+        exchange: Exchange,
+        operation: Operation | None,
+    ) -> Answer:
+        """Write an exchange down and judge it by the rules for all answers."""
         ended_at = time.monotonic()
-        value, is_readable = parse(media_type_of(response.headers), response.content)
-        exchange.elapsed_s = ended_at - started_at
+        value, is_readable = parse(media_type_of(response.headers), body)
+        exchange.elapsed_s = ended_at - exchange.started_at
         exchange.status = response.status_code
         exchange.answer_headers = dict(response.headers)
-        exchange.answer_body = response.content
+        exchange.answer_body = body
         self._journal.add(exchange)
         judged = Judged(
             status=response.status_code,
             headers=response.headers,
             media_type=media_type_of(response.headers),
-            body=response.content,
+            body=body,
             value=value,
             is_readable=is_readable,
         )
@@ -213,8 +321,8 @@ class Wire:
         return Answer(
             status=response.status_code,
             headers=response.headers,
-            body=response.content,
-            started_at=started_at,
+            body=body,
+            started_at=exchange.started_at,
             ended_at=ended_at,
             json=value,
             exchange=exchange.number,

@@ -55,7 +55,7 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "retryable": False,
         "side_effects": "none",
         "title": "No acceptable encoding",
-        "act": "Accept application/json.",
+        "act": "Accept application/json, or text/event-stream for a stream of events.",
     },
     "illegal_transition": {
         "status": 409,

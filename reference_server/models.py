@@ -639,7 +639,8 @@ class ProblemItem(BaseModel):
 
 
 Profile = TypeAliasType(
-    "Profile", Literal["core", "msgpack", "compare", "push", "ebench", "flageval"]
+    "Profile",
+    Literal["core", "msgpack", "compare", "events", "push", "ebench", "flageval"],
 )
 
 

@@ -39,6 +39,7 @@ PATH_PATTERNS: dict[str, tuple[str, str]] = {
 HEADER_PATTERNS: dict[str, str] = {
     "if-none-match": r"(?s:.{0,200})",
     "idempotency-key": r"[\x21-\x7e]{1,128}",
+    "last-event-id": r"[A-Za-z0-9_-]{1,128}",
     "prefer": r"wait=[0-9]{1,4}",
     "run_id": r"[A-Za-z0-9_-]{1,64}",
 }

@@ -269,12 +269,8 @@ def _episode_of(session: Session) -> Episode:
 
 
 def _score(run: Run, episode: Episode, result: Result) -> None:
-    """EPI-005: a result is written once."""
-    assert episode.result is None, "an episode is scored once"
-    episode.result = result
+    run.keep_result(episode, result)
     episode.in_progress = False
-    run.scored += 1
-    run.changed.add(episode.index)
     if run.scored == len(run.episodes):
         move(run, "all_scored")
 

@@ -16,6 +16,7 @@ from starlette.responses import Response
 
 from reference_server import comparison, models, progress, views
 from reference_server.benchmarks import Benchmarks
+from reference_server.event_streams import EVENT_STREAM, Reader
 from reference_server.messages import JSON, MSGPACK
 from reference_server.operations import (
     VERSION_MAX,
@@ -45,6 +46,7 @@ from reference_server.turns import lease_view
 SOFTWARE_VERSION = "0.1.0"
 IDLE_TIMEOUT_S_MIN = 1.0
 PAGE = 100
+PROFILES: tuple[models.Profile, ...] = ("core", "msgpack", "compare", "events", "push")
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,6 +86,13 @@ class Routes:
             f"{run}/stop": {"POST": Operation(self.stop_run, "run", models.StopRun)},
             f"{run}/resume": {"POST": Operation(self.resume_run, "run")},
             f"{run}/episodes": {"GET": Operation(self.list_episodes, query=pages)},
+            f"{run}/events": {
+                "GET": Operation(
+                    self.stream_events,
+                    writes=(EVENT_STREAM,),
+                    headers=("last-event-id",),
+                )
+            },
             f"{run}/score": {"GET": Operation(self.get_score)},
             "/v1/comparisons": {
                 "GET": Operation(
@@ -117,7 +126,7 @@ class Routes:
             name="Proctor reference server",
             version=SOFTWARE_VERSION,
             protocol=models.ProtocolRange(min=VERSION_MIN, max=VERSION_MAX),
-            profiles=["core", "msgpack", "compare", "push", *settings.more_profiles],
+            profiles=[*PROFILES, *settings.more_profiles],
             limits=models.Limits(
                 max_body_bytes=settings.max_body_bytes,
                 max_workers=settings.max_workers,
@@ -221,13 +230,7 @@ class Routes:
         wanted = call.headers.get("if-none-match")
         wait_s = float(call.headers.get("prefer", "wait=0").removeprefix("wait="))
         deadline = time.monotonic() + min(wait_s, self.settings.wait_s_max)
-        run_id = call.path["run_id"]
-
-        def view(run: RunHead, _: object) -> dict[str, Any]:
-            if isinstance(run, Run):  # else nobody plays it
-                self.stage.sweep(run)
-            return self._view(call, run)
-
+        run_id, view = call.path["run_id"], partial(self._swept, call)
         while True:
             # Before the look; and whoever waits keeps no run in memory.
             news = self.book.news(run_id)
@@ -274,6 +277,11 @@ class Routes:
 
         run_id = call.path["run_id"]
         return call.answer(await self.book.look(run_id, call.account, view, start, end))
+
+    async def stream_events(self, call: Call) -> Response:
+        view = partial(self._swept, call)
+        reader = Reader(self.book, call.path["run_id"], call.account, view)
+        return await reader.answer(call.headers.get("last-event-id"))
 
     async def get_score(self, call: Call) -> Response:
         run_id = call.path["run_id"]
@@ -347,6 +355,11 @@ class Routes:
 
     def _view(self, call: Call, run: RunHead) -> dict[str, Any]:
         return views.run_view(run, self.base_url(call), self.book.queue_position(run))
+
+    def _swept(self, call: Call, run: RunHead, *_: object) -> dict[str, Any]:
+        if isinstance(run, Run):  # else nobody plays it
+            self.stage.sweep(run)
+        return self._view(call, run)
 
     def base_url(self, call: Call) -> str:
         """Where the caller reaches this server; without a slash at the end."""

@@ -14,8 +14,12 @@ import msgspec
 from reference_server.run_state import Episode, Result, Run, RunHead
 
 Row = Mapping[str, Any]
-# index, attempt, faults, faults_forgiven, policy_fault, result
-Touched = tuple[int, int, int, int, str | None, bytes | None]
+# What is stored of an episode, and in which types.
+TOUCHED = (
+    *("index", "attempt", "faults", "faults_forgiven"),
+    *("policy_fault", "place", "result"),
+)
+Touched = tuple[int, int, int, int, str | None, int | None, bytes | None]
 
 # What an object takes from its row as it stands there.
 _PLAIN = (
@@ -75,6 +79,7 @@ def episode_rows(run: Run, changed: set[int]) -> list[dict[str, Any]]:
                 "faults": episode.faults,
                 "faults_forgiven": episode.faults_forgiven,
                 "policy_fault": episode.policy_fault,
+                "place": episode.place,
                 "result": msgspec.json.encode(asdict(result)) if result else None,
             }
         )
@@ -85,18 +90,30 @@ def episodes_of(
     plans: Sequence[Mapping[str, Any]], start: int, touched: Iterable[Touched]
 ) -> list[Episode]:
     """Episodes from `start`, by their plans and what has happened to them."""
-    episodes = [
-        Episode(index, plan["task"], plan["split"], plan["seed"])
-        for index, plan in enumerate(plans, start)
-    ]
-    for index, attempt, faults, faults_forgiven, policy_fault, result in touched:
-        episode = episodes[index - start]
-        episode.attempt = attempt
-        episode.faults, episode.faults_forgiven = faults, faults_forgiven
-        episode.policy_fault = policy_fault
-        if result:
-            episode.result = _RESULT.decode(result)
+    episodes = [_planned(index, plan) for index, plan in enumerate(plans, start)]
+    for row in touched:
+        _touch(episodes[row[0] - start], row)
     return episodes
+
+
+def episode_of(plans: Sequence[Mapping[str, Any]], row: Touched) -> Episode:
+    """One episode by the plans of all and what has happened to it."""
+    episode = _planned(row[0], plans[row[0]])
+    _touch(episode, row)
+    return episode
+
+
+def _planned(index: int, plan: Mapping[str, Any]) -> Episode:
+    return Episode(index, plan["task"], plan["split"], plan["seed"])
+
+
+def _touch(episode: Episode, row: Touched) -> None:
+    _, attempt, faults, faults_forgiven, policy_fault, place, result = row
+    episode.attempt = attempt
+    episode.faults, episode.faults_forgiven = faults, faults_forgiven
+    episode.policy_fault, episode.place = policy_fault, place
+    if result:
+        episode.result = _RESULT.decode(result)
 
 
 def _columns_of(row: Row, manifest: Mapping[str, Any]) -> dict[str, Any]:

@@ -18,6 +18,7 @@ import time
 from bisect import bisect_left, insort
 from collections import OrderedDict
 from collections.abc import Awaitable, Callable, Sequence
+from functools import partial
 from typing import TypeVar
 from weakref import WeakValueDictionary
 
@@ -98,20 +99,24 @@ class RunBook:
         view: Callable[[RunHead, Sequence[Episode]], Shown],
         start: int = 0,
         end: int | None = 0,
+        *,
+        scored: bool = False,
     ) -> Shown:
         """What `view` makes of the run and of its episodes from start to end.
 
+        scored: of those that have a result, in the order in which they were scored.
         A run that is not in memory stays out of it, and no more of it is read than is
         shown, so that nobody pays for the size or the number of finished runs.
         """
         if run_id not in self._known:
-            found = await self._store.glance(run_id, start, end)
+            found = await self._store.glance(run_id, start, end, scored)
             if found is not None and self._is_at_rest(found[0]):
                 if found[0].account != account:
                     raise _no_run(run_id)
                 return view(*found)
         run = await self.get(run_id, account)
-        return await self.shown(run, lambda run: view(run, run.episodes[start:end]))
+        window = partial(Run.window, start=start, end=end, scored=scored)
+        return await self.shown(run, lambda run: view(run, window(run)))
 
     def _is_at_rest(self, head: RunHead) -> bool:
         """Whether the run is as it was just read: nobody has taken it up meanwhile."""

@@ -47,6 +47,8 @@ class Episode:
     attempt: the attempt in play, or the next one; from 1.
     faults: simulator faults so far; `faults_forgiven` of them before the last resume.
     policy_fault: what the policy did that ended the last attempt, where we call it.
+    place: of its result among those of the run, the first one 1; None without a result,
+    or with one from before this was kept.
     """
 
     index: int
@@ -58,6 +60,7 @@ class Episode:
     faults_forgiven: int = 0
     in_progress: bool = False
     policy_fault: str | None = None
+    place: int | None = None
     result: Result | None = None
 
     @property
@@ -138,6 +141,8 @@ class RunHead:
 class Run(RunHead):
     """One evaluation of one policy on one benchmark.
 
+    scored_order: indices of the scored episodes, as they were scored one after another;
+    results without a place are the oldest, in manifest order.
     changed: indices of episodes that differ from what is stored.
     lost: a write of it failed; the store has the truth, and this object none.
     """
@@ -146,17 +151,37 @@ class Run(RunHead):
     workers: dict[str, Session] = field(default_factory=dict)
     ended: OrderedDict[str, SessionEnd] = field(default_factory=OrderedDict)
     pending: list[int] = field(default_factory=list)
+    scored_order: list[int] = field(default_factory=list)
     changed: set[int] = field(default_factory=set)
     lost: bool = False
 
     def __post_init__(self) -> None:
         self.total = len(self.episodes)
-        self.scored = sum(1 for e in self.episodes if e.result is not None)
+        scored = [e for e in self.episodes if e.result is not None]
+        self.scored = len(scored)
+        self.scored_order = [
+            e.index for e in sorted(scored, key=lambda e: e.place or 0)
+        ]
         self.pending = [e.index for e in self.episodes if e.result is None]
 
     @property
     def live(self) -> list[Session]:
         return [s for s in self.workers.values() if not s.done]
+
+    def window(self, start: int, end: int | None, scored: bool) -> list[Episode]:
+        """Episodes from start to end: of the manifest, or of `scored_order`."""
+        if scored:
+            return [self.episodes[i] for i in self.scored_order[start:end]]
+        return self.episodes[start:end]
+
+    def keep_result(self, episode: Episode, result: Result) -> None:
+        """EPI-005: a result is written once."""
+        assert episode.result is None, "an episode is scored once"
+        episode.result = result
+        self.scored += 1
+        episode.place = self.scored
+        self.scored_order.append(episode.index)
+        self.changed.add(episode.index)
 
     def take_pending(self) -> Episode | None:
         """EPI-001: the first unscored episode in manifest order, now in progress."""

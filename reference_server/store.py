@@ -9,13 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import (
-    AsyncIterator,
-    Callable,
-    Iterator,
-    Mapping,
-    Sequence,
-)
+from collections.abc import AsyncIterator, Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -76,6 +70,8 @@ _episodes = sa.Table(
     sa.Column("faults_forgiven", sa.Integer, nullable=False),
     sa.Column("result", sa.LargeBinary),
     sa.Column("policy_fault", sa.Text),
+    # Of its result among those of the run; NULL from before there was this column.
+    sa.Column("place", sa.Integer),
 )
 _keys = sa.Table(
     "idempotency_keys",
@@ -98,17 +94,17 @@ _HEADS = sa.select(
 _MANIFEST = sa.select(_manifests.c.manifest).where(
     _manifests.c.manifest_sha256 == sa.bindparam("manifest_sha256")
 )
-_TOUCHED = sa.select(
-    _episodes.c.index,
-    _episodes.c.attempt,
-    _episodes.c.faults,
-    _episodes.c.faults_forgiven,
-    _episodes.c.policy_fault,
-    _episodes.c.result,
-).where(
-    _episodes.c.number == sa.bindparam("number"),
-    _episodes.c.index >= sa.bindparam("start"),
-    _episodes.c.index < sa.bindparam("end"),
+_OF_RUN = sa.select(*(_episodes.c[name] for name in rows.TOUCHED)).where(
+    _episodes.c.number == sa.bindparam("number")
+)
+_start, _end = (sa.bindparam(name, type_=sa.Integer) for name in ("start", "end"))
+_TOUCHED = _OF_RUN.where(_episodes.c.index >= _start, _episodes.c.index < _end)
+# One after another as they were scored, like Run.scored_order.
+_SCORED = (
+    _OF_RUN.where(_episodes.c.result.is_not(None))
+    .order_by(sa.func.coalesce(_episodes.c.place, 0), _episodes.c.index)
+    .offset(_start)
+    .limit(_end - _start)
 )
 
 
@@ -256,18 +252,19 @@ class Store:
         return await self._read(look)
 
     async def glance(
-        self, run_id: str, start: int, end: int | None
+        self, run_id: str, start: int, end: int | None, scored: bool = False
     ) -> tuple[RunHead, list[Episode]] | None:
-        """The run and those of its episodes, as they are stored."""
+        """The run as it is stored, and its episodes that `Run.window` would give."""
 
         def look(connection: sa.Connection) -> tuple[RunHead, list[Episode]] | None:
             for row, manifest in self._heads(connection, [run_id]):
-                plans, touched = manifest["episodes"][start:end], []
-                if plans:
-                    last = start + len(plans)
-                    touched = _touched(connection, row["number"], start, last)
-                episodes = rows.episodes_of(plans, start, touched)
-                return rows.head_of(row, manifest), episodes
+                head, plans = rows.head_of(row, manifest), manifest["episodes"]
+                window = (connection, head.number, start, start + len(plans[start:end]))
+                if scored:
+                    found = _touched(*window, _SCORED)
+                    return head, [rows.episode_of(plans, one) for one in found]
+                found = _touched(*window)
+                return head, rows.episodes_of(plans[start:end], start, found)
             return None
 
         return await self._read(look)
@@ -388,8 +385,14 @@ async def _replace_episodes(
 
 
 def _touched(
-    connection: sa.Connection, number: int, start: int = 0, end: int = 2**31 - 1
+    connection: sa.Connection,
+    number: int,
+    start: int = 0,
+    end: int = 2**31 - 1,
+    query: sa.Select[Any] = _TOUCHED,
 ) -> list[rows.Touched]:
-    """What is stored of a run's episodes from start to end."""
+    """What is stored of a run's episodes from start to end, as the query counts."""
+    if start == end:
+        return []
     window = {"number": number, "start": start, "end": end}
-    return [tuple(row) for row in connection.execute(_TOUCHED, window)]
+    return [tuple(row) for row in connection.execute(query, window)]

@@ -144,9 +144,7 @@ RESULT = Result("success", 1.0, 1, 1, True, False, 0.0, 1e9)
 
 
 def score(run: Run, index: int) -> None:
-    run.episodes[index].result = RESULT
-    run.scored += 1
-    run.changed.add(index)
+    run.keep_result(run.episodes[index], RESULT)
 
 
 def failing(

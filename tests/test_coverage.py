@@ -18,6 +18,7 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 OWN_TESTS = {
     "reference_server/comparison.py": ("test_comparison.py",),
+    "reference_server/events.py": ("test_events.py",),
     "reference_server/problems.py": ("test_problems.py",),
     "reference_server/progress.py": (
         "test_progress.py",

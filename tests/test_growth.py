@@ -55,10 +55,13 @@ def test_the_page_tells_every_figure() -> None:
     body = {
         "requests": {"get_run": cost},
         "memory": {"at_start_mb": float(next(figures)), **weighed},
-        "long_polls": {
-            "polls": next(figures),
-            "cost_mb": float(next(figures)),
-            "cpu_share": next(figures) / 100,
+        **{
+            waiting: {
+                "waiting": next(figures),
+                "cost_mb": float(next(figures)),
+                "cpu_share": next(figures) / 100,
+            }
+            for waiting in ("long_polls", "event_streams")
         },
         "turns": {
             "turns": next(figures),

@@ -17,7 +17,7 @@ import pytest
 from conformance.server_process import ServerProcess, Tokens
 
 ROOT = Path(__file__).parents[1]
-TOOLS = ("bash", "base64", "curl", "python3", "sleep")
+TOOLS = ("bash", "base64", "curl", "python3", "sleep", "tee")
 
 
 @pytest.fixture
@@ -87,6 +87,8 @@ def printed_script(mutant: str, requirement_id: str, report: Path) -> str:
         ("never_ends_a_lease", "LEASE-001", ("200", '"seq":2')),
         # It asks again before the first request was answered.
         ("refuses_a_repeat_in_flight", "PRED-005", ("409", "seq_conflict")),
+        # It goes on behind events that were told before.
+        ("begins_anew_for_who_comes_back", "EVT-005", ("200", "event: episode")),
         # Its body is MessagePack.
         ("reads_messagepack_extensions", "ENC-008", ("422", "invalid_request")),
     ],
@@ -102,6 +104,7 @@ def test_script_finds_the_same_wrong_answer(
     with a_fresh(mutant, tmp_path) as variables:
         done = subprocess.run(
             ["bash", "-c", text],
+            cwd=tmp_path,
             env=variables | {"PATH": str(few_tools)},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
@@ -110,7 +113,7 @@ def test_script_finds_the_same_wrong_answer(
         )
     output = done.stdout.decode(errors="replace")
     assert done.returncode == 0, output
-    answers = re.findall(r"(.*)\n→ (\d+)", output)
+    answers = re.findall(r"(.*?)\n→ (\d+)", output, re.DOTALL)
     # What is waited for is not shown.
     assert len(answers) == text.count("\n# → ") - text.count("\nwait_for state ")
     is_beside = "\nwait" in text

@@ -112,7 +112,10 @@ def test_the_packages_are_found() -> None:
 
 # --- layers ---
 
-PURE = ("comparison", "protocol", "progress", "run_state", "scoring", "spaces")
+PURE = (
+    *("comparison", "events", "protocol", "progress"),
+    *("run_state", "scoring", "spaces"),
+)
 
 
 @pytest.mark.parametrize("name", PURE)

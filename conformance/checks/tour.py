@@ -20,6 +20,7 @@ READING = frozenset(
         "list_episodes",
         "get_score",
         "compare_runs",
+        "stream_events",
     }
 )
 
@@ -56,6 +57,8 @@ def beyond_the_core(run: Run) -> Iterator[Stop]:
     """Give the operations of the profiles that the server offers."""
     if run.story.offers("compare"):
         yield "compare_runs", {"params": {"baseline": run.id, "runs": run.id}}
+    if run.story.offers("events"):
+        yield "stream_events", {}
 
 
 def of_a_run() -> Iterator[Stop]:

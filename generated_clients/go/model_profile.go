@@ -15,6 +15,7 @@ const (
 	PROFILE_CORE Profile = "core"
 	PROFILE_MSGPACK Profile = "msgpack"
 	PROFILE_COMPARE Profile = "compare"
+	PROFILE_EVENTS Profile = "events"
 	PROFILE_PUSH Profile = "push"
 	PROFILE_EBENCH Profile = "ebench"
 	PROFILE_FLAGEVAL Profile = "flageval"
@@ -26,6 +27,7 @@ var AllowedProfileEnumValues = []Profile{
 	"core",
 	"msgpack",
 	"compare",
+	"events",
 	"push",
 	"ebench",
 	"flageval",

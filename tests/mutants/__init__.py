@@ -56,6 +56,7 @@ def load() -> dict[str, Mutant]:
         compare,
         ebench,
         episodes,
+        events,
         flageval,
         histories,
         lifecycle,

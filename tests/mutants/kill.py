@@ -30,7 +30,7 @@ ROOT = Path(__file__).parents[2]
 KIT_TIMEOUT_S = 600
 # Profiles that are off unless asked for, and those with code of their own.
 DOORS = {"ebench", "flageval"}
-APART = {*DOORS, "compare", "push"}
+APART = {*DOORS, "compare", "events", "push"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,8 +109,8 @@ def _selection(mutant: Mutant, profiles: set[str]) -> list[str]:
     """Which rows the kit looks at."""
     if len(profiles) == 1 and profiles <= APART:
         return ["--profile", *profiles]
-    # Killing, restarting and calling policies take most of the kit's time.
-    left_out = {"crash", "push"} - profiles
+    # Killing, restarting, calling policies and following take most of the kit's time.
+    left_out = {"crash", "events", "push"} - profiles
     selection = ["--profile", ",".join(p for p in PROFILES if p not in left_out)]
     if not any(id_.startswith("MODEL-") for id_ in mutant.kills):
         areas = {id_.partition("-")[0] + "-" for id_ in load_ledger()}

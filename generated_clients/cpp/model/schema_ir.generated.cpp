@@ -4694,7 +4694,7 @@ SchemaResourceRegistry buildRegistry() {
         SchemaNode n;
         n.resourceIdentity = 0;
         n.hasEnumJson = true;
-        { ExactJsonValue _exact = parseExactJson(R"OAS0(["core","msgpack","compare","push","ebench","flageval"])OAS0");
+        { ExactJsonValue _exact = parseExactJson(R"OAS0(["core","msgpack","compare","events","push","ebench","flageval"])OAS0");
           n.enumJsonLexemes = std::move(_exact.lexemes);
           for (boost::json::value& _e : _exact.value.as_array()) n.enumJson.push_back(std::move(_e)); }
         n.sourceName = "Profile_component";

@@ -29,6 +29,7 @@ class Profile(str, Enum):
     CORE = 'core'
     MSGPACK = 'msgpack'
     COMPARE = 'compare'
+    EVENTS = 'events'
     PUSH = 'push'
     EBENCH = 'ebench'
     FLAGEVAL = 'flageval'

@@ -12,6 +12,8 @@ pub enum Profile {
     Msgpack,
     #[serde(rename = "compare")]
     Compare,
+    #[serde(rename = "events")]
+    Events,
     #[serde(rename = "push")]
     Push,
     #[serde(rename = "ebench")]
@@ -27,6 +29,7 @@ impl std::fmt::Display for Profile {
             Self::Core => write!(f, "core"),
             Self::Msgpack => write!(f, "msgpack"),
             Self::Compare => write!(f, "compare"),
+            Self::Events => write!(f, "events"),
             Self::Push => write!(f, "push"),
             Self::Ebench => write!(f, "ebench"),
             Self::Flageval => write!(f, "flageval"),

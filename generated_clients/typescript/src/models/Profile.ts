@@ -13,6 +13,7 @@ export const Profile = {
     Core: 'core',
     Msgpack: 'msgpack',
     Compare: 'compare',
+    Events: 'events',
     Push: 'push',
     Ebench: 'ebench',
     Flageval: 'flageval',

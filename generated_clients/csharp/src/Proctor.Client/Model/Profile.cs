@@ -44,22 +44,28 @@ namespace Proctor.Client.Model
         Compare = 3,
 
         /// <summary>
+        /// Enum Events for value: events
+        /// </summary>
+        [EnumMember(Value = "events")]
+        Events = 4,
+
+        /// <summary>
         /// Enum Push for value: push
         /// </summary>
         [EnumMember(Value = "push")]
-        Push = 4,
+        Push = 5,
 
         /// <summary>
         /// Enum Ebench for value: ebench
         /// </summary>
         [EnumMember(Value = "ebench")]
-        Ebench = 5,
+        Ebench = 6,
 
         /// <summary>
         /// Enum Flageval for value: flageval
         /// </summary>
         [EnumMember(Value = "flageval")]
-        Flageval = 6
+        Flageval = 7
     }
 
 }

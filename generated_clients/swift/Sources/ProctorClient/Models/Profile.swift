@@ -11,6 +11,7 @@ public enum Profile: String, Sendable, Codable, CaseIterable, CaseIterableDefaul
     case core = "core"
     case msgpack = "msgpack"
     case compare = "compare"
+    case events = "events"
     case push = "push"
     case ebench = "ebench"
     case flageval = "flageval"

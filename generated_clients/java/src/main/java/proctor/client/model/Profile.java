@@ -27,6 +27,8 @@ public enum Profile {
 
   COMPARE("compare"),
 
+  EVENTS("events"),
+
   PUSH("push"),
 
   EBENCH("ebench"),

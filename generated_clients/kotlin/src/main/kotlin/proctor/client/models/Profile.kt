@@ -29,7 +29,7 @@ import com.google.gson.annotations.SerializedName
 /**
  *
  *
- * Values: core,msgpack,compare,push,ebench,flageval,unknown_default_open_api
+ * Values: core,msgpack,compare,events,push,ebench,flageval,unknown_default_open_api
  */
 
 enum class Profile(val value: kotlin.String) {
@@ -42,6 +42,9 @@ enum class Profile(val value: kotlin.String) {
 
     @SerializedName(value = "compare")
     compare("compare"),
+
+    @SerializedName(value = "events")
+    events("events"),
 
     @SerializedName(value = "push")
     push("push"),

@@ -1,0 +1,139 @@
+"""Events of a server as people run it: read, killed, started again, ended."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import re
+import signal
+import subprocess
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+from unittest.mock import ANY
+
+import httpx
+
+from conformance.events import Event, Parser
+from tests.conftest import PATIENCE_S, TOKENS, House
+from tests.test_event_streams import indices, kinds
+from tests.test_server import predict_body, submit
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+@contextmanager
+def following(
+    client: httpx.Client, run_id: str, last_id: str | None = None
+) -> Iterator[Iterator[Event]]:
+    headers = {"Last-Event-ID": last_id} if last_id else {}
+    path, parser = f"/v1/runs/{run_id}/events", Parser()
+    with client.stream("GET", path, headers=headers) as answer:
+        assert answer.status_code == 200
+        assert answer.headers["content-type"].startswith("text/event-stream")
+        yield (event for part in answer.iter_bytes() for event in parser.feed(part))
+
+
+class Player:
+    """A worker of a run that scores what it is given."""
+
+    def __init__(self, client: httpx.Client, run_id: str, worker_id: str) -> None:
+        self._client = client
+        self._path = f"/v1/runs/{run_id}/workers/{worker_id}"
+        self._turn = client.put(self._path, json={"attach_key": worker_id}).json()
+
+    def play(self) -> None:
+        body = predict_body(self._turn, end=1)
+        self._turn = self._client.post(f"{self._path}/predict", json=body).json()
+        assert "episode_result" in self._turn
+
+
+def until(events: Iterator[Event], scored: int) -> list[Event]:
+    found = []
+    for event in events:
+        found.append(event)
+        progress = event.body.get("progress")
+        if progress and progress["episodes_scored"] == scored:
+            return found
+    raise AssertionError(f"the stream ended after {kinds(found)}")
+
+
+def test_the_same_ids_go_on_after_a_kill(house: House) -> None:
+    with house.client() as client:
+        run_id = submit(client, *["score"] * 3)
+        first, second = (Player(client, run_id, worker) for worker in "ab")
+        second.play()
+        first.play()
+        with following(client, run_id) as events:
+            told = until(events, 2)
+    house.end(signal.SIGKILL)
+    house.start()
+    with house.client() as client:
+        with following(client, run_id) as events:
+            again = until(events, 2)
+        assert indices(again) == indices(told) == [1, 0]
+        assert [one.body for one in again[:2]] == [one.body for one in told[:2]]
+        streams = contextlib.ExitStack()
+        with streams:
+            behind = [
+                streams.enter_context(following(client, run_id, event.id))
+                for event in told
+            ]
+            Player(client, run_id, "c").play()
+            for number, events in enumerate(behind, 1):
+                rest = indices(until(events, 3))
+                assert rest == [1, 0, 2][len(indices(told[:number])) :]
+
+
+def test_the_page_on_events_is_right(house: House) -> None:
+    """Its commands, pasted: the whole of a finished run, and a part of it."""
+    page = (ROOT / "docs" / "events.md").read_text()
+    whole, rest = re.findall(r"^ +(curl .*)$", page, re.MULTILINE)
+    with house.client() as client:
+        run_id = submit(client, "score", "score")
+        player = Player(client, run_id, "w")
+        player.play()
+        player.play()
+    variables = {"URL": house.url, "TOKEN": TOKENS["alice"], "RUN": run_id}
+
+    def paste(command: str) -> list[Event]:
+        environment = {"PATH": os.environ["PATH"], **variables}
+        pasted = ["sh", "-c", command]
+        done = subprocess.run(pasted, env=environment, capture_output=True, check=True)
+        return Parser().feed(done.stdout)
+
+    events = paste(whole)
+    assert kinds(events) == ["episode", "episode", "run"]
+    variables["LAST"] = str(events[0].id)
+    assert paste(rest) == [replace(e, at=ANY) for e in events[1:]]
+    variables["LAST"] = str(events[-1].id)
+    assert paste(rest) == []
+
+
+def test_streams_end_with_the_server(house: House) -> None:
+    with house.client() as client:
+        waiting, played = submit(client, "count"), submit(client, "score")
+        with following(client, waiting) as one, following(client, played) as other:
+            assert [next(one).kind, next(other).kind] == ["run", "run"]
+            began = time.monotonic()
+            house.end()
+            assert time.monotonic() - began < PATIENCE_S / 6
+            assert [kinds(list(one)), kinds(list(other))] == [[], []]
+    assert house.log() == ""
+
+
+def test_who_hung_up_is_forgotten_by_the_server(house: House) -> None:
+    """The server would wait at its end for streams that somebody reads."""
+    with house.client() as client:
+        run_id = submit(client, "score")
+        for _ in range(20):
+            with following(client, run_id) as events:
+                assert next(events).kind == "run"
+        Player(client, run_id, "w").play()
+        with following(client, run_id) as events:
+            assert json.loads(list(events)[-1].data[0])["state"] == "completed"
+    house.end()
+    assert house.log() == ""

@@ -1,0 +1,116 @@
+"""The kit reads events like any client: however they are cut, over every end."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator
+from itertools import count, pairwise
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from conformance.events import Event, Parser, reading
+from conformance.expect import SetUpFailed, Violation
+from conformance.preflight import inspect
+from conformance.settings import Settings
+from conformance.story import Context, Run, Story
+from tests import null_servers
+from tests.null_servers import Reply, Request, serving
+
+HEADERS = {"Content-Type": "text/event-stream; charset=utf-8", "Proctor-Version": "1.0"}
+TEXT = """\ufeff: a comment
+retry: 100
+
+event: episode
+id: one
+data: {"index": 0}
+
+event: unknown
+id
+
+: no data, no event
+id: two
+
+data: first
+data:second: é
+other: field
+
+data: is cut off"""
+# kind, id and data of each.
+READ = [("episode", "one", ['{"index": 0}']), ("message", None, ["first", "second: é"])]
+
+
+def read(events: list[Event]) -> list[tuple[str, str | None, list[str]]]:
+    return [(event.kind, event.id, event.data) for event in events]
+
+
+@given(
+    end=st.sampled_from(["\n", "\r", "\r\n"]),
+    cuts=st.lists(st.integers(0, 2 * len(TEXT)), max_size=12),
+)
+def test_events_are_read_however_they_are_cut(end: str, cuts: list[int]) -> None:
+    sent, parser, events = TEXT.replace("\n", end).encode(), Parser(), list[Event]()
+    places = [0, *sorted(cuts), len(sent)]
+    for first, last in pairwise(places):
+        events += parser.feed(sent[first:last])
+    assert read(events) == READ
+
+
+@pytest.mark.parametrize("data", ["{", "1", '"text"', "[]"])
+def test_data_that_is_no_object_proves_nothing(data: str) -> None:
+    with pytest.raises(SetUpFailed, match="EVT-001"):
+        assert Event("run", "one", [data], 0.0).body
+
+
+class House:
+    """A server that ends each stream after one event, of which it has three."""
+
+    def __init__(self, last: int = 3) -> None:
+        self._numbers = count(1)
+        self._last = last
+
+    def __call__(self, request: Request) -> Reply:
+        if not request.path.endswith("/events"):
+            return null_servers.parrot(request)
+        number = next(self._numbers)
+        if number > self._last:
+            return 204, {"Proctor-Version": "1.0"}, b""
+        event = f"id: {number}\ndata: {{}}\n\n".encode()
+        return 200, HEADERS, event
+
+
+@contextlib.contextmanager
+def a_run(house: House) -> Iterator[Run]:
+    with serving(house) as url:
+        settings = Settings(url=url, token="secret")
+        inspect(settings)
+        with contextlib.closing(Context.of(settings)) as context:
+            yield Run(story := Story(context, "TEST-001"), null_servers.RUN, story.wire)
+
+
+def test_a_reader_comes_back_until_it_is_told_not_to() -> None:
+    with a_run(House()) as run:
+        with reading(run) as reader:
+            reader.until(lambda event: event.id == "3", "with the id 3")
+            assert reader.answered() == 200
+            assert reader.ends()
+            with pytest.raises(Violation, match="status 204"):
+                reader.until(lambda _: True, "after the last")
+        assert [event.id for event in reader.told] == ["1", "2", "3"]
+        asked = [one.request_headers for one in run.story.journal.exchanges]
+        assert [one.get("Last-Event-ID") for one in asked] == [None, "1", "2", "3"]
+        assert run.story.tally.broken["SVC-003"] == 0
+
+
+def test_a_reader_that_is_told_at_once_not_to_come_is_answered() -> None:
+    with a_run(House(last=0)) as run, reading(run, "1") as reader:
+        assert reader.answered() == 204
+
+
+def test_of_a_stream_the_beginning_is_an_answer() -> None:
+    """It is judged by the rules for all answers."""
+    with a_run(House()) as run:
+        answer = run.call("stream_events")
+        assert (answer.status, answer.json) == (200, "id: 1\ndata: {}\n\n")
+        assert run.story.tally.broken["SVC-003"] == 0
