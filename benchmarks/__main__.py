@@ -12,6 +12,7 @@ import os
 import sys
 
 from benchmarks import line_up, page, picture, report, results, round_trips, throughput
+from benchmarks.libraries import comparison, tables
 
 EVERYBODY = (
     *("tcp", *line_up.PEERS),
@@ -23,7 +24,7 @@ PLAN = {
     "cameras": (*EVERYBODY, "ours json jpeg", "ours json jpeg files"),
 }
 ROUNDS, ROUNDS_TRIED = 200, 5
-PARTS = ("round_trips", "throughput")
+PARTS = ("round_trips", "throughput", "libraries")
 BUSY = 0.25  # load of each core from which on figures are not to be trusted
 
 
@@ -37,6 +38,8 @@ def main() -> int:
 
 
 def _needs_no_peers(options: argparse.Namespace) -> bool:
+    if "libraries" in options.parts:
+        return False
     asked = options.only or EVERYBODY
     return "round_trips" not in options.parts or not set(asked) & set(line_up.PEERS)
 
@@ -56,6 +59,11 @@ def _measure(options: argparse.Namespace) -> None:
             _say(throughput.tables(body))
         else:
             results.update("throughput", body)
+    if "libraries" in options.parts:
+        body = comparison.measure(options.try_, _say)
+        _say(tables.tables(body))
+        if not options.try_:
+            results.update("libraries", body)
     if not options.try_:
         write()
 
@@ -90,6 +98,8 @@ def write() -> None:
         picture.FILE.write_text(picture.svg(section))
     if section := sections.get("throughput"):
         page.put("throughput", throughput.tables(section))
+    if section := sections.get("libraries"):
+        page.put("libraries", tables.tables(section))
 
 
 def _options() -> argparse.Namespace:

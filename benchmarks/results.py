@@ -19,7 +19,10 @@ from pathlib import Path
 from typing import Any
 
 FILE = Path(__file__).parent / "results.json"
-DISTRIBUTIONS = ("msgspec", "mujoco", "numpy", "starlette", "uvicorn", "uvloop")
+DISTRIBUTIONS = (
+    *("httptools", "msgspec", "mujoco", "numpy", "simplejpeg", "starlette"),
+    *("uvicorn", "uvloop"),
+)
 
 Json = dict[str, Any]
 

@@ -15,6 +15,7 @@ from functools import lru_cache
 from typing import Any, TypeVar
 
 import msgspec
+import pybase64
 from pydantic import BaseModel, ValidationError
 from starlette.requests import Request
 from starlette.responses import Response
@@ -145,20 +146,19 @@ def _best(accept: str, writable: Sequence[str]) -> str:
 
 def encoded(content: Any, media_type: str = JSON, status: int = 200) -> Response:
     """An answer. Blobs are Base64 in JSON and `bin` in MessagePack (ENC-002)."""
-    if media_type != MSGPACK:
-        body: bytes | memoryview = msgspec.json.encode(content)
-        return Response(body, status_code=status, media_type=media_type)
-    first, *others = in_parts(content)
+    first, *others = in_parts(content, media_type)
     if others:
-        return InParts([first, *others], status)
+        return InParts([first, *others], status, media_type)
     return Response(first, status_code=status, media_type=media_type)
 
 
 class InParts(Response):
-    """A MessagePack answer whose blobs are sent from where they are."""
+    """An answer whose large images are sent from where they are."""
 
-    def __init__(self, parts: Sequence[bytes | memoryview], status: int) -> None:
-        super().__init__(None, status, media_type=MSGPACK)
+    def __init__(
+        self, parts: Sequence[bytes | memoryview], status: int, media_type: str
+    ) -> None:
+        super().__init__(None, status, media_type=media_type)
         self._parts = parts
         self.headers["content-length"] = str(sum(map(len, parts)))
 
@@ -172,45 +172,53 @@ class InParts(Response):
             await send({"type": "http.response.body", **more})
 
 
-def in_parts(content: Any) -> Sequence[bytes | memoryview]:
-    """MessagePack in parts to be sent one after another, large images uncopied.
+def in_parts(content: Any, media_type: str = MSGPACK) -> Sequence[bytes | memoryview]:
+    """The encoded content, in parts to be sent one after another.
 
-    What stands around an image is encoded with a mark in its place, which nobody can
-    guess, and cut there: no encoder of ours is needed for that.
+    Large images are parts of their own: uncopied in MessagePack, and in JSON Base64 by
+    pybase64, which takes a tenth of the time that msgspec does. What stands around them
+    is encoded with a mark in their places, which nobody can guess, and cut there: no
+    encoder of ours is needed for that.
     """
+    encode = msgspec.msgpack.encode if media_type == MSGPACK else msgspec.json.encode
     large = _large_images(content)
     if not large:
-        return [msgspec.msgpack.encode(content)]
-    mark = secrets.token_bytes(16)
-    marked = {
-        name: image | {"data": msgspec.Raw(_bin_header(image["data"]) + mark)}
-        for name, image in large.items()
-    }
+        return [encode(content)]
+    framed = _in_msgpack if media_type == MSGPACK else _in_json
+    mark, blobs, marked = secrets.token_bytes(16), [], {}
+    for name, image in large.items():
+        before, blob, after = framed(image["data"])
+        blobs.append(blob)
+        marked[name] = image | {"data": msgspec.Raw(before + mark + after)}
     observation = content["observation"]
     images = observation["images"] | marked
     turn = content | {"observation": observation | {"images": images}}
-    first, *others = msgspec.msgpack.encode(turn).split(mark)
+    first, *others = encode(turn).split(mark)
     parts: list[bytes | memoryview] = [first]
-    for image, around in zip(large.values(), others, strict=True):
-        parts += [image["data"], around]
+    for blob, around in zip(blobs, others, strict=True):
+        parts += [blob, around]
     return parts
+
+
+def _in_msgpack(blob: memoryview) -> tuple[bytes, bytes | memoryview, bytes]:
+    return _BIN_32 + len(blob).to_bytes(4, "big"), blob, b""
+
+
+def _in_json(blob: memoryview) -> tuple[bytes, bytes | memoryview, bytes]:
+    return b'"', pybase64.b64encode(blob), b'"'
 
 
 def _large_images(content: Any) -> dict[str, Any]:
     """Those of a turn's observation that are not worth a copy, in its order."""
-    if not isinstance(content, dict) or not isinstance(
-        content.get("observation"), dict
-    ):
+    seen = content.get("observation") if isinstance(content, dict) else None
+    images = seen.get("images") if isinstance(seen, dict) else None
+    if not isinstance(images, dict):
         return {}
     return {
         name: image
-        for name, image in content["observation"]["images"].items()
+        for name, image in images.items()
         if len(image["data"]) >= LARGE_BYTES
     }
-
-
-def _bin_header(blob: memoryview) -> bytes:
-    return _BIN_32 + len(blob).to_bytes(4, "big")
 
 
 def _range(part: str) -> tuple[str, float]:

@@ -134,7 +134,7 @@ def _compressed(pixels: NDArray[np.uint8], codec: str) -> memoryview:
 
 
 def _jpeg(pixels: NDArray[np.uint8]) -> bytes:
-    """By simplejpeg: Pillow takes half as long again for the same picture."""
+    """By simplejpeg: in threads Pillow takes twice as long, for 3 % smaller files."""
     colours = _JPEG_COLOURS.get(pixels.shape[2])
     if colours is None:
         raise ValueError(f"JPEG has no {pixels.shape[2]} channels")

@@ -4,13 +4,14 @@ import asyncio
 import fcntl
 import os
 from pathlib import Path
+from typing import Any
 
 import msgspec
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from reference_server.messages import LARGE_BYTES, MSGPACK, encoded, in_parts
+from reference_server.messages import JSON, LARGE_BYTES, MSGPACK, encoded, in_parts
 from reference_sim import catalog
 from reference_sim.canvas import Canvas, Shared, mapped
 from reference_sim.encoding import EncodedObservation, encode_image
@@ -158,26 +159,44 @@ def test_a_place_beside_the_memory_ends_the_process() -> None:
             process._take_down({"state": {}, "tensors": {}, "images": {"a": image}})
 
 
-def test_large_images_leave_as_they_are() -> None:
-    pixels = memoryview(bytes(range(256)) * (LARGE_BYTES // 128))
-    small = memoryview(b"\x01" * 10)
-    turn = {
-        "seq": 1,
-        "observation": {
-            "state": {"a": [1.0]},
-            "images": {
-                name: {"codec": "raw", "data": data}
-                for name, data in (("x", pixels), ("y", small), ("z", pixels))
-            },
-            "tensors": {},
+PIXELS = memoryview(bytes(range(256)) * (LARGE_BYTES // 128))
+TURN = {
+    "seq": 1,
+    "observation": {
+        "state": {"a": [1.0]},
+        "images": {
+            name: {"codec": "raw", "data": data}
+            for name, data in (
+                ("x", PIXELS),
+                ("y", memoryview(b"\x01" * 10)),
+                ("z", PIXELS[1:]),
+            )
         },
-        "done": False,
-    }
-    parts = in_parts(turn)
-    assert sum(part is pixels for part in parts) == 2
-    assert b"".join(parts) == msgspec.msgpack.encode(turn)[: len(b"".join(parts))]
-    assert msgspec.msgpack.decode(b"".join(parts)) == msgspec.msgpack.decode(
-        msgspec.msgpack.encode(turn)
-    )
-    answer = encoded(turn, MSGPACK)
-    assert int(answer.headers["content-length"]) == len(b"".join(parts))
+        "tensors": {},
+    },
+    "done": False,
+}
+
+
+def test_large_images_leave_as_they_are() -> None:
+    parts = in_parts(TURN)
+    assert sum(part is PIXELS for part in parts) == 1
+    assert b"".join(parts) == msgspec.msgpack.encode(TURN)
+
+
+@pytest.mark.parametrize(
+    ("media_type", "encode"),
+    [(MSGPACK, msgspec.msgpack.encode), (JSON, msgspec.json.encode)],
+)
+def test_an_answer_in_parts_is_that_in_one(media_type: str, encode: Any) -> None:
+    parts = in_parts(TURN, media_type)
+    assert len(parts) == 5
+    assert b"".join(parts) == encode(TURN)
+    answer = encoded(TURN, media_type)
+    assert answer.media_type == media_type
+    assert int(answer.headers["content-length"]) == len(encode(TURN))
+
+
+@pytest.mark.parametrize("content", [{"observation": {}}, {"observation": 1}, [1], {}])
+def test_what_is_no_turn_is_one_part(content: Any) -> None:
+    assert in_parts(content, JSON) == [msgspec.json.encode(content)]

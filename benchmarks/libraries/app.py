@@ -1,0 +1,73 @@
+"""A bare ASGI application: it reads a request to its end and answers the sample.
+
+Which sample is said by the path, and where they are by BENCHMARKS_SAMPLES. A body goes
+out as the reference server sends it: a turn without pictures in one message, one with
+four of them in nine, views of memory among them. BENCHMARKS_COPIES is set for a server
+that takes bytes only: then each is copied when it is sent.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Awaitable, Callable, MutableMapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from benchmarks.libraries import samples
+
+FOLDER, COPIES = "BENCHMARKS_SAMPLES", "BENCHMARKS_COPIES"
+Message = MutableMapping[str, Any]
+Receive = Callable[[], Awaitable[Message]]
+Send = Callable[[Message], Awaitable[None]]
+
+
+class Prepared(NamedTuple):
+    parts: list[memoryview]
+    headers: list[tuple[bytes, bytes]]
+    asked_bytes: int
+
+
+def _prepared(sample: samples.Sample) -> Prepared:
+    headers = [
+        (b"content-length", str(len(sample.body)).encode()),
+        (b"content-type", b"application/msgpack"),
+        (b"proctor-version", b"1.0"),
+    ]
+    return Prepared(sample.parts(), headers, len(sample.asked.body))
+
+
+def _all(folder: Path) -> dict[str, Prepared]:
+    found = [samples.read(folder, n) for n in (samples.STATE, samples.CAMERAS)]
+    return {sample.asked.path: _prepared(sample) for sample in found}
+
+
+_COPIES = COPIES in os.environ
+_BY_PATH = _all(Path(os.environ[FOLDER]))
+
+
+async def app(scope: Message, receive: Receive, send: Send) -> None:
+    if scope["type"] == "lifespan":
+        await _live(receive, send)
+        return
+    answer = _BY_PATH[scope["path"]]
+    read, more = 0, True
+    while more:
+        message = await receive()
+        read += len(message.get("body", b""))
+        more = message.get("more_body", False)
+    assert read == answer.asked_bytes, read
+    start = {"status": 200, "headers": list(answer.headers)}
+    await send({"type": "http.response.start", **start})
+    last = len(answer.parts) - 1
+    for index, part in enumerate(answer.parts):
+        body = bytes(part) if _COPIES else part
+        rest = {"body": body, "more_body": index < last}
+        await send({"type": "http.response.body", **rest})
+
+
+async def _live(receive: Receive, send: Send) -> None:
+    while True:
+        kind = (await receive())["type"]
+        await send({"type": f"{kind}.complete"})
+        if kind == "lifespan.shutdown":
+            return

@@ -1,0 +1,116 @@
+"""Takes the samples from a reference server that runs: see samples.py.
+
+The client is the reference client, which is listened to. Its last request is sent once
+more, over a plain socket: the server then answers the same turn again, and that is
+written down as it comes. Needs the house.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import socket
+import subprocess
+import uuid
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+from proctor_client import AttachWorker
+
+from benchmarks import line_up, observations, rounds
+from benchmarks.contenders import ours_client
+from benchmarks.libraries.samples import CAMERAS, STATE, Sample
+from reference_client.connection import Connection
+from reference_client.exchange import Answer, Exchange
+
+_JOINTS = observations.ACTION_SIZES["joint_position"]
+
+
+class Heard(Exchange):
+    """A connection that remembers what it was asked last."""
+
+    last = b""
+
+    def ask(self, request: bytes) -> Answer:
+        self.last = request
+        return super().ask(request)
+
+
+def write(folder: Path) -> None:
+    """Both samples, from a server that stands for so long."""
+    with _server(folder) as url:
+        for scenario in (STATE, CAMERAS):
+            _sample(url, scenario).write(folder, scenario)
+
+
+@contextlib.contextmanager
+def _server(scratch: Path) -> Iterator[str]:
+    ours = line_up.contender("ours msgpack", STATE, scratch)
+    with subprocess.Popen(
+        list(ours.server),
+        cwd=rounds.ROOT,
+        env={**os.environ, **ours.environment},
+        stdout=subprocess.PIPE,
+        text=True,
+    ) as process:
+        assert process.stdout is not None
+        try:
+            yield process.stdout.readline().split()[-1]
+        finally:
+            process.terminate()
+
+
+def _sample(url: str, scenario: str) -> Sample:
+    shown = observations.SCENARIOS[scenario]
+    asked: dict[str, Any] = {"benchmark_id": f"still_life_{scenario}"}
+    if shown.cameras:
+        size = {"width": shown.width, "height": shown.height}
+        asked["images"] = {"codec": "raw", **size}
+    with (
+        contextlib.closing(ours_client.Connection(url, "json")) as desk,
+        Connection(url, ours_client.TOKEN, requests=1) as connection,
+    ):
+        run_id = desk.submit(**asked)
+        plane = connection.data(url)
+        heard = plane.exchange = Heard(url, (10.0, 10.0), _room)
+        attach = AttachWorker(attach_key=uuid.uuid4().hex)
+        session_id = plane.attach_worker(run_id, "w", attach).session_id
+        action = observations.action(1)
+        values = {"joint_position": action[:_JOINTS], "gripper": action[_JOINTS:]}
+        plane.predict(run_id, "w", session_id, 1, [{"values": values}])
+        sample = Sample(heard.last, _answer(url, heard.last))
+        plane.close()
+        desk.stop(run_id)
+    return sample
+
+
+def _room(size: int) -> memoryview:
+    return memoryview(bytearray(size))
+
+
+def _answer(url: str, request: bytes) -> bytes:
+    """As it stands on the wire: until as much has come as its head announces."""
+    place = urlsplit(url)
+    read = bytearray()
+    with socket.create_connection((place.hostname or "", place.port or 80)) as asked:
+        asked.sendall(request)
+        while not _is_whole(read):
+            piece = asked.recv(2**20)
+            if not piece:
+                raise rounds.Failed(f"the server broke off after {bytes(read[:500])!r}")
+            read += piece
+    return bytes(read)
+
+
+def _is_whole(read: bytearray) -> bool:
+    head, end, body = bytes(read).partition(b"\r\n\r\n")
+    if not end:
+        return False
+    (length,) = (
+        int(line.partition(b":")[2])
+        for line in head.lower().split(b"\r\n")
+        if line.startswith(b"content-length:")
+    )
+    return len(body) >= length
