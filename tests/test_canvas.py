@@ -159,7 +159,7 @@ def test_a_place_beside_the_memory_ends_the_process() -> None:
             process._take_down({"state": {}, "tensors": {}, "images": {"a": image}})
 
 
-PIXELS = memoryview(bytes(range(256)) * (LARGE_BYTES // 128))
+PIXELS = memoryview(bytes(range(256)) * (LARGE_BYTES // 64))
 TURN = {
     "seq": 1,
     "observation": {
