@@ -11,6 +11,7 @@ is its own affair, what a client costs is counted.
 
 from __future__ import annotations
 
+import contextlib
 import os
 import statistics
 import tempfile
@@ -21,7 +22,7 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from proctor_client import AttachWorker, PolicyInfo, StopRun, SubmitRun
+from proctor_client import ApiException, AttachWorker, PolicyInfo, StopRun, SubmitRun
 
 from benchmarks import page
 from benchmarks.bare import ACTIONS, Case, bare, behind_tcp
@@ -116,6 +117,9 @@ class Worker:
         return steps / (time.monotonic() - began)
 
     def close(self) -> None:
+        """Ends its run, which may be completed; nobody plays it on."""
+        with contextlib.suppress(ApiException):
+            self._connection.control.stop_run(self._run_id, StopRun())
         self._connection.close()
 
 
@@ -135,7 +139,6 @@ def protocol(case: Case, url: str, seconds: float) -> float:
         with ThreadPoolExecutor(case.workers) as threads:
             plays = [threads.submit(one.play, seconds, together) for one in crew]
             total = sum(play.result() for play in plays)
-        connection.control.stop_run(run_id, StopRun())
         for one in crew:
             one.close()
     return total

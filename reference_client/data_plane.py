@@ -62,7 +62,13 @@ class DataPlane:
         self._base = parts.path.rstrip("/")
         if any(set("\r\n\0") & set(value) for value in headers.values()):
             raise ValueError("a header holds a line break; is the token one line?")
-        lines = {"Host": parts.netloc.rpartition("@")[2], **headers, "Accept": _EITHER}
+        place = parts.netloc.rpartition("@")[2]
+        lines = {
+            "Host": place if place.isascii() else place.encode("idna").decode(),
+            "Accept": _EITHER,
+            "Accept-Encoding": "identity",
+            **headers,
+        }
         self._lines = "".join(f"{name}: {value}\r\n" for name, value in lines.items())
         self._media_type = JSON
         self._rooms: deque[bytearray] = deque(maxlen=_ROOMS)
@@ -104,7 +110,10 @@ class DataPlane:
         told = answer.headers.get("content-type", "").partition(";")[0].strip()
         if told not in _DECODERS:
             raise ValueError(f"a turn as {told or 'nothing'}")
-        turn = _DECODERS[told](answer.body)
+        try:
+            turn = _DECODERS[told](answer.body)
+        except RecursionError as error:
+            raise ValueError("a turn that is nested too deeply") from error
         self._media_type = told
         return turn
 
@@ -136,6 +145,6 @@ def _refusal(answer: Answer) -> ApiException:
     """As the generated client raises it; without `data` if nobody explains it."""
     refusal = ApiException(status=answer.status, reason=answer.reason)
     refusal.headers = HTTPHeaderDict(answer.headers)
-    with contextlib.suppress(ValueError):
+    with contextlib.suppress(ValueError, TypeError, RecursionError):
         refusal.data = Problem.from_json(bytes(answer.body).decode())
     return refusal

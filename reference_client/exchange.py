@@ -62,8 +62,7 @@ class Exchange:
 
     def ask(self, request: bytes) -> Answer:
         """Raises OSError when no answer comes, BrokenAnswer for one that is none."""
-        # Nothing was asked: what can be read is the end of the connection.
-        if self.connected is not None and wait_for_read(self.connected, 0.0):
+        if self._has_news():
             self.close()
         try:
             if self.connected is None:
@@ -78,6 +77,15 @@ class Exchange:
         if self.connected is not None:
             self.connected.close()
             self.connected = None
+
+    def _has_news(self) -> bool:
+        """Nothing was asked: what can be read is the end, or no answer to anything."""
+        if self.connected is None:
+            return False
+        # TLS may have read ahead of what the system knows.
+        if isinstance(self.connected, ssl.SSLSocket) and self.connected.pending():
+            return True
+        return wait_for_read(self.connected, 0.0)
 
     def _connect(self) -> socket.socket:
         place = self._host, self._port
@@ -152,9 +160,9 @@ class _Coming:
         self._fed += len(piece)
         try:
             self._parser.feed_data(piece)
-        except httptools.HttpParserError as error:
-            raise BrokenAnswer(f"what came is no HTTP: {error}") from error
-        if self._fed > (ANSWER_BYTES_MAX if self.status else _HEAD_BYTES_MAX):
+        except (httptools.HttpParserError, httptools.HttpParserUpgrade) as error:
+            raise BrokenAnswer(f"what came is no answer in HTTP: {error}") from error
+        if self._fed > (ANSWER_BYTES_MAX if self.status >= 200 else _HEAD_BYTES_MAX):
             raise BrokenAnswer("the answer has no end")
 
     def body(self) -> bytes:
@@ -164,6 +172,8 @@ class _Coming:
     @property
     def size(self) -> int | None:
         """Of the body, if its head says so."""
+        if self.status in (204, 304):  # they may name the size of another one's
+            return None
         size = int(self.headers.get("content-length", -1))
         if size > ANSWER_BYTES_MAX:
             raise BrokenAnswer(f"the answer has {size} bytes")
@@ -185,6 +195,8 @@ class _Coming:
 
     def on_headers_complete(self) -> None:
         self.status = self._parser.get_status_code()
+        if self.status < 100:
+            raise BrokenAnswer(f"there is no status {self.status}")
         # Here only: at the end of the answer the parser has forgotten it.
         self.keeps_connection = self._parser.should_keep_alive()
 

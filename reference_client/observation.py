@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import lru_cache
+from math import prod
 from typing import Any
 
 import numpy as np
@@ -22,6 +23,7 @@ from reference_client.messages import Observation as WireObservation
 
 # channels → what pillow calls them, and what simplejpeg does
 _PNG_MODES = {1: "L", 2: "LA", 3: "RGB", 4: "RGBA"}
+_PIXELS_MAX = 2**26  # a small file may claim any size; pillow has its own limit
 _JPEG_COLOURS = {1: "GRAY", 3: "RGB", 4: "RGBA"}
 
 
@@ -105,7 +107,7 @@ def _decompressed(
     try:
         decode = {"jpeg": _from_jpeg, "png": _from_png}[codec]
         pixels = decode(data, shape)
-    except (OSError, SyntaxError, LookupError, ValueError) as error:
+    except (OSError, SyntaxError, LookupError, ValueError, MemoryError) as error:
         raise _broken(name, f"is no {codec}: {error}") from error
     pixels.flags.writeable = False
     return pixels
@@ -120,6 +122,8 @@ def _from_jpeg(data: memoryview, shape: tuple[int, int, int]) -> npt.NDArray[np.
     size = simplejpeg.decode_jpeg_header(data)[:2]
     if size != shape[:2]:
         raise _other_size(size, shape)
+    if prod(size) > _PIXELS_MAX:
+        raise ValueError(f"{size} rows and columns are more than anybody means")
     pixels: npt.NDArray[np.uint8] = simplejpeg.decode_jpeg(data, colours)
     return pixels
 

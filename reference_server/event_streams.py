@@ -11,7 +11,7 @@ import asyncio
 import logging
 import time
 from collections.abc import AsyncIterator, Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import msgspec
@@ -69,9 +69,11 @@ class Reader:
         def view(run: RunHead, scored: Sequence[Episode]) -> Telling:
             if cursor.told > run.scored:
                 raise _no_event()
-            shown = msgspec.json.encode(self.view(run))
+            body = self.view(run)
+            # A reader may come back by another name of this server.
+            shown, same = map(msgspec.json.encode, (body, body | {"endpoint": None}))
             episodes = [msgspec.json.encode(episode_view(one)) for one in scored]
-            return news(cursor, run, shown, episodes)
+            return news(cursor, run, shown, episodes, same)
 
         window = (cursor.told, cursor.told + EPISODES_AT_ONCE)
         return await self.book.look(
@@ -86,7 +88,9 @@ class Reader:
         yield b"retry: %d\n\n%b" % (RETRY_MS, telling.text)
         try:
             while not telling.is_last:
-                if telling.is_behind and telling.text:
+                has_more = telling.is_behind and bool(telling.text)
+                telling = replace(telling, text=b"")  # who waits keeps nothing of it
+                if has_more:
                     await asyncio.sleep(0)  # a long history lets others have a turn
                 else:
                     while not await self.book.changed(

@@ -95,9 +95,11 @@ class Stage:
         if isinstance(verdict, Nothing):
             return
         session = run.workers[command.worker_id]
+        was_live = not session.done
         progress.close_session(run, session, "detached", time.time())
         self.let_go([session])
-        await self._book.commit(run)
+        if was_live or run.changed:  # else nothing that anybody is shown
+            await self._book.commit(run)
 
     async def _decided(
         self, run: Run, command: Attach | Predict

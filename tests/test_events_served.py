@@ -45,6 +45,10 @@ class Player:
         self._path = f"/v1/runs/{run_id}/workers/{worker_id}"
         self._turn = client.put(self._path, json={"attach_key": worker_id}).json()
 
+    def leave(self) -> None:
+        query = {"session_id": self._turn["session_id"]}
+        assert self._client.delete(self._path, params=query).status_code == 204
+
     def play(self) -> None:
         body = predict_body(self._turn, end=1)
         self._turn = self._client.post(f"{self._path}/predict", json=body).json()
@@ -86,6 +90,35 @@ def test_the_same_ids_go_on_after_a_kill(house: House) -> None:
             for number, events in enumerate(behind, 1):
                 rest = indices(until(events, 3))
                 assert rest == [1, 0, 2][len(indices(told[:number])) :]
+
+
+def test_a_worker_that_leaves_a_completed_run_is_no_news(house: House) -> None:
+    """Most workers do, after whoever follows the run was told its last event."""
+    with house.client() as client:
+        run_id = submit(client, "score")
+        player = Player(client, run_id, "w")
+        player.play()
+        before = client.get(f"/v1/runs/{run_id}")
+        with following(client, run_id) as events:
+            last = list(events)[-1]
+        player.leave()
+        again = {"Last-Event-ID": str(last.id)}
+        path = f"/v1/runs/{run_id}/events"
+        assert client.get(path, headers=again).status_code == 204
+        assert (
+            client.get(f"/v1/runs/{run_id}").headers["etag"] == before.headers["etag"]
+        )
+
+
+def test_an_id_is_good_by_any_name_of_the_server(house: House) -> None:
+    with house.client() as client:
+        run_id = submit(client, "score")
+        Player(client, run_id, "w").play()
+        with following(client, run_id) as events:
+            last = list(events)[-1]
+        elsewhere = {"Last-Event-ID": str(last.id), "Host": "elsewhere.example"}
+        path = f"/v1/runs/{run_id}/events"
+        assert client.get(path, headers=elsewhere).status_code == 204
 
 
 def test_the_page_on_events_is_right(house: House) -> None:

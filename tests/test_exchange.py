@@ -157,9 +157,13 @@ def test_a_large_body_is_received_where_it_will_be_used() -> None:
     assert answer.body == body
 
 
-def test_a_refusal_without_a_body_is_an_answer() -> None:
-    with scripted([b"HTTP/1.1 204 No Content\r\n\r\n"], [OK]) as (server, asking):
-        assert told(asking.ask(REQUEST)) == (204, "No Content", b"")
+@pytest.mark.parametrize(
+    "head", [b"", b"Content-Length: 0\r\n", b"Content-Length: 9\r\n"]
+)
+def test_an_answer_without_a_body_is_one(head: bytes) -> None:
+    answer = b"HTTP/1.1 304 Not Modified\r\n" + head + b"\r\n"
+    with scripted([answer], [OK]) as (server, asking):
+        assert told(asking.ask(REQUEST)) == (304, "Not Modified", b"")
         assert told(asking.ask(REQUEST)) == (200, "OK", b"body")
         assert server.connections == 1
 
@@ -174,10 +178,22 @@ def test_a_refusal_without_a_body_is_an_answer() -> None:
             [b"HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\n2\r\nbo", None],
             "ended before",
         ),
-        ([b"SSH-2.0-OpenSSH_9.6\r\n"], "no HTTP"),
-        ([b"HTTP/1.1 200 OK\r\nContent-Length: -4\r\n\r\nbody"], "no HTTP"),
-        ([b"HTTP/1.1 200 OK\r\nContent-Length: 4x\r\n\r\nbody"], "no HTTP"),
-        ([OK + OK], "no HTTP"),
+        ([b"SSH-2.0-OpenSSH_9.6\r\n"], "no answer in HTTP"),
+        ([b"HTTP/1.1 200 OK\r\nContent-Length: -4\r\n\r\nbody"], "no answer in HTTP"),
+        ([b"HTTP/1.1 200 OK\r\nContent-Length: 4x\r\n\r\nbody"], "no answer in HTTP"),
+        ([OK + OK], "no answer in HTTP"),
+        ([b"HTTP/1.1 099 What\r\nContent-Length: 0\r\n\r\n"], "no answer in HTTP"),
+        (
+            [b"HTTP/1.1 101 X\r\nConnection: Upgrade\r\nUpgrade: x\r\n\r\n"],
+            "no answer in HTTP",
+        ),
+        (
+            [
+                b"HTTP/1.1 103 X\r\n\r\nHTTP/1.1 200 OK\r\n",
+                *[b"X: " + b"y" * 2**15] * 8,
+            ],
+            "no end",
+        ),
         ([b"HTTP/1.1 200 OK\r\nContent-Length: 99999999999\r\n\r\n"], "99999999999"),
         ([b"HTTP/1.1 200 OK\r\n", *[b"X: " + b"y" * 2**15 + b"\r\n"] * 8], "no end"),
     ],
@@ -221,6 +237,14 @@ def test_tls_is_spoken_to_whom_the_certificate_names(
         for _ in range(2):
             assert told(asking.ask(REQUEST)) == (200, "OK", b"body")
         assert server.connections == 1
+    body = b"x" * 9000
+    large = b"HTTP/1.1 200 OK\r\nContent-Length: 9000\r\n\r\n" + body
+    unasked = [large[:4000], large[4000:] + OK]
+    with scripted(unasked, [OK], tls=tls) as (server, asking):
+        # What TLS has read ahead is no answer to the next request.
+        assert asking.ask(REQUEST).body == body
+        assert told(asking.ask(REQUEST)) == (200, "OK", b"body")
+        assert server.connections == 2
     with scripted([OK], tls=tls) as (_, asking):
         monkeypatch.delenv("SSL_CERT_FILE")
         with pytest.raises(ssl.SSLCertVerificationError):

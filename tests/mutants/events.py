@@ -62,13 +62,14 @@ def tells_the_run_first() -> None:
 
     right = events.news
 
-    def wrong(cursor: Cursor, run: RunHead, shown: bytes, scored: Any) -> Telling:
+    def wrong(cursor: Cursor, run: RunHead, *told: Any) -> Telling:
         if events.is_final(run):
-            return right(cursor, run, shown, scored)
+            return right(cursor, run, *told)
+        shown, scored, same = told
         head = copy.copy(run)
         head.scored = cursor.told
-        first = right(cursor, head, shown, [])
-        second = right(first.cursor, run, shown, scored)
+        first = right(cursor, head, shown, [], same)
+        second = right(first.cursor, run, shown, scored, same)
         return replace(second, text=first.text + second.text)
 
     put(event_streams, "news", wrong)
@@ -100,9 +101,9 @@ def tells_the_run_again_and_again() -> None:
 
     put(RunBook, "changed", restless)
 
-    def wrong(cursor: Cursor, run: RunHead, shown: bytes, scored: Any) -> Telling:
+    def wrong(cursor: Cursor, run: RunHead, *told: Any) -> Telling:
         forgotten = cursor if events.is_final(run) else Cursor(cursor.told)
-        return right(forgotten, run, shown, scored)
+        return right(forgotten, run, *told)
 
     put(event_streams, "news", wrong)
 
