@@ -108,6 +108,12 @@ def action(number: int) -> list[float]:
     return [((number * 7 + index * 13) % 199) / 100 - 1 for index in range(size)]
 
 
+def by_name(action: list[float]) -> dict[str, list[float]]:
+    """The action as the spaces of Proctor's benchmark have it."""
+    joints = ACTION_SIZES["joint_position"]
+    return {"joint_position": action[:joints], "gripper": action[joints:]}
+
+
 class Judge:
     """Whether a client got what was to be seen. Raises AssertionError if not."""
 

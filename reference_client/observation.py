@@ -23,8 +23,8 @@ from reference_client.messages import Observation as WireObservation
 
 # channels → what pillow calls them, and what simplejpeg does
 _PNG_MODES = {1: "L", 2: "LA", 3: "RGB", 4: "RGBA"}
-_PIXELS_MAX = 2**26  # a small file may claim any size; pillow has its own limit
 _JPEG_COLOURS = {1: "GRAY", 3: "RGB", 4: "RGBA"}
+_PIXELS_MAX = 2**26  # a small file may claim any size; pillow has its own limit
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -63,21 +63,21 @@ def news(
     run: RunHead,
     shown: bytes,
     scored: Sequence[bytes],
-    same: bytes | None = None,
+    same: bytes,
 ) -> Telling:
     """What a reader at the cursor has not been told yet.
 
-    shown: the run as get_run shows it. same: what of that is the same for every reader;
-    by default all of it. scored: the next episodes behind the cursor in
-    the order in which they were scored, as list_episodes shows them; as many as are to
-    be told at a time. The run is told when all that it counts are (EVT-003).
+    shown: the run as get_run shows it. same: what of that is the same for every reader.
+    scored: the next episodes behind the cursor in the order in which they were scored,
+    as list_episodes shows them; as many as are to be told at a time. The run is told
+    when all that it counts are (EVT-003).
     """
     events = []
     for episode in scored:
         cursor = Cursor(cursor.told + 1, cursor.seen)
         events.append(_event(b"episode", cursor, run, episode))
     is_behind = cursor.told < run.scored
-    seen = _digest(shown if same is None else same, 16)
+    seen = _digest(same, 16)
     if not is_behind and seen != cursor.seen:
         cursor = Cursor(cursor.told, seen)
         events.append(_event(b"run", cursor, run, shown))

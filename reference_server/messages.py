@@ -180,11 +180,13 @@ def in_parts(content: Any, media_type: str = MSGPACK) -> Sequence[bytes | memory
     is encoded with a mark in their places, which nobody can guess, and cut there: no
     encoder of ours is needed for that.
     """
-    encode = msgspec.msgpack.encode if media_type == MSGPACK else msgspec.json.encode
+    if media_type == MSGPACK:
+        encode, framed = msgspec.msgpack.encode, _in_msgpack
+    else:
+        encode, framed = msgspec.json.encode, _in_json
     large = _large_images(content)
     if not large:
         return [encode(content)]
-    framed = _in_msgpack if media_type == MSGPACK else _in_json
     mark, blobs, marked = secrets.token_bytes(16), [], {}
     for name, image in large.items():
         before, blob, after = framed(image["data"])

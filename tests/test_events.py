@@ -32,7 +32,7 @@ def shown(run: Run) -> bytes:
 def told(run: Run, cursor: Cursor) -> Telling:
     window = run.window(cursor.told, cursor.told + AT_ONCE, scored=True)
     entries = [json.dumps(episode.index).encode() for episode in window]
-    return news(cursor, run, shown(run), entries)
+    return news(cursor, run, shown(run), entries, shown(run))
 
 
 def caught_up(run: Run, cursor: Cursor) -> tuple[list[Event], Cursor]:

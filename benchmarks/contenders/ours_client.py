@@ -20,10 +20,9 @@ import simplejpeg
 from numpy.typing import NDArray
 
 from benchmarks.contenders import player
-from benchmarks.observations import ACTION_SIZES, SCENARIOS
+from benchmarks.observations import SCENARIOS, by_name
 
 TOKEN = "bench"  # noqa: S105 - opens nothing but the server of the benchmark
-_JOINTS = ACTION_SIZES["joint_position"]
 
 
 class Image(msgspec.Struct):
@@ -132,9 +131,8 @@ def connect(url: str, scenario: str, media: str, codec: str) -> player.Turn:
     unpack = {"raw": pixels, "jpeg": decompressed, "jpeg-files": as_file}[codec]
 
     def turn(action: list[float]) -> player.Seen:
-        values = {"joint_position": action[:_JOINTS], "gripper": action[_JOINTS:]}
         body["seq"] += 1
-        body["actions"] = [{"values": values}]
+        body["actions"] = [{"values": by_name(action)}]
         seen = connection.turn("POST", predict, body).observation
         assert seen is not None, "the run is over"
         return seen.state, {name: unpack(one) for name, one in seen.images.items()}

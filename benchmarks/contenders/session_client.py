@@ -13,15 +13,13 @@ from proctor_client import SubmitRun
 
 from benchmarks.contenders import player
 from benchmarks.contenders.ours_client import TOKEN
-from benchmarks.observations import ACTION_SIZES
+from benchmarks.observations import by_name
 from reference_client.connection import Connection
 from reference_client.observation import observation_of
 from reference_client.patience import Patience
 from reference_client.policy import chunk_of
 from reference_client.runs import Desk
 from reference_client.session import Seat, Session
-
-_JOINTS = ACTION_SIZES["joint_position"]
 
 
 def connect(url: str, scenario: str) -> player.Turn:
@@ -38,8 +36,7 @@ def connect(url: str, scenario: str) -> player.Turn:
     session = Session.attach(Seat(connection.data(run.endpoint), run, "w"), patience)
 
     def turn(action: list[float]) -> player.Seen:
-        values = {"joint_position": action[:_JOINTS], "gripper": action[_JOINTS:]}
-        seen = observation_of(session.predict(chunk_of([values])))
+        seen = observation_of(session.predict(chunk_of([by_name(action)])))
         return seen.state, seen.images
 
     return turn

@@ -15,7 +15,6 @@ from typing import Any, NamedTuple
 
 from benchmarks.libraries import samples
 
-FOLDER, COPIES = "BENCHMARKS_SAMPLES", "BENCHMARKS_COPIES"
 Message = MutableMapping[str, Any]
 Receive = Callable[[], Awaitable[Message]]
 Send = Callable[[Message], Awaitable[None]]
@@ -41,8 +40,8 @@ def _all(folder: Path) -> dict[str, Prepared]:
     return {sample.asked.path: _prepared(sample) for sample in found}
 
 
-_COPIES = COPIES in os.environ
-_BY_PATH = _all(Path(os.environ[FOLDER]))
+_COPIES = samples.COPIES in os.environ
+_BY_PATH = _all(Path(os.environ[samples.FOLDER]))
 
 
 async def app(scope: Message, receive: Receive, send: Send) -> None:

@@ -23,9 +23,7 @@ from benchmarks import line_up, observations, rounds
 from benchmarks.contenders import ours_client
 from benchmarks.libraries.samples import CAMERAS, STATE, Sample
 from reference_client.connection import Connection
-from reference_client.exchange import Answer, Exchange
-
-_JOINTS = observations.ACTION_SIZES["joint_position"]
+from reference_client.exchange import Answer, Exchange, _Coming
 
 
 class Heard(Exchange):
@@ -77,8 +75,7 @@ def _sample(url: str, scenario: str) -> Sample:
         heard = plane.exchange = Heard(url, (10.0, 10.0), _room)
         attach = AttachWorker(attach_key=uuid.uuid4().hex)
         session_id = plane.attach_worker(run_id, "w", attach).session_id
-        action = observations.action(1)
-        values = {"joint_position": action[:_JOINTS], "gripper": action[_JOINTS:]}
+        values = observations.by_name(observations.action(1))
         plane.predict(run_id, "w", session_id, 1, [{"values": values}])
         sample = Sample(heard.last, _answer(url, heard.last))
         plane.close()
@@ -91,26 +88,14 @@ def _room(size: int) -> memoryview:
 
 
 def _answer(url: str, request: bytes) -> bytes:
-    """As it stands on the wire: until as much has come as its head announces."""
-    place = urlsplit(url)
-    read = bytearray()
+    """As it stands on the wire."""
+    place, coming, read = urlsplit(url), _Coming(), bytearray()
     with socket.create_connection((place.hostname or "", place.port or 80)) as asked:
         asked.sendall(request)
-        while not _is_whole(read):
+        while not coming.is_complete:
             piece = asked.recv(2**20)
             if not piece:
                 raise rounds.Failed(f"the server broke off after {bytes(read[:500])!r}")
+            coming.feed(memoryview(piece))
             read += piece
     return bytes(read)
-
-
-def _is_whole(read: bytearray) -> bool:
-    head, end, body = bytes(read).partition(b"\r\n\r\n")
-    if not end:
-        return False
-    (length,) = (
-        int(line.partition(b":")[2])
-        for line in head.lower().split(b"\r\n")
-        if line.startswith(b"content-length:")
-    )
-    return len(body) >= length

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from time import perf_counter_ns
 from typing import Any
 
+UNITS_NS = {"us": 1e3, "ms": 1e6}
 SHARE_NS = 3_000_000  # of a round, for each contender
 _CALLS_MAX = 500
 

@@ -15,10 +15,9 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from benchmarks import line_up, rounds
-from benchmarks.libraries.samples import CAMERAS, STATE
+from benchmarks.libraries.in_turn import UNITS_NS
+from benchmarks.libraries.samples import CAMERAS, COPIES, FOLDER, STATE
 
-# `FOLDER` and `COPIES` of app.py, which wants the first to be set when it is imported.
-_FOLDER, _COPIES = "BENCHMARKS_SAMPLES", "BENCHMARKS_COPIES"
 _WARM_UP = 30
 OURS = "reference_client"
 # It goes through a view of memory byte by byte, 50 ms for the pictures.
@@ -32,7 +31,6 @@ SERVERS: dict[str, Sequence[str]] = {
 }
 CHOSEN_SERVER = next(iter(SERVERS))
 CLIENTS = (OURS, "http.client", "urllib3", "requests", "httpx", "aiohttp")
-UNITS_NS = {"us": 1e3, "ms": 1e6}
 TURNS = {STATE: 30, CAMERAS: 5}  # of each in a round
 
 Figures = dict[str, dict[str, float]]
@@ -72,13 +70,13 @@ def contender(
     name: str, server: str, client: str, folder: Path, sample: str
 ) -> rounds.Contender:
     python = str(line_up.PEERS_PYTHON)
-    copies = {_COPIES: "1"} if server == GRANIAN else {}
+    copies = {COPIES: "1"} if server == GRANIAN else {}
     return rounds.Contender(
         name,
         [python, "-m", "benchmarks.libraries.served", *SERVERS[server]],
         [python, "-m", "benchmarks.libraries.asked"],
         [client, str(folder), sample],
-        {_FOLDER: str(folder), **copies},
+        {FOLDER: str(folder), **copies},
     )
 
 

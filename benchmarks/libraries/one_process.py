@@ -20,7 +20,6 @@ from benchmarks import observations
 from benchmarks.libraries import heads, in_turn, jpeg, samples, structures
 
 Asked = dict[str, dict[str, tuple[list[in_turn.Contender], Any]]]
-UNITS_NS = {"us": 1e3, "ms": 1e6}
 PACKAGES = (
     *("aiohttp", "granian", "h11", "httptools", "httpx", "hypercorn", "msgpack"),
     *("msgspec", "numpy", "orjson", "ormsgpack", "pillow", "pybase64", "requests"),
@@ -69,7 +68,7 @@ def main() -> None:
 def _measured(
     column: str, contenders: list[in_turn.Contender], expected: Any, rounds: int
 ) -> dict[str, float]:
-    unit_ns = UNITS_NS[column.rpartition("_")[2]]
+    unit_ns = in_turn.UNITS_NS[column.rpartition("_")[2]]
     took = in_turn.medians_ns(contenders, expected, rounds)
     return {name: round(ns / unit_ns, 4) for name, ns in took.items()}
 

@@ -14,6 +14,8 @@ from typing import Any, NamedTuple
 import msgspec
 
 STATE, CAMERAS = "state", "cameras"
+# How a server is told, in its environment: where they are, and to send copies.
+FOLDER, COPIES = "BENCHMARKS_SAMPLES", "BENCHMARKS_COPIES"
 _HEAD_END = b"\r\n\r\n"
 # What every HTTP client writes by itself.
 _NOT_GIVEN = ("host", "content-length")
