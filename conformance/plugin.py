@@ -214,7 +214,8 @@ def _stop_if_dead(item: pytest.Item, story: Story) -> None:
 def _is_alive(context: Context) -> bool:
     for _ in range(2):
         try:
-            context.client.get(f"{context.settings.url}/v1", timeout=5.0)
+            with context.clients.borrow() as client:
+                client.get(f"{context.settings.url}/v1", timeout=5.0)
         except httpx.TransportError:
             time.sleep(0.3)
         else:

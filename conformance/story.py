@@ -21,7 +21,6 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
-import httpx
 import msgspec
 
 from conformance.expect import KitError, SetUpFailed, given, told
@@ -31,7 +30,7 @@ from conformance.judge import Tally
 from conformance.ledger import NEVER_ANNOUNCED, POLICY
 from conformance.settings import Settings
 from conformance.spec import MSGPACK, Spec, load_policy_spec, load_spec
-from conformance.wire import Answer, NoAnswer, Wire, open_connections
+from conformance.wire import Answer, ClientPool, NoAnswer, Wire
 
 if TYPE_CHECKING:
     from conformance.private import PrivateServer
@@ -61,7 +60,7 @@ class Context:
     """What all stories of one process share."""
 
     settings: Settings
-    client: httpx.Client
+    clients: ClientPool
     spec: Spec
     patience: Patience = field(default_factory=Patience)
 
@@ -70,11 +69,11 @@ class Context:
         """Open the connections for one run of the kit."""
         is_policy = settings.profiles == [POLICY]
         spec = load_policy_spec() if is_policy else load_spec()
-        return cls(settings, open_connections(settings.url), spec)
+        return cls(settings, ClientPool(settings.url), spec)
 
     def close(self) -> None:
         """Close the connections."""
-        self.client.close()
+        self.clients.close()
 
 
 class Story:
@@ -104,7 +103,7 @@ class Story:
 
     def _open_wire(self, token: str | None, name: str) -> Wire:
         return Wire(
-            client=self.context.client,
+            clients=self.context.clients,
             spec=self.spec,
             base_url=self._base_url,
             token=token,

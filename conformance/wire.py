@@ -14,6 +14,7 @@ import json as json_module
 import re
 import socket
 import ssl
+import threading
 import time
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -40,8 +41,8 @@ OWN_TOKEN = "own"
 _STREAM_KEPT = 4096
 _BEGINNING_S = 3.0
 _FIRST_EVENT = re.compile(rb"^data[^\r\n]*(\r\n|\n|\r){2}", re.MULTILINE)
-_CONNECTIONS = httpx.Limits(
-    max_connections=200, max_keepalive_connections=60, keepalive_expiry=2.0
+_LIMITS = httpx.Limits(
+    max_connections=4, max_keepalive_connections=2, keepalive_expiry=2.0
 )
 
 
@@ -98,17 +99,47 @@ def parse(media_type: str, body: bytes) -> tuple[Any, bool]:
     return None, False
 
 
-def open_connections(url: str) -> httpx.Client:
-    """Open the pool that all wires of one process share."""
-    no_cookies = http.cookiejar.DefaultCookiePolicy(allowed_domains=[])
-    return httpx.Client(
-        limits=_CONNECTIONS,
-        follow_redirects=False,
-        cookies=http.cookiejar.CookieJar(policy=no_cookies),
-        verify=_certificates(),
-        # Proxies from the environment help to reach the world, not this machine.
-        trust_env=not _is_this_machine(url),
-    )
+class ClientPool:
+    """HTTP clients that keep their connections, each used by one thread at a time.
+
+    One client for all threads is not safe: while one thread is given an idle
+    connection, another may find that it has expired, and close it.
+    """
+
+    def __init__(self, url: str) -> None:
+        self._url = url
+        self._idle: list[httpx.Client] = []
+        self._lock = threading.Lock()
+
+    @contextlib.contextmanager
+    def borrow(self) -> Iterator[httpx.Client]:
+        """Give a client that nothing else uses until the end of the block."""
+        with self._lock:
+            client = self._idle.pop() if self._idle else None
+        client = client or self._open()
+        try:
+            yield client
+        finally:
+            with self._lock:
+                self._idle.append(client)
+
+    def _open(self) -> httpx.Client:
+        no_cookies = http.cookiejar.DefaultCookiePolicy(allowed_domains=[])
+        return httpx.Client(
+            limits=_LIMITS,
+            follow_redirects=False,
+            cookies=http.cookiejar.CookieJar(policy=no_cookies),
+            verify=_certificates(),
+            # Proxies from the environment help to reach the world, not this machine.
+            trust_env=not _is_this_machine(self._url),
+        )
+
+    def close(self) -> None:
+        """Close all clients that are not in use."""
+        with self._lock:
+            idle, self._idle = self._idle, []
+        for client in idle:
+            client.close()
 
 
 @functools.cache
@@ -162,7 +193,7 @@ class Wire:
     def __init__(
         self,
         *,
-        client: httpx.Client,
+        clients: ClientPool,
         spec: Spec,
         base_url: str,
         token: str | None,
@@ -173,7 +204,7 @@ class Wire:
         self.base_url = base_url.rstrip("/")
         self.token = token
         self._token_name = token_name
-        self._client = client
+        self._clients = clients
         self._spec = spec
         self._journal = journal
         self._tally = tally
@@ -199,21 +230,23 @@ class Wire:
         if json is not None:
             content = json_module.dumps(json).encode()
             headers = {"Content-Type": JSON, **(headers or {})}
-        request, exchange = self._prepared(
-            method,
-            path,
-            content=content,
-            headers=headers,
-            params=params,
-            timeout_s=timeout_s,
-            token=token,
-        )
-        if operation is None:
-            operation = self._operation_of(method, str(request.url))
-        goes_on = operation is not None and operation.goes_on
-        response = self._sent(request, exchange, goes_on)
-        is_read = response.is_stream_consumed
-        body = response.content if is_read else _beginning(response)
+        with self._clients.borrow() as client:
+            request, exchange = self._prepared(
+                client,
+                method,
+                path,
+                content=content,
+                headers=headers,
+                params=params,
+                timeout_s=timeout_s,
+                token=token,
+            )
+            if operation is None:
+                operation = self._operation_of(method, str(request.url))
+            goes_on = operation is not None and operation.goes_on
+            response = self._sent(client, request, exchange, goes_on)
+            is_read = response.is_stream_consumed
+            body = response.content if is_read else _beginning(response)
         return self._answered(response, body, exchange, operation)
 
     @contextlib.contextmanager
@@ -223,20 +256,22 @@ class Wire:
         """Send a GET whose answer goes on; an Answer when it does not."""
         # Whoever hangs up ends a connection that nobody else will have.
         headers = {"Connection": "close", **headers}
-        request, exchange = self._prepared("GET", path, headers=headers)
-        response = self._sent(request, exchange, goes_on=True)
-        if response.is_stream_consumed:
-            yield self._answered(response, response.content, exchange, operation)
-            return
-        stream = Stream(response)
-        try:
-            yield stream
-        finally:
-            response.close()
-            self._answered(response, stream.body, exchange, operation)
+        with self._clients.borrow() as client:
+            request, exchange = self._prepared(client, "GET", path, headers=headers)
+            response = self._sent(client, request, exchange, goes_on=True)
+            if response.is_stream_consumed:
+                yield self._answered(response, response.content, exchange, operation)
+                return
+            stream = Stream(response)
+            try:
+                yield stream
+            finally:
+                response.close()
+                self._answered(response, stream.body, exchange, operation)
 
     def _prepared(
         self,
+        client: httpx.Client,
         method: str,
         path: str,
         *,
@@ -253,7 +288,7 @@ class Wire:
         bearer = self.token if token == OWN_TOKEN else token
         if bearer is not None:
             own_headers["Authorization"] = f"Bearer {bearer}"
-        request = self._client.build_request(
+        request = client.build_request(
             method,
             url,
             content=content,
@@ -279,14 +314,24 @@ class Wire:
         return request, exchange
 
     def _sent(
-        self, request: httpx.Request, exchange: Exchange, goes_on: bool
+        self,
+        client: httpx.Client,
+        request: httpx.Request,
+        exchange: Exchange,
+        goes_on: bool,
     ) -> httpx.Response:
-        """Give the answer; of events only the head."""
+        """Give the answer; of events only the head.
+
+        Raises httpx.LocalProtocolError, as of a mistake of the kit, when HTTP cannot
+        carry the request.
+        """
         exchange.started_at = time.monotonic()
         try:
-            response = self._client.send(request, stream=goes_on)
+            response = client.send(request, stream=goes_on)
             if media_type_of(response.headers) != EVENT_STREAM:
                 response.read()
+        except httpx.LocalProtocolError:
+            raise
         except (httpx.TransportError, OSError) as error:
             exchange.elapsed_s = time.monotonic() - exchange.started_at
             exchange.error = f"{type(error).__name__}: {error}"
