@@ -141,6 +141,8 @@ def _greeting(host: str, port: int, secret: str | None) -> str:
             f"token: {secret}",
             "try:",
             f"  curl -H 'Authorization: Bearer {secret}' {url}/v1/benchmarks",
+            "certify:",
+            f"  make conformance URL={url} TOKEN={secret}",
         ]
     return "\n".join(lines)
 

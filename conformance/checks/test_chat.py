@@ -7,7 +7,14 @@ from conformance import expect
 from conformance.expect import NotApplicable
 from conformance.marks import requirement
 from conformance.policy.chat import ScriptedChat
-from conformance.policy.pushed import chat_server, ended, faulted, push_body
+from conformance.policy.pushed import (
+    chat_server,
+    ended,
+    faulted,
+    pointers_of,
+    push_body,
+    require_permitted,
+)
 from conformance.story import Run, Story
 
 PNG = b"\x89PNG\r\n\x1a\n"
@@ -21,9 +28,9 @@ def asked(story: Story, chat: ScriptedChat, *tasks: str, **order: Any) -> Run:
     if images is not None:
         body["images"] = images
     answer = story.call("submit_run", json=body)
-    errors = answer.json.get("errors", []) if isinstance(answer.json, dict) else []
-    if any(error.get("pointer") == "/policy_server/protocol" for error in errors):
+    if "/policy_server/protocol" in pointers_of(answer):
         raise NotApplicable("the server asks no chat models")
+    require_permitted(answer, chat.url)
     return story.adopt(expect.given(answer, 201, "`submit_run` with openai_chat"))
 
 

@@ -13,6 +13,7 @@ from conformance.expect import SetUpFailed, Violation
 from conformance.policy.chat import ScriptedChat
 from conformance.policy.scripted import ScriptedPolicy
 from conformance.story import Run, Story
+from conformance.wire import Answer
 
 LONGEST_S = 15.0
 ENDED = ("completed", "failed", "stopped")
@@ -48,12 +49,7 @@ def pushed(story: Story, policy: ScriptedPolicy, *tasks: str, **order: Any) -> R
     body = push_body(policy.url, *tasks, **order)
     before = len(policy.calls)
     answer = story.call("submit_run", json=body)
-    errors = answer.json.get("errors", []) if isinstance(answer.json, dict) else []
-    if any(error.get("pointer") == "/policy_server/url" for error in errors):
-        raise SetUpFailed(
-            f"the server does not call policies at {policy.url}: {expect.told(answer)}",
-            allowed=True,
-        )
+    require_permitted(answer, policy.url)
     run = story.adopt(expect.given(answer, 201, "`submit_run` with mode push"))
     deadline = time.monotonic() + _FIRST_CALL_S
     while len(policy.calls) == before and run.get()["state"] not in ENDED:
@@ -71,6 +67,23 @@ def pushed(story: Story, policy: ScriptedPolicy, *tasks: str, **order: Any) -> R
             allowed=not is_here(story.context.settings.url),
         )
     return run
+
+
+def pointers_of(answer: Answer) -> set[str]:
+    """Give the pointers of the errors in a refusal."""
+    errors = answer.json.get("errors", []) if isinstance(answer.json, dict) else []
+    return {str(error.get("pointer")) for error in errors}
+
+
+def require_permitted(answer: Answer, url: str) -> None:
+    """Raise SetUpFailed when the server's operator does not let it call this URL."""
+    if "/policy_server/url" in pointers_of(answer):
+        raise SetUpFailed(
+            f"the server does not call policies at {url}: {expect.told(answer)} "
+            "Allow it to call that address (the reference server: "
+            "`--allow-private-policies 127.0.0.1`), or let the kit start the server.",
+            allowed=True,
+        )
 
 
 def ended(run: Run, state: str) -> dict[str, Any]:
