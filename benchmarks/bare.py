@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
-from reference_sim import catalog
+from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
 from reference_sim.interface import Observation
 
@@ -54,8 +54,8 @@ def turns(case: Case, number: int) -> Iterator[tuple[int, Observation]]:
 
     At first and when an episode begins nothing is executed.
     """
-    resolved = catalog.resolve(case.benchmark)
-    simulator = catalog.make(resolved.world)
+    resolved = benchmark_registry.resolve(case.benchmark)
+    simulator = benchmark_registry.make(resolved.world)
     chunk = [ACTIONS[case.benchmark]] * case.chunk
     plans = resolved.episodes[number:] + resolved.episodes[:number]
     for plan in itertools.cycle(plans):

@@ -23,10 +23,10 @@ from urllib.parse import urlsplit
 
 from benchmarks import rounds
 from benchmarks.contenders.ours_client import TOKEN
-from reference_server.benchmarks import digest
-from reference_server.run_state import Episode, Outcome, Result, Run, State
-from reference_server.store import Store
-from reference_sim import catalog
+from reference_server.rules.run import Episode, Outcome, Result, Run, State
+from reference_server.runs.benchmarks import digest
+from reference_server.storage.store import Store
+from reference_sim import benchmark_registry
 
 HEADERS = {"Authorization": f"Bearer {TOKEN}", "Content-Type": "application/json"}
 FIRST_FINISHED, FIRST_READY = 10, 10**6
@@ -59,7 +59,7 @@ def a_run(length: int, state: State) -> Run:
     """A calibration run; completed means that every episode is scored."""
     tasks = [TASKS[index % len(TASKS)] for index in range(length)]
     options = {"tasks": tasks, "max_steps": 10_000}
-    found = catalog.resolve("calibration", options)
+    found = benchmark_registry.resolve("calibration", options)
     policy = {"name": "growth"}
     episodes = [
         Episode(index, plan["task"], plan["split"], plan["seed"])

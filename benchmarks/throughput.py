@@ -29,7 +29,7 @@ from benchmarks.bare import ACTIONS, Case, bare, behind_tcp
 from benchmarks.contenders.ours_client import TOKEN
 from benchmarks.results import Json
 from benchmarks.stock import house
-from reference_client.connection import Connection
+from reference_client.protocol.connection import Connection
 
 ROUNDS, SECONDS = 3, 2.0
 SECONDS_TRIED = 0.5

@@ -14,11 +14,11 @@ import importlib
 import typing
 
 if typing.TYPE_CHECKING:
-    from reference_client.errors import ProctorError, RunFailed, RunStopped
-    from reference_client.evaluation import evaluate
-    from reference_client.observation import Observation
-    from reference_client.policy import Policy
-    from reference_client.progress import Progress
+    from reference_client.api.errors import ProctorError, RunFailed, RunStopped
+    from reference_client.api.observation import Observation
+    from reference_client.api.policy import Policy
+    from reference_client.evaluation.evaluate import evaluate
+    from reference_client.evaluation.status_board import Progress
 
 __all__ = [
     "Observation",
@@ -33,13 +33,13 @@ __all__ = [
 # Name → its module, imported when it is asked for: the command has to be able to say
 # what is not installed here.
 _HOMES = {
-    "Observation": "observation",
-    "Policy": "policy",
-    "ProctorError": "errors",
-    "Progress": "progress",
-    "RunFailed": "errors",
-    "RunStopped": "errors",
-    "evaluate": "evaluation",
+    "Observation": "api.observation",
+    "Policy": "api.policy",
+    "ProctorError": "api.errors",
+    "Progress": "evaluation.status_board",
+    "RunFailed": "api.errors",
+    "RunStopped": "api.errors",
+    "evaluate": "evaluation.evaluate",
 }
 
 

@@ -13,12 +13,12 @@ from pydantic import ValidationError
 from pydantic_settings import CliSettingsSource, SettingsError
 
 from reference_server.app import build
-from reference_server.auth import BadTokens, Tokens
-from reference_server.push.seal import Sealer
+from reference_server.http.auth import BadTokens, Tokens
+from reference_server.push.key_encryption import Sealer
 from reference_server.settings import Settings
-from reference_server.store import Store, StoreFailed
-from reference_sim import catalog
-from reference_sim.gymnasium_adapter import BadBenchmark
+from reference_server.storage.store import Store, StoreFailed
+from reference_sim import benchmark_registry
+from reference_sim.gymnasium import BadBenchmark
 
 
 class Server(uvicorn.Server):
@@ -57,7 +57,7 @@ def main() -> int:
         print(f"proctor: bad settings: {_one_line(error)}", file=sys.stderr)
         return 2
     try:
-        catalog.add(settings.benchmarks, _say)
+        benchmark_registry.add(settings.benchmarks, _say)
     except BadBenchmark as error:
         print(f"proctor: {error}", file=sys.stderr)
         return 2

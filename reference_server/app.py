@@ -12,22 +12,22 @@ from starlette.responses import Response
 from starlette.routing import Route, Router
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from reference_server.auth import Tokens
-from reference_server.benchmarks import Benchmarks
-from reference_server.operations import VERSION, Operation, perform
-from reference_server.problems import Refused, problem_response
+from reference_server.http.auth import Tokens
+from reference_server.http.dispatch import VERSION, Operation, perform
+from reference_server.http.handlers import Routes
+from reference_server.http.problems import Refused, problem_response
 from reference_server.profiles import tables
-from reference_server.push.addresses import Gate
 from reference_server.push.driver import Driver
-from reference_server.push.orders import OrderDesk
-from reference_server.push.protocols import PROTOCOLS
-from reference_server.push.seal import Sealer
-from reference_server.routes import Routes
-from reference_server.run_book import RunBook
+from reference_server.push.egress import Gate
+from reference_server.push.key_encryption import Sealer
+from reference_server.push.policy_protocols import PROTOCOLS
+from reference_server.push.policy_server_config import OrderDesk
+from reference_server.runs.benchmarks import Benchmarks
+from reference_server.runs.registry import RunBook
+from reference_server.runs.session_executor import Stage
 from reference_server.settings import Settings
-from reference_server.stage import Stage
-from reference_server.store import Store
-from reference_sim.runners.local import SimulatorPool
+from reference_server.storage.store import Store
+from reference_sim.process.pool import SimulatorPool
 
 log = logging.getLogger("proctor.app")
 

@@ -12,7 +12,7 @@ from typing import Literal
 from pydantic import Field, field_validator
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
-from reference_server.push.addresses import Gate
+from reference_server.push.egress import Gate
 
 
 class Settings(BaseSettings):

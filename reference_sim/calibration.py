@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from reference_sim.canvas import CANVAS
 from reference_sim.definition import Definition, Json, bounded, image_sizes, vector
 from reference_sim.interface import (
     Action,
@@ -19,6 +18,7 @@ from reference_sim.interface import (
     StepOutcome,
     TaskUnplayable,
 )
+from reference_sim.process.shared_frame_buffer import CANVAS
 
 TASKS = ("score", "count", "echo", "delay", "fault")
 VECTOR_SIZE = 8

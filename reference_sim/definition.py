@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from reference_sim import rendering
 from reference_sim.interface import Simulator
+from reference_sim.mujoco import rendering
 
 Json = dict[str, Any]
 

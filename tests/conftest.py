@@ -13,7 +13,7 @@ from typing import Any
 import httpx
 import pytest
 
-from reference_server.run_state import Episode, Run, Session
+from reference_server.rules.run import Episode, Run, Session
 
 # A shell that starts us in the background has us ignore Ctrl-C, and our children would
 # inherit that: those that test Ctrl-C would wait for ever.

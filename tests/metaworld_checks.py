@@ -13,15 +13,15 @@ import numpy as np
 import pytest
 
 from reference_client import evaluate
-from reference_sim.gymnasium_adapter import registration
-from reference_sim.gymnasium_adapter.benchmark_file import Benchmark, read
-from reference_sim.metaworld_mt50.world import SeededTask, expert
+from reference_sim.benchmarks.metaworld.world import SeededTask, expert
+from reference_sim.gymnasium import registration
+from reference_sim.gymnasium.benchmark_file import Benchmark, read
 from tests.conftest import TOKENS, House
 from tools.metaworld_table import play_directly, play_through_protocol
 
 TASKS = ("reach-v3", "button-press-topdown-v3", "drawer-close-v3", "peg-insert-side-v3")
 FEW = """
-made_by = "reference_sim.metaworld_mt50.world:SeededTask"
+made_by = "reference_sim.benchmarks.metaworld.world:SeededTask"
 max_steps = 500
 camera = false
 """

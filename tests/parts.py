@@ -14,16 +14,16 @@ from typing import Any
 
 import pytest
 
-from reference_server import progress
-from reference_server.benchmarks import digest
-from reference_server.problems import Refused
-from reference_server.protocol import Predict
-from reference_server.run_book import RunBook
-from reference_server.run_state import Episode, Result, Run
-from reference_server.stage import Stage
-from reference_server.store import Store
-from reference_sim import catalog
-from reference_sim.runners.local import SimulatorPool
+from reference_server.http.problems import Refused
+from reference_server.rules import effects
+from reference_server.rules.lifecycle import Predict
+from reference_server.rules.run import Episode, Result, Run
+from reference_server.runs.benchmarks import digest
+from reference_server.runs.registry import RunBook
+from reference_server.runs.session_executor import Stage
+from reference_server.storage.store import Store
+from reference_sim import benchmark_registry
+from reference_sim.process.pool import SimulatorPool
 from tests.conftest import PATIENCE_S, a_run
 
 
@@ -118,7 +118,7 @@ def tell(path: Path, *stories: Story, active_max: int = 10) -> None:
 
 def calibration(*tasks: str, run_id: str = "run_1", **changes: Any) -> Run:
     options = {"tasks": list(tasks) or ["score", "count"]}
-    found = catalog.resolve("calibration", options)
+    found = benchmark_registry.resolve("calibration", options)
     submission = {"benchmark_id": "calibration", "policy": {"name": "p"}}
     plans = found.manifest["episodes"]
     fields = {
@@ -187,7 +187,7 @@ def rows(path: Path, table: str) -> int:
 
 def stop(parts: Parts, run: Run, mode: str = "abort") -> None:
     """As the control plane does it, but for the store."""
-    parts.stage.let_go(progress.stop(run, mode, time.time()))
+    parts.stage.let_go(effects.stop(run, mode, time.time()))
 
 
 def begun(work: Coroutine[Any, Any, Any]) -> asyncio.Task[Any]:

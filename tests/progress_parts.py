@@ -5,13 +5,14 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from reference_server import progress, run_state
-from reference_server.progress import Outcome
-from reference_server.protocol import (
+from reference_server.rules import effects
+from reference_server.rules import run as run_state
+from reference_server.rules.effects import Outcome
+from reference_server.rules.lifecycle import (
     Attach,
     Predict,
 )
-from reference_server.run_state import Run, Session
+from reference_server.rules.run import Run, Session
 from tests.conftest import ACTION, NOW
 
 WALL = 5000.0
@@ -24,8 +25,8 @@ def played(executed: int = 1, *, ended: bool = False, **changes: Any) -> Outcome
 
 
 def opened(run: Run, worker_id: str = "w", now: float = NOW) -> Session:
-    session = progress.open_session(run, Attach(worker_id, "key"), "s", now)
-    progress.answer(session, {"seq": 0}, now)
+    session = effects.open_session(run, Attach(worker_id, "key"), "s", now)
+    effects.answer(session, {"seq": 0}, now)
     return session
 
 
@@ -33,7 +34,7 @@ def play(
     run: Run, session: Session, outcome: Outcome, now: float = NOW
 ) -> run_state.Episode | None:
     command = Predict(session.worker_id, session.session_id, session.seq + 1, [ACTION])
-    progress.begin_turn(session, command, now)
-    ended = progress.end_turn(run, session, outcome, WALL)
-    progress.answer(session, {"seq": session.seq}, now)
+    effects.begin_turn(session, command, now)
+    ended = effects.end_turn(run, session, outcome, WALL)
+    effects.answer(session, {"seq": session.seq}, now)
     return ended

@@ -7,13 +7,13 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 
+from reference_sim.benchmarks.tabletop.experts import TabletopExpert
+from reference_sim.benchmarks.tabletop.layout import CAMERAS, HOME_RAD, SUBSTEPS
+from reference_sim.benchmarks.tabletop.scene import TabletopScene, scene_mjcf
+from reference_sim.benchmarks.tabletop.tasks import TASKS
+from reference_sim.benchmarks.tabletop.variation import SPLITS
 from reference_sim.interface import Action, Observation, Simulator
-from reference_sim.physical import PhysicalSimulator
-from reference_sim.tabletop.experts import TabletopExpert
-from reference_sim.tabletop.layout import CAMERAS, HOME_RAD, SUBSTEPS
-from reference_sim.tabletop.scene import TabletopScene, scene_mjcf
-from reference_sim.tabletop.tasks import TASKS
-from reference_sim.tabletop.variation import SPLITS
+from reference_sim.mujoco.physical import PhysicalSimulator
 from tests.physical_worlds import Policy, bits, play
 
 WIDTH, HEIGHT = 64, 48

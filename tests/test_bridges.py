@@ -24,11 +24,12 @@ from proctor_client import (
     SubmitRun,
 )
 
-from reference_client import Observation, ProctorError, messages
-from reference_client.observation import observation_of
+from reference_client import Observation, ProctorError
+from reference_client.api.observation import observation_of
+from reference_client.api.policy import chunk_of
+from reference_client.generated import messages
 from reference_client.policies import BadMapping, BadPolicy, Mapping, load
 from reference_client.policies.pictures import fitted
-from reference_client.policy import chunk_of
 from tests.proctor_scenes import Proctor, here, server
 from tests.test_reference_client_scenes import ROOT, House, ServerProcess
 

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from reference_sim import catalog
+from reference_sim import benchmark_registry
 from reference_sim.calibration import DEATH_EXIT_CODE, TASKS, Calibration
-from reference_sim.encoding import encode, encode_image, encode_tensor
 from reference_sim.interface import Action, TaskUnplayable
+from reference_sim.process.encoding import encode, encode_image, encode_tensor
 
 WIDTH, HEIGHT = 16, 12
 
@@ -208,8 +208,8 @@ def test_an_encoding_owns_its_bytes() -> None:
 
 
 def test_without_options_there_is_one_score_episode() -> None:
-    resolved = catalog.resolve("calibration")
-    assert resolved.episodes == (catalog.EpisodePlan("score", "even", 1000),)
+    resolved = benchmark_registry.resolve("calibration")
+    assert resolved.episodes == (benchmark_registry.EpisodePlan("score", "even", 1000),)
     assert resolved.images == {"codec": "raw", "width": 16, "height": 12}
     manifest = resolved.manifest
     assert (manifest["max_steps"], manifest["max_chunk"]) == (10, 64)
@@ -226,11 +226,11 @@ def test_options_shape_episodes_and_rules() -> None:
         "max_faults": 2,
         "queue_s": 1.5,
     }
-    resolved = catalog.resolve("calibration", options, max_chunk=8)
+    resolved = benchmark_registry.resolve("calibration", options, max_chunk=8)
     assert resolved.episodes == (
-        catalog.EpisodePlan("echo", "even", 1000),
-        catalog.EpisodePlan("echo", "odd", 1001),
-        catalog.EpisodePlan("fault", "even", 1002),
+        benchmark_registry.EpisodePlan("echo", "even", 1000),
+        benchmark_registry.EpisodePlan("echo", "odd", 1001),
+        benchmark_registry.EpisodePlan("fault", "even", 1002),
     )
     manifest = resolved.manifest
     assert manifest["tasks"] == ["score", "count", "echo", "delay", "fault"]
@@ -247,7 +247,7 @@ def test_options_shape_episodes_and_rules() -> None:
 
 
 def test_action_space_is_that_of_the_page() -> None:
-    space = catalog.resolve("calibration").manifest["action_space"]
+    space = benchmark_registry.resolve("calibration").manifest["action_space"]
     table = {
         name: (
             entry["size"],
@@ -270,17 +270,17 @@ def test_action_space_is_that_of_the_page() -> None:
 
 
 def test_worlds_differ_by_images_alone() -> None:
-    default = catalog.resolve("calibration").world
-    assert catalog.resolve("calibration", {"max_steps": 3}).world == default
+    default = benchmark_registry.resolve("calibration").world
+    assert benchmark_registry.resolve("calibration", {"max_steps": 3}).world == default
     larger = {"codec": "png", "width": 64, "height": 48}
-    resolved = catalog.resolve("calibration", images=larger)
+    resolved = benchmark_registry.resolve("calibration", images=larger)
     assert resolved.images == larger
     assert resolved.world != default
     assert resolved.world.image_codec == "png"
 
 
 def test_score_is_success_in_every_task_but_score() -> None:
-    world = catalog.resolve("calibration").world
+    world = benchmark_registry.resolve("calibration").world
     assert set(world.success_scored_tasks) == set(TASKS) - {"score"}
 
 
@@ -292,19 +292,19 @@ def test_score_is_success_in_every_task_but_score() -> None:
     ],
 )
 def test_images_not_offered_are_refused(images: dict[str, Any], pointer: str) -> None:
-    with pytest.raises(catalog.InvalidChoice) as refused:
-        catalog.resolve("calibration", images=images)
+    with pytest.raises(benchmark_registry.InvalidChoice) as refused:
+        benchmark_registry.resolve("calibration", images=images)
     assert refused.value.pointer == pointer
 
 
 def test_options_are_for_calibration_only() -> None:
-    with pytest.raises(catalog.InvalidChoice) as refused:
-        catalog.resolve("tabletop_state", {})
+    with pytest.raises(benchmark_registry.InvalidChoice) as refused:
+        benchmark_registry.resolve("tabletop_state", {})
     assert refused.value.pointer == "/options"
 
 
 def test_the_catalog_is_sorted_and_closed() -> None:
-    assert catalog.benchmark_ids() == (
+    assert benchmark_registry.benchmark_ids() == (
         "calibration",
         "mobile_bimanual",
         "mobile_bimanual_ee",
@@ -315,14 +315,14 @@ def test_the_catalog_is_sorted_and_closed() -> None:
         "tabletop",
         "tabletop_state",
     )
-    assert catalog.unavailable_reason("calibration") is None
-    with pytest.raises(catalog.UnknownBenchmark):
-        catalog.resolve("juggling")
+    assert benchmark_registry.unavailable_reason("calibration") is None
+    with pytest.raises(benchmark_registry.UnknownBenchmark):
+        benchmark_registry.resolve("juggling")
 
 
 def test_tabletop_offers_cameras_and_tabletop_state_none() -> None:
-    cameras = catalog.resolve("tabletop").manifest
-    blind = catalog.resolve("tabletop_state").manifest
+    cameras = benchmark_registry.resolve("tabletop").manifest
+    blind = benchmark_registry.resolve("tabletop_state").manifest
     assert set(cameras["observation_space"]["images"]) == {"front", "wrist"}
     assert blind["observation_space"]["images"] == {}
     assert cameras["observation_space"]["state"] == blind["observation_space"]["state"]

@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from reference_server.messages import JSON, LARGE_BYTES, MSGPACK, encoded, in_parts
-from reference_sim import catalog
-from reference_sim.canvas import Canvas, Shared, mapped
-from reference_sim.encoding import EncodedObservation, encode_image
-from reference_sim.runners.local import SimulatorPool
-from reference_sim.runners.process import Process
+from reference_server.http.codec import JSON, LARGE_BYTES, MSGPACK, encoded, in_parts
+from reference_sim import benchmark_registry
+from reference_sim.process.encoding import EncodedObservation, encode_image
+from reference_sim.process.pool import SimulatorPool
+from reference_sim.process.shared_frame_buffer import Canvas, Shared, mapped
+from reference_sim.process.simulator_process import Process
 from tests.test_simulator_pool import action
 
 HEIGHT, WIDTH = 30, 40
@@ -113,7 +113,7 @@ def pixels_of(observation: EncodedObservation) -> bytes:
 
 
 def test_images_come_out_of_the_process_bit_for_bit() -> None:
-    world = catalog.resolve(
+    world = benchmark_registry.resolve(
         "calibration", images={"codec": "raw", "width": 64, "height": 48}
     ).world
     row, column, channel = np.ogrid[:48, :64, :3]

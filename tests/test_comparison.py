@@ -11,11 +11,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from referencing import Registry, Resource
 
-from reference_server import comparison, models
-from reference_server.comparison import TOLERANCE, compare, is_within, mcnemar
-from reference_server.operations import QUERY_RANGES
-from reference_server.run_state import Outcome
-from reference_server.scoring import Scored
+from reference_server.generated import models
+from reference_server.http.dispatch import QUERY_RANGES
+from reference_server.rules import comparison
+from reference_server.rules.comparison import TOLERANCE, compare, is_within, mcnemar
+from reference_server.rules.run import Outcome
+from reference_server.rules.scoring import Scored
 from tests.test_scoring import EXACTNESS, assert_same
 from tests.test_spec import DOCUMENT, SCHEMAS
 

@@ -17,24 +17,33 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 OWN_TESTS = {
-    "reference_server/comparison.py": ("test_comparison.py",),
-    "reference_server/events.py": ("test_events.py",),
-    "reference_server/problems.py": ("test_problems.py",),
-    "reference_server/progress.py": (
+    "reference_server/rules/comparison.py": ("test_comparison.py",),
+    "reference_server/rules/events.py": ("test_events.py",),
+    "reference_server/http/problems.py": ("test_problems.py",),
+    "reference_server/rules/effects.py": (
         "test_progress.py",
         "test_progress_in_any_order.py",
         "test_push_rules.py",
     ),
-    "reference_server/protocol.py": ("test_protocol.py", "test_push_rules.py"),
-    "reference_server/profiles/ebench_unpickle.py": ("test_ebench_unpickle.py",),
-    "reference_server/scoring.py": ("test_scoring.py",),
-    "reference_server/spaces.py": ("test_spaces.py",),
-    "conformance/comparison.py": ("test_kit_comparison.py",),
-    "conformance/demands.py": ("test_kit_model.py", "test_kit_model_corners.py"),
-    "conformance/history.py": ("test_kit_model.py", "test_kit_model_corners.py"),
-    "conformance/linear.py": ("test_kit_model.py", "test_kit_model_corners.py"),
-    "conformance/model.py": ("test_kit_model_scores.py",),
-    "conformance/verdicts.py": ("test_kit_verdicts.py",),
+    "reference_server/rules/lifecycle.py": ("test_protocol.py", "test_push_rules.py"),
+    "reference_server/profiles/ebench/pickle_reader.py": ("test_ebench_unpickle.py",),
+    "reference_server/rules/scoring.py": ("test_scoring.py",),
+    "reference_server/rules/action_space.py": ("test_spaces.py",),
+    "conformance/oracle/expected_comparison.py": ("test_kit_comparison.py",),
+    "conformance/oracle/allowed_answers.py": (
+        "test_kit_model.py",
+        "test_kit_model_corners.py",
+    ),
+    "conformance/oracle/run_model.py": (
+        "test_kit_model.py",
+        "test_kit_model_corners.py",
+    ),
+    "conformance/oracle/linearizability.py": (
+        "test_kit_model.py",
+        "test_kit_model_corners.py",
+    ),
+    "conformance/oracle/expected_score.py": ("test_kit_model_scores.py",),
+    "conformance/verdicts/verdict.py": ("test_kit_verdicts.py",),
 }
 IMPORTED = "imported"
 

@@ -13,12 +13,12 @@ import pytest
 from proctor_client import AttachWorker
 from urllib3.util.wait import wait_for_read
 
-from reference_client.connection import Connection
-from reference_client.data_plane import JSON, MSGPACK, DataPlane
-from reference_client.errors import ProctorError, from_failure
-from reference_client.messages import Turn
-from reference_client.observation import observation_of
-from reference_client.patience import FAILURES
+from reference_client.api.errors import ProctorError, from_failure
+from reference_client.api.observation import observation_of
+from reference_client.generated.messages import Turn
+from reference_client.protocol.connection import Connection
+from reference_client.protocol.data_plane import JSON, MSGPACK, DataPlane
+from reference_client.protocol.retry_policy import FAILURES
 from tests.test_reference_client_scenes import (
     DEADLINE_S,
     TOKEN,

@@ -17,9 +17,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from reference_server.http.handlers import Routes
 from reference_server.profiles import tables
-from reference_server.profiles.ebench import Ebench
-from reference_server.routes import Routes
+from reference_server.profiles.ebench.handlers import Ebench
 from reference_server.settings import Settings
 from tests.conftest import PATIENCE_S, House
 from tests.ebench_client import (

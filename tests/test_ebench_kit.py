@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from conformance import pickles
-from conformance.ledger import load_ledger
-from reference_server.profiles import ebench_unpickle
+from conformance.profiles import pickles
+from conformance.specification.ledger import load_ledger
+from reference_server.profiles.ebench import pickle_reader
 from tests.ebench_client import Trap, pickled, unpickled
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -42,7 +42,7 @@ PLAIN = {"0": {"action": [1, -1.5, 2**40, None, True, "ü"], "nested": [[], {}]}
 
 def test_the_kit_s_plain_pickles_are_read_by_everybody() -> None:
     body = pickles.write(PLAIN)
-    assert unpickled(body) == ebench_unpickle.read(body) == pickles.read(body) == PLAIN
+    assert unpickled(body) == pickle_reader.read(body) == pickles.read(body) == PLAIN
 
 
 def test_the_kit_s_arrays_are_numpy_s() -> None:
@@ -51,7 +51,7 @@ def test_the_kit_s_arrays_are_numpy_s() -> None:
     assert array.dtype == np.float64
     assert array.tobytes() == np.array(numbers).tobytes()
     for core in ("core", "_core"):
-        found = ebench_unpickle.read(pickles.write(pickles.Array(numbers, core)))
+        found = pickle_reader.read(pickles.write(pickles.Array(numbers, core)))
         assert found.tobytes() == array.tobytes()
 
 

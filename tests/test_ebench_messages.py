@@ -10,15 +10,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from reference_server.problems import Refused
-from reference_server.profiles.ebench_messages import actions, observation
-from reference_server.profiles.ebench_requests import Chunk
-from reference_sim import catalog
-from reference_sim.mobile_bimanual.benchmark import BENCHMARKS
+from reference_server.http.problems import Refused
+from reference_server.profiles.ebench.actions import actions, observation
+from reference_server.profiles.ebench.requests import Chunk
+from reference_sim import benchmark_registry
+from reference_sim.benchmarks.mobile_bimanual.benchmark import BENCHMARKS
 
 Json = dict[str, Any]
-JOINTS = catalog.resolve("mobile_bimanual", None, None, max_chunk=8).manifest
-POSES = catalog.resolve("mobile_bimanual_ee", None, None, max_chunk=8).manifest
+JOINTS = benchmark_registry.resolve("mobile_bimanual", None, None, max_chunk=8).manifest
+POSES = benchmark_registry.resolve(
+    "mobile_bimanual_ee", None, None, max_chunk=8
+).manifest
 SIXTEEN = [float(n) for n in range(16)]
 HALF_TURN = [0.0, 0.0, 0.0, 1.0]  # about z
 
@@ -279,7 +281,9 @@ def test_encoded_images_and_tensors_are_typed() -> None:
 
 def test_the_robot_of_every_track_is_known() -> None:
     for benchmark_id in BENCHMARKS:
-        manifest = catalog.resolve(benchmark_id, None, None, max_chunk=8).manifest
+        manifest = benchmark_registry.resolve(
+            benchmark_id, None, None, max_chunk=8
+        ).manifest
         poses = "ee" in benchmark_id
         good = {"action": [hand([0.0] * 7, (0, 0))] * 2 if poses else SIXTEEN}
         [action] = made(good, manifest=manifest)

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from reference_server.profiles.ebench_pickle import write
-from reference_server.profiles.ebench_unpickle import read
+from reference_server.profiles.ebench.pickle_reader import read
+from reference_server.profiles.ebench.pickle_writer import write
 from tests.ebench_client import unpickled
 from tests.test_ebench_unpickle import PLAIN
 

@@ -8,7 +8,7 @@ import httpx
 import numpy as np
 import pytest
 
-from reference_sim.mobile_bimanual.experts import MobileBimanualExpert
+from reference_sim.benchmarks.mobile_bimanual.experts import MobileBimanualExpert
 from tests.ebench_client import EbenchClient, Json, episodes_of, house, http
 
 __all__ = ["house", "http"]

@@ -12,9 +12,9 @@ import jsonschema
 import pytest
 import yaml
 
-from conformance.ledger import load_ledger
-from reference_server.profiles.ebench import Ebench
-from reference_server.routes import Routes
+from conformance.specification.ledger import load_ledger
+from reference_server.http.handlers import Routes
+from reference_server.profiles.ebench.handlers import Ebench
 from reference_server.settings import Settings
 
 SPEC = Path(__file__).resolve().parent.parent / "spec"

@@ -23,7 +23,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from reference_server.profiles.ebench_unpickle import (
+from reference_server.profiles.ebench.pickle_reader import (
     DEPTH_MAX,
     OPCODES_MAX,
     VALUES_MAX,

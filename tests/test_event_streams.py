@@ -14,12 +14,12 @@ from typing import Any
 import pytest
 from starlette.responses import StreamingResponse
 
-from conformance.events import Event, Parser
-from reference_server import event_streams, views
-from reference_server import progress as rules
-from reference_server.event_streams import EPISODES_AT_ONCE, Reader
-from reference_server.run_state import Run, RunHead
-from reference_server.store import StoreFailed
+from conformance.client.event_reader import Event, Parser
+from reference_server.http import event_streams, views
+from reference_server.http.event_streams import EPISODES_AT_ONCE, Reader
+from reference_server.rules import effects as rules
+from reference_server.rules.run import Run, RunHead
+from reference_server.storage.store import StoreFailed
 from tests.conftest import PATIENCE_S
 from tests.parts import Gate, Parts, calibration, refusal, score, tell
 

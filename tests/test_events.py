@@ -12,11 +12,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from conformance.events import Event, Parser
-from reference_server.events import Cursor, Telling, is_final, news
-from reference_server.protocol import Event as Happening
-from reference_server.protocol import legal
-from reference_server.run_state import Run, State
+from conformance.client.event_reader import Event, Parser
+from reference_server.rules.events import Cursor, Telling, is_final, news
+from reference_server.rules.lifecycle import Event as Happening
+from reference_server.rules.lifecycle import legal
+from reference_server.rules.run import Run, State
 from tests.conftest import a_run
 from tests.parts import RESULT, score
 

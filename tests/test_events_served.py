@@ -17,7 +17,7 @@ from unittest.mock import ANY
 
 import httpx
 
-from conformance.events import Event, Parser
+from conformance.client.event_reader import Event, Parser
 from tests.conftest import PATIENCE_S, TOKENS, House
 from tests.test_event_streams import indices, kinds
 from tests.test_server import predict_body, submit

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from conformance.ledger import PROFILES, load_ledger
+from conformance.specification.ledger import PROFILES, load_ledger
 
 ROOT = Path(__file__).resolve().parent.parent
 # No outsider can see these, or the server does not announce what they need.

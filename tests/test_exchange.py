@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from reference_client import exchange
-from reference_client.exchange import Answer, BrokenAnswer, Exchange
+from reference_client.protocol import http_connection
+from reference_client.protocol.http_connection import Answer, BrokenAnswer, Exchange
 from tests.certificates import certified
 
 TIMEOUTS_S = (5.0, 20.0)
@@ -209,7 +209,7 @@ def test_what_is_no_answer_is_told_and_left(
 
 
 def test_an_answer_without_end_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(exchange, "ANSWER_BYTES_MAX", 2**18)
+    monkeypatch.setattr(http_connection, "ANSWER_BYTES_MAX", 2**18)
     head = b"HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\n"
     chunk = b"10000\r\n" + b"x" * 2**16 + b"\r\n"
     with (

@@ -11,10 +11,10 @@ import httpx
 import pytest
 
 from conformance.policy.chat import Request, ScriptedChat
+from reference_server.http.handlers import Routes
 from reference_server.profiles import tables
-from reference_server.profiles.flageval_answers import TOLERANCE, status_of
-from reference_server.routes import Routes
-from reference_server.run_state import Episode
+from reference_server.profiles.flageval.responses import TOLERANCE, status_of
+from reference_server.rules.run import Episode
 from reference_server.settings import Settings
 from tests.conftest import PATIENCE_S, TOKENS, House, a_run
 from tests.flageval_parts import (

@@ -6,10 +6,10 @@ from pathlib import Path
 
 from benchmarks.growth import SHELVES, told
 from benchmarks.stock import READY_RUNS, Shelf, fill
-from reference_server import views
-from reference_server.run_book import RunBook
-from reference_server.run_state import Episode, RunHead
-from reference_server.store import Store
+from reference_server.http import views
+from reference_server.rules.run import Episode, RunHead
+from reference_server.runs.registry import RunBook
+from reference_server.storage.store import Store
 from tests.parts import rows
 
 

@@ -10,10 +10,10 @@ from typing import Any
 import pytest
 
 from reference_sim.definition import Json
-from reference_sim.gymnasium_adapter import BadBenchmark, registration
-from reference_sim.gymnasium_adapter.__main__ import main
-from reference_sim.gymnasium_adapter.benchmark_file import Benchmark
-from reference_sim.gymnasium_adapter.check import Check
+from reference_sim.gymnasium import BadBenchmark, registration
+from reference_sim.gymnasium.__main__ import main
+from reference_sim.gymnasium.benchmark_file import Benchmark
+from reference_sim.gymnasium.check import Check
 
 HERE = Path(__file__).parent
 WORLDS = "gymnasium_worlds.py"

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from reference_sim.gymnasium_adapter import BadBenchmark
-from reference_sim.gymnasium_adapter.benchmark_file import (
+from reference_sim.gymnasium import BadBenchmark
+from reference_sim.gymnasium.benchmark_file import (
     READY,
     Benchmark,
     legal_id,

@@ -14,16 +14,16 @@ import numpy as np
 import pytest
 
 from reference_client import Observation, evaluate
-from reference_server.models import Benchmark as Manifest
-from reference_sim import catalog
-from reference_sim.catalog import World
-from reference_sim.encoding import EncodedObservation
-from reference_sim.gymnasium_adapter import registration
-from reference_sim.gymnasium_adapter.benchmark_file import Benchmark
-from reference_sim.gymnasium_adapter.check import Check
-from reference_sim.gymnasium_adapter.simulator import GymnasiumSimulator
+from reference_server.generated.models import Benchmark as Manifest
+from reference_sim import benchmark_registry
+from reference_sim.benchmark_registry import World
+from reference_sim.gymnasium import registration
+from reference_sim.gymnasium.benchmark_file import Benchmark
+from reference_sim.gymnasium.check import Check
+from reference_sim.gymnasium.simulator import GymnasiumSimulator
 from reference_sim.interface import TaskUnplayable
-from reference_sim.runners.local import SimulatorFault, SimulatorHandle, SimulatorPool
+from reference_sim.process.encoding import EncodedObservation
+from reference_sim.process.pool import SimulatorFault, SimulatorHandle, SimulatorPool
 from tests.conftest import TOKENS, House
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -215,7 +215,7 @@ async def begin(handle: SimulatorHandle, task: str) -> EncodedObservation:
 def test_two_processes_play_the_same_episode(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(catalog, "_BENCHMARKS", {})
+    monkeypatch.setattr(benchmark_registry, "_BENCHMARKS", {})
     content = {"benchmark_id": "mine", "environment": name, "camera": False}
     found = Check(Benchmark.model_validate(content), ROOT, print).look()
     definition = registration._definition(found["plan"], found["manifest"])

@@ -10,9 +10,9 @@ from gymnasium import spaces
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from reference_sim.gymnasium_adapter import entries
-from reference_sim.gymnasium_adapter.entries import Entry, UnsupportedSpace
-from reference_sim.gymnasium_adapter.environments import read_space
+from reference_sim.gymnasium import entries
+from reference_sim.gymnasium.entries import Entry, UnsupportedSpace
+from reference_sim.gymnasium.environments import read_space
 from tests.gymnasium_worlds import ALL_SPACES
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from conformance.comparison import expected_comparison, mcnemar
+from conformance.oracle.expected_comparison import expected_comparison, mcnemar
 from tests.test_kit_model_scores import differences
 
 VECTORS = sorted(

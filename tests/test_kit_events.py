@@ -10,11 +10,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from conformance.events import Event, Parser, reading
-from conformance.expect import SetUpFailed, Violation
-from conformance.preflight import inspect
-from conformance.settings import Settings
-from conformance.story import Context, Run, Story
+from conformance.cli.settings import Settings
+from conformance.client.check_context import Context, Run, Story
+from conformance.client.event_reader import Event, Parser, reading
+from conformance.runner.preflight import inspect
+from conformance.verdicts.expect import SetUpFailed, Violation
 from tests import null_servers
 from tests.null_servers import Reply, Request, serving
 

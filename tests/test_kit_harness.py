@@ -9,23 +9,23 @@ from functools import partial
 import httpx
 import pytest
 
-from conformance import expect
-from conformance.expect import (
+from conformance.cli.settings import Settings
+from conformance.client.check_context import Context, Story
+from conformance.client.exchange_log import Journal
+from conformance.client.http_client import Answer
+from conformance.client.run_client import Patience
+from conformance.runner.preflight import inspect
+from conformance.runner.pytest_plugin import judge
+from conformance.specification.document import load_spec
+from conformance.verdicts import expect
+from conformance.verdicts.expect import (
     Inconclusive,
     KitError,
     NotApplicable,
     SetUpFailed,
     Violation,
 )
-from conformance.handles import Patience
-from conformance.journal import Journal
-from conformance.plugin import judge
-from conformance.preflight import inspect
-from conformance.settings import Settings
-from conformance.spec import load_spec
-from conformance.story import Context, Story
-from conformance.verdicts import Outcome
-from conformance.wire import Answer
+from conformance.verdicts.verdict import Outcome
 from tests import null_servers
 from tests.null_servers import serving
 

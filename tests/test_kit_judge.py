@@ -5,10 +5,10 @@ from typing import Any
 
 import pytest
 
-from conformance.journal import Exchange
-from conformance.judge import SESSION_WIDE, Judged, Tally
-from conformance.spec import load_spec
-from conformance.wire import media_type_of, parse
+from conformance.client.exchange_log import Exchange
+from conformance.client.http_client import media_type_of, parse
+from conformance.specification.document import load_spec
+from conformance.verdicts.universal_rules import SESSION_WIDE, Judged, Tally
 
 PROBLEM = {
     "type": "urn:x",

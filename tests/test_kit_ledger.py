@@ -15,8 +15,8 @@ from typing import Any
 import jsonschema
 import pytest
 
-from conformance.ledger import load_ledger
-from conformance.spec import SPEC_DIRECTORY, load_spec
+from conformance.specification.document import SPEC_DIRECTORY, load_spec
+from conformance.specification.ledger import load_ledger
 
 CHECKS = Path(__file__).parents[1] / "conformance" / "checks"
 COMMANDS = re.compile(r"\b(MUST|SHALL|SHOULD|MAY|REQUIRED|RECOMMENDED)\b")
@@ -27,7 +27,7 @@ LONGEST_CHECK = 45
 # What pytest collects is what will run; each in a process that ends with it.
 LIST_CHECKS = """
 import json
-from conformance.execution import list_checks
+from conformance.runner.execution import list_checks
 print(json.dumps(list_checks()))
 """
 

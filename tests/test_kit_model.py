@@ -7,9 +7,10 @@ from typing import Any
 
 import pytest
 
-from conformance import demands, history, linear
-from conformance.demands import Deviation, Models, advance
-from conformance.history import (
+from conformance.oracle import allowed_answers, linearizability, run_model
+from conformance.oracle.allowed_answers import Deviation, Models, advance
+from conformance.oracle.linearizability import Exchanged, explained, parts
+from conformance.oracle.run_model import (
     Attach,
     Detach,
     Episode,
@@ -25,9 +26,8 @@ from conformance.history import (
     Step,
     Stop,
 )
-from conformance.ledger import load_ledger
-from conformance.linear import Exchanged, explained, parts
-from conformance.spec import load_spec
+from conformance.specification.document import load_spec
+from conformance.specification.ledger import load_ledger
 
 RULES = Rules.of(load_spec().lifecycle, max_workers=1, max_steps=3, max_attempts=2)
 START: Models = frozenset({Model("ready", (Episode(), Episode()))})
@@ -259,6 +259,6 @@ def test_session_that_ends_while_it_opens_is_refused() -> None:
 
 def test_model_cites_rules_that_exist() -> None:
 
-    for module in (history, demands, linear):
+    for module in (run_model, allowed_answers, linearizability):
         cited = re.findall(r"\b[A-Z]{2,6}-\d{3}\b", inspect.getsource(module))
         assert set(cited) <= set(load_ledger())

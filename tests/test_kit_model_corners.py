@@ -5,9 +5,10 @@ from typing import Any, cast
 
 import pytest
 
-from conformance import demands, history
-from conformance.demands import Deviation, Models, advance
-from conformance.history import (
+from conformance.oracle import allowed_answers, run_model
+from conformance.oracle.allowed_answers import Deviation, Models, advance
+from conformance.oracle.linearizability import Exchanged, explained
+from conformance.oracle.run_model import (
     Attach,
     Detach,
     Episode,
@@ -21,8 +22,7 @@ from conformance.history import (
     Step,
     Stop,
 )
-from conformance.linear import Exchanged, explained
-from conformance.spec import load_spec
+from conformance.specification.document import load_spec
 
 RULES = Rules.of(load_spec().lifecycle, max_workers=2, max_steps=3, max_attempts=2)
 STEP, END = Step(0.25), Step(0.5, end=1)
@@ -95,7 +95,7 @@ LAST = (Predict("a", "s1", 1, (END,)), turn("s1", 1, [END]))
 
 
 def test_what_is_no_turn_equals_no_turn() -> None:
-    assert history.frozen(None) == history.frozen([]) == ""
+    assert run_model.frozen(None) == run_model.frozen([]) == ""
 
 
 def test_what_must_be_absent_is_named() -> None:
@@ -107,7 +107,7 @@ def test_what_must_be_absent_is_named() -> None:
 
 def test_what_is_no_request_demands_nothing() -> None:
     (model,) = one()
-    assert list(demands.demands(RULES, model, cast(Any, "get_run"))) == []
+    assert list(allowed_answers.demands(RULES, model, cast(Any, "get_run"))) == []
 
 
 def test_detach_of_what_has_ended_is_done_already() -> None:

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from conformance.model import expected_score, is_close, wilson
+from conformance.oracle.expected_score import expected_score, is_close, wilson
 
 VECTORS = sorted((Path(__file__).parents[1] / "spec" / "vectors" / "scoring").iterdir())
 

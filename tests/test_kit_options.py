@@ -12,14 +12,14 @@ from typing import Any
 import jsonschema
 import pytest
 
-from conformance.arguments import BadArguments, build_parser, read_choice
-from conformance.cli import main
-from conformance.judge import Tally
-from conformance.ledger import load_ledger
-from conformance.result import Result, conclude
-from conformance.settings import Settings
-from conformance.spec import load_spec
-from conformance.verdicts import Outcome, Verdict
+from conformance.cli.arguments import BadArguments, build_parser, read_choice
+from conformance.cli.main import main
+from conformance.cli.settings import Settings
+from conformance.specification.document import load_spec
+from conformance.specification.ledger import load_ledger
+from conformance.verdicts.result import Result, conclude
+from conformance.verdicts.universal_rules import Tally
+from conformance.verdicts.verdict import Outcome, Verdict
 
 ROOT = Path(__file__).parents[1]
 SCHEMA = json.loads((ROOT / "conformance" / "report.schema.json").read_text())

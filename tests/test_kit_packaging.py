@@ -11,13 +11,13 @@ from pathlib import Path
 
 import pytest
 
-from conformance.spec import spec_name, spec_sha256
+from conformance.specification.document import spec_name, spec_sha256
 
 ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 SETUPTOOLS = PROJECT["tool"]["setuptools"]
 SOURCES = ("conformance", "reference_client", "reference_server", "reference_sim")
-PACKED = "conformance/specification"
+PACKED = "conformance/specification/files"
 Done = subprocess.CompletedProcess[str]
 
 
@@ -28,7 +28,7 @@ def test_every_package_is_packed() -> None:
         for path in root.glob("*/**/__init__.py")
         if path.relative_to(root).parts[0] in (*SOURCES, "proctor_client")
     }
-    assert set(SETUPTOOLS["packages"]) == here | {"conformance.specification"}
+    assert set(SETUPTOOLS["packages"]) == here | {"conformance.specification.files"}
 
 
 def imported_in(*folders: Path) -> set[str]:
@@ -115,7 +115,8 @@ def test_installed_kit_judges_the_same(wheel: Path, tmp_path: Path) -> None:
     """Installed elsewhere, with this environment's packages but not this directory."""
     ours = next(path for path in sys.path if path.endswith("site-packages"))
     program = (
-        f"import sys; sys.path.append({ours!r}); from conformance.cli import main; "
+        f"import sys; sys.path.append({ours!r})\n"
+        "from conformance.cli.main import main\n"
         "sys.exit(main(['--dry-run', '--only', 'SVC']))"
     )
     done = run_installed(wheel, tmp_path, program)
@@ -136,4 +137,4 @@ def test_command_says_what_to_install(wheel: Path, tmp_path: Path) -> None:
 
 def test_command_has_a_name() -> None:
     scripts = PROJECT["project"]["scripts"]
-    assert scripts["proctor-conformance"] == "conformance.cli:main"
+    assert scripts["proctor-conformance"] == "conformance.cli.main:main"

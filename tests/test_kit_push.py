@@ -12,10 +12,10 @@ from typing import Any
 import jsonschema
 import pytest
 
-from conformance.expect import SetUpFailed, Violation
-from conformance.policy import pushed, turns
+from conformance.policy import push_run, turns
 from conformance.policy.scripted import Call, ScriptedPolicy, busy
-from conformance.spec import load_policy_spec, load_spec
+from conformance.specification.document import load_policy_spec, load_spec
+from conformance.verdicts.expect import SetUpFailed, Violation
 from tests.conftest import TOKENS, House
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -59,25 +59,25 @@ class FakeRun:
 
 
 def test_a_run_that_never_ends_is_a_violation(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(pushed, "LONGEST_S", 0.05)
+    monkeypatch.setattr(push_run, "LONGEST_S", 0.05)
     run: Any = FakeRun("running")
     with pytest.raises(Violation, match="`running` after"):
-        pushed.ended(run, "completed")
+        push_run.ended(run, "completed")
     run = FakeRun("failed")
     with pytest.raises(Violation, match="because"):
-        pushed.ended(run, "completed")
-    assert pushed.ended(run, "failed")["state"] == "failed"
+        push_run.ended(run, "completed")
+    assert push_run.ended(run, "failed")["state"] == "failed"
 
 
 def test_a_fault_that_is_not_told_is_a_violation() -> None:
     silent: Any = FakeRun("running")
     with pytest.raises(Violation, match="policy_fault"):
-        pushed.faulted(silent, 0.05)
+        push_run.faulted(silent, 0.05)
     empty: Any = FakeRun("running", policy_fault="")
     with pytest.raises(Violation, match="a text"):
-        pushed.faulted(empty)
+        push_run.faulted(empty)
     told: Any = FakeRun("running", policy_fault="It said nonsense.")
-    assert pushed.faulted(told)["policy_fault"] == "It said nonsense."
+    assert push_run.faulted(told)["policy_fault"] == "It said nonsense."
 
 
 @pytest.mark.parametrize(
@@ -85,12 +85,12 @@ def test_a_fault_that_is_not_told_is_a_violation() -> None:
     [("http://127.0.0.1:8460", "127.0.0.1"), ("http://localhost", "127.0.0.1")],
 )
 def test_on_this_machine_the_kit_serves_on_loopback(url: str, address: str) -> None:
-    assert pushed.own_address(url) == address
+    assert push_run.own_address(url) == address
 
 
 def test_an_address_that_nobody_knows_leaves_the_rules_unverified() -> None:
     with pytest.raises(SetUpFailed, match="no address of this machine") as caught:
-        pushed.own_address("https://nobody.invalid")
+        push_run.own_address("https://nobody.invalid")
     assert caught.value.allowed
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from conformance.server_process import ServerProcess, Tokens
+from conformance.runner.server_process import ServerProcess, Tokens
 
 ROOT = Path(__file__).parents[1]
 TOOLS = ("bash", "base64", "curl", "python3", "sleep", "tee")

@@ -7,19 +7,19 @@ from xml.etree import ElementTree as ET
 import jsonschema
 import pytest
 
-from conformance import ledger
-from conformance.arguments import BadArguments, read_known_failures
-from conformance.console import card
-from conformance.curl import script
-from conformance.journal import Exchange
-from conformance.judge import Judged, Tally
-from conformance.report_badge import badge
-from conformance.report_files import junit, write_reports
-from conformance.report_html import page
-from conformance.result import Result, as_plain, conclude
-from conformance.settings import Settings
-from conformance.spec import load_spec
-from conformance.verdicts import Outcome, Verdict
+from conformance.cli.arguments import BadArguments, read_known_failures
+from conformance.cli.console import card
+from conformance.cli.settings import Settings
+from conformance.client.curl import script
+from conformance.client.exchange_log import Exchange
+from conformance.reports.badge import badge
+from conformance.reports.files import junit, write_reports
+from conformance.reports.html import page
+from conformance.specification import ledger
+from conformance.specification.document import load_spec
+from conformance.verdicts.result import Result, as_plain, conclude
+from conformance.verdicts.universal_rules import Judged, Tally
+from conformance.verdicts.verdict import Outcome, Verdict
 
 SCHEMA = json.loads(
     (Path(__file__).parents[1] / "conformance" / "report.schema.json").read_text()

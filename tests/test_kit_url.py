@@ -11,8 +11,8 @@ from typing import Any
 import httpx
 import pytest
 
-from conformance.checks.fuzz import _shorten_long_poll
-from conformance.wire import ClientPool
+from conformance.checks.support.fuzz import _shorten_long_poll
+from conformance.client.http_client import ClientPool
 
 ROOT = Path(__file__).resolve().parent.parent
 

@@ -5,8 +5,8 @@ from typing import Any
 
 import pytest
 
-from conformance.journal import Exchange
-from conformance.verdicts import Outcome, Verdict, exit_code
+from conformance.client.exchange_log import Exchange
+from conformance.verdicts.verdict import Outcome, Verdict, exit_code
 
 LEVELS = {"A-001": "MUST", "A-002": "MUST", "A-003": "SHOULD"}
 

@@ -16,19 +16,20 @@ from pathlib import Path
 import pytest
 import yaml
 
-from reference_server import catalogue, protocol, run_state
-from reference_server.operations import PATH_PATTERNS
-from reference_server.protocol import TRANSITIONS, Event, legal
-from reference_server.run_state import State
+from reference_server.generated import problem_codes
+from reference_server.http.dispatch import PATH_PATTERNS
+from reference_server.rules import lifecycle, run
+from reference_server.rules.lifecycle import TRANSITIONS, Event, legal
+from reference_server.rules.run import State
 from tests.conftest import a_run
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = ("conformance", "reference_client", "reference_server", "reference_sim")
 GENERATED = {
     "generated_clients",
-    "reference_client/messages.py",
-    "reference_server/catalogue.py",
-    "reference_server/models.py",
+    "reference_client/generated/messages.py",
+    "reference_server/generated/problem_codes.py",
+    "reference_server/generated/models.py",
 }
 NOT_OURS = ("build", "dist", "report", "var")
 CARRIES_CODE = {"cloudpickle", "dill", "joblib", "marshal", "pickle", "shelve"}
@@ -36,7 +37,7 @@ CARRIES_CODE = {"cloudpickle", "dill", "joblib", "marshal", "pickle", "shelve"}
 MAY_CARRY_CODE = {
     "benchmarks/contenders/ebench_client.py": "pickle is what is measured",
     "benchmarks/contenders/ebench_server.py": "and both ends are ours",
-    "conformance/pickles.py": "EBench's wire; its reader lets nothing be named",
+    "conformance/profiles/pickles.py": "EBench; its reader lets nothing be named",
     "tests/ebench_client.py": "sends what EBench's client sends, and attacks",
 }
 SAY_NOTHING = {"base", "common", "helper", "helpers", "manager", "service", "utils"}
@@ -146,8 +147,8 @@ def test_the_rules_wait_for_nothing_and_look_at_no_clock(name: str) -> None:
 @pytest.mark.parametrize(
     ("module", "owner"),
     [
-        ("sqlalchemy", "reference_server/store.py"),
-        ("mujoco", "reference_sim/mujoco_world.py"),
+        ("sqlalchemy", "reference_server/storage/store.py"),
+        ("mujoco", "reference_sim/mujoco/world.py"),
     ],
 )
 def test_a_big_dependency_has_one_owner(module: str, owner: str) -> None:
@@ -225,13 +226,13 @@ def test_the_words_of_the_lifecycle_are_the_same() -> None:
     assert set(typing.get_args(Event)) == {*LIFECYCLE["commands"], *LIFECYCLE["events"]}
     schemas = DOCUMENT["components"]["schemas"]
     assert schemas["RunState"]["enum"] == LIFECYCLE["states"]
-    assert schemas["Outcome"]["enum"] == list(typing.get_args(run_state.Outcome))
-    ends = list(typing.get_args(run_state.SessionEnd))
+    assert schemas["Outcome"]["enum"] == list(typing.get_args(run.Outcome))
+    ends = list(typing.get_args(run.SessionEnd))
     assert schemas["SessionEnd"]["enum"] == ends
 
 
 def test_every_command_has_guards() -> None:
-    assert set(protocol.GUARDS) == set(typing.get_args(protocol.Command))
+    assert set(lifecycle.GUARDS) == set(typing.get_args(lifecycle.Command))
 
 
 # --- problems ---
@@ -271,7 +272,7 @@ def test_no_problem_outside_the_catalogue_is_used() -> None:
 
 
 def test_the_generated_catalogue_is_the_specification() -> None:
-    assert DOCUMENT["x-problems"] == catalogue.PROBLEMS
+    assert DOCUMENT["x-problems"] == problem_codes.PROBLEMS
 
 
 def test_only_what_is_worth_a_retry_asks_for_one() -> None:

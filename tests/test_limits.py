@@ -13,8 +13,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from reference_server import models
-from reference_server.catalogue import PROBLEMS
+from reference_server.generated import models
+from reference_server.generated.problem_codes import PROBLEMS
 from tests.conftest import PATIENCE_S, TOKENS, House
 
 MSGPACK = "application/msgpack"

@@ -13,8 +13,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from starlette.requests import Request
 
-from reference_server import models
-from reference_server.messages import (
+from reference_server.generated import models
+from reference_server.http.codec import (
     DRAIN_FACTOR,
     JSON,
     MSGPACK,
@@ -26,7 +26,7 @@ from reference_server.messages import (
     read_body,
     validate,
 )
-from reference_server.problems import Refused
+from reference_server.http.problems import Refused
 
 DEEP = 10**6
 NOW = datetime.now(UTC)

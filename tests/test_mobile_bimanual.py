@@ -14,14 +14,13 @@ from concurrent.futures import ProcessPoolExecutor
 import numpy as np
 import pytest
 
-from reference_sim.interface import Action, Observation, Simulator
-from reference_sim.mobile_bimanual.benchmark import MAX_STEPS
-from reference_sim.mobile_bimanual.experts import (
+from reference_sim.benchmarks.mobile_bimanual.benchmark import MAX_STEPS
+from reference_sim.benchmarks.mobile_bimanual.experts import (
     MobileBimanualExpert,
     UnknownInstruction,
     make_expert,
 )
-from reference_sim.mobile_bimanual.layout import (
+from reference_sim.benchmarks.mobile_bimanual.layout import (
     ACTION_CHANNELS,
     BOX_HALF_M,
     CAMERAS,
@@ -32,15 +31,16 @@ from reference_sim.mobile_bimanual.layout import (
     TABLE_TOP_M,
     THINGS,
 )
-from reference_sim.mobile_bimanual.scene import MobileBimanualScene
-from reference_sim.mobile_bimanual.splits import SPLITS
-from reference_sim.mobile_bimanual.tasks import (
+from reference_sim.benchmarks.mobile_bimanual.scene import MobileBimanualScene
+from reference_sim.benchmarks.mobile_bimanual.splits import SPLITS
+from reference_sim.benchmarks.mobile_bimanual.tasks import (
     LIFTED_M,
     TASKS,
     FetchAndPlace,
     TwoHandedLift,
 )
-from reference_sim.physical import PhysicalSimulator
+from reference_sim.interface import Action, Observation, Simulator
+from reference_sim.mujoco.physical import PhysicalSimulator
 from tests.physical_worlds import Policy, bits, play
 
 WIDTH, HEIGHT = 64, 48

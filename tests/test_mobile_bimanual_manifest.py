@@ -8,15 +8,19 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 
-from reference_sim import catalog
+from reference_sim import benchmark_registry
+from reference_sim.benchmarks.mobile_bimanual import frames, layout
+from reference_sim.benchmarks.mobile_bimanual.benchmark import (
+    TRACKS,
+    VARIANTS,
+    make_simulator,
+)
+from reference_sim.benchmarks.mobile_bimanual.mjcf import scene_mjcf
+from reference_sim.benchmarks.mobile_bimanual.scene import MobileBimanualScene
+from reference_sim.benchmarks.mobile_bimanual.splits import SPLITS
+from reference_sim.benchmarks.mobile_bimanual.tasks import TASKS
 from reference_sim.interface import Action
-from reference_sim.mobile_bimanual import frames, layout
-from reference_sim.mobile_bimanual.benchmark import TRACKS, VARIANTS, make_simulator
-from reference_sim.mobile_bimanual.mjcf import scene_mjcf
-from reference_sim.mobile_bimanual.scene import MobileBimanualScene
-from reference_sim.mobile_bimanual.splits import SPLITS
-from reference_sim.mobile_bimanual.tasks import TASKS
-from reference_sim.mujoco_world import Vector, World
+from reference_sim.mujoco.world import Vector, World
 
 SIZE = {"width": 32, "height": 24}
 STILL_ARMS: Action = {
@@ -44,7 +48,7 @@ def drive(scene: MobileBimanualScene, steps: int, *motion: float) -> Vector:
 @pytest.mark.parametrize("benchmark_id", VARIANTS)
 def test_a_manifest_says_what_the_simulator_does(benchmark_id: str) -> None:
     variant = VARIANTS[benchmark_id]
-    resolved = catalog.resolve(benchmark_id)
+    resolved = benchmark_registry.resolve(benchmark_id)
     manifest = resolved.manifest
     assert manifest["tasks"] == list(TRACKS[variant.track])
     assert {one["task"] for one in manifest["episodes"]} == set(manifest["tasks"])
@@ -69,7 +73,7 @@ def test_a_manifest_says_what_the_simulator_does(benchmark_id: str) -> None:
 
 def test_tracks_share_their_episodes() -> None:
     def episodes(benchmark_id: str) -> list[tuple[str, str, int]]:
-        plans = catalog.resolve(benchmark_id).episodes
+        plans = benchmark_registry.resolve(benchmark_id).episodes
         return sorted((plan.task, plan.split, plan.seed) for plan in plans)
 
     whole = episodes("mobile_bimanual")
@@ -86,7 +90,7 @@ def test_tracks_share_their_episodes() -> None:
 def test_where_there_are_cameras_a_policy_has_to_look() -> None:
     poses = {f"{thing}_pose" for thing in layout.THINGS}
     for benchmark_id, variant in VARIANTS.items():
-        space = catalog.resolve(benchmark_id).manifest["observation_space"]
+        space = benchmark_registry.resolve(benchmark_id).manifest["observation_space"]
         assert set(space["images"]) == (
             set(layout.CAMERAS) if variant.cameras else set()
         )
@@ -94,7 +98,7 @@ def test_where_there_are_cameras_a_policy_has_to_look() -> None:
 
 
 def test_sizes_and_modes_offered() -> None:
-    manifest = catalog.resolve("mobile_bimanual").manifest
+    manifest = benchmark_registry.resolve("mobile_bimanual").manifest
     assert manifest["image_sizes"] == [
         {"width": 640, "height": 480},
         {"width": 224, "height": 224},
@@ -102,7 +106,7 @@ def test_sizes_and_modes_offered() -> None:
     ]
     joints = {name: one["size"] for name, one in manifest["action_space"].items()}
     assert joints == {"joint_position": 12, "gripper": 4, "base_motion": 3}
-    hands = catalog.resolve("mobile_bimanual_ee").manifest["action_space"]
+    hands = benchmark_registry.resolve("mobile_bimanual_ee").manifest["action_space"]
     assert list(hands) == ["left_ee_pose", "right_ee_pose", "gripper", "base_motion"]
     assert hands["left_ee_pose"]["rotation"] == "quaternion_wxyz"
     assert hands["base_motion"]["relative"]

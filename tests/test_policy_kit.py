@@ -19,9 +19,9 @@ import pytest
 import yaml
 from starlette.requests import Request
 
-from conformance.ledger import POLICY, load_ledger
 from conformance.policy.turns import calibration
-from conformance.spec import load_policy_spec, load_spec
+from conformance.specification.document import load_policy_spec, load_spec
+from conformance.specification.ledger import POLICY, load_ledger
 from reference_client.policies import serving
 from reference_client.policies.serving import PolicyApp, Refusal
 from tests import policy_parts

@@ -199,7 +199,7 @@ def test_the_command_serves_an_expert_to_a_real_benchmark(
 ) -> None:
     """`proctor serve-policy`, called for a robot's benchmark. Expect a success."""
     (tmp_path / "mine.py").write_text(
-        "from reference_sim.tabletop.experts import TabletopExpert\n"
+        "from reference_sim.benchmarks.tabletop.experts import TabletopExpert\n"
         "class Mine:\n"
         "    def __init__(self):\n"
         "        self.expert = TabletopExpert()\n"

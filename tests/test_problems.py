@@ -2,9 +2,9 @@
 
 import msgspec
 
-from reference_server import models
-from reference_server.problems import RETRY_AFTER_S, Refused, problem_response
-from reference_server.protocol import Refuse
+from reference_server.generated import models
+from reference_server.http.problems import RETRY_AFTER_S, Refused, problem_response
+from reference_server.rules.lifecycle import Refuse
 
 
 def test_a_problem_says_what_happened_and_what_to_do() -> None:

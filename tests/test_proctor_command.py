@@ -17,7 +17,7 @@ import yaml
 
 from reference_client.command import aliases
 from reference_client.command.main import main
-from reference_client.plan import WORKER_ID
+from reference_client.evaluation.plan import WORKER_ID
 from tests.proctor_scenes import Proctor, here, options, server
 from tests.test_reference_client_scenes import ROOT, ServerProcess
 

@@ -4,12 +4,13 @@ from typing import Any, cast
 
 import pytest
 
-from reference_server import progress, run_state
-from reference_server.protocol import (
+from reference_server.rules import effects
+from reference_server.rules import run as run_state
+from reference_server.rules.lifecycle import (
     Attach,
     Predict,
 )
-from reference_server.run_state import Result, Session, State
+from reference_server.rules.run import Result, Session, State
 from tests.conftest import ACTION, NOW, a_run
 from tests.progress_parts import WALL, opened, play, played
 
@@ -18,7 +19,7 @@ from tests.progress_parts import WALL, opened, play, played
 
 def test_attach_takes_the_first_episode_and_a_slot() -> None:
     run = a_run()
-    session = progress.open_session(run, Attach("w", "key"), "s", NOW)
+    session = effects.open_session(run, Attach("w", "key"), "s", NOW)
     assert run.state == "running"
     assert session.busy == "opening"
     assert session.episode is run.episodes[0]
@@ -41,7 +42,7 @@ def test_a_takeover_goes_on_where_the_old_session_stood() -> None:
     old = opened(run)
     play(run, old, played(3), NOW + 2)
     old.instruction = "Lift."
-    new = progress.open_session(run, Attach("w", "another", True), "s2", NOW + 3)
+    new = effects.open_session(run, Attach("w", "another", True), "s2", NOW + 3)
     assert new.episode is run.episodes[0]
     assert (new.steps, new.think_s, new.instruction) == (3, 2.0, "Lift.")
     assert run.live == [new]
@@ -53,18 +54,18 @@ def test_who_replaces_a_session_that_is_done_gets_an_episode_anew() -> None:
     other = opened(run, "other")
     play(run, opened(run, "w"), played(1, ended=True))
     assert run.workers["w"].done
-    progress.close_session(run, other, "detached", WALL)
+    effects.close_session(run, other, "detached", WALL)
     assert opened(run, "w").episode is run.episodes[0]
 
 
 def test_a_turn_uses_up_its_seq_and_keeps_what_was_asked() -> None:
     session = opened(a_run())
-    progress.begin_turn(session, Predict("w", "s", 1, [ACTION], "all"), NOW + 4)
+    effects.begin_turn(session, Predict("w", "s", 1, [ACTION], "all"), NOW + 4)
     assert (session.seq, session.busy, session.turn) == (1, "playing", None)
     assert session.request == ([ACTION], "all")
     assert session.think_s == 4.0
     session = opened(a_run())
-    progress.begin_turn(session, Predict("w", "s", 1, [ACTION]), NOW)
+    effects.begin_turn(session, Predict("w", "s", 1, [ACTION]), NOW)
     assert session.think_s == 0.0
 
 
@@ -80,7 +81,7 @@ def test_an_answer_is_kept_and_begins_the_lease_anew() -> None:
 def test_a_heartbeat_extends_the_lease_and_hides_no_thinking() -> None:
     run = a_run()
     session = opened(run)
-    progress.touch(session, NOW + 5)
+    effects.touch(session, NOW + 5)
     assert session.expires_at == NOW + 5 + run.idle_timeout_s
     play(run, session, played(), NOW + 7)
     assert session.think_s == 7.0
@@ -88,20 +89,20 @@ def test_a_heartbeat_extends_the_lease_and_hides_no_thinking() -> None:
 
 def test_a_turn_is_unheard_until_its_own_answer_has_left() -> None:
     session = opened(a_run())
-    progress.heard(session, 0)  # nothing was asked
-    progress.await_hearing(session, Predict("w", "s", 1, [ACTION]), "asked")
-    progress.heard(session, 2)
+    effects.heard(session, 0)  # nothing was asked
+    effects.await_hearing(session, Predict("w", "s", 1, [ACTION]), "asked")
+    effects.heard(session, 2)
     assert session.unheard == (1, "asked")
-    progress.heard(session, 1)
+    effects.heard(session, 1)
     assert session.unheard is None
 
 
 def test_a_turn_in_play_stays_the_one_that_is_awaited() -> None:
     session = opened(a_run())
     first, next_ = (Predict("w", "s", seq, [ACTION]) for seq in (1, 2))
-    progress.await_hearing(session, first, "first")
-    progress.begin_turn(session, first, 0.0)
-    progress.await_hearing(session, next_, "next")
+    effects.await_hearing(session, first, "first")
+    effects.begin_turn(session, first, 0.0)
+    effects.await_hearing(session, next_, "next")
     assert session.unheard == (1, "first")
 
 
@@ -155,7 +156,7 @@ def test_who_finds_nothing_left_lets_the_others_play_on() -> None:
 def test_a_run_that_drains_hands_out_nothing_more() -> None:
     run = a_run(3)
     session = opened(run)
-    assert progress.stop(run, "drain", WALL) == []
+    assert effects.stop(run, "drain", WALL) == []
     assert run.state == "stopping"
     play(run, session, played(1, ended=True))
     assert session.done
@@ -165,7 +166,7 @@ def test_a_run_that_drains_hands_out_nothing_more() -> None:
 def test_a_session_that_closes_before_its_first_action_costs_no_attempt() -> None:
     run = a_run()
     session = opened(run)
-    progress.close_session(run, session, "detached", WALL)
+    effects.close_session(run, session, "detached", WALL)
     assert session.done
     assert run.episodes[0].attempt == 1
     assert not run.episodes[0].in_progress
@@ -180,10 +181,10 @@ def test_a_session_that_closes_after_an_action_costs_an_attempt(
     run = a_run()
     session = opened(run)
     if in_execution:
-        progress.begin_turn(session, Predict("w", "s", 1, [ACTION]), NOW)
+        effects.begin_turn(session, Predict("w", "s", 1, [ACTION]), NOW)
     else:
         play(run, session, played())
-    progress.close_session(run, session, "detached", WALL)
+    effects.close_session(run, session, "detached", WALL)
     assert run.episodes[0].attempt == 2
     assert run.episodes[0].result is None
     assert run.changed == {0}
@@ -194,7 +195,7 @@ def test_the_last_attempt_is_abandoned() -> None:
     for _ in range(2):
         session = opened(run)
         play(run, session, played(4), NOW + 1)
-        progress.close_session(run, session, "detached", WALL)
+        effects.close_session(run, session, "detached", WALL)
     assert run.episodes[0].result == Result(
         "abandoned", 0.0, 2, 4, False, False, 1.0, WALL
     )
@@ -207,7 +208,7 @@ def test_an_abandoned_episode_can_complete_the_run() -> None:
     run.episodes[0].attempt = 2
     session = opened(run)
     play(run, session, played())
-    progress.close_session(run, session, "lease_ended", WALL)
+    effects.close_session(run, session, "lease_ended", WALL)
     assert run.state == "completed"
 
 
@@ -215,7 +216,7 @@ def test_closing_a_session_that_is_done_changes_no_state() -> None:
     run = a_run(1)
     opened(run, "a")
     done = opened(run, "b")
-    progress.close_session(run, done, "detached", WALL)
+    effects.close_session(run, done, "detached", WALL)
     assert run.state == "running"
     assert list(run.workers) == ["a"]
 
@@ -223,9 +224,9 @@ def test_closing_a_session_that_is_done_changes_no_state() -> None:
 def test_an_old_session_cannot_close_its_successor() -> None:
     run = a_run()
     old = opened(run)
-    new = progress.open_session(run, Attach("w", "b", True), "s2", NOW)
+    new = effects.open_session(run, Attach("w", "b", True), "s2", NOW)
     old.episode = None
-    progress.close_session(run, old, "unknown", WALL)
+    effects.close_session(run, old, "unknown", WALL)
     assert run.workers == {"w": new}
 
 
@@ -233,8 +234,8 @@ def test_leases_end_together_or_not_at_all() -> None:
     run = a_run(3, max_workers=3)
     early, late = opened(run, "a"), opened(run, "b", NOW + 5)
     busy = opened(run, "c")
-    progress.begin_turn(busy, Predict("c", "s", 1, [ACTION]), NOW)
-    assert progress.expire(run, NOW + 10.5, WALL) == [early]
+    effects.begin_turn(busy, Predict("c", "s", 1, [ACTION]), NOW)
+    assert effects.expire(run, NOW + 10.5, WALL) == [early]
     assert early.ended_by == "lease_ended"
     assert run.live == [late, busy]
 
@@ -243,7 +244,7 @@ def test_a_session_that_is_done_ends_without_being_told_of() -> None:
     run = a_run(1)
     session = opened(run)
     play(run, session, played(1, ended=True))
-    assert progress.expire(run, NOW + 99, WALL) == []
+    assert effects.expire(run, NOW + 99, WALL) == []
     assert run.workers == {}
 
 
@@ -251,10 +252,10 @@ def test_what_ends_with_the_old_episode_costs_the_next_one_nothing() -> None:
     """The result is being stored: the next episode is in hand, and not begun."""
     run = a_run()
     session = opened(run)
-    progress.begin_turn(session, Predict("w", "s", 1, [ACTION]), NOW)
-    progress.end_turn(run, session, played(1, ended=True), WALL)
+    effects.begin_turn(session, Predict("w", "s", 1, [ACTION]), NOW)
+    effects.end_turn(run, session, played(1, ended=True), WALL)
     assert session.episode is run.episodes[1]
-    progress.stop(run, "abort", WALL)
+    effects.stop(run, "abort", WALL)
     assert [e.attempt for e in run.episodes] == [1, 1, 1]
 
 
@@ -265,7 +266,7 @@ def test_an_abort_ends_every_session() -> None:
     run = a_run()
     a, b = opened(run, "a"), opened(run, "b")
     play(run, a, played())
-    assert progress.stop(run, "abort", WALL) == [a, b]
+    assert effects.stop(run, "abort", WALL) == [a, b]
     assert (run.state, run.workers) == ("stopped", {})
     assert (a.ended_by, b.ended_by) == ("run_stopped", "run_stopped")
     assert a.done
@@ -279,7 +280,7 @@ def test_a_resume_queues_the_run_and_forgives_faults() -> None:
     scored = Result("success", 1.0, 1, 1, True, False, 0.0, WALL)
     run.episodes[0].faults, run.episodes[0].result = 1, scored
     run.episodes[1].faults = 2
-    progress.resume(run, WALL + 3)
+    effects.resume(run, WALL + 3)
     assert (run.state, run.reason, run.retryable) == ("queued", None, None)
     assert run.queue_until_wall == WALL + 3
     assert [e.faults_forgiven for e in run.episodes] == [0, 2, 0]
@@ -289,7 +290,7 @@ def test_a_resume_queues_the_run_and_forgives_faults() -> None:
 @pytest.mark.parametrize("state", ["queued", "ready", "running"])
 def test_a_resume_of_a_run_that_goes_on_changes_nothing(state: State) -> None:
     run = a_run(state=state)
-    progress.resume(run, WALL + 3)
+    effects.resume(run, WALL + 3)
     assert (run.state, run.queue_until_wall) == (state, 0.0)
 
 
@@ -300,7 +301,7 @@ def test_a_fault_costs_no_attempt() -> None:
     run = a_run()
     session = opened(run)
     play(run, session, played(2))
-    assert progress.fault(run, session, "died", unplayable=False, now_wall=WALL) == []
+    assert effects.fault(run, session, "died", unplayable=False, now_wall=WALL) == []
     assert run.state == "running"
     assert (session.steps, run.episodes[0].attempt, run.episodes[0].faults) == (0, 1, 1)
     assert session.episode is run.episodes[0]
@@ -313,7 +314,7 @@ def test_a_fault_too_many_fails_the_run(unplayable: bool, faults: int) -> None:
     a, b = opened(run, "a"), opened(run, "b")
     play(run, b, played())
     for _ in range(faults):
-        ended = progress.fault(run, a, "died", unplayable=unplayable, now_wall=WALL)
+        ended = effects.fault(run, a, "died", unplayable=unplayable, now_wall=WALL)
     assert ended == [a, b]
     assert (run.state, run.retryable) == ("failed", not unplayable)
     assert "e0000" in (run.reason or "")
@@ -329,7 +330,7 @@ def test_forgiven_faults_do_not_fail_the_run_again() -> None:
     run = a_run()
     run.episodes[0].faults = run.episodes[0].faults_forgiven = 5
     session = opened(run)
-    assert progress.fault(run, session, "died", unplayable=False, now_wall=WALL) == []
+    assert effects.fault(run, session, "died", unplayable=False, now_wall=WALL) == []
     assert run.state == "running"
 
 
@@ -339,15 +340,15 @@ def test_forgiven_faults_do_not_fail_the_run_again() -> None:
 def test_the_oldest_are_admitted_first_while_there_is_room() -> None:
     runs = [a_run(number=number, state="queued") for number in (3, 1, 4, 2)]
     runs[1].queue_until_wall = WALL + 1
-    assert [r.number for r in progress.admit(runs, 1, 3, WALL)] == [2, 3]
+    assert [r.number for r in effects.admit(runs, 1, 3, WALL)] == [2, 3]
     assert [r.state for r in runs] == ["ready", "queued", "queued", "ready"]
-    assert progress.admit(runs[1:2], 3, 3, WALL + 1) == []
-    assert progress.admit(runs[1:2], 2, 3, WALL + 1) == [runs[1]]
+    assert effects.admit(runs[1:2], 3, 3, WALL + 1) == []
+    assert effects.admit(runs[1:2], 2, 3, WALL + 1) == [runs[1]]
 
 
 def test_an_event_without_a_row_changes_nothing() -> None:
     run = a_run(state="completed", reason="because")
-    progress.move(run, "stop_abort", "other")
+    effects.move(run, "stop_abort", "other")
     assert (run.state, run.reason) == ("completed", "because")
 
 

@@ -11,9 +11,9 @@ from hypothesis.stateful import (
     rule,
 )
 
-from reference_server import progress
-from reference_server.catalogue import PROBLEMS
-from reference_server.protocol import (
+from reference_server.generated.problem_codes import PROBLEMS
+from reference_server.rules import effects
+from reference_server.rules.lifecycle import (
     TRANSITIONS,
     Accept,
     Attach,
@@ -30,7 +30,7 @@ from reference_server.protocol import (
     Wait,
     decide,
 )
-from reference_server.run_state import Result, Run, Session, State
+from reference_server.rules.run import Result, Run, Session, State
 from tests.conftest import ACTION, NOW, a_run
 from tests.progress_parts import WALL, Draw, play, played
 
@@ -88,7 +88,7 @@ class AnyOrder(RuleBasedStateMachine):
         getattr(self, step)(data.draw)
 
     def ask(self, command: Command) -> Verdict:
-        progress.expire(self.run, self.now, WALL)
+        effects.expire(self.run, self.now, WALL)
         before = self.everything()
         verdict = decide(self.run, command, self.now)
         assert self.everything() == before, "deciding changes nothing"
@@ -105,7 +105,7 @@ class AnyOrder(RuleBasedStateMachine):
         first = min(self.run.pending, default=None)
         inherited = None if old is None or old.done else old.episode
         name = f"s{len(self.sessions)}"
-        session = progress.open_session(self.run, command, name, self.now)
+        session = effects.open_session(self.run, command, name, self.now)
         self.sessions.append(session)
         if inherited is not None:
             assert session.episode is inherited
@@ -132,9 +132,9 @@ class AnyOrder(RuleBasedStateMachine):
             return self.predict(session, session.seq + 1)
         if session.busy == "playing":
             executed, ended = draw(st.integers(1, 3)), draw(st.booleans())
-            progress.end_turn(self.run, session, played(executed, ended=ended), WALL)
+            effects.end_turn(self.run, session, played(executed, ended=ended), WALL)
             return None
-        return progress.answer(session, {"seq": session.seq}, self.now)
+        return effects.answer(session, {"seq": session.seq}, self.now)
 
     def predict(self, session: Session, seq: int) -> None:
         command = Predict(session.worker_id, session.session_id, seq, [ACTION])
@@ -142,7 +142,7 @@ class AnyOrder(RuleBasedStateMachine):
             case Accept():
                 assert seq == session.seq + 1
                 assert session.episode is not None
-                progress.begin_turn(session, command, self.now)
+                effects.begin_turn(session, command, self.now)
             case Replay(other):
                 assert (other, seq) == (session, session.seq)
                 assert session.turn is not None
@@ -164,7 +164,7 @@ class AnyOrder(RuleBasedStateMachine):
         session, unplayable = self.breakable(draw), draw(st.booleans())
         if session is not None:
             session.busy = "turning"
-            progress.fault(
+            effects.fault(
                 self.run, session, "died", unplayable=unplayable, now_wall=WALL
             )
 
@@ -173,14 +173,14 @@ class AnyOrder(RuleBasedStateMachine):
         session = self.breakable(draw)
         if session is not None:
             session.busy, session.steps = "turning", 0
-            progress.close_session(self.run, session, "unknown", WALL)
+            effects.close_session(self.run, session, "unknown", WALL)
 
     def heartbeat(self, draw: Draw) -> None:
         session = self.any_session(draw)
         if session is not None:
             command = Heartbeat(session.worker_id, session.session_id)
             if self.ask(command) == Accept():
-                progress.touch(session, self.now)
+                effects.touch(session, self.now)
 
     def detach(self, draw: Draw) -> None:
         session = self.any_session(draw)
@@ -188,20 +188,20 @@ class AnyOrder(RuleBasedStateMachine):
             return
         verdict = self.ask(Detach(session.worker_id, session.session_id))
         if verdict == Accept():
-            progress.close_session(self.run, session, "detached", WALL)
+            effects.close_session(self.run, session, "detached", WALL)
         assert (verdict == Nothing()) <= (session not in self.run.workers.values())
 
     def stop(self, draw: Draw) -> None:
         mode: Any = draw(st.sampled_from(["abort", "drain"]))
         if self.ask(Stop(mode)) == Accept():
-            progress.stop(self.run, mode, WALL)
+            effects.stop(self.run, mode, WALL)
             assert self.run.state in ("stopped", "stopping", "completed")
 
     def resume(self, _draw: Draw | None) -> None:
         if self.ask(Resume()) == Accept():
-            progress.resume(self.run, WALL)
+            effects.resume(self.run, WALL)
         queued = [self.run] if self.run.state == "queued" else []
-        assert progress.admit(queued, 0, 1, WALL) == queued
+        assert effects.admit(queued, 0, 1, WALL) == queued
 
     def wait(self, draw: Draw) -> None:
         self.now += draw(st.sampled_from([1.0, 9.0, 11.0]))
@@ -242,11 +242,11 @@ class AnyOrder(RuleBasedStateMachine):
         if run.retryable is False:
             return
         if run.state not in ("failed", "completed"):
-            progress.stop(run, "abort", WALL)
+            effects.stop(run, "abort", WALL)
         self.resume(None)
         while run.scored < len(run.episodes):
             session = self.open(Attach("a", "last", takeover=True))
-            progress.answer(session, {}, self.now)
+            effects.answer(session, {}, self.now)
             play(run, session, played(1, ended=True), self.now)
         self.every_episode_is_in_one_place()
         self.results_are_written_once()

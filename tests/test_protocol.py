@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from reference_server import protocol
-from reference_server.protocol import (
+from reference_server.rules import lifecycle
+from reference_server.rules.lifecycle import (
     GUARDS,
     Accept,
     Attach,
@@ -27,7 +27,7 @@ from reference_server.protocol import (
     lease_over,
     legal,
 )
-from reference_server.run_state import Run, State
+from reference_server.rules.run import Run, State
 from tests.conftest import ACTION, NOW, a_run, attached
 
 
@@ -289,22 +289,22 @@ def test_the_last_turn_is_asked_for_again_if_its_answer_was_not_heard() -> None:
     """EBE-013, EBE-014: the same question, and nobody heard the answer."""
     run = a_run()
     session = attached(run, unheard=(3, "asked"))
-    again = protocol.repeated(session, "asked")
+    again = lifecycle.repeated(session, "asked")
     assert again == predict(3)
     assert isinstance(decide(run, again, NOW), Replay)
-    assert protocol.repeated(session, "asked otherwise") is None
+    assert lifecycle.repeated(session, "asked otherwise") is None
     session.seq = 4  # by a client that counts
-    assert protocol.repeated(session, "asked") is None
+    assert lifecycle.repeated(session, "asked") is None
 
 
 @pytest.mark.parametrize("unheard", [None, (2, "asked"), (4, "asked")])
 def test_any_other_turn_is_a_turn_of_its_own(unheard: tuple[int, str] | None) -> None:
-    assert protocol.repeated(attached(a_run(), unheard=unheard), "asked") is None
+    assert lifecycle.repeated(attached(a_run(), unheard=unheard), "asked") is None
 
 
 def test_nothing_was_asked_before_the_first_turn() -> None:
     session = attached(a_run(), seq=0, request=None, unheard=(0, "asked"))
-    assert protocol.repeated(session, "asked") is None
+    assert lifecycle.repeated(session, "asked") is None
 
 
 # --- all together ---
@@ -326,7 +326,7 @@ def test_the_state_comes_before_conventions_and_those_before_workers() -> None:
 def test_the_guards_are_all_there_is() -> None:
     """A guard that nobody calls would be a rule that does not hold."""
     called = {guard for guards in GUARDS.values() for guard in guards}
-    source = Path(protocol.__file__).read_text()
+    source = Path(lifecycle.__file__).read_text()
     section = source.partition("# --- guards")[2].partition("def _event_of")[0]
     written = re.findall(r"^def (\w+)\(", section, re.MULTILINE)
     assert {guard.__name__ for guard in called} == set(written)

@@ -13,10 +13,10 @@ from typing import Any
 import httpx
 import pytest
 
+from conformance.client.check_context import Story
 from conformance.policy.scripted import Call, Reply, ScriptedPolicy
-from conformance.story import Story
-from reference_server import models
-from reference_server.messages import validate
+from reference_server.generated import models
+from reference_server.http.codec import validate
 from tests.conftest import PATIENCE_S, House
 from tests.push_parts import (
     LOOPBACK,

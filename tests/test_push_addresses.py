@@ -14,9 +14,9 @@ import httpx
 import pytest
 
 from conformance.policy.scripted import Call, Reply, ScriptedPolicy
-from reference_server.push import addresses
-from reference_server.push.addresses import Gate, NotAllowed, Unresolved
-from reference_server.push.calls import Bounds, Calls, PolicyFault
+from reference_server.push import egress
+from reference_server.push.egress import Gate, NotAllowed, Unresolved
+from reference_server.push.http_calls import Bounds, Calls, PolicyFault
 from tests.certificates import certified
 from tests.conftest import House
 from tests.push_parts import LOOPBACK, played, submission
@@ -108,11 +108,11 @@ def resolving(
     left = list(answers)
     asked: list[tuple[str, int]] = []
 
-    def resolve(host: str, port: int) -> list[addresses.Address]:
+    def resolve(host: str, port: int) -> list[egress.Address]:
         asked.append((host, port))
         return [ip_address(a) for a in (left.pop(0) if len(left) > 1 else left[0])]
 
-    monkeypatch.setattr(addresses, "_resolve", resolve)
+    monkeypatch.setattr(egress, "_resolve", resolve)
     return asked
 
 

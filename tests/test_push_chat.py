@@ -11,10 +11,10 @@ import pytest
 from PIL import Image
 
 from conformance.policy.chat import ScriptedChat
-from reference_server.push.chat import ChatPolicy, read_answer
-from reference_sim import catalog
-from reference_sim.question_answering.questions import action, draw
-from reference_sim.tabletop.scene import TabletopScene
+from reference_server.push.chat_calls import ChatPolicy, read_answer
+from reference_sim import benchmark_registry
+from reference_sim.benchmarks.question_answering.questions import action, draw
+from reference_sim.benchmarks.tabletop.scene import TabletopScene
 from tests.conftest import House, a_run
 from tests.push_parts import calling, episodes, submission, until
 
@@ -80,7 +80,7 @@ def test_what_cannot_be_read_is_no_answer(said: str) -> None:
 )
 def test_what_no_item_has_is_no_answer(said: str, answer: Any) -> None:
     run, nothing = a_run(), cast("Any", None)
-    run.manifest = catalog.resolve("question_answering").manifest
+    run.manifest = benchmark_registry.resolve("question_answering").manifest
     assert ChatPolicy(run, nothing, nothing)._values(read_answer(said)) == answer
 
 

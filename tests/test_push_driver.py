@@ -10,20 +10,20 @@ from typing import Any
 import pytest
 
 from conformance.policy.scripted import Call, Reply, ScriptedPolicy
-from reference_server import models
-from reference_server.problems import PROBLEM_JSON, Refused
-from reference_server.protocol import Attach
+from reference_server.generated import models
+from reference_server.http.problems import PROBLEM_JSON, Refused
 from reference_server.push import driver
-from reference_server.push.addresses import Gate
-from reference_server.push.calls import Bounds, Calls, Pauses, PolicyFault
 from reference_server.push.driver import Driver
-from reference_server.push.orders import Order
-from reference_server.push.policy import Description, ProctorPolicy, misfit
-from reference_server.push.protocols import PROTOCOLS
-from reference_server.push.seal import Sealer
-from reference_server.run_state import Run
-from reference_server.store import StoreFailed
-from reference_sim.runners.local import NoCapacity, SimulatorPool
+from reference_server.push.egress import Gate
+from reference_server.push.http_calls import Bounds, Calls, Pauses, PolicyFault
+from reference_server.push.key_encryption import Sealer
+from reference_server.push.policy_calls import Description, ProctorPolicy, misfit
+from reference_server.push.policy_protocols import PROTOCOLS
+from reference_server.push.policy_server_config import Order
+from reference_server.rules.lifecycle import Attach
+from reference_server.rules.run import Run
+from reference_server.storage.store import StoreFailed
+from reference_sim.process.pool import NoCapacity, SimulatorPool
 from tests import parts as rest
 from tests.parts import Parts, calibration, refusal, tell
 

@@ -12,8 +12,8 @@ from typing import Any
 
 import pytest
 
+from conformance.client.check_context import Story
 from conformance.policy.scripted import Call, Reply, ScriptedPolicy, busy
-from conformance.story import Story
 from tests import push_parts
 from tests.conftest import House
 from tests.push_parts import bare_server, calling, played

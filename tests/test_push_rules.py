@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from reference_server import progress
-from reference_server.protocol import (
+from reference_server.rules import effects
+from reference_server.rules.lifecycle import (
     Accept,
     Attach,
     Command,
@@ -20,8 +20,8 @@ from reference_server.protocol import (
     Refuse,
     decide,
 )
-from reference_server.run_state import Run, Session, State
-from reference_server.store import Store
+from reference_server.rules.run import Run, Session, State
+from reference_server.storage.store import Store
 from tests.conftest import ACTION, NOW, a_run, attached
 
 PUSH = {"mode": "push", "benchmark_id": "calibration", "policy": {"name": "p"}}
@@ -66,14 +66,14 @@ def test_who_knows_a_session_of_the_server_can_do_nothing_with_it() -> None:
 
 
 @pytest.mark.parametrize(
-    ("by_server", "lease_s"), [(False, 10.0), (True, progress.OWN_LEASE_S)]
+    ("by_server", "lease_s"), [(False, 10.0), (True, effects.OWN_LEASE_S)]
 )
 def test_a_worker_of_the_server_needs_no_heartbeat(
     by_server: bool, lease_s: float
 ) -> None:
     run = push_run()
     command = Attach("w", "k", by_server=by_server)
-    session = progress.open_session(run, command, "s", NOW)
+    session = effects.open_session(run, command, "s", NOW)
     assert (session.idle_timeout_s, session.expires_at) == (lease_s, NOW + lease_s)
 
 
@@ -87,7 +87,7 @@ def test_a_fault_of_the_policy_ends_its_attempt(steps: int, attempt: int) -> Non
     """It counts from its first executed action, like any other (EPI-002, EPI-003)."""
     run = push_run()
     session = playing(run, steps=steps)
-    progress.end_by_policy(run, session, "It said nonsense.", NOW)
+    effects.end_by_policy(run, session, "It said nonsense.", NOW)
     episode = run.episodes[0]
     assert (episode.attempt, episode.policy_fault) == (attempt, "It said nonsense.")
     assert run.changed == {0}
@@ -98,7 +98,7 @@ def test_a_fault_of_the_policy_ends_its_attempt(steps: int, attempt: int) -> Non
 def test_a_session_that_is_done_has_no_episode_to_blame() -> None:
     run = push_run()
     session = attached(run, episode=None, done=True)
-    progress.end_by_policy(run, session, "It said nonsense.", NOW)
+    effects.end_by_policy(run, session, "It said nonsense.", NOW)
     assert [e.policy_fault for e in run.episodes] == [None] * 3
 
 
@@ -108,7 +108,7 @@ def test_a_policy_that_cannot_be_called_fails_the_run(state: State) -> None:
     session = playing(run, steps=1)
     other = playing(run, "v")
     run.state = state
-    assert progress.give_up(run, "It is gone.", NOW) == [session, other]
+    assert effects.give_up(run, "It is gone.", NOW) == [session, other]
     assert (run.state, run.reason, run.retryable) == ("failed", "It is gone.", True)
     assert [e.attempt for e in run.episodes] == [2, 1, 1]
     assert set(run.ended.values()) == {"run_failed"}
@@ -116,7 +116,7 @@ def test_a_policy_that_cannot_be_called_fails_the_run(state: State) -> None:
 
 def test_a_run_fails_for_good_when_no_resume_can_help() -> None:
     run = push_run()
-    progress.give_up(run, "Its key is lost.", NOW, retryable=False)
+    effects.give_up(run, "Its key is lost.", NOW, retryable=False)
     assert (run.state, run.retryable) == ("failed", False)
 
 
@@ -124,7 +124,7 @@ def test_a_run_fails_for_good_when_no_resume_can_help() -> None:
 def test_a_run_that_has_ended_does_not_fail_once_more(state: State) -> None:
     run = push_run(state)
     run.reason, run.retryable = "before", False
-    assert progress.give_up(run, "It is gone.", NOW) == []
+    assert effects.give_up(run, "It is gone.", NOW) == []
     assert (run.state, run.reason, run.retryable) == (state, "before", False)
 
 
@@ -133,7 +133,7 @@ def test_the_last_attempt_of_the_last_episode_completes_the_run() -> None:
     run = push_run(length=1)
     playing(run, steps=1).episode = run.episodes[0]
     run.episodes[0].attempt = 2
-    progress.give_up(run, "It is gone.", NOW)
+    effects.give_up(run, "It is gone.", NOW)
     result = run.episodes[0].result
     assert result is not None
     assert (run.state, result.outcome) == ("completed", "abandoned")

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from reference_server.push.seal import SealBroken, Sealer
+from reference_server.push.key_encryption import SealBroken, Sealer
 
 
 def opened(path: Path | None) -> Sealer:

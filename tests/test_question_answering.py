@@ -12,25 +12,30 @@ from typing import Any
 import numpy as np
 import pytest
 
-from reference_server.spaces import misfits
-from reference_sim import catalog
-from reference_sim.episode import Episode
-from reference_sim.interface import Action, TaskUnplayable
-from reference_sim.question_answering import benchmark
-from reference_sim.question_answering.arrangement import (
+from reference_server.rules.action_space import misfits
+from reference_sim import benchmark_registry
+from reference_sim.benchmarks.question_answering import benchmark
+from reference_sim.benchmarks.question_answering.arrangement import (
     ASPECT,
     NOUNS,
     PALETTE,
     REACH_M,
 )
-from reference_sim.question_answering.benchmark import BLOCK, CAMERA, CHANCES, LETTERS
-from reference_sim.question_answering.questions import action
-from reference_sim.question_answering.simulator import QuestionSimulator
-from reference_sim.tabletop.layout import JOINT_HIGH_RAD, JOINTS
-from reference_sim.tabletop.scene import TabletopScene
-from reference_sim.tabletop.variation import COLOURS
+from reference_sim.benchmarks.question_answering.benchmark import (
+    BLOCK,
+    CAMERA,
+    CHANCES,
+    LETTERS,
+)
+from reference_sim.benchmarks.question_answering.questions import action
+from reference_sim.benchmarks.question_answering.simulator import QuestionSimulator
+from reference_sim.benchmarks.tabletop.layout import JOINT_HIGH_RAD, JOINTS
+from reference_sim.benchmarks.tabletop.scene import TabletopScene
+from reference_sim.benchmarks.tabletop.variation import COLOURS
+from reference_sim.episode import Episode
+from reference_sim.interface import Action, TaskUnplayable
 
-MANIFEST = catalog.resolve("question_answering").manifest
+MANIFEST = benchmark_registry.resolve("question_answering").manifest
 SMALL = (160, 120)
 GRID = [(x / 20 + 0.025, y / 20 + 0.025) for x in range(20) for y in range(20)]
 
@@ -255,9 +260,9 @@ def test_the_same_seed_is_the_same_item_and_another_is_not(
 
 
 def test_an_item_is_an_episode_of_one_step() -> None:
-    resolved = catalog.resolve("question_answering")
+    resolved = benchmark_registry.resolve("question_answering")
     assert resolved.images == {"codec": "png", "width": 640, "height": 480}
-    simulator = catalog.make(resolved.world)
+    simulator = benchmark_registry.make(resolved.world)
     assert isinstance(simulator, QuestionSimulator)
     for answer in ("truth", "none"):
         episode = Episode(

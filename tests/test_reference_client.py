@@ -87,7 +87,7 @@ def test_several_workers_play_every_episode_once(
 
 
 def test_the_readme_policy_solves_every_task(server: ServerProcess) -> None:
-    from reference_sim.tabletop.experts import TabletopExpert
+    from reference_sim.benchmarks.tabletop.experts import TabletopExpert
 
     class Expert:
         def __init__(self) -> None:

@@ -17,15 +17,15 @@ from proctor_client import ApiException, Problem
 
 import reference_client
 from reference_client import ProctorError
-from reference_client.connection import Connection
-from reference_client.errors import from_failure
-from reference_client.heartbeat import Heart
-from reference_client.messages import Turn
-from reference_client.observation import observation_of
-from reference_client.patience import Interrupted, Patience
-from reference_client.policy import Vector, chunk_of
-from reference_client.progress import Board, Progress, ProgressLine
-from reference_sim.encoding import encode_image
+from reference_client.api.errors import from_failure
+from reference_client.api.observation import observation_of
+from reference_client.api.policy import Vector, chunk_of
+from reference_client.evaluation.status_board import Board, Progress, ProgressLine
+from reference_client.generated.messages import Turn
+from reference_client.protocol.connection import Connection
+from reference_client.protocol.heartbeat import Heart
+from reference_client.protocol.retry_policy import Interrupted, Patience
+from reference_sim.process.encoding import encode_image
 
 URL = "http://127.0.0.1:1"
 BLACK = np.zeros((2, 2, 3), np.uint8)
@@ -255,7 +255,9 @@ class FakeClock(threading.Event):
 @pytest.fixture
 def clock(monkeypatch: pytest.MonkeyPatch) -> FakeClock:
     clock = FakeClock()
-    monkeypatch.setattr("reference_client.patience.time.monotonic", lambda: clock.now)
+    monkeypatch.setattr(
+        "reference_client.protocol.retry_policy.time.monotonic", lambda: clock.now
+    )
     return clock
 
 

@@ -13,16 +13,16 @@ from pathlib import Path
 
 import pytest
 
-from reference_sim import rendering
+from reference_sim.mujoco import rendering
 
 ROOT = Path(__file__).parent.parent
-COMMAND = ("-m", "reference_sim.rendering")
+COMMAND = ("-m", "reference_sim.mujoco.rendering")
 
 STATE_ONLY = """
 import os, sys
 from reference_sim import catalog
-from reference_sim.rendering import RenderingUnavailable
-from reference_sim.tabletop.layout import HOME_RAD
+from reference_sim.mujoco.rendering import RenderingUnavailable
+from reference_sim.benchmarks.tabletop.layout import HOME_RAD
 
 assert "mujoco" not in sys.modules, "reading the constants must not cost an import"
 sim = catalog.make(catalog.World("tabletop_state", {}))

@@ -8,10 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from reference_server import progress, run_book
-from reference_server.protocol import Attach, Detach
-from reference_server.run_state import Run
-from reference_server.store import StoreFailed
+from reference_server.rules import effects
+from reference_server.rules.lifecycle import Attach, Detach
+from reference_server.rules.run import Run
+from reference_server.runs import registry
+from reference_server.storage.store import StoreFailed
 from tests.conftest import PATIENCE_S
 from tests.parts import (
     Gate,
@@ -224,8 +225,8 @@ def test_a_run_whose_admission_failed_is_admitted_later(
             return await load(run_id)
 
         monkeypatch.setattr(parts.store, "load", load_at_last)
-        monkeypatch.setattr(run_book, "RELOAD_S", 0.001)
-        progress.stop(first, "abort", 0.0)
+        monkeypatch.setattr(registry, "RELOAD_S", 0.001)
+        effects.stop(first, "abort", 0.0)
         await parts.book.commit(first)
         while "run_2" not in parts.book._reloads:
             await asyncio.wait(parts.book._tasks)
@@ -272,7 +273,7 @@ def test_the_end_waits_for_what_the_last_writes_begin(
         first = await parts.book.add(calibration(), None, "")
         await parts.book.add(calibration(run_id="run_2"), None, "")
         gate = Gate(monkeypatch, parts.store, "save")
-        progress.stop(first, "abort", 0.0)
+        effects.stop(first, "abort", 0.0)
         parts.book.commit_later(first)
 
         async def one_more() -> None:
@@ -351,7 +352,7 @@ def test_a_run_that_nobody_uses_is_read_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A finished run falls out of memory; what plays stays, whatever else is read."""
-    monkeypatch.setattr(run_book, "RUNS_KEPT", 2)
+    monkeypatch.setattr(registry, "RUNS_KEPT", 2)
 
     async def story(parts: Parts) -> None:
         for number in range(5):

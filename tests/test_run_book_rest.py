@@ -8,10 +8,12 @@ from typing import Any
 
 import pytest
 
-from reference_server import progress, run_book, views
-from reference_server.protocol import Attach, Detach
-from reference_server.run_state import Episode, Run, RunHead
-from reference_server.store import StoreFailed
+from reference_server.http import views
+from reference_server.rules import effects
+from reference_server.rules.lifecycle import Attach, Detach
+from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.runs import registry
+from reference_server.storage.store import StoreFailed
 from tests.conftest import PATIENCE_S
 from tests.parts import (
     Gate,
@@ -56,7 +58,7 @@ def in_memory(parts: Parts) -> list[str]:
 # --- a look ---
 
 
-@pytest.mark.parametrize("state", run_book.AT_REST)
+@pytest.mark.parametrize("state", registry.AT_REST)
 def test_a_look_at_a_run_at_rest_leaves_it_there(tmp_path: Path, state: str) -> None:
     async def story(parts: Parts) -> None:
         await stored(parts, finished(state=state))
@@ -136,7 +138,7 @@ def test_a_run_that_is_taken_up_meanwhile_is_shown_as_it_is_then(
         await glance.reached()
         await heads.reached()
         run = await parts.book.get("run_1")
-        progress.resume(run, 0.0)
+        effects.resume(run, 0.0)
         await parts.book.commit(run)
         score(run, 1)
         await parts.book.commit(run)
@@ -172,7 +174,7 @@ def test_whoever_holds_a_run_and_whoever_asks_again_have_one_object(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The run leaves the kept ones while its reader has not had its turn."""
-    monkeypatch.setattr(run_book, "RUNS_KEPT", 1)
+    monkeypatch.setattr(registry, "RUNS_KEPT", 1)
 
     async def story(parts: Parts) -> None:
         await stored(parts, *(finished(f"run_{number}") for number in range(4)))
@@ -196,7 +198,7 @@ def test_a_waiter_hears_of_a_run_that_left_memory_meanwhile(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It waits for the id: the run is loaded again by whoever changes it."""
-    monkeypatch.setattr(run_book, "RUNS_KEPT", 1)
+    monkeypatch.setattr(registry, "RUNS_KEPT", 1)
 
     async def story(parts: Parts) -> None:
         await stored(parts, calibration(state="stopped"), finished("run_2"))
@@ -207,7 +209,7 @@ def test_a_waiter_hears_of_a_run_that_left_memory_meanwhile(
         assert in_memory(parts) == ["run_2"]
         assert not waiting.done()
         run = await parts.book.get("run_1")
-        progress.resume(run, 0.0)
+        effects.resume(run, 0.0)
         await parts.book.commit(run)
         assert await waiting
 
@@ -234,7 +236,7 @@ def test_a_lease_ends_although_nobody_asks_for_the_run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """What is played stays in memory; after its lease it is stored, and may leave."""
-    monkeypatch.setattr(run_book, "RUNS_KEPT", 1)
+    monkeypatch.setattr(registry, "RUNS_KEPT", 1)
 
     async def story(parts: Parts) -> None:
         await stored(parts, finished("run_2"))
@@ -264,7 +266,7 @@ def test_a_lease_ends_although_nobody_asks_for_the_run(
 def test_an_episode_is_scored_once_however_often_its_run_leaves_memory(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(run_book, "RUNS_KEPT", 1)
+    monkeypatch.setattr(registry, "RUNS_KEPT", 1)
 
     async def story(parts: Parts) -> None:
         await stored(parts, calibration(*["score"] * 4, state="ready"))
@@ -299,13 +301,13 @@ def test_who_is_behind_moves_and_who_is_before_does_not(tmp_path: Path) -> None:
         positions = [parts.book.queue_position(run) for run in runs]
         assert positions == [1, 2, 3, 4]
         news = [parts.book.news(run.run_id) for run in runs]
-        progress.stop(runs[1], "abort", 0.0)
+        effects.stop(runs[1], "abort", 0.0)
         await parts.book.commit(runs[1])
         assert [event.is_set() for event in news] == [False, True, True, True]
         positions = [parts.book.queue_position(run) for run in runs]
         assert positions == [1, None, 2, 3]
         news = [parts.book.news(run.run_id) for run in runs]
-        progress.resume(runs[1], 1e11)  # an old number: it comes before newer runs
+        effects.resume(runs[1], 1e11)  # an old number: it comes before newer runs
         await parts.book.commit(runs[1])
         assert [event.is_set() for event in news] == [False, True, True, True]
         positions = [parts.book.queue_position(run) for run in runs]
@@ -320,16 +322,16 @@ def test_nobody_pays_for_the_length_of_a_queue_that_cannot_move(
     async def story(parts: Parts) -> None:
         first = await parts.book.add(calibration(), None, "")
         second = await parts.book.add(calibration(run_id="run_2"), None, "")
-        asked, admit = [], progress.admit
+        asked, admit = [], effects.admit
 
         def counted(queued: Sequence[Run], *rest: Any) -> list[Run]:
             asked.append(len(queued))
             return admit(queued, *rest)
 
-        monkeypatch.setattr(progress, "admit", counted)
+        monkeypatch.setattr(effects, "admit", counted)
         parts.book.notify(first)
         assert asked == []
-        progress.stop(first, "abort", 0.0)
+        effects.stop(first, "abort", 0.0)
         await parts.book.commit(first)
         assert asked == [1]
         assert second.state == "ready"

@@ -7,14 +7,14 @@ from pathlib import Path
 import pytest
 from starlette.requests import Request
 
-from reference_server.auth import Caller
-from reference_server.benchmarks import Benchmarks
-from reference_server.operations import Call
-from reference_server.protocol import Attach, Resume
-from reference_server.routes import Routes
-from reference_server.run_state import RunHead
+from reference_server.http.auth import Caller
+from reference_server.http.dispatch import Call
+from reference_server.http.handlers import Routes
+from reference_server.rules.lifecycle import Attach, Resume
+from reference_server.rules.run import RunHead
+from reference_server.runs.benchmarks import Benchmarks
 from reference_server.settings import Settings
-from reference_server.store import StoreFailed
+from reference_server.storage.store import StoreFailed
 from tests.conftest import PATIENCE_S
 from tests.parts import Gate, Parts, calibration, failing, predict, refusal, score, tell
 

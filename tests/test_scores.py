@@ -7,10 +7,12 @@ from typing import Any
 
 import pytest
 
-from reference_server import progress, scores, views
-from reference_server.run_state import Run
-from reference_server.scores import Scores
-from reference_server.store import StoreFailed
+from reference_server.http import views
+from reference_server.rules import effects
+from reference_server.rules.run import Run
+from reference_server.runs import scores
+from reference_server.runs.scores import Scores
+from reference_server.storage.store import StoreFailed
 from tests.parts import (
     RESULT,
     Gate,
@@ -83,14 +85,14 @@ def test_it_is_computed_anew_when_the_run_has_changed(
         before = await told.of(parts.book, "run_1", "alice")
         assert (before["state"], before["counts"]["unscored"]) == ("stopped", 2)
         run = await parts.book.get("run_1")
-        progress.resume(run, 1e11)
+        effects.resume(run, 1e11)
         await parts.book.commit(run)
         queued = await told.of(parts.book, "run_1", "alice")
         assert queued == before | {"state": "queued"}
         score(run, 1)
         playing = await told.of(parts.book, "run_1", "alice")
         assert playing["counts"]["unscored"] == 1
-        progress.stop(run, "abort", 0.0)
+        effects.stop(run, "abort", 0.0)
         await put_down(parts, run)
         del run
         gc.collect()

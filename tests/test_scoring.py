@@ -11,9 +11,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from reference_server import models
-from reference_server.run_state import Outcome
-from reference_server.scoring import Z_95, Scored, score_of, wilson
+from reference_server.generated import models
+from reference_server.rules.run import Outcome
+from reference_server.rules.scoring import Z_95, Scored, score_of, wilson
 
 VECTORS = sorted(
     (Path(__file__).resolve().parent.parent / "spec" / "vectors" / "scoring").glob(

@@ -20,8 +20,8 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from reference_server.__main__ import main
-from reference_server.auth import Tokens
-from reference_server.operations import Operation, perform
+from reference_server.http.auth import Tokens
+from reference_server.http.dispatch import Operation, perform
 from tests.conftest import PATIENCE_S, TOKENS, House, descendants, until_none_lives
 
 ROOT = Path(__file__).resolve().parent.parent

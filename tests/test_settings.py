@@ -15,8 +15,8 @@ from pydantic import ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_settings import CliSettingsSource
 
-from reference_server.auth import BadTokens, Tokens
-from reference_server.problems import Refused
+from reference_server.http.auth import BadTokens, Tokens
+from reference_server.http.problems import Refused
 from reference_server.settings import Settings
 
 PAGE = Path(__file__).resolve().parent.parent / "docs" / "settings.md"

@@ -9,11 +9,11 @@ from collections.abc import Iterator, Sequence
 
 import pytest
 
-from reference_sim import worker
-from reference_sim.runners.process import Process
+from reference_sim.process import simulator_main
+from reference_sim.process.simulator_process import Process
 
-SMALL = worker.Failed("x", unplayable=True)
-LARGE = worker.Failed("y" * 200_000, unplayable=True)
+SMALL = simulator_main.Failed("x", unplayable=True)
+LARGE = simulator_main.Failed("y" * 200_000, unplayable=True)
 
 
 class Here:
@@ -45,27 +45,29 @@ def cut(stream: bytes, size: int) -> list[bytes]:
     ("replies", "size"),
     [
         ([SMALL], 1),
-        ([worker.Busy(), worker.Busy(), SMALL], 10**9),
-        ([worker.Busy(), SMALL], 3),
+        ([simulator_main.Busy(), simulator_main.Busy(), SMALL], 10**9),
+        ([simulator_main.Busy(), SMALL], 3),
         ([LARGE], 10**9),
-        ([worker.Busy(), LARGE], 4099),
-        ([worker.Busy(), LARGE], 2**15),
+        ([simulator_main.Busy(), LARGE], 4099),
+        ([simulator_main.Busy(), LARGE], 2**15),
     ],
 )
 def test_frames_come_in_any_pieces(
-    here: Here, replies: Sequence[worker.Reply], size: int
+    here: Here, replies: Sequence[simulator_main.Reply], size: int
 ) -> None:
     async def play() -> None:
         loop = asyncio.get_running_loop()
         process = Process(here, 20.0, lambda _: None)
         starting = asyncio.create_task(process.start())
         await asyncio.sleep(0)
-        await loop.sock_sendall(here.end, worker.frame(worker.Hello(1)))
+        await loop.sock_sendall(here.end, simulator_main.frame(simulator_main.Hello(1)))
         await starting
         for _ in range(3):  # nothing of one answer is left to the next
-            asking = asyncio.create_task(process.ask(worker.Observe(), worker.Failed))
+            asking = asyncio.create_task(
+                process.ask(simulator_main.Observe(), simulator_main.Failed)
+            )
             await loop.sock_recv(here.end, 4096)
-            stream = b"".join(map(bytes, map(worker.frame, replies)))
+            stream = b"".join(map(bytes, map(simulator_main.frame, replies)))
             for piece in cut(stream, size):
                 await loop.sock_sendall(here.end, piece)
                 await asyncio.sleep(0)

@@ -33,7 +33,7 @@ def expect_all_gone(pids: Sequence[int]) -> None:
 SERVER = """
 import asyncio, os, signal, sys
 from reference_sim import catalog
-from reference_sim.runners.local import SimulatorPool
+from reference_sim.process.pool import SimulatorPool
 
 async def main():
     pool = SimulatorPool(fork=sys.argv[1] == "True")

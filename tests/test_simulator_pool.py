@@ -10,22 +10,22 @@ from typing import Any
 
 import pytest
 
-from reference_sim import catalog
+from reference_sim import benchmark_registry
 from reference_sim.calibration import Calibration
-from reference_sim.encoding import encode
 from reference_sim.interface import Action
-from reference_sim.runners.local import (
+from reference_sim.process.encoding import encode
+from reference_sim.process.pool import (
     NoCapacity,
     SimulatorFault,
     SimulatorHandle,
     SimulatorPool,
     TaskUnplayable,
 )
-from reference_sim.runners.process import ForkStarter
+from reference_sim.process.simulator_process import ForkStarter
 
 DEADLINE_S = 30.0
-WORLD = catalog.resolve("calibration").world
-OTHER_WORLD = catalog.resolve(
+WORLD = benchmark_registry.resolve("calibration").world
+OTHER_WORLD = benchmark_registry.resolve(
     "calibration", images={"codec": "png", "width": 64, "height": 48}
 ).world
 
@@ -271,7 +271,7 @@ def test_an_exception_in_the_simulator_is_a_fault() -> None:
 
 def test_a_world_that_cannot_be_built_is_a_fault() -> None:
     async def story(pool: SimulatorPool) -> None:
-        nowhere = catalog.World("nowhere", {"codec": "raw"})
+        nowhere = benchmark_registry.World("nowhere", {"codec": "raw"})
         with pytest.raises(SimulatorFault, match="nowhere"):
             await pool.acquire(nowhere)
         assert pool.busy == 0

@@ -5,19 +5,19 @@ from typing import Any
 
 import pytest
 
-from reference_server import spaces
+from reference_server.rules import action_space
 from tests.conftest import ACTION, a_run
 
 MANIFEST = a_run().manifest
 
 
-def pointers(breaches: spaces.Breaches) -> list[str]:
+def pointers(breaches: action_space.Breaches) -> list[str]:
     assert all(text for _, text in breaches)
     return [pointer for pointer, _ in breaches]
 
 
 def misfits(*actions: dict[str, list[float]]) -> list[str]:
-    return pointers(spaces.misfits(actions, MANIFEST))
+    return pointers(action_space.misfits(actions, MANIFEST))
 
 
 def without(name: str) -> dict[str, list[float]]:
@@ -81,14 +81,14 @@ def test_a_chunk_has_a_longest_length() -> None:
 
 def test_values_are_clipped_only_where_that_is_declared() -> None:
     action = {"arm": [9.0, -9.0], "grip": [0.5], "head": [1.5]}
-    clipped = spaces.clipped([action, ACTION | {"head": [-1e300]}], MANIFEST)
+    clipped = action_space.clipped([action, ACTION | {"head": [-1e300]}], MANIFEST)
     assert clipped[0] == {"arm": [9.0, -9.0], "grip": [0.5], "head": [1.0]}
     assert clipped[1] == ACTION | {"head": [0.0]}
 
 
 @pytest.mark.parametrize("value", [0.0, -0.0, 5e-324, 0.1, 1.0])
 def test_what_is_inside_is_not_touched(value: float) -> None:
-    (clipped,) = spaces.clipped([ACTION | {"head": [value]}], MANIFEST)
+    (clipped,) = action_space.clipped([ACTION | {"head": [value]}], MANIFEST)
     assert math.copysign(1.0, clipped["head"][0]) == math.copysign(1.0, value)
     assert clipped["head"] == [value]
 
@@ -102,10 +102,10 @@ def test_can_confirm_conventions() -> None:
         "action": {"arm": {"size": 2, "rotation": "none"}},
         "state": {"joints": {"unit": "rad"}},
     }
-    assert spaces.mismatches(assumes, MANIFEST) == []
+    assert action_space.mismatches(assumes, MANIFEST) == []
     nothing: dict[str, Any] = {"control_rate_hz": None, "action": None, "state": {}}
-    assert spaces.mismatches(nothing, MANIFEST) == []
-    assert spaces.mismatches({}, MANIFEST) == []
+    assert action_space.mismatches(nothing, MANIFEST) == []
+    assert action_space.mismatches({}, MANIFEST) == []
 
 
 @pytest.mark.parametrize(
@@ -126,5 +126,5 @@ def test_can_confirm_conventions() -> None:
 def test_cannot_assume_other_conventions(
     assumes: dict[str, Any], wrong: list[str]
 ) -> None:
-    found = pointers(spaces.mismatches(assumes, MANIFEST))
+    found = pointers(action_space.mismatches(assumes, MANIFEST))
     assert found == [f"/assumes/{where}" for where in wrong]

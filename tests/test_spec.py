@@ -17,8 +17,12 @@ import openapi_spec_validator
 import pytest
 import yaml
 
-from reference_server.operations import HEADER_PATTERNS, PATH_PATTERNS, QUERY_PATTERNS
-from reference_server.routes import Routes
+from reference_server.http.dispatch import (
+    HEADER_PATTERNS,
+    PATH_PATTERNS,
+    QUERY_PATTERNS,
+)
+from reference_server.http.handlers import Routes
 from reference_server.settings import Settings
 
 SPEC = Path(__file__).resolve().parent.parent / "spec"

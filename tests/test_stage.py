@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from reference_server import stage as stage_module
-from reference_server.problems import Refused
-from reference_server.protocol import Attach, Heartbeat
-from reference_server.run_state import Run
-from reference_sim.runners.local import SimulatorHandle
+from reference_server.http.problems import Refused
+from reference_server.rules.lifecycle import Attach, Heartbeat
+from reference_server.rules.run import Run
+from reference_server.runs import session_executor as stage_module
+from reference_sim.process.pool import SimulatorHandle
 from tests.parts import (
     Gate,
     Parts,

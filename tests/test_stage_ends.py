@@ -6,10 +6,10 @@ from typing import Any
 
 import pytest
 
-from reference_server import progress
-from reference_server.protocol import Attach, Detach
-from reference_server.store import Store
-from reference_sim.runners.local import SimulatorHandle, SimulatorPool
+from reference_server.rules import effects
+from reference_server.rules.lifecycle import Attach, Detach
+from reference_server.storage.store import Store
+from reference_sim.process.pool import SimulatorHandle, SimulatorPool
 from tests.parts import (
     Gate,
     Parts,
@@ -101,8 +101,8 @@ def test_a_stop_while_a_session_opens(
             await opening
         await nothing_is_held(parts)
         assert (run.episodes[0].attempt, run.episodes[0].faults) == (1, 0)
-        progress.resume(run, 0.0)
-        progress.move(run, "capacity")
+        effects.resume(run, 0.0)
+        effects.move(run, "capacity")
         turn = await parts.stage.attach(run, Attach("w", "key"))
         assert turn["episode"]["attempt"] == 1
 

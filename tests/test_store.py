@@ -13,9 +13,9 @@ from typing import Any, cast
 import pytest
 import sqlalchemy as sa
 
-from reference_server import store as store_module
-from reference_server.run_state import Result, Run, RunHead
-from reference_server.store import Store, StoreFailed
+from reference_server.rules.run import Result, Run, RunHead
+from reference_server.storage import store as store_module
+from reference_server.storage.store import Store, StoreFailed
 from tests.conftest import PATIENCE_S
 from tests.parts import RESULT, Parts, calibration, rows, score, tell
 

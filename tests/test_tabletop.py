@@ -14,14 +14,14 @@ from concurrent.futures import ProcessPoolExecutor
 import numpy as np
 import pytest
 
-from reference_sim import catalog
+from reference_sim import benchmark_registry
+from reference_sim.benchmarks.tabletop import benchmark, layout, variation
+from reference_sim.benchmarks.tabletop.experts import tabletop_arm
+from reference_sim.benchmarks.tabletop.scene import scene_mjcf
+from reference_sim.benchmarks.tabletop.tasks import TASKS
 from reference_sim.interface import Action, TaskUnplayable
-from reference_sim.kinematics import ArmKinematics
-from reference_sim.mujoco_world import SimulationDiverged, World
-from reference_sim.tabletop import benchmark, layout, variation
-from reference_sim.tabletop.experts import tabletop_arm
-from reference_sim.tabletop.scene import scene_mjcf
-from reference_sim.tabletop.tasks import TASKS
+from reference_sim.mujoco.kinematics import ArmKinematics
+from reference_sim.mujoco.world import SimulationDiverged, World
 from tests.physical_worlds import bits, play
 from tests.tabletop_worlds import (
     ALL,
@@ -268,7 +268,7 @@ def test_constants_agree_with_the_scene() -> None:
 
 
 def test_the_manifest_names_the_tasks_and_splits_there_are() -> None:
-    manifest = catalog.resolve("tabletop").manifest
+    manifest = benchmark_registry.resolve("tabletop").manifest
     assert manifest["tasks"] == list(TASKS)
     assert manifest["splits"] == list(variation.SPLITS)
     episodes = manifest["episodes"]

@@ -10,14 +10,14 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
-from reference_sim.tabletop.experts import TabletopExpert
+from reference_sim.benchmarks.tabletop.experts import TabletopExpert
 from tools import experts
 
 ROOT = Path(__file__).parents[1]
 PAGE = (ROOT / "docs" / "tasks.md").read_text()
 SHOWN = [
     (name, task)
-    for name in experts.benchmarks()
+    for name in experts.benchmark_names()
     for task in experts.manifest(name)["tasks"]
 ]
 
@@ -64,8 +64,8 @@ def test_a_missed_criterion_is_told_and_fails(
 
 
 def test_the_tabletop_takes_part() -> None:
-    assert "tabletop" in experts.benchmarks()
-    assert "runners" not in experts.benchmarks()
+    assert "tabletop" in experts.benchmark_names()
+    assert "runners" not in experts.benchmark_names()
 
 
 @pytest.mark.parametrize(("name", "task"), SHOWN)

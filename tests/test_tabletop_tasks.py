@@ -7,10 +7,10 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from reference_sim.tabletop import layout, tasks, variation
-from reference_sim.tabletop.benchmark import MAX_STEPS
-from reference_sim.tabletop.scene import TabletopScene
-from reference_sim.tabletop.tasks import TASKS
+from reference_sim.benchmarks.tabletop import layout, tasks, variation
+from reference_sim.benchmarks.tabletop.benchmark import MAX_STEPS
+from reference_sim.benchmarks.tabletop.scene import TabletopScene
+from reference_sim.benchmarks.tabletop.tasks import TASKS
 from tests.physical_worlds import play
 from tests.tabletop_worlds import ALL, Tabletop, expert, scene_elements, tabletop
 

@@ -15,8 +15,10 @@ import msgspec
 import pydantic
 import pytest
 
-from reference_server import messages, models, spaces
-from reference_server.problems import Refused
+from reference_server.generated import models
+from reference_server.http import codec
+from reference_server.http.problems import Refused
+from reference_server.rules import action_space
 from tests.interop.pictures import same
 
 FILES = sorted((Path(__file__).parents[1] / "spec" / "vectors" / "wire").glob("*.json"))
@@ -28,8 +30,8 @@ REFUSED = [
     for vector in VECTORS
     if vector.get("refused")
     for media_type, body in (
-        (messages.JSON, vector.get("json", "").encode()),
-        (messages.MSGPACK, base64.b64decode(vector.get("msgpack", ""))),
+        (codec.JSON, vector.get("json", "").encode()),
+        (codec.MSGPACK, base64.b64decode(vector.get("msgpack", ""))),
     )
     if body
 ]
@@ -57,9 +59,9 @@ def in_json(value: Any) -> Any:
 
 def execute(media_type: str, body: bytes) -> None:
     """What the server does with a predict before it looks at a session."""
-    message = messages.validate(models.Predict, messages.decode(body, media_type))
+    message = codec.validate(models.Predict, codec.decode(body, media_type))
     actions = [action.values for action in message.actions]
-    if breaches := spaces.misfits(actions, UNBOUNDED):
+    if breaches := action_space.misfits(actions, UNBOUNDED):
         raise Refused("invalid_request", "Misfits.", errors=list(breaches))
 
 
@@ -72,22 +74,22 @@ def test_there_are_vectors_of_every_kind() -> None:
 @pytest.mark.parametrize("vector", ACCEPTED)
 def test_both_encodings_hold_one_value(vector: dict[str, Any]) -> None:
     packed = base64.b64decode(vector["msgpack"])
-    structure = messages.decode(packed, messages.MSGPACK)
+    structure = codec.decode(packed, codec.MSGPACK)
     assert same(in_json(structure), json.loads(vector["json"]))
     assert msgspec.msgpack.encode(structure) == packed
 
 
 @pytest.mark.parametrize("vector", ACCEPTED)
 def test_our_models_and_encoder_give_it_back(vector: dict[str, Any]) -> None:
-    structure = messages.decode(base64.b64decode(vector["msgpack"]), messages.MSGPACK)
+    structure = codec.decode(base64.b64decode(vector["msgpack"]), codec.MSGPACK)
     for name in vector.get("may_drop", ()):
         del structure[name]  # our models are those of the version that we speak
     model = getattr(models, vector["schema"])
     again = model.model_validate(structure).model_dump(exclude_unset=True)
     assert same(in_json(again), in_json(structure))
-    for media_type in (messages.JSON, messages.MSGPACK):
-        body = messages.encoded(again, media_type).body
-        assert same(in_json(messages.decode(bytes(body), media_type)), in_json(again))
+    for media_type in (codec.JSON, codec.MSGPACK):
+        body = codec.encoded(again, media_type).body
+        assert same(in_json(codec.decode(bytes(body), media_type)), in_json(again))
 
 
 @pytest.mark.parametrize(("media_type", "body"), REFUSED)
@@ -100,8 +102,8 @@ def test_what_is_marked_refused_is_refused(media_type: str, body: bytes) -> None
 def test_the_same_with_a_number_is_accepted() -> None:
     """The control: only what is marked in the vectors is refused."""
     sound = {"session_id": "s", "seq": 1, "actions": [{"values": {"vector": [0.5]}}]}
-    execute(messages.JSON, json.dumps(sound).encode())
-    execute(messages.MSGPACK, msgspec.msgpack.encode(sound))
+    execute(codec.JSON, json.dumps(sound).encode())
+    execute(codec.MSGPACK, msgspec.msgpack.encode(sound))
 
 
 @pytest.mark.parametrize("vector", ACCEPTED)

@@ -35,8 +35,7 @@ from PIL import Image
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-import reference_sim  # noqa: E402 - found through the line above
-from reference_sim import catalog  # noqa: E402
+from reference_sim import benchmark_registry, benchmarks  # noqa: E402
 from reference_sim.interface import Action, Observation, Simulator  # noqa: E402
 
 EXPERT_AT_LEAST = 0.99
@@ -99,34 +98,36 @@ class Outcome:
 # Who takes part
 
 
-def benchmarks() -> list[str]:
+def benchmark_names() -> list[str]:
     """Names of the packages with an expert, whose benchmarks are offered."""
     return [
         package.name
-        for package in pkgutil.iter_modules(reference_sim.__path__)
-        if f"{package.name}_state" in catalog.benchmark_ids()
-        and importlib.util.find_spec(f"reference_sim.{package.name}.experts")
+        for package in pkgutil.iter_modules(benchmarks.__path__)
+        if f"{package.name}_state" in benchmark_registry.benchmark_ids()
+        and importlib.util.find_spec(f"reference_sim.benchmarks.{package.name}.experts")
     ]
 
 
 def experts_of(benchmark: str) -> Any:
-    return importlib.import_module(f"reference_sim.{benchmark}.experts")
+    return importlib.import_module(f"reference_sim.benchmarks.{benchmark}.experts")
 
 
 def tasks_of(benchmark: str) -> Mapping[str, Any]:
-    module = importlib.import_module(f"reference_sim.{benchmark}.tasks")
+    module = importlib.import_module(f"reference_sim.benchmarks.{benchmark}.tasks")
     tasks: Mapping[str, Any] = module.TASKS
     return tasks
 
 
 @cache
 def manifest(benchmark: str) -> Mapping[str, Any]:
-    return catalog.resolve(f"{benchmark}_state").manifest
+    return benchmark_registry.resolve(f"{benchmark}_state").manifest
 
 
 @cache
 def simulator(benchmark: str) -> Simulator:
-    return catalog.make(catalog.resolve(f"{benchmark}_state").world)
+    return benchmark_registry.make(
+        benchmark_registry.resolve(f"{benchmark}_state").world
+    )
 
 
 @cache
@@ -245,7 +246,7 @@ control steps in a row.
 def _section(name: str, outcomes: Sequence[Outcome]) -> str:
     told = manifest(name)
     splits = told["splits"]
-    seeing = catalog.resolve(name).manifest
+    seeing = benchmark_registry.resolve(name).manifest
     about = (
         f"Benchmarks `{name}` (with cameras) and `{name}_state`, version "
         f"{told['version']}: {told['episodes_total']} episodes of at most "
@@ -308,12 +309,12 @@ def draw(name: str) -> None:
     module = experts_of(name)
     moments: Mapping[str, float] = getattr(module, "PICTURE_MOMENTS", {})
     size = dict(zip(("width", "height"), DRAWN_SIZE, strict=True))
-    chosen = catalog.resolve(name, images={"codec": "raw", **size})
+    chosen = benchmark_registry.resolve(name, images={"codec": "raw", **size})
     camera = getattr(module, "PICTURE_CAMERA", None) or next(
         iter(chosen.manifest["observation_space"]["images"])
     )
     finest = {**chosen.world.settings, "quality": "standard"}
-    seeing = catalog.make(catalog.World(name, finest))
+    seeing = benchmark_registry.make(benchmark_registry.World(name, finest))
     PICTURES.mkdir(exist_ok=True)
     for task in chosen.manifest["tasks"]:
         actions = _experts_actions(name, task)
@@ -348,8 +349,8 @@ def main() -> int:
     options = parser.parse_args()
     # The processes are the parallelism; threads on top make it twice as slow.
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
-    names = options.benchmarks or benchmarks()
-    if options.write and names != benchmarks():
+    names = options.benchmarks or benchmark_names()
+    if options.write and names != benchmark_names():
         parser.error("the page shows all benchmarks: --write measures all")
     outcomes = measure(names, options.seeds, options.processes)
     if options.write:

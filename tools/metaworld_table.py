@@ -25,12 +25,12 @@ import numpy as np
 from proctor_client import ControlApi
 
 from reference_client import Observation, evaluate
-from reference_client.connection import Connection
+from reference_client.protocol.connection import Connection
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "metaworld.md"
 BENCHMARK = tomllib.loads(
-    (ROOT / "reference_sim" / "metaworld_mt50" / "benchmark.toml").read_text()
+    (ROOT / "reference_sim" / "benchmarks" / "metaworld" / "benchmark.toml").read_text()
 )
 MAX_STEPS = BENCHMARK["max_steps"]
 TASK_OF = {task["instruction"]: task["name"] for task in BENCHMARK["tasks"]}

@@ -5,7 +5,7 @@ Run by make with any Python >= 3.11; uses nothing but the standard library.
 beside another MuJoCo, `generate` is for the tools that write committed files, `bench`
 has the peers that we are measured against. An environment whose lock has not changed is
 kept. It knows nothing of what the packages are for; whether cameras can be rendered is
-asked of reference_sim.rendering.
+asked of reference_sim.mujoco.rendering.
 """
 
 import fcntl
@@ -27,7 +27,7 @@ ENVIRONMENTS = {
     "metaworld": ".venv-metaworld",
 }
 WITH_PROJECT = ("dev", "metaworld")
-RENDERING = ROOT / "reference_sim" / "rendering.py"
+RENDERING = ROOT / "reference_sim" / "mujoco" / "rendering.py"
 APT = ("apt-get", "-qq", "-y", "-o", "Dpkg::Use-Pty=0")
 GL_PACKAGES = ("libegl1", "libopengl0", "libgl1-mesa-dri")
 PIP_FLAGS = ("--disable-pip-version-check", "--no-input", "--progress-bar", "off")
@@ -136,7 +136,7 @@ def install_project(environment: Path) -> None:
 
 def rendering_problem(python: Path) -> str:
     """Ask the simulator whether cameras work; its one line of advice if not."""
-    command = [str(python), "-m", "reference_sim.rendering"]
+    command = [str(python), "-m", "reference_sim.mujoco.rendering"]
     probe = subprocess.run(
         command, cwd=ROOT, capture_output=True, text=True, check=False
     )

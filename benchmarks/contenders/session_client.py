@@ -14,12 +14,12 @@ from proctor_client import SubmitRun
 from benchmarks.contenders import player
 from benchmarks.contenders.ours_client import TOKEN
 from benchmarks.observations import by_name
-from reference_client.connection import Connection
-from reference_client.observation import observation_of
-from reference_client.patience import Patience
-from reference_client.policy import chunk_of
-from reference_client.runs import Desk
-from reference_client.session import Seat, Session
+from reference_client.api.observation import observation_of
+from reference_client.api.policy import chunk_of
+from reference_client.protocol.connection import Connection
+from reference_client.protocol.control_client import Desk
+from reference_client.protocol.retry_policy import Patience
+from reference_client.protocol.worker_session import Seat, Session
 
 
 def connect(url: str, scenario: str) -> player.Turn:

@@ -18,7 +18,7 @@ from urllib.parse import urlsplit
 
 from benchmarks.contenders import player
 from benchmarks.libraries import samples
-from reference_client.exchange import Exchange
+from reference_client.protocol.http_connection import Exchange
 
 Answer = tuple[int, bytes | memoryview]
 Ask = Callable[[], Answer]

@@ -22,8 +22,8 @@ from proctor_client import AttachWorker
 from benchmarks import line_up, observations, rounds
 from benchmarks.contenders import ours_client
 from benchmarks.libraries.samples import CAMERAS, STATE, Sample
-from reference_client.connection import Connection
-from reference_client.exchange import Answer, Exchange, _Coming
+from reference_client.protocol.connection import Connection
+from reference_client.protocol.http_connection import Answer, Exchange, _Coming
 
 
 class Heard(Exchange):

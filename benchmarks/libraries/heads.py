@@ -15,7 +15,7 @@ import h11
 
 from benchmarks.libraries.in_turn import Contender
 from benchmarks.libraries.samples import Sample
-from reference_client.exchange import _Coming
+from reference_client.protocol.http_connection import _Coming
 
 Parsed = tuple[int, dict[str, str], bytes]
 

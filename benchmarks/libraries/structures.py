@@ -20,7 +20,7 @@ import pybase64
 
 from benchmarks.libraries.in_turn import Contender
 from benchmarks.libraries.samples import Sample, with_pictures
-from reference_client.messages import Turn
+from reference_client.generated.messages import Turn
 
 Contenders = tuple[list[Contender], Any]
 _PLAIN_TYPES = (bytes, bytearray, memoryview)

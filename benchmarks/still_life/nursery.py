@@ -6,10 +6,11 @@ import socket
 import sys
 
 from benchmarks.still_life.world import BENCHMARKS
-from reference_sim import catalog, worker
-from reference_sim.runners.nursery import Nursery
+from reference_sim import benchmark_registry
+from reference_sim.process import simulator_main
+from reference_sim.process.fork_server import Nursery
 
 if __name__ == "__main__":
-    catalog._BENCHMARKS.update(BENCHMARKS)  # noqa: SLF001 - see server.py
-    worker.log_to_stderr()
+    benchmark_registry._BENCHMARKS.update(BENCHMARKS)  # noqa: SLF001 - see server.py
+    simulator_main.log_to_stderr()
     Nursery(socket.socket(fileno=int(sys.argv[1]))).tend()

@@ -12,10 +12,10 @@ import sys
 
 from benchmarks.still_life.world import BENCHMARKS
 from reference_server.__main__ import main
-from reference_sim import catalog
-from reference_sim.runners import process
+from reference_sim import benchmark_registry
+from reference_sim.process import simulator_process
 
 if __name__ == "__main__":
-    catalog._BENCHMARKS.update(BENCHMARKS)  # noqa: SLF001 - see above
-    process._NURSERY = "benchmarks.still_life.nursery"  # noqa: SLF001
+    benchmark_registry._BENCHMARKS.update(BENCHMARKS)  # noqa: SLF001 - see above
+    simulator_process._NURSERY = "benchmarks.still_life.nursery"  # noqa: SLF001
     sys.exit(main())

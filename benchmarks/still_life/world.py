@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks import observations
-from reference_sim.canvas import CANVAS
 from reference_sim.definition import Definition, Json, bounded, image_sizes, vector
 from reference_sim.interface import Action, Observation, StepOutcome
+from reference_sim.process.shared_frame_buffer import CANVAS
 
 TASK = "sit"
 MAX_STEPS = 200  # as long as one of a robot; its end is scored and stored

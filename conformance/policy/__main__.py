@@ -15,17 +15,17 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from conformance.console import Terminal
-from conformance.expect import Violation, told
-from conformance.judge import Tally
-from conformance.ledger import POLICY, load_ledger
+from conformance.cli.console import Terminal
+from conformance.cli.settings import Settings
+from conformance.client.check_context import Context, Story
 from conformance.policy.turns import calibration
-from conformance.preflight import CannotJudge
-from conformance.report_files import write_reports
-from conformance.result import Result, conclude
-from conformance.settings import Settings
-from conformance.spec import load_policy_spec, spec_name
-from conformance.story import Context, Story
+from conformance.reports.files import write_reports
+from conformance.runner.preflight import CannotJudge
+from conformance.specification.document import load_policy_spec, spec_name
+from conformance.specification.ledger import POLICY, load_ledger
+from conformance.verdicts.expect import Violation, told
+from conformance.verdicts.result import Result, conclude
+from conformance.verdicts.universal_rules import Tally
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -114,7 +114,7 @@ def _judge(result: Result, terminal: Terminal) -> None:
         f"{name} at {settings.url}, asked for {settings.benchmark['benchmark_id']}"
     )
     # It brings pytest, which no earlier exit needs.
-    from conformance.execution import execute
+    from conformance.runner.execution import execute
 
     gathered = execute(settings, 1, terminal.progress)
     result.problem = gathered.problem

@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any, Self
 
-from conformance.spec import JSON, PROBLEM_JSON, load_spec
-from conformance.story import Story
+from conformance.client.check_context import Story
+from conformance.specification.document import JSON, PROBLEM_JSON, load_spec
 
 OPERATIONS = {
     ("GET", "/v1/policy"): "describe_policy",

@@ -13,7 +13,7 @@ import re
 from typing import Any, NoReturn
 
 from reference_client.command.aliases import PASSED_ON
-from reference_client.command.endings import CannotMean
+from reference_client.command.exit_codes import CannotMean
 
 DEFAULT_URL = "http://127.0.0.1:8460"  # where `proctor serve` serves
 EXITS = (

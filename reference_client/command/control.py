@@ -15,19 +15,19 @@ from typing import Any
 
 from proctor_client import PolicyInfo, Run, StopMode, SubmitRun
 
-from reference_client import plan
-from reference_client.command import words
-from reference_client.command.endings import (
+from reference_client.command import output
+from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
     NOT_RELEASED,
     CannotMean,
 )
-from reference_client.command.words import Follower, Printer
-from reference_client.connection import Connection
-from reference_client.patience import Patience
-from reference_client.progress import Progress
-from reference_client.runs import Desk
+from reference_client.command.output import Follower, Printer
+from reference_client.evaluation import plan
+from reference_client.evaluation.status_board import Progress
+from reference_client.protocol.connection import Connection
+from reference_client.protocol.control_client import Desk
+from reference_client.protocol.retry_policy import Patience
 
 PATIENCE_S = 10.0
 LATEST = 20
@@ -59,7 +59,7 @@ def submit(args: argparse.Namespace, printer: Printer) -> int:
     if args.print_endpoint:
         printer.answer(run.endpoint, run.endpoint)
     else:
-        printer.answer(run.to_dict(), words.run_facts(run))
+        printer.answer(run.to_dict(), output.run_facts(run))
     return NOT_COMPLETE if run.state.value in ("queued", "failed") and args.wait else 0
 
 
@@ -68,10 +68,10 @@ def status(args: argparse.Namespace, printer: Printer) -> int:
     with desk_of(args, printer) as desk:
         if run_id is None:
             runs = desk.latest(LATEST)
-            printer.answer([run.to_dict() for run in runs], words.run_list(runs))
+            printer.answer([run.to_dict() for run in runs], output.run_list(runs))
             return DONE
         run = _watched(desk, run_id, printer) if args.watch else desk.read(run_id)
-    printer.answer(run.to_dict(), words.run_facts(run))
+    printer.answer(run.to_dict(), output.run_facts(run))
     state = run.state.value
     failed = state == "failed" or (args.watch and state != "completed")
     return NOT_COMPLETE if failed else DONE
@@ -81,14 +81,14 @@ def stop(args: argparse.Namespace, printer: Printer) -> int:
     mode = StopMode("drain" if args.drain else "abort")
     with desk_of(args, printer) as desk:
         run = desk.stop(_needed(args), mode)
-    printer.answer(run.to_dict(), words.run_facts(run))
+    printer.answer(run.to_dict(), output.run_facts(run))
     return DONE
 
 
 def resume(args: argparse.Namespace, printer: Printer) -> int:
     with desk_of(args, printer) as desk:
         run = desk.resume(_needed(args))
-    printer.answer(run.to_dict(), words.run_facts(run))
+    printer.answer(run.to_dict(), output.run_facts(run))
     return DONE
 
 
@@ -99,13 +99,13 @@ def results(args: argparse.Namespace, printer: Printer) -> int:
         episodes = desk.episodes(run_id) if args.episodes else None
     value: dict[str, Any] = score.to_dict()
     tables = [
-        words.score_facts(score),
-        words.groups("task", score.by_task),
-        words.groups("split", score.by_split),
+        output.score_facts(score),
+        output.groups("task", score.by_task),
+        output.groups("split", score.by_split),
     ]
     if episodes is not None:
         value["episodes"] = [episode.to_dict() for episode in episodes]
-        tables.append(words.episode_list(episodes))
+        tables.append(output.episode_list(episodes))
     printer.answer(value, *tables)
     return DONE if score.complete else NOT_COMPLETE
 
@@ -113,7 +113,7 @@ def results(args: argparse.Namespace, printer: Printer) -> int:
 def compare(args: argparse.Namespace, printer: Printer) -> int:
     with desk_of(args, printer) as desk:
         found = desk.compare(args.baseline, args.runs, args.tolerance)
-    tables = [table for run in found.runs for table in words.compared(found, run)]
+    tables = [table for run in found.runs for table in output.compared(found, run)]
     printer.answer(found.to_dict(), *tables)
     return DONE if all(run.release for run in found.runs) else NOT_RELEASED
 
@@ -123,10 +123,10 @@ def benchmarks(args: argparse.Namespace, printer: Printer) -> int:
         if args.benchmark is None:
             found = desk.benchmarks()
             value = [one.to_dict() for one in found]
-            printer.answer(value, words.benchmark_list(found))
+            printer.answer(value, output.benchmark_list(found))
         else:
             one = desk.benchmark(args.benchmark)
-            printer.answer(one.to_dict(), *words.benchmark_tables(one))
+            printer.answer(one.to_dict(), *output.benchmark_tables(one))
     return DONE
 
 

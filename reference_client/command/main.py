@@ -13,18 +13,18 @@ import sys
 import traceback
 from collections.abc import Callable, Sequence
 
+from reference_client.api.errors import ProctorError
 from reference_client.command import control, running
 from reference_client.command.aliases import PASSED_ON, translated
 from reference_client.command.arguments import build_parser
-from reference_client.command.endings import (
+from reference_client.command.exit_codes import (
     CANNOT,
     INTERRUPTED,
     CannotMean,
     code_of,
     line_of,
 )
-from reference_client.command.words import Printer
-from reference_client.errors import ProctorError
+from reference_client.command.output import Printer
 
 COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
     "submit": control.submit,
@@ -49,7 +49,7 @@ PROGRAMS = {
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Returns the exit code; see reference_client.command.endings."""
+    """Returns the exit code; see reference_client.command.exit_codes."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     as_json = "--json" in given
     try:

@@ -19,27 +19,27 @@ from typing import Any, Self
 
 from proctor_client import Assumptions, Benchmark, Run, Score
 
-from reference_client.command import words
+from reference_client.api.errors import PolicyFailed, ProctorError, RunFailed
+from reference_client.api.policy import Policy
+from reference_client.command import output
 from reference_client.command.arguments import DEFAULT_URL
 from reference_client.command.control import submission_of
-from reference_client.command.endings import (
+from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
     CannotMean,
     code_of,
     line_of,
 )
-from reference_client.command.words import Follower, Printer
-from reference_client.errors import PolicyFailed, ProctorError, RunFailed
-from reference_client.evaluation import perform
-from reference_client.plan import Plan, exactly
+from reference_client.command.output import Follower, Printer
+from reference_client.evaluation.evaluate import perform
+from reference_client.evaluation.plan import Plan, exactly
+from reference_client.evaluation.status_board import Board, Progress
+from reference_client.evaluation.worker_pool import Staff, Threads
+from reference_client.evaluation.worker_processes import Processes
 from reference_client.policies import BadMapping, BadPolicy, Mapping, load
-from reference_client.policies.blame import blamed
+from reference_client.policies.error_origin import blamed
 from reference_client.policies.policy_server import PolicyServers
-from reference_client.policy import Policy
-from reference_client.processes import Processes
-from reference_client.progress import Board, Progress
-from reference_client.staff import Staff, Threads
 from reference_client.view.server import View
 
 PATIENCE_S = 300.0
@@ -168,8 +168,8 @@ class _Run:
     def _scored(self, score: Score) -> int:
         self._printer.answer(
             score.to_dict(),
-            words.score_facts(score),
-            words.groups("task", score.by_task),
+            output.score_facts(score),
+            output.groups("task", score.by_task),
         )
         return DONE if score.complete else NOT_COMPLETE
 
@@ -197,7 +197,7 @@ class _Run:
             run_id, latest = self._run.run_id, self._follower.latest
             value["run_id"] = run_id
             if latest is not None:
-                say(f"Run {run_id} keeps its scores: {words.done(latest)} are scored.")
+                say(f"Run {run_id} keeps its scores: {output.done(latest)} are scored.")
             if goes_on:
                 value["resume"] = resume_command(self._args, run_id)
                 say(f"To go on with it:\n  {value['resume']}")

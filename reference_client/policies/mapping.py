@@ -19,9 +19,9 @@ import numpy as np
 import numpy.typing as npt
 from proctor_client import Benchmark
 
-from reference_client.observation import Observation
+from reference_client.api.observation import Observation
+from reference_client.api.policy import Chunk
 from reference_client.policies.pictures import fitted
-from reference_client.policy import Chunk
 
 Array = npt.NDArray[Any]
 

@@ -22,11 +22,11 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
-from reference_client.errors import ProctorError
-from reference_client.messages import EpisodeView, Turn
-from reference_client.observation import observation_of
-from reference_client.policies.blame import blamed
-from reference_client.policy import Policy, chunk_of
+from reference_client.api.errors import ProctorError
+from reference_client.api.observation import observation_of
+from reference_client.api.policy import Policy, chunk_of
+from reference_client.generated.messages import EpisodeView, Turn
+from reference_client.policies.error_origin import blamed
 
 VERSION = "1.0"
 # A turn may carry several raw images in Base64.

@@ -17,10 +17,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from reference_client.errors import POLICY_FAILED, ProctorError
-from reference_client.observation import Observation
+from reference_client.api.errors import POLICY_FAILED, ProctorError
+from reference_client.api.observation import Observation
+from reference_client.api.policy import Chunk, Policy
 from reference_client.policies.mapping import Mapping, MisfitAnswer
-from reference_client.policy import Chunk, Policy
 
 
 class BadPolicy(ValueError):

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from reference_client.progress import Glimpse
+from reference_client.evaluation.status_board import Glimpse
 
 WIDEST = 320  # pixels, of a picture on the page
 

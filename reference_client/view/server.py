@@ -15,7 +15,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from importlib.resources import files
 from typing import Any, Self
 
-from reference_client.progress import Board, Glimpse, Progress
+from reference_client.evaluation.status_board import Board, Glimpse, Progress
 from reference_client.view.frames import shown
 
 LOOPBACK = "127.0.0.1"

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from reference_server.operations import Operation
-from reference_server.profiles.ebench import Ebench
-from reference_server.profiles.flageval import Flageval
-from reference_server.routes import Routes
+from reference_server.http.dispatch import Operation
+from reference_server.http.handlers import Routes
+from reference_server.profiles.ebench.handlers import Ebench
+from reference_server.profiles.flageval.handlers import Flageval
 
 
 def tables(routes: Routes) -> dict[str, dict[str, Operation]]:

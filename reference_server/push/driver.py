@@ -17,19 +17,19 @@ import time
 from dataclasses import dataclass
 from typing import Any
 
-from reference_server import progress
-from reference_server.problems import Refused
-from reference_server.protocol import Attach, Predict
-from reference_server.push.addresses import Gate
-from reference_server.push.calls import Bounds, Calls, Pauses, PolicyFault
-from reference_server.push.orders import Order
-from reference_server.push.policy import Description, Policy, misfit
-from reference_server.push.protocols import PROTOCOLS
-from reference_server.push.seal import SealBroken, Sealer
-from reference_server.run_book import RELOAD_S, RunBook
-from reference_server.run_state import Run
-from reference_server.stage import Stage
-from reference_server.store import StoreFailed
+from reference_server.http.problems import Refused
+from reference_server.push.egress import Gate
+from reference_server.push.http_calls import Bounds, Calls, Pauses, PolicyFault
+from reference_server.push.key_encryption import SealBroken, Sealer
+from reference_server.push.policy_calls import Description, Policy, misfit
+from reference_server.push.policy_protocols import PROTOCOLS
+from reference_server.push.policy_server_config import Order
+from reference_server.rules import effects
+from reference_server.rules.lifecycle import Attach, Predict
+from reference_server.rules.run import Run
+from reference_server.runs.registry import RELOAD_S, RunBook
+from reference_server.runs.session_executor import Stage
+from reference_server.storage.store import StoreFailed
 
 log = logging.getLogger("proctor.push")
 
@@ -256,7 +256,7 @@ class Driver:
         drive, session = worker.drive, run.workers.get(worker.worker_id)
         if session is None or session.session_id != session_id:
             return  # stopped, or lost, meanwhile
-        progress.end_by_policy(run, session, str(fault), time.time())
+        effects.end_by_policy(run, session, str(fault), time.time())
         self._stage.let_go([session])
         await self._book.commit(run)
         drive.faults += 1
@@ -271,7 +271,7 @@ class Driver:
         # What cannot be stored is forgotten; the run is played on when it is loaded.
         with contextlib.suppress(Refused, StoreFailed):
             run = await self._book.get(run_id)
-            ended = progress.give_up(run, reason, time.time(), retryable=retryable)
+            ended = effects.give_up(run, reason, time.time(), retryable=retryable)
             self._stage.let_go(ended)
             await self._book.commit(run)
 

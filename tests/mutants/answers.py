@@ -8,21 +8,13 @@ from typing import Any
 
 from starlette.responses import Response
 
-from reference_server import (
-    app,
-    auth,
-    messages,
-    operations,
-    problems,
-    progress,
-    routes,
-    scoring,
-    views,
-)
-from reference_server.catalogue import PROBLEMS
-from reference_server.problems import Refused
-from reference_server.run_book import RunBook
-from reference_server.run_state import Run
+from reference_server import app
+from reference_server.generated.problem_codes import PROBLEMS
+from reference_server.http import auth, codec, dispatch, handlers, problems, views
+from reference_server.http.problems import Refused
+from reference_server.rules import effects, scoring
+from reference_server.rules.run import Run
+from reference_server.runs.registry import RunBook
 from tests.mutants import mutant, put
 
 
@@ -185,7 +177,7 @@ def lets_readers_write() -> None:
 @mutant("VER-002")
 def speaks_any_version() -> None:
     """A client of another protocol is misunderstood instead of refused."""
-    put(operations, "check_version", lambda _request: None)
+    put(dispatch, "check_version", lambda _request: None)
 
 
 @mutant("SVC-002", "VER-001")
@@ -201,7 +193,7 @@ def does_not_name_its_version() -> None:
 @mutant("ERR-003")
 def ignores_unknown_members() -> None:
     """A misspelt option is silently not applied."""
-    right = messages.validate
+    right = codec.validate
 
     def wrong(model: Any, data: Any) -> Any:
         try:
@@ -213,7 +205,7 @@ def ignores_unknown_members() -> None:
                     return right(model, known)
             raise
 
-    put(messages, "validate", wrong)
+    put(codec, "validate", wrong)
 
 
 @mutant("ERR-001")
@@ -239,7 +231,7 @@ def does_not_say_when_to_retry() -> None:
             del response.headers["retry-after"]
         return response
 
-    put(operations, "problem_response", wrong)
+    put(dispatch, "problem_response", wrong)
 
 
 @mutant("SVC-003")
@@ -257,18 +249,18 @@ def sends_numbers_as_text() -> None:
 @mutant("ENC-001")
 def prefers_messagepack() -> None:
     """Generated clients get what they cannot read."""
-    right = messages.acceptable
+    right = codec.acceptable
 
     def wrong(request: Any, writable: Any) -> str:
         return right(request, tuple(reversed(writable)))
 
-    put(messages, "acceptable", wrong)
+    put(codec, "acceptable", wrong)
 
 
 @mutant("RUN-011", "RUN-012", "RUN-013")
 def ignores_etags() -> None:
     """Every poll costs the whole answer."""
-    put(routes, "_matches", lambda _wanted, _etag: False)
+    put(handlers, "_matches", lambda _wanted, _etag: False)
 
 
 @mutant("RUN-012")
@@ -285,7 +277,7 @@ def answers_long_polls_only_at_their_end() -> None:
 @mutant("LIFE-801")
 def forgets_runs_that_were_held_in_the_queue() -> None:
     """A run that has to wait waits for ever."""
-    right = progress.admit
+    right = effects.admit
 
     def wrong(queued: list[Run], *rest: Any) -> list[Run]:
         options = [run.submission.get("options", {}) for run in queued]
@@ -293,7 +285,7 @@ def forgets_runs_that_were_held_in_the_queue() -> None:
         free = [run for run, is_held in zip(queued, held, strict=True) if not is_held]
         return right(free, *rest)
 
-    put(progress, "admit", wrong)
+    put(effects, "admit", wrong)
 
 
 @mutant("CRASH-001")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from reference_server.push import chat
-from reference_server.push.calls import PolicyFault
-from reference_server.push.chat import ChatPolicy
+from reference_server.push import chat_calls
+from reference_server.push.chat_calls import ChatPolicy
+from reference_server.push.http_calls import PolicyFault
 from tests.mutants import mutant, put
 
 
@@ -27,32 +27,32 @@ def asks_without_the_picture() -> None:
 @mutant("CHAT-002")
 def takes_the_first_line_for_the_answer() -> None:
     """A model that thinks aloud is scored for its first thought."""
-    right = chat.read_answer
+    right = chat_calls.read_answer
 
     def wrong(text: str) -> dict[str, list[float]]:
         return right(text.strip().partition("\n")[0])
 
-    put(chat, "read_answer", wrong)
+    put(chat_calls, "read_answer", wrong)
 
 
 @mutant("CHAT-003")
 def calls_words_a_fault() -> None:
     """A model that cannot answer three questions ends its whole evaluation."""
-    right = chat.read_answer
+    right = chat_calls.read_answer
 
     def wrong(text: str) -> dict[str, list[float]]:
         answer = right(text)
-        if answer["number"] == [chat.NO_ANSWER]:
+        if answer["number"] == [chat_calls.NO_ANSWER]:
             raise PolicyFault("The model's words are no answer.")
         return answer
 
-    put(chat, "read_answer", wrong)
+    put(chat_calls, "read_answer", wrong)
 
 
 @mutant("CHAT-004")
 def takes_an_error_for_an_answer() -> None:
     """A broken model server is published as a model that knows nothing."""
-    right = chat._content
+    right = chat_calls._content
 
     def wrong(answer: Any) -> str:
         try:
@@ -60,4 +60,4 @@ def takes_an_error_for_an_answer() -> None:
         except PolicyFault:
             return ""
 
-    put(chat, "_content", wrong)
+    put(chat_calls, "_content", wrong)

@@ -8,10 +8,11 @@ from typing import Any
 
 from starlette.responses import Response
 
-from reference_server import auth, comparison, routes, views
-from reference_server.operations import Call
-from reference_server.problems import Refused
-from reference_server.routes import Routes
+from reference_server.http import auth, handlers, views
+from reference_server.http.dispatch import Call
+from reference_server.http.handlers import Routes
+from reference_server.http.problems import Refused
+from reference_server.rules import comparison
 from tests.mutants import mutant, put
 
 Entry = dict[str, Any]
@@ -127,7 +128,7 @@ def releases_whatever_is_better() -> None:
 @mutant("CMP-009")
 def compares_different_manifests() -> None:
     """Episodes that have nothing in common are subtracted from each other."""
-    put(routes, "_pair_up", lambda *_runs: None)
+    put(handlers, "_pair_up", lambda *_runs: None)
     put(comparison, "_pairs", lambda baseline, run: list(_scored(baseline, run)))
 
 

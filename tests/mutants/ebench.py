@@ -10,19 +10,19 @@ from typing import Any
 import numpy as np
 from starlette.responses import Response
 
-from reference_server import progress, protocol
-from reference_server.problems import Refused
-from reference_server.profiles import (
-    ebench,
-    ebench_answers,
-    ebench_messages,
-    ebench_pickle,
-    ebench_requests,
-    ebench_unpickle,
+from reference_server.http.problems import Refused
+from reference_server.profiles.ebench import actions as ebench_messages
+from reference_server.profiles.ebench import (
+    handlers,
+    pickle_reader,
+    pickle_writer,
+    requests,
+    responses,
 )
-from reference_server.profiles.ebench import Ebench
-from reference_server.protocol import Detach, Predict
-from reference_server.run_state import Run
+from reference_server.profiles.ebench.handlers import Ebench
+from reference_server.rules import effects, lifecycle
+from reference_server.rules.lifecycle import Detach, Predict
+from reference_server.rules.run import Run
 from tests.mutants import mutant, put
 
 SCORE_AT = 5  # among calibration's numbers by name
@@ -34,8 +34,8 @@ SCORE_AT = 5  # among calibration's numbers by name
 @mutant("EBE-001")
 def takes_another_benchmark_for_the_task() -> None:
     """A policy is evaluated on what nobody asked for."""
-    wrong = {**ebench.BENCHMARK_SETS, "calibration": "mobile_bimanual_state"}
-    put(ebench, "BENCHMARK_SETS", wrong)
+    wrong = {**handlers.BENCHMARK_SETS, "calibration": "mobile_bimanual_state"}
+    put(handlers, "BENCHMARK_SETS", wrong)
 
 
 @mutant("EBE-002")
@@ -43,21 +43,21 @@ def refuses_a_task_without_a_word() -> None:
     """The client prints an error that says nothing."""
 
     def wrong(refused: Refused) -> Response:
-        body = json.loads(bytes(ebench_answers.refusal(refused).body))
-        return ebench_answers.envelope(None, body["code"], "")
+        body = json.loads(bytes(responses.refusal(refused).body))
+        return responses.envelope(None, body["code"], "")
 
-    put(ebench, "refusal", wrong)
+    put(handlers, "refusal", wrong)
 
 
 @mutant("EBE-003")
 def calls_a_queued_task_ready() -> None:
     """Workers come too early and are turned away."""
-    right = protocol.legal
+    right = lifecycle.legal
 
     def wrong(run: Run, event: Any) -> bool:
         return run.state == "queued" or right(run, event)
 
-    put(ebench, "legal", wrong)
+    put(handlers, "legal", wrong)
 
 
 @mutant("EBE-004")
@@ -69,7 +69,7 @@ def gives_a_resumed_task_another_id() -> None:
         response = await right(self, call)
         if not call.body.task_id:
             return response
-        return ebench_answers.envelope({"task_id": f"{call.body.task_id}-2"})
+        return responses.envelope({"task_id": f"{call.body.task_id}-2"})
 
     put(Ebench, "create_task", wrong)
 
@@ -91,7 +91,7 @@ def stops_in_one_place_only() -> None:
 
     def wrong(self: Ebench) -> Any:
         table = right(self)
-        del table[f"{ebench.DOOR}/stop"]
+        del table[f"{handlers.DOOR}/stop"]
         return table
 
     put(Ebench, "table", wrong)
@@ -100,14 +100,14 @@ def stops_in_one_place_only() -> None:
 @mutant("EBE-019")
 def counts_what_is_played_as_completed() -> None:
     """A run seems nearer to its end than it is."""
-    right = ebench_answers.status_of
+    right = responses.status_of
 
     def wrong(run: Run) -> dict[str, Any]:
         status = right(run)
         status["completed_episodes"] += status["in_progress_episodes"]
         return status
 
-    put(ebench, "status_of", wrong)
+    put(handlers, "status_of", wrong)
 
 
 # --- workers ---
@@ -194,35 +194,35 @@ def opens_its_endpoint_to_every_account() -> None:
 @mutant("EBE-008")
 def executes_a_list_of_steps_backwards() -> None:
     """A robot does last things first."""
-    right = ebench_requests.read_chunks
+    right = requests.read_chunks
 
     def wrong(body: Any, run: Run) -> Any:
         return right(body[::-1] if isinstance(body, list) else body, run)
 
-    put(ebench, "read_chunks", wrong)
+    put(handlers, "read_chunks", wrong)
 
 
 @mutant("EBE-023")
 def calls_no_chunk_cut() -> None:
     """A policy believes that it is still in the episode it planned for."""
-    put(ebench, "_is_cut", lambda _turn: False)
+    put(handlers, "_is_cut", lambda _turn: False)
 
 
 @mutant("EBE-009")
 def keeps_the_result_of_an_episode() -> None:
     """The client's folder of results stays empty."""
-    right = ebench_answers.shown
+    right = responses.shown
 
     def wrong(*arguments: Any) -> dict[str, Any]:
         return right(*arguments) | {"episode_result": None}
 
-    put(ebench, "shown", wrong)
+    put(handlers, "shown", wrong)
 
 
 @mutant("EBE-010")
 def ends_a_run_without_metrics() -> None:
     """The client prints an empty table at the end."""
-    put(ebench, "results_of", lambda _run: {})
+    put(handlers, "results_of", lambda _run: {})
 
 
 @mutant("EBE-011")
@@ -259,19 +259,19 @@ def moves_the_workers_whose_actions_fit() -> None:
 @mutant("EBE-013")
 def executes_a_lost_step_again() -> None:
     """A robot moves twice because an answer did not arrive."""
-    put(ebench, "repeated", lambda _session, _asked: None)
+    put(handlers, "repeated", lambda _session, _asked: None)
 
 
 @mutant("EBE-014")
 def takes_an_equal_action_for_a_repeated_one() -> None:
     """A policy that waits in one place never sees time pass."""
-    put(progress, "heard", lambda _session, _seq: None)
+    put(effects, "heard", lambda _session, _seq: None)
 
 
 @mutant("EBE-022")
 def shares_scores_among_the_workers_of_a_step() -> None:
     """What one worker achieves depends on another one's luck."""
-    right = ebench_requests.read_chunks
+    right = requests.read_chunks
 
     def wrong(body: Any, run: Run) -> Any:
         chunks = right(body, run)
@@ -282,7 +282,7 @@ def shares_scores_among_the_workers_of_a_step() -> None:
                 one[SCORE_AT] = mean
         return chunks
 
-    put(ebench, "read_chunks", wrong)
+    put(handlers, "read_chunks", wrong)
 
 
 # --- pickles ---
@@ -291,24 +291,24 @@ def shares_scores_among_the_workers_of_a_step() -> None:
 @mutant("EBE-015")
 def passes_over_what_a_pickle_would_call() -> None:
     """An attack looks like a slip of the pen."""
-    right = ebench_unpickle.read
+    right = pickle_reader.read
 
     def wrong(body: bytes) -> Any:
         try:
             return right(body)
-        except ebench_unpickle.BadPickle:
+        except pickle_reader.BadPickle:
             return None
 
-    put(ebench_unpickle, "read", wrong)
+    put(pickle_reader, "read", wrong)
 
 
 @mutant("EBE-020")
 def names_numpy_in_its_answers() -> None:
     """A client that reads nothing but data cannot read them."""
-    right = ebench_pickle.write
+    right = pickle_writer.write
 
     def wrong(value: Any) -> bytes:
         body = right(value)
         return body[:2] + b"cnumpy\ndtype\n0" + body[2:]
 
-    put(ebench_pickle, "write", wrong)
+    put(pickle_writer, "write", wrong)

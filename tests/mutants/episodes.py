@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from reference_server import progress
-from reference_server.run_state import Episode, Run, Session
+from reference_server.rules import effects
+from reference_server.rules.run import Episode, Run, Session
 from tests.mutants import mutant, put
 
 
@@ -28,24 +28,24 @@ def hands_out_the_last_episode_first() -> None:
 @mutant("EPI-002")
 def counts_attempts_that_never_began() -> None:
     """Attaching and detaching three times abandons an episode."""
-    right = progress._close_attempt
+    right = effects._close_attempt
 
     def wrong(run: Run, session: Session, now_wall: float, *, counted: bool) -> None:
         session.steps = max(session.steps, 1)
         right(run, session, now_wall, counted=counted)
 
-    put(progress, "_close_attempt", wrong)
+    put(effects, "_close_attempt", wrong)
 
 
 @mutant("EPI-003", "EPI-004")
 def counts_no_attempt() -> None:
     """A client plays an episode again and again until it likes the result."""
-    right = progress._close_attempt
+    right = effects._close_attempt
 
     def wrong(run: Run, session: Session, now_wall: float, *, counted: bool) -> None:
         right(run, session, now_wall, counted=counted and False)
 
-    put(progress, "_close_attempt", wrong)
+    put(effects, "_close_attempt", wrong)
 
 
 @mutant("EPI-008")
@@ -64,19 +64,19 @@ def gives_one_episode_to_two_workers() -> None:
         return episode
 
     put(Run, "take_pending", wrong)
-    score = progress._score
+    score = effects._score
 
     def wrong_score(run: Run, episode: Episode, result: Any) -> None:
         if episode.result is None:
             score(run, episode, result)
 
-    put(progress, "_score", wrong_score)
+    put(effects, "_score", wrong_score)
 
 
 @mutant("STOP-001")
 def loses_scores_on_abort() -> None:
     """Stopping a run throws away what it has cost hours to measure."""
-    right = progress.stop
+    right = effects.stop
 
     def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
         sessions = right(run, mode, now_wall)
@@ -84,20 +84,20 @@ def loses_scores_on_abort() -> None:
             _unscore(run)
         return sessions
 
-    put(progress, "stop", wrong)
+    put(effects, "stop", wrong)
 
 
 @mutant("RES-001", "RES-002")
 def plays_scored_episodes_again_after_resume() -> None:
     """Resuming costs all the hours again, and the better result wins."""
-    right = progress.resume
+    right = effects.resume
 
     def wrong(run: Run, queue_until_wall: float) -> None:
         if run.state == "stopped":
             _unscore(run)
         right(run, queue_until_wall)
 
-    put(progress, "resume", wrong)
+    put(effects, "resume", wrong)
 
 
 def _unscore(run: Run) -> None:
@@ -112,18 +112,18 @@ def _unscore(run: Run) -> None:
 @mutant("STOP-003", "STOP-004", "LIFE-303")
 def aborts_when_asked_to_drain() -> None:
     """The episode in play is lost although the submitter asked to finish it."""
-    right = progress.stop
+    right = effects.stop
 
     def wrong(run: Run, _mode: str, now_wall: float) -> list[Session]:
         return right(run, "abort", now_wall)
 
-    put(progress, "stop", wrong)
+    put(effects, "stop", wrong)
 
 
 @mutant("STOP-004")
 def hands_out_new_episodes_while_draining() -> None:
     """A drain never ends."""
-    right = progress.end_turn
+    right = effects.end_turn
 
     def wrong(run: Run, session: Session, *arguments: Any) -> Episode | None:
         if run.state != "stopping":
@@ -135,26 +135,26 @@ def hands_out_new_episodes_while_draining() -> None:
             if run.state == "running":
                 run.state = "stopping"
 
-    put(progress, "end_turn", wrong)
+    put(effects, "end_turn", wrong)
 
 
 @mutant("FAULT-001")
 def counts_a_fault_as_an_attempt() -> None:
     """The server's crash costs the policy a try."""
-    right = progress.fault
+    right = effects.fault
 
     def wrong(run: Run, session: Session, *rest: Any, **named: Any) -> list[Session]:
         if session.episode is not None:
             session.episode.attempt += 1
         return right(run, session, *rest, **named)
 
-    put(progress, "fault", wrong)
+    put(effects, "fault", wrong)
 
 
 @mutant("FAULT-005", "LIFE-605")
 def calls_an_unplayable_task_retryable() -> None:
     """A broken benchmark is resumed and fails, resumed and fails."""
-    right = progress.fault
+    right = effects.fault
 
     def wrong(run: Run, *rest: Any, **named: Any) -> list[Session]:
         sessions = right(run, *rest, **named)
@@ -162,18 +162,18 @@ def calls_an_unplayable_task_retryable() -> None:
             run.retryable = True
         return sessions
 
-    put(progress, "fault", wrong)
+    put(effects, "fault", wrong)
 
 
 @mutant("FAULT-004")
 def ends_every_session_when_one_simulator_breaks() -> None:
     """One bad episode throws all workers out."""
-    right = progress.fault
+    right = effects.fault
 
     def wrong(run: Run, session: Session, *rest: Any, **named: Any) -> list[Session]:
         others = [s for s in run.workers.values() if s is not session]
         for other in others:
-            progress.close_session(run, other, "unknown", named["now_wall"])
+            effects.close_session(run, other, "unknown", named["now_wall"])
         return others + right(run, session, *rest, **named)
 
-    put(progress, "fault", wrong)
+    put(effects, "fault", wrong)

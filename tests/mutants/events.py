@@ -9,12 +9,13 @@ from typing import Any
 
 from starlette.responses import Response
 
-from reference_server import event_streams, events, views
-from reference_server.event_streams import Reader
-from reference_server.events import Cursor, Telling
-from reference_server.run_book import RunBook
-from reference_server.run_state import Episode, Run, RunHead
-from reference_server.store import Store
+from reference_server.http import event_streams, views
+from reference_server.http.event_streams import Reader
+from reference_server.rules import events
+from reference_server.rules.events import Cursor, Telling
+from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.runs.registry import RunBook
+from reference_server.storage.store import Store
 from tests.mutants import Patch, mutant, put
 
 

@@ -10,18 +10,14 @@ from typing import Any
 import msgspec
 from starlette.responses import Response
 
-from reference_server import auth
-from reference_server.messages import JSON
-from reference_server.operations import Call
-from reference_server.problems import Refused
-from reference_server.profiles import (
-    flageval,
-    flageval_answers,
-    flageval_requests,
-)
-from reference_server.profiles.flageval import Flageval
-from reference_server.profiles.flageval_answers import Evaluated
-from reference_server.profiles.flageval_requests import Evaluation, Named
+from reference_server.http import auth
+from reference_server.http.codec import JSON
+from reference_server.http.dispatch import Call
+from reference_server.http.problems import Refused
+from reference_server.profiles.flageval import handlers, requests, responses
+from reference_server.profiles.flageval.handlers import Flageval
+from reference_server.profiles.flageval.requests import Evaluation, Named
+from reference_server.profiles.flageval.responses import Evaluated
 from tests.mutants import mutant, put
 
 Json = dict[str, Any]
@@ -61,14 +57,14 @@ def tells_the_evaluations_in_another_order() -> None:
 @mutant("FLE-002")
 def has_one_name_for_the_message() -> None:
     """Scripts written from the document find no reason."""
-    right = flageval_answers.refusal
+    right = responses.refusal
 
     def wrong(refused: Refused) -> Response:
         body = json.loads(bytes(right(refused).body))
         del body["err_message"]
         return Response(msgspec.json.encode(body), media_type=JSON)
 
-    put(flageval, "refusal", wrong)
+    put(handlers, "refusal", wrong)
 
 
 @mutant("FLE-003")
@@ -86,7 +82,7 @@ def refuses_a_repeat() -> None:
 @mutant("FLE-005")
 def forgets_how_to_generate() -> None:
     """Every model is asked at the temperature of its server."""
-    put(flageval_requests, "_generation", lambda _text, _at: {})
+    put(requests, "_generation", lambda _text, _at: {})
 
 
 @mutant("FLE-006")
@@ -121,13 +117,13 @@ def reads_no_query() -> None:
 @mutant("FLE-009")
 def calls_every_failure_a_failure() -> None:
     """A model server that was restarted is not waited for."""
-    right = flageval_answers.status_of
+    right = responses.status_of
 
     def wrong(*arguments: Any) -> str:
         status = right(*arguments)
         return "F" if status == "OOR" else status
 
-    put(flageval_answers, "status_of", wrong)
+    put(responses, "status_of", wrong)
 
 
 @mutant("FLE-010")
@@ -171,7 +167,7 @@ def says_that_it_resumes() -> None:
 
     async def wrong(self: Flageval, call: Call) -> Response:
         await self._evaluated(call, call.body.request_id)
-        return flageval_answers.answer()
+        return responses.answer()
 
     put(Flageval, "resume", wrong)
 

@@ -9,11 +9,11 @@ import asyncio
 import time
 from typing import Any
 
-from reference_server import progress
-from reference_server.protocol import Attach, Detach, Heartbeat, Predict
-from reference_server.run_state import Run, Session, SessionEnd
-from reference_server.scenes import Scene
-from reference_server.stage import Stage
+from reference_server.rules import effects
+from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
+from reference_server.rules.run import Run, Session, SessionEnd
+from reference_server.runs.session_executor import Stage
+from reference_server.runs.session_resources import Scene
 from tests.mutants import mutant, put
 
 
@@ -21,7 +21,7 @@ from tests.mutants import mutant, put
 def counts_no_attempt_after_a_takeover() -> None:
     """Whoever takes over before he gives up retries for luck as often as he likes."""
     taken_over: set[str] = set()
-    open_session, close_attempt = progress.open_session, progress._close_attempt
+    open_session, close_attempt = effects.open_session, effects._close_attempt
 
     def wrong_open(run: Run, command: Attach, session_id: str, now: float) -> Session:
         if command.worker_id in run.workers:
@@ -34,22 +34,22 @@ def counts_no_attempt_after_a_takeover() -> None:
         counted = counted and session.session_id not in taken_over
         close_attempt(run, session, now_wall, counted=counted)
 
-    put(progress, "open_session", wrong_open)
-    put(progress, "_close_attempt", wrong_close)
+    put(effects, "open_session", wrong_open)
+    put(effects, "_close_attempt", wrong_close)
 
 
 @mutant("MODEL-001")
 def abort_forgets_the_sessions_of_a_draining_run() -> None:
     """Draining takes too long, the robot shall stop at once, and it goes on."""
-    right = progress.stop
+    right = effects.stop
 
     def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
         if (run.state, mode) == ("stopping", "abort"):
-            progress.move(run, "stop_abort", "Stopped.")
+            effects.move(run, "stop_abort", "Stopped.")
             return []
         return right(run, mode, now_wall)
 
-    put(progress, "stop", wrong)
+    put(effects, "stop", wrong)
 
 
 @mutant("MODEL-001")
@@ -67,7 +67,7 @@ def revives_sessions_on_resume() -> None:
         session = stopped.get(command.session_id)
         if session is None or run.state == "stopped":
             return heartbeat(self, run, command)
-        progress.touch(session, time.monotonic())
+        effects.touch(session, time.monotonic())
         return session
 
     async def wrong_predict(self: Stage, run: Run, command: Predict) -> dict[str, Any]:
@@ -84,7 +84,7 @@ def revives_sessions_on_resume() -> None:
 @mutant("MODEL-002", tries=4)
 def stop_misses_a_session_that_is_opening() -> None:
     """A worker that attaches while its run is stopped plays on in a stopped run."""
-    right, begin = progress.stop, Stage._begin
+    right, begin = effects.stop, Stage._begin
 
     def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
         opening = {k: s for k, s in run.workers.items() if s.busy == "opening"}
@@ -99,7 +99,7 @@ def stop_misses_a_session_that_is_opening() -> None:
             await asyncio.sleep(0.03)
         return await begin(self, scene)
 
-    put(progress, "stop", wrong)
+    put(effects, "stop", wrong)
     put(Stage, "_begin", slow_begin)
 
 

@@ -21,8 +21,8 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from conformance.ledger import PROFILES, load_ledger
-from reference_sim.rendering import RenderingUnavailable, find_backend
+from conformance.specification.ledger import PROFILES, load_ledger
+from reference_sim.mujoco.rendering import RenderingUnavailable, find_backend
 from tests.mutants import Mutant, load
 
 ROOT = Path(__file__).parents[2]

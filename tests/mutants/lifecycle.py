@@ -8,8 +8,9 @@ from typing import Any
 
 import yaml
 
-from reference_server import progress, protocol
-from reference_server.run_state import Run
+from reference_server.rules import effects
+from reference_server.rules import lifecycle as protocol
+from reference_server.rules.run import Run
 from tests.mutants import MUTANTS, Mutant, put
 
 SPEC = Path(__file__).parents[2] / "spec" / "openapi.yaml"
@@ -64,7 +65,7 @@ def _flip_retryable(*, resumes: bool) -> None:
         return right(run, event)
 
     put(protocol, "legal", wrong)
-    put(progress, "legal", wrong)
+    put(effects, "legal", wrong)
 
 
 _register()

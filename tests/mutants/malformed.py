@@ -11,16 +11,12 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
-from reference_server import (
-    app,
-    messages,
-    operations,
-    problems,
-)
-from reference_server.benchmarks import Benchmarks
-from reference_server.problems import Refused
-from reference_server.routes import Routes
-from reference_server.run_state import Run
+from reference_server import app
+from reference_server.http import codec, dispatch, problems
+from reference_server.http.handlers import Routes
+from reference_server.http.problems import Refused
+from reference_server.rules.run import Run
+from reference_server.runs.benchmarks import Benchmarks
 from tests.mutants import mutant, put
 
 
@@ -28,16 +24,16 @@ from tests.mutants import mutant, put
 def accepts_any_worker_id() -> None:
     """Ids that do not fit a path or a log are taken."""
     put(
-        operations,
+        dispatch,
         "PATH_PATTERNS",
-        operations.PATH_PATTERNS | {"worker_id": (".+", "")},
+        dispatch.PATH_PATTERNS | {"worker_id": (".+", "")},
     )
 
 
 @mutant("ERR-002", "ERR-006", "ERR-013", "ENC-008")
 def calls_a_malformed_body_an_invalid_request() -> None:
     """A person looks for a wrong member where a comma is missing."""
-    right = messages.decode
+    right = codec.decode
 
     def wrong(body: bytes, media_type: str) -> Any:
         try:
@@ -45,41 +41,41 @@ def calls_a_malformed_body_an_invalid_request() -> None:
         except Refused as refused:
             raise Refused("invalid_request", refused.detail) from refused
 
-    put(messages, "decode", wrong)
+    put(codec, "decode", wrong)
 
 
 @mutant("ERR-002", "ERR-013")
 def reads_nan_in_json() -> None:
     """A number that is none, or larger than any, gets into a run."""
-    right, beyond = messages.decode, (b"NaN", b"Infinity", b"e999")
+    right, beyond = codec.decode, (b"NaN", b"Infinity", b"e999")
 
     def wrong(body: bytes, media_type: str) -> Any:
-        if media_type == messages.JSON and any(word in body for word in beyond):
+        if media_type == codec.JSON and any(word in body for word in beyond):
             return json.loads(body)
         return right(body, media_type)
 
-    put(messages, "decode", wrong)
+    put(codec, "decode", wrong)
 
 
 @mutant("ERR-002")
 def mends_text_that_is_no_unicode() -> None:
     """A name is silently another one."""
-    right = messages.decode
+    right = codec.decode
     first, second = rb"\\ud[89ab][0-9a-f]{2}", rb"\\ud[c-f][0-9a-f]{2}"
     alone = re.compile(rb"%b(?!%b)|(?<!%b)%b" % (first, second, first, second))
 
     def wrong(body: bytes, media_type: str) -> Any:
-        if media_type == messages.JSON:
+        if media_type == codec.JSON:
             body = alone.sub(rb"\\ufffd", body)
         return right(body, media_type)
 
-    put(messages, "decode", wrong)
+    put(codec, "decode", wrong)
 
 
 @mutant("ERR-004")
 def reads_text_as_numbers() -> None:
     """A client never learns that it sends the wrong type."""
-    right = messages.validate
+    right = codec.validate
 
     def wrong(model: Any, data: Any) -> Any:
         try:
@@ -87,59 +83,59 @@ def reads_text_as_numbers() -> None:
         except ValidationError:
             return right(model, data)
 
-    put(messages, "validate", wrong)
+    put(codec, "validate", wrong)
 
 
 @mutant("ERR-005")
 def reads_bodies_of_any_size() -> None:
     """One request can fill the memory."""
-    right = messages.read_body
+    right = codec.read_body
 
     async def wrong(request: Request, _max_bytes: int) -> bytes:
         return await right(request, 2**30)
 
-    put(messages, "read_body", wrong)
+    put(codec, "read_body", wrong)
 
 
 @mutant("ERR-006")
 def fails_on_deep_nesting() -> None:
     """A short body makes the server fail."""
-    right = messages.decode
+    right = codec.decode
 
     def wrong(body: bytes, media_type: str) -> Any:
         if body[:1000].count(b"[") > 500:
             raise Refused("unavailable", "Too deep.")
         return right(body, media_type)
 
-    put(messages, "decode", wrong)
+    put(codec, "decode", wrong)
 
 
 @mutant("ERR-007")
 def reads_any_media_type_as_json() -> None:
     """A form that a browser sends for somebody else is executed."""
-    right = messages.media_type_of
+    right = codec.media_type_of
 
     def wrong(request: Request, readable: Any) -> str:
         try:
             return right(request, readable)
         except Refused:
-            return messages.JSON
+            return codec.JSON
 
-    put(messages, "media_type_of", wrong)
+    put(codec, "media_type_of", wrong)
 
 
 @mutant("ERR-008")
 def answers_in_json_whatever_is_accepted() -> None:
     """A client gets what it cannot read."""
-    right = messages.acceptable
+    right = codec.acceptable
 
     def wrong(request: Request, writable: Any) -> str:
         try:
             return right(request, writable)
         except Refused:
-            return messages.JSON
+            return codec.JSON
 
-    put(messages, "acceptable", wrong)
+    put(codec, "acceptable", wrong)
 
 
 @mutant("ERR-009")
@@ -178,9 +174,9 @@ def fails_on_text_outside_latin() -> None:
 @mutant("ERR-014")
 def ignores_query_parameters_it_cannot_read() -> None:
     """A misspelt limit is silently another."""
-    right = operations._query
+    right = dispatch._query
 
-    def wrong(request: Request, operation: operations.Operation) -> Any:
+    def wrong(request: Request, operation: dispatch.Operation) -> Any:
         try:
             return right(request, operation)
         except Refused:
@@ -188,21 +184,21 @@ def ignores_query_parameters_it_cannot_read() -> None:
                 raise
             return {}
 
-    put(operations, "_query", wrong)
+    put(dispatch, "_query", wrong)
 
 
 @mutant("ERR-014")
 def passes_over_headers_it_cannot_read() -> None:
     """A misspelt wish to wait is no wish, and a cut key is another run's."""
-    right = operations._headers
+    right = dispatch._headers
 
-    def wrong(request: Request, operation: operations.Operation) -> Any:
+    def wrong(request: Request, operation: dispatch.Operation) -> Any:
         try:
             return right(request, operation)
         except Refused:
             return {}
 
-    put(operations, "_headers", wrong)
+    put(dispatch, "_headers", wrong)
 
 
 @mutant("ENC-008")
@@ -212,8 +208,8 @@ def reads_messagepack_extensions() -> None:
     def wrong(code: int, data: memoryview) -> Any:
         return float(code) if len(data) else None
 
-    put(messages, "_no_extensions", wrong)
-    put(messages, "_holds_time", lambda _data: False)
+    put(codec, "_no_extensions", wrong)
+    put(codec, "_holds_time", lambda _data: False)
 
 
 @mutant("CAL-001")
@@ -233,4 +229,4 @@ def offers_another_calibration() -> None:
 @mutant("ENC-003")
 def reads_minus_zero_as_an_integer() -> None:
     """A sign is lost where one language writes numbers shorter than others."""
-    put(messages, "_with_sign", int)
+    put(codec, "_with_sign", int)

@@ -8,12 +8,12 @@ from typing import Any
 
 import httpcore
 
-from reference_server import progress, protocol
-from reference_server.push import orders, policy
-from reference_server.push.calls import Calls, PolicyFault
+from reference_server.push import policy_calls, policy_server_config
 from reference_server.push.driver import Driver
-from reference_server.push.policy import ProctorPolicy
-from reference_server.run_state import Run, Session
+from reference_server.push.http_calls import Calls, PolicyFault
+from reference_server.push.policy_calls import ProctorPolicy
+from reference_server.rules import effects, lifecycle
+from reference_server.rules.run import Run, Session
 from tests.mutants import mutant, put
 from tests.mutants.turns import no_guard, swap
 
@@ -34,21 +34,23 @@ def plays_only_the_first_action_of_a_chunk() -> None:
 @mutant("PUSH-002")
 def takes_an_order_without_its_mode() -> None:
     """A run waits for ever for workers, while its submitter waits for calls."""
-    put(orders, "_faults", lambda _submission: iter(()))
-    right = orders.OrderDesk.kept
+    put(policy_server_config, "_faults", lambda _submission: iter(()))
+    right = policy_server_config.OrderDesk.kept
 
-    async def wrong(self: orders.OrderDesk, submission: dict[str, Any]) -> Any:
+    async def wrong(
+        self: policy_server_config.OrderDesk, submission: dict[str, Any]
+    ) -> Any:
         if submission.get("mode") == "push" and "policy_server" not in submission:
             submission = submission | {"mode": "pull"}
         return await right(self, submission)
 
-    put(orders.OrderDesk, "kept", wrong)
+    put(policy_server_config.OrderDesk, "kept", wrong)
 
 
 @mutant("PUSH-003")
 def lets_workers_into_a_push_run() -> None:
     """Somebody else plays episodes in the name of the policy."""
-    swap(protocol._played_by_whom_it_is_for, no_guard)
+    swap(lifecycle._played_by_whom_it_is_for, no_guard)
 
 
 @mutant("PUSH-004")
@@ -92,14 +94,16 @@ def does_not_read_what_a_reset_answers() -> None:
 @mutant("PUSH-007")
 def calls_as_often_as_it_likes() -> None:
     """A policy on one graphics card is asked by sixteen workers and runs out of it."""
-    right = orders.Order.of
+    right = policy_server_config.Order.of
 
     def wrong(run: Run) -> Any:
         order = right(run)
         changed = {name: getattr(order, name) for name in order.__slots__}
-        return orders.Order(**changed | {"max_concurrent": run.max_workers})
+        return policy_server_config.Order(
+            **changed | {"max_concurrent": run.max_workers}
+        )
 
-    put(orders.Order, "of", wrong)
+    put(policy_server_config.Order, "of", wrong)
 
 
 @mutant("PUSH-008")
@@ -134,7 +138,7 @@ def waits_while_anything_comes() -> None:
 @mutant("PUSH-010")
 def blames_nobody_for_misfit_actions() -> None:
     """A run fails, and its episodes do not say what the policy did wrong."""
-    right = progress.end_by_policy
+    right = effects.end_by_policy
 
     def wrong(run: Run, session: Session, fault: str, now_wall: float) -> None:
         episode = session.episode
@@ -142,7 +146,7 @@ def blames_nobody_for_misfit_actions() -> None:
         if episode is not None and "was refused" in fault:
             episode.policy_fault = None
 
-    put(progress, "end_by_policy", wrong)
+    put(effects, "end_by_policy", wrong)
 
 
 @mutant("PUSH-011")
@@ -170,7 +174,7 @@ def follows_redirects() -> None:
 @mutant("PUSH-012")
 def fails_for_good_without_its_policy() -> None:
     """A policy server was restarted; the hours of its run are lost."""
-    right = progress.give_up
+    right = effects.give_up
 
     def wrong(run: Run, reason: str, now_wall: float, **more: bool) -> Any:
         sessions = right(run, reason, now_wall, **more)
@@ -178,7 +182,7 @@ def fails_for_good_without_its_policy() -> None:
             run.retryable = False
         return sessions
 
-    put(progress, "give_up", wrong)
+    put(effects, "give_up", wrong)
 
 
 @mutant("PUSH-013")
@@ -213,9 +217,11 @@ def goes_on_calling_after_a_stop() -> None:
         except asyncio.CancelledError:
             if run.state == "stopped":
                 await asyncio.sleep(0.1)
-                async with self._calls(orders.Order.of(run), None) as again:
-                    await policy.ProctorPolicy(
-                        run, orders.Order.of(run), again
+                async with self._calls(
+                    policy_server_config.Order.of(run), None
+                ) as again:
+                    await policy_calls.ProctorPolicy(
+                        run, policy_server_config.Order.of(run), again
                     ).describe()
             raise
 

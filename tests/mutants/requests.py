@@ -7,22 +7,15 @@ from typing import Any
 
 from starlette.responses import Response
 
-from reference_server import (
-    auth,
-    messages,
-    operations,
-    problems,
-    routes,
-    scoring,
-    views,
-)
-from reference_server.benchmarks import Benchmarks
-from reference_server.problems import Refused
-from reference_server.routes import Routes
-from reference_server.run_book import RunBook
-from reference_server.run_state import Run
-from reference_server.store import Store
-from reference_sim import catalog
+from reference_server.http import auth, codec, dispatch, handlers, problems, views
+from reference_server.http.handlers import Routes
+from reference_server.http.problems import Refused
+from reference_server.rules import scoring
+from reference_server.rules.run import Run
+from reference_server.runs.benchmarks import Benchmarks
+from reference_server.runs.registry import RunBook
+from reference_server.storage.store import Store
+from reference_sim import benchmark_registry
 from tests.mutants import mutant, put
 
 # --- service, accounts, benchmarks ---
@@ -35,7 +28,7 @@ def hides_the_service_behind_a_token() -> None:
 
     def wrong(self: Routes) -> Any:
         table = right(self)
-        table["/v1"]["GET"] = operations.Operation(self.describe_service, scope="read")
+        table["/v1"]["GET"] = dispatch.Operation(self.describe_service, scope="read")
         return table
 
     put(Routes, "table", wrong)
@@ -68,7 +61,7 @@ def does_not_say_how_to_authenticate() -> None:
             del response.headers["www-authenticate"]
         return response
 
-    put(operations, "problem_response", wrong)
+    put(dispatch, "problem_response", wrong)
 
 
 @mutant("AUTH-004")
@@ -76,7 +69,7 @@ def lists_the_runs_of_every_account() -> None:
     """Everybody sees what everybody evaluates."""
     import sqlalchemy as sa
 
-    from reference_server import store
+    from reference_server.storage import store
 
     async def wrong(
         self: Store, _account: str, before: int | None, limit: int
@@ -125,7 +118,7 @@ def answers_for_unknown_benchmarks() -> None:
     right = Benchmarks.view
 
     async def wrong(self: Benchmarks, benchmark_id: str) -> dict[str, Any]:
-        known = benchmark_id in catalog.benchmark_ids()
+        known = benchmark_id in benchmark_registry.benchmark_ids()
         return await right(self, benchmark_id if known else "calibration")
 
     put(Benchmarks, "view", wrong)
@@ -180,7 +173,7 @@ def calls_a_new_run_running() -> None:
     async def wrong(self: Routes, call: Any) -> Response:
         response = await right(self, call)
         body = json.loads(bytes(response.body)) | {"state": "running"}
-        answer = messages.encoded(body, status=201)
+        answer = codec.encoded(body, status=201)
         answer.headers["Location"] = response.headers["Location"]
         return answer
 
@@ -328,7 +321,7 @@ def replaces_an_image_choice_it_does_not_offer() -> None:
     def wrong(self: Benchmarks, benchmark_id: str, options: Any, images: Any) -> Any:
         try:
             return right(self, benchmark_id, options, images)
-        except catalog.InvalidChoice as error:
+        except benchmark_registry.InvalidChoice as error:
             if not error.pointer.startswith("/images"):
                 raise
             return right(self, benchmark_id, options, None)
@@ -339,13 +332,13 @@ def replaces_an_image_choice_it_does_not_offer() -> None:
 @mutant("EPI-006", "RUN-009")
 def repeats_an_episode_between_pages() -> None:
     """An episode seems to be scored twice."""
-    right = routes._number
+    right = handlers._number
 
     def wrong(cursor: str | None) -> int | None:
         number = right(cursor)
         return number - 1 if number is not None and number < 1000 else number
 
-    put(routes, "_number", wrong)
+    put(handlers, "_number", wrong)
 
 
 @mutant("SCORE-010")

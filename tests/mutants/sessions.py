@@ -7,12 +7,13 @@ import time
 from dataclasses import replace
 from typing import Any
 
-from reference_server import progress, protocol, scenes, stage
-from reference_server.problems import Refused
-from reference_server.protocol import GUARDS, Attach, Detach, Refuse, Verdict
-from reference_server.run_state import Run, Session
-from reference_server.scenes import Scene, Scenes
-from reference_server.stage import Stage
+from reference_server.http.problems import Refused
+from reference_server.rules import effects, lifecycle
+from reference_server.rules.lifecycle import GUARDS, Attach, Detach, Refuse, Verdict
+from reference_server.rules.run import Run, Session
+from reference_server.runs import session_executor, session_resources
+from reference_server.runs.session_executor import Stage
+from reference_server.runs.session_resources import Scene, Scenes
 from tests.mutants import mutant, put
 from tests.mutants.turns import no_guard, swap
 
@@ -20,13 +21,13 @@ from tests.mutants.turns import no_guard, swap
 @mutant("ATT-002", "ENC-002")
 def opens_a_new_session_for_the_same_key() -> None:
     """A lost answer to attach locks the worker out until its lease ends."""
-    swap(protocol._same_attach_key, no_guard)
+    swap(lifecycle._same_attach_key, no_guard)
 
 
 @mutant("ATT-003", "ATT-008")
 def lets_anybody_in_without_takeover() -> None:
     """Two clients with the same worker id throw each other out."""
-    right = protocol._worker_is_free
+    right = lifecycle._worker_is_free
 
     def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
         return right(run, replace(command, takeover=True), now)
@@ -37,7 +38,7 @@ def lets_anybody_in_without_takeover() -> None:
 @mutant("ATT-004")
 def restarts_the_episode_on_takeover() -> None:
     """Taking over is a second try: retrying for luck pays."""
-    right = progress.open_session
+    right = effects.open_session
 
     def wrong(run: Run, command: Attach, session_id: str, now: float) -> Session:
         old = run.workers.pop(command.worker_id, None)
@@ -45,7 +46,7 @@ def restarts_the_episode_on_takeover() -> None:
             run.give_back(old.episode)
         return right(run, command, session_id, now)
 
-    put(progress, "open_session", wrong)
+    put(effects, "open_session", wrong)
     open_scene = Scenes.open
 
     def wrong_open(
@@ -61,7 +62,7 @@ def restarts_the_episode_on_takeover() -> None:
 @mutant("ATT-005")
 def goes_on_serving_a_superseded_session() -> None:
     """Two clients steer one robot."""
-    right = protocol._session_is_live
+    right = lifecycle._session_is_live
 
     def wrong(run: Run, command: Any, now: float) -> Verdict | None:
         verdict = right(run, command, now)
@@ -70,13 +71,13 @@ def goes_on_serving_a_superseded_session() -> None:
         return verdict
 
     swap(right, wrong)
-    put(protocol, "_session_is_live", wrong)
+    put(lifecycle, "_session_is_live", wrong)
 
 
 @mutant("ATT-006", "ATT-007")
 def allows_one_worker_too_many() -> None:
     """The limit that protects the machine does not hold."""
-    right = protocol._below_worker_limit
+    right = lifecycle._below_worker_limit
 
     def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
         run.max_workers += 1
@@ -93,11 +94,11 @@ def decides_first_and_opens_later() -> None:
     """Under load more workers get in than may: a check-then-act window."""
     right = Stage.attach
     strict = GUARDS[Attach]
-    loose = tuple(g for g in strict if g is not protocol._below_worker_limit)
+    loose = tuple(g for g in strict if g is not lifecycle._below_worker_limit)
 
     async def wrong(self: Stage, run: Run, command: Attach) -> dict[str, Any]:
-        verdict = protocol.decide(run, command, time.monotonic())
-        if not isinstance(verdict, protocol.Accept):
+        verdict = lifecycle.decide(run, command, time.monotonic())
+        if not isinstance(verdict, lifecycle.Accept):
             return await right(self, run, command)
         await asyncio.sleep(0.05)
         GUARDS[Attach] = loose
@@ -112,7 +113,7 @@ def decides_first_and_opens_later() -> None:
 @mutant("ATT-010")
 def ignores_what_a_policy_assumes() -> None:
     """Radians are played as degrees, and scored."""
-    swap(protocol._conventions_agree, no_guard)
+    swap(lifecycle._conventions_agree, no_guard)
 
 
 @mutant("ATT-011")
@@ -125,13 +126,13 @@ def refuses_whatever_a_policy_assumes() -> None:
         errors = (("/assumes", "no"),)
         return Refuse("convention_mismatch", "No assumptions.", errors=errors)
 
-    swap(protocol._conventions_agree, wrong)
+    swap(lifecycle._conventions_agree, wrong)
 
 
 @mutant("ATT-012")
 def refuses_to_attach_when_all_is_handed_out() -> None:
     """A late worker sees an error instead of an end."""
-    right = protocol._below_worker_limit
+    right = lifecycle._below_worker_limit
 
     def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
         if not run.pending and not command.takeover:
@@ -142,7 +143,7 @@ def refuses_to_attach_when_all_is_handed_out() -> None:
 
 
 def _change_lease_over(wrong: Any) -> None:
-    for module in (protocol, progress, scenes, stage):
+    for module in (lifecycle, effects, session_resources, session_executor):
         put(module, "lease_over", wrong)
 
 
@@ -155,7 +156,7 @@ def never_ends_a_lease() -> None:
 @mutant("LEASE-002")
 def ends_leases_early() -> None:
     """A policy that thinks for longer than half its lease loses its episode."""
-    right = protocol.lease_over
+    right = lifecycle.lease_over
 
     def wrong(session: Session, now: float) -> bool:
         return right(session, now + session.idle_timeout_s / 2)
@@ -169,7 +170,7 @@ def hears_heartbeats_and_forgets_them() -> None:
 
     def wrong(self: Stage, run: Run, command: Any) -> Session:
         self.sweep(run)
-        verdict = protocol.decide(run, command, time.monotonic())
+        verdict = lifecycle.decide(run, command, time.monotonic())
         if isinstance(verdict, Refuse):
             raise Refused.by(verdict)
         return run.workers[command.worker_id]
@@ -180,7 +181,7 @@ def hears_heartbeats_and_forgets_them() -> None:
 @mutant("LEASE-004")
 def lets_the_lease_run_from_attach() -> None:
     """A diligent policy is thrown out in the middle of its work."""
-    right = progress.answer
+    right = effects.answer
 
     def wrong(session: Session, turn: dict[str, Any], now: float) -> None:
         before = session.expires_at
@@ -189,7 +190,7 @@ def lets_the_lease_run_from_attach() -> None:
         if session.seq > 0 and now < before:
             session.expires_at = before
 
-    put(progress, "answer", wrong)
+    put(effects, "answer", wrong)
 
 
 @mutant("LEASE-005")
@@ -205,12 +206,12 @@ def counts_its_own_time_against_the_lease() -> None:
 @mutant("LEASE-008")
 def extends_the_lease_on_refused_requests() -> None:
     """A client in an endless loop of errors keeps its slot."""
-    right = protocol._expected_seq
+    right = lifecycle._expected_seq
 
     def wrong(run: Run, command: Any, now: float) -> Verdict | None:
         verdict = right(run, command, now)
         if isinstance(verdict, Refuse):
-            progress.touch(run.workers[command.worker_id], now)
+            effects.touch(run.workers[command.worker_id], now)
         return verdict
 
     swap(right, wrong)
@@ -220,7 +221,7 @@ def extends_the_lease_on_refused_requests() -> None:
 def keeps_the_slot_after_detach() -> None:
     """A polite client blocks its slot until the lease would have ended."""
     right = Stage.detach
-    limit = protocol._below_worker_limit
+    limit = lifecycle._below_worker_limit
     ghosts: dict[str, int] = {}
 
     async def wrong(self: Stage, run: Run, command: Detach) -> None:
@@ -244,7 +245,7 @@ def refuses_a_second_detach() -> None:
     """A lost answer to detach looks like a failure."""
 
     def wrong(run: Run, command: Detach, now: float) -> Verdict | None:
-        heartbeat = protocol.Heartbeat(command.worker_id, command.session_id)
-        return protocol._session_is_live(run, heartbeat, now)
+        heartbeat = lifecycle.Heartbeat(command.worker_id, command.session_id)
+        return lifecycle._session_is_live(run, heartbeat, now)
 
-    swap(protocol._detach_has_an_object, wrong)
+    swap(lifecycle._detach_has_an_object, wrong)

@@ -10,17 +10,13 @@ from typing import Any
 
 from msgspec.structs import replace as changed
 
-from reference_server import (
-    progress,
-    rows,
-    spaces,
-    turns,
-    views,
-)
-from reference_server.protocol import Heartbeat
-from reference_server.run_state import Run, Session, SessionEnd
-from reference_server.stage import Stage
-from reference_sim.runners.local import SimulatorHandle
+from reference_server.http import turn_view, views
+from reference_server.rules import action_space, effects
+from reference_server.rules.lifecycle import Heartbeat
+from reference_server.rules.run import Run, Session, SessionEnd
+from reference_server.runs.session_executor import Stage
+from reference_server.storage import rows
+from reference_sim.process.pool import SimulatorHandle
 from tests.mutants import mutant, put
 
 Actions = Sequence[Any]
@@ -105,8 +101,8 @@ def accepts_numbers_that_are_not_finite() -> None:
     """A policy that has diverged goes on driving the robot."""
     every = {name: getattr(math, name) for name in dir(math)}
     fake = SimpleNamespace(**(every | {"isfinite": lambda _: True}))
-    put(spaces, "math", fake)
-    from reference_server.models import Action, Predict
+    put(action_space, "math", fake)
+    from reference_server.generated.models import Action, Predict
 
     for model in (Action, Predict):
         model.model_config["allow_inf_nan"] = True
@@ -116,9 +112,9 @@ def accepts_numbers_that_are_not_finite() -> None:
 @mutant("EPI-007")
 def shows_the_seed_to_the_policy() -> None:
     """A policy can look the episode up instead of solving it."""
-    right = turns._episode_view
+    right = turn_view._episode_view
     put(
-        turns,
+        turn_view,
         "_episode_view",
         lambda session, episode: right(session, episode) | {"seed": episode.seed},
     )
@@ -145,7 +141,7 @@ def hears_heartbeats_of_a_stopped_run() -> None:
 @mutant("FAULT-002")
 def gives_no_reason_for_a_failure() -> None:
     """A run has failed and nobody can learn why."""
-    right = progress.fault
+    right = effects.fault
 
     def wrong(run: Run, *rest: Any, **named: Any) -> list[Session]:
         ended = right(run, *rest, **named)
@@ -153,13 +149,13 @@ def gives_no_reason_for_a_failure() -> None:
             run.reason = ""
         return ended
 
-    put(progress, "fault", wrong)
+    put(effects, "fault", wrong)
 
 
 @mutant("FAULT-003")
 def forgets_scores_when_a_failed_run_resumes() -> None:
     """One broken episode costs all the others."""
-    right = progress.resume
+    right = effects.resume
 
     def wrong(run: Run, queue_until_wall: float) -> None:
         failed = run.state == "failed"
@@ -171,7 +167,7 @@ def forgets_scores_when_a_failed_run_resumes() -> None:
                 run.give_back(episode)
                 run.changed.add(episode.index)
 
-    put(progress, "resume", wrong)
+    put(effects, "resume", wrong)
 
 
 @mutant("FAULT-006")
@@ -209,7 +205,7 @@ def looks_at_every_step() -> None:
 @mutant("CAL-002", "SCORE-001", "SVC-003")
 def scores_more_than_one() -> None:
     """One episode can outweigh the others."""
-    for module in (turns, views):
+    for module in (turn_view, views):
         right = module.result_view
 
         def wrong(episode: Any, right: Any = right) -> dict[str, Any]:
@@ -273,7 +269,7 @@ def counts_attempts_over_a_crash() -> None:
 @mutant("FAULT-003", "RES-001", "RES-003")
 def rounds_what_is_scored_on_resume() -> None:
     """Resuming changes results that were published."""
-    right = progress.resume
+    right = effects.resume
 
     def wrong(run: Run, queue_until_wall: float) -> None:
         right(run, queue_until_wall)
@@ -284,45 +280,45 @@ def rounds_what_is_scored_on_resume() -> None:
                 )
                 run.changed.add(episode.index)
 
-    put(progress, "resume", wrong)
+    put(effects, "resume", wrong)
 
 
 @mutant("RES-002", "RES-003")
 def forgets_one_episode_on_resume() -> None:
     """A resumed run never completes."""
-    right = progress.resume
+    right = effects.resume
 
     def wrong(run: Run, queue_until_wall: float) -> None:
         right(run, queue_until_wall)
         if len(run.pending) > 1:
             run.pending.remove(max(run.pending))
 
-    put(progress, "resume", wrong)
+    put(effects, "resume", wrong)
 
 
 @mutant("RES-003")
 def halves_the_score_of_later_attempts() -> None:
     """Being stopped costs points."""
-    right = progress._score
+    right = effects._score
 
     def wrong(run: Run, episode: Any, result: Any) -> None:
         if episode.attempt > 1 and result.outcome != "abandoned":
             result = replace(result, score=result.score / 2)
         right(run, episode, result)
 
-    put(progress, "_score", wrong)
+    put(effects, "_score", wrong)
 
 
 @mutant("ATT-001")
 def claims_a_step_before_the_first_action() -> None:
     """A client that counts steps is one ahead."""
-    right = turns.turn
+    right = turn_view.turn
 
     def wrong(session: Session, **members: Any) -> dict[str, Any]:
         body = right(session, **members)
         return body if body["seq"] else body | {"executed_steps": 1, "rewards": [0.0]}
 
-    put(turns, "turn", wrong)
+    put(turn_view, "turn", wrong)
 
 
 @mutant("ENC-003")

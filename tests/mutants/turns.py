@@ -7,8 +7,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from reference_server import progress, protocol, spaces, turns
-from reference_server.protocol import (
+from reference_server.http import turn_view
+from reference_server.rules import action_space, effects, lifecycle
+from reference_server.rules.lifecycle import (
     GUARDS,
     Predict,
     Refuse,
@@ -16,8 +17,8 @@ from reference_server.protocol import (
     Verdict,
     Wait,
 )
-from reference_server.run_state import Run, Session
-from reference_server.stage import Stage
+from reference_server.rules.run import Run, Session
+from reference_server.runs.session_executor import Stage
 from tests.mutants import mutant, put
 
 Misfits = list[tuple[str, str]]
@@ -35,14 +36,14 @@ def no_guard(_run: Run, _command: Any, _now: float) -> Verdict | None:
 
 def change_turn(change: Any) -> None:
     """Let `change(body, session)` spoil every turn before it leaves."""
-    right = turns.turn
+    right = turn_view.turn
 
     def wrong(session: Session, **members: Any) -> dict[str, Any]:
         body = right(session, **members)
         change(body, session)
         return body
 
-    put(turns, "turn", wrong)
+    put(turn_view, "turn", wrong)
 
 
 @mutant("PRED-002", "PRED-003", "PRED-005", "PRED-010")
@@ -53,13 +54,13 @@ def executes_a_repeated_turn_again() -> None:
         session = run.workers[command.worker_id]
         if command.seq == session.seq + 1 or command.seq == session.seq > 0:
             return Wait(session) if session.busy else None
-        return protocol._expected_seq(run, command, _now)
+        return lifecycle._expected_seq(run, command, _now)
 
     GUARDS[Predict] = (
-        protocol._session_is_live,
+        lifecycle._session_is_live,
         wrong,
-        protocol._has_an_episode,
-        protocol._actions_fit,
+        lifecycle._has_an_episode,
+        lifecycle._actions_fit,
     )
 
 
@@ -73,19 +74,19 @@ def answers_another_body_under_the_same_seq() -> None:
             return None
         return Wait(session) if session.busy else Replay(session)
 
-    swap(protocol._repeated_seq, wrong)
+    swap(lifecycle._repeated_seq, wrong)
 
 
 @mutant("PRED-004")
 def accepts_a_seq_from_the_future() -> None:
     """A client that has lost count is never told."""
-    swap(protocol._expected_seq, no_guard)
+    swap(lifecycle._expected_seq, no_guard)
 
 
 @mutant("PRED-004")
 def names_the_wrong_expected_seq() -> None:
     """A client that wants to get back in step is led astray."""
-    right = protocol._expected_seq
+    right = lifecycle._expected_seq
 
     def wrong(run: Run, command: Predict, now: float) -> Verdict | None:
         verdict = right(run, command, now)
@@ -100,7 +101,7 @@ def names_the_wrong_expected_seq() -> None:
 @mutant("PRED-005")
 def refuses_a_repeat_in_flight() -> None:
     """A client with a short timeout cannot retry a slow turn."""
-    right = protocol._repeated_seq
+    right = lifecycle._repeated_seq
 
     def wrong(run: Run, command: Predict, now: float) -> Verdict | None:
         verdict = right(run, command, now)
@@ -114,13 +115,13 @@ def refuses_a_repeat_in_flight() -> None:
 @mutant("PRED-013")
 def accepts_vectors_of_any_length() -> None:
     """A policy for another robot moves this one."""
-    right = spaces._vector_misfits
+    right = action_space._vector_misfits
 
     def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> Misfits:
         padded = [*vector, *[0.0] * entry["size"]][: entry["size"]]
         return right(at, padded, entry)
 
-    put(spaces, "_vector_misfits", wrong)
+    put(action_space, "_vector_misfits", wrong)
     _before_playing(
         lambda values, space: {
             name: [*vector, *[0.0] * space[name]["size"]][: space[name]["size"]]
@@ -132,14 +133,14 @@ def accepts_vectors_of_any_length() -> None:
 @mutant("PRED-014")
 def ignores_unknown_names() -> None:
     """A misspelt command is silently not sent to the robot."""
-    right = spaces.misfits
+    right = action_space.misfits
 
     def wrong(actions: Any, manifest: Mapping[str, Any]) -> Misfits:
         space = manifest["action_space"]
         known = [{k: v for k, v in a.items() if k in space} for a in actions]
         return right(known, manifest)
 
-    put(spaces, "misfits", wrong)
+    put(action_space, "misfits", wrong)
     _before_playing(
         lambda values, space: {k: v for k, v in values.items() if k in space}
     )
@@ -148,14 +149,14 @@ def ignores_unknown_names() -> None:
 @mutant("PRED-014")
 def fills_in_missing_names() -> None:
     """A forgotten command becomes zero, whatever zero does."""
-    right = spaces.misfits
+    right = action_space.misfits
 
     def wrong(actions: Any, manifest: Mapping[str, Any]) -> Misfits:
         space = manifest["action_space"]
         zeros = {name: [0.0] * entry["size"] for name, entry in space.items()}
         return right([{**zeros, **a} for a in actions], manifest)
 
-    put(spaces, "misfits", wrong)
+    put(action_space, "misfits", wrong)
     _before_playing(
         lambda values, space: {
             **{name: [0.0] * entry["size"] for name, entry in space.items()},
@@ -167,26 +168,28 @@ def fills_in_missing_names() -> None:
 @mutant("PRED-015")
 def accepts_chunks_of_any_length() -> None:
     """One client can keep a simulator for ever."""
-    right = spaces.misfits
+    right = action_space.misfits
 
     def wrong(actions: Any, manifest: Mapping[str, Any]) -> Misfits:
         return right(actions, {**manifest, "max_chunk": len(actions)})
 
-    put(spaces, "misfits", wrong)
+    put(action_space, "misfits", wrong)
 
 
 @mutant("PRED-017")
 def clips_what_it_should_refuse() -> None:
     """A policy in the wrong unit gets a score instead of an error."""
-    right = spaces._vector_misfits
+    right = action_space._vector_misfits
 
     def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> Misfits:
         return right(at, vector, {**entry, "out_of_range": "clip"})
 
-    put(spaces, "_vector_misfits", wrong)
+    put(action_space, "_vector_misfits", wrong)
     _before_playing(
         lambda values, space: {
-            name: spaces._clip(vector, (space[name]["minimum"], space[name]["maximum"]))
+            name: action_space._clip(
+                vector, (space[name]["minimum"], space[name]["maximum"])
+            )
             if space[name]["out_of_range"] == "refuse"
             else vector
             for name, vector in values.items()
@@ -197,20 +200,20 @@ def clips_what_it_should_refuse() -> None:
 @mutant("PRED-018")
 def refuses_what_it_should_clip() -> None:
     """A policy that overshoots by a hair is thrown out."""
-    right = spaces._vector_misfits
+    right = action_space._vector_misfits
 
     def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> Misfits:
         if entry["out_of_range"] == "clip":
             return right(at, vector, {**entry, "out_of_range": "refuse"})
         return right(at, vector, entry)
 
-    put(spaces, "_vector_misfits", wrong)
+    put(action_space, "_vector_misfits", wrong)
 
 
 @mutant("PRED-019")
 def checks_only_the_first_action() -> None:
     """Half a chunk is executed before the bad action is met."""
-    right = spaces.misfits
+    right = action_space.misfits
 
     def wrong(actions: Any, manifest: Mapping[str, Any]) -> Misfits:
         found = right(actions[:1], manifest)
@@ -218,13 +221,13 @@ def checks_only_the_first_action() -> None:
             return right(actions, manifest)
         return found
 
-    put(spaces, "misfits", wrong)
+    put(action_space, "misfits", wrong)
 
 
 @mutant("PRED-024")
 def uses_up_the_seq_of_a_refused_turn() -> None:
     """After one typing mistake every corrected request is out of order."""
-    right = protocol._actions_fit
+    right = lifecycle._actions_fit
 
     def wrong(run: Run, command: Predict, now: float) -> Verdict | None:
         verdict = right(run, command, now)
@@ -258,7 +261,7 @@ def never_says_done() -> None:
 @mutant("PRED-010", "PRED-011")
 def forgets_the_session_with_its_last_turn() -> None:
     """When the last answer is lost, nobody can tell how the run ended."""
-    right = progress.answer
+    right = effects.answer
 
     def wrong(session: Session, turn: dict[str, Any], now: float) -> None:
         right(session, turn, now)
@@ -266,7 +269,7 @@ def forgets_the_session_with_its_last_turn() -> None:
             session.session_id += "-gone"
             session.expires_at = 0.0
 
-    put(progress, "answer", wrong)
+    put(effects, "answer", wrong)
 
 
 @mutant("PRED-011")
@@ -277,7 +280,7 @@ def repeats_done_for_any_seq() -> None:
         session = run.workers[command.worker_id]
         return Replay(session) if session.done else None
 
-    swap(protocol._has_an_episode, wrong)
+    swap(lifecycle._has_an_episode, wrong)
 
 
 @mutant("PRED-012")
@@ -318,13 +321,13 @@ def plays_one_worker_at_a_time() -> None:
 @mutant("PRED-023")
 def reports_more_time_than_passed() -> None:
     """Latency reports cannot be trusted."""
-    right = turns.finish
+    right = turn_view.finish
 
     def wrong(body: dict[str, Any], session: Session, total_s: float) -> None:
         right(body, session, total_s)
         body["timing"]["simulate_s"] = total_s * 2 + 1
 
-    put(turns, "finish", wrong)
+    put(turn_view, "finish", wrong)
 
 
 @mutant("PRED-020")
@@ -340,10 +343,10 @@ def calls_a_truncated_episode_terminated() -> None:
 
 def _before_playing(change: Any) -> None:
     """Let `change(values, action_space)` alter every action on its way."""
-    right = spaces.clipped
+    right = action_space.clipped
 
     def wrong(actions: Any, manifest: Mapping[str, Any]) -> Any:
         space = manifest["action_space"]
         return right([change(values, space) for values in actions], manifest)
 
-    put(spaces, "clipped", wrong)
+    put(action_space, "clipped", wrong)

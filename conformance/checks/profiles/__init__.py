@@ -1,0 +1,1 @@
+"""Checks of profiles: what a server announces beyond the core."""

@@ -1,0 +1,1 @@
+"""Checks of runs: lifecycle, stop and resume, episodes, scores, crashes."""

@@ -1,0 +1,107 @@
+"""A server that is killed without warning and started again (CRASH)."""
+
+import threading
+import time
+from typing import Any
+
+from conformance.checks.support.given_states import attached
+from conformance.client.check_context import Run, Story, Worker
+from conformance.runner.private_server import PrivateServer
+from conformance.runner.requirement import requirement
+from conformance.verdicts import expect
+from conformance.verdicts.expect import SetUpFailed
+
+KILLS = 3
+FIRST_RESULT_S = 10.0
+
+
+def play_until_killed(worker: Worker, told: list[dict[str, Any]]) -> None:
+    """Play episode after episode, and keep every result that was told."""
+    number = 0
+    try:
+        while not worker.turn["done"]:
+            number += 1
+            turn = worker.play(score=number % 8 / 8, steps=1 + number % 2)
+            told.append(turn["episode_result"])
+    except SetUpFailed:
+        return  # the server is gone
+
+
+def kill_under_load(server: PrivateServer, after_s: float) -> tuple[Run, list[Any]]:
+    """Kill the server while workers play; the run, and what they were told."""
+    story = server.story
+    run = story.submit(*["score"] * 1000)
+    crew = attached(run, min(3, story.limits["max_workers"]))
+    told: list[dict[str, Any]] = []
+    threads = [
+        threading.Thread(target=play_until_killed, args=(worker, told), daemon=True)
+        for worker in crew
+    ]
+    for thread in threads:
+        thread.start()
+    # The moment is random; but before anybody was told of a result nothing can be lost.
+    deadline = time.monotonic() + FIRST_RESULT_S
+    while not told and time.monotonic() < deadline:
+        time.sleep(0.005)
+    time.sleep(after_s)
+    server.kill9()
+    server.restart()
+    for thread in threads:
+        thread.join(timeout=30)
+    return run, told
+
+
+@requirement("CRASH-001")
+def test_crash_001_keeps_what_it_told(story: Story) -> None:
+    """Workers play as fast as they can; the server is killed at random moments.
+
+    Expect every result that a worker was told of, unchanged, after each restart.
+    """
+    with story.private_server() as server:
+        told_of: list[tuple[Run, list[Any]]] = []
+        for _ in range(KILLS):
+            told_of.append(kill_under_load(server, story.random.uniform(0.05, 0.3)))
+            for run, told in told_of:
+                if not told:
+                    raise SetUpFailed("no episode was scored before the kill")
+                expect.ok(run.call("get_run"))
+                kept = {e["index"]: e.get("result") for e in run.episodes()}
+                for result in told:
+                    index = result["index"]
+                    expect.equal(kept[index], result, f"result of episode {index}")
+
+
+def play_to_the_end(worker: Worker) -> None:
+    """Expect a worker to come back, whatever became of its session, and to play on."""
+    turn = expect.ok(worker.try_attach(takeover=True))
+    worker.session_id, worker.seq = turn["session_id"], turn["seq"]
+    while not turn["done"]:
+        turn = expect.ok(worker.try_predict(worker.run.story.action(end=1)))
+        worker.seq += 1
+
+
+@requirement("CRASH-002")
+def test_crash_002_costs_no_attempt(story: Story) -> None:
+    """Only one attempt is allowed; the server is killed with two episodes in play.
+
+    Expect them to wait at attempt 1, and the run to be played to its end, after a
+    resume if it asks for one.
+    """
+    with story.private_server() as server:
+        run = server.story.submit("score", "count", "score", max_attempts=1)
+        crew = attached(run, min(2, server.story.limits["max_workers"]))
+        crew[0].play(score=0.75)
+        for worker in crew:
+            worker.predict(server.story.action())
+        server.kill9()
+        server.restart()
+        expect.ok(run.call("get_run"))
+        if run.get()["state"] in ("stopped", "failed"):
+            expect.ok(run.call("resume_run"))
+            run.until("ready")
+        attempts = [episode["attempt"] for episode in run.episodes()]
+        expect.equal(attempts, [1, 1, 1], "attempts after the restart")
+        for worker in crew:
+            if run.get()["state"] != "completed":
+                play_to_the_end(worker)
+        expect.equal(run.get()["state"], "completed", "state in the end")

@@ -1,0 +1,190 @@
+"""The lifecycle of a run: every cell of the table `x-lifecycle`, walked one by one.
+
+The table itself comes from the specification; nothing of it is repeated here. A run is
+brought into the state `from`, gets the command, and must be in the state `to`.
+"""
+
+import time
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import pytest
+
+from conformance.checks.support.given_states import (
+    detached,
+    draining,
+    needs_workers,
+    run_in,
+)
+from conformance.client.check_context import Run, Story
+from conformance.client.http_client import Answer
+from conformance.runner.requirement import background, requirement
+from conformance.specification.document import load_spec
+from conformance.verdicts import expect
+
+COMMANDS: dict[str, Callable[[Run], Answer]] = {
+    "attach_worker": lambda run: run.worker("newcomer").try_attach(),
+    "stop_abort": lambda run: run.call("stop_run", json={"mode": "abort"}),
+    "stop_drain": lambda run: run.call("stop_run", json={"mode": "drain"}),
+    "resume_run": lambda run: run.call("resume_run"),
+}
+
+
+def rows(wanted: Callable[[Mapping[str, Any]], bool]) -> list[Any]:
+    """Rows of the table that begin with a command, as parameters of a check."""
+    return [
+        pytest.param(
+            row,
+            id=f"{row['id']} {row['from']} {row['event']}",
+            marks=pytest.mark.requirement(row["id"]),
+        )
+        for row in load_spec().lifecycle["transitions"]
+        if row["event"] in COMMANDS and wanted(row)
+    ]
+
+
+def is_refused(row: Mapping[str, Any]) -> bool:
+    """Whether the state does not allow the command."""
+    return bool(row["to"] == "refused")
+
+
+def is_same(row: Mapping[str, Any]) -> bool:
+    """Whether the command is true already; an attach always opens a session."""
+    return bool(row["to"] == row["from"] and row["event"] != "attach_worker")
+
+
+def is_move(row: Mapping[str, Any]) -> bool:
+    """Whether the command does something."""
+    return not is_refused(row) and not is_same(row)
+
+
+def scene(row: Mapping[str, Any]) -> str:
+    """Name the scene in which a row begins."""
+    failed_for_good = row.get("when") == "not_retryable"
+    return f"{row['from']} not_retryable" if failed_for_good else str(row["from"])
+
+
+def becomes(run: Run, state: str) -> None:
+    """Expect the run to get into a state by itself, soon."""
+    deadline = time.monotonic() + 5
+    while run.get()["state"] != state and time.monotonic() < deadline:
+        time.sleep(0.005)
+    expect.equal(run.body["state"], state, "state")
+
+
+@pytest.mark.parametrize("row", rows(is_refused))
+def test_life_cannot(story: Story, row: Mapping[str, Any]) -> None:
+    """A command that the run's state does not allow.
+
+    A `ready` run accepts the same command. Expect `illegal_transition` in this state,
+    and that nothing of the run has changed.
+    """
+    command = COMMANDS[row["event"]]
+    expect.given(command(story.submit("score")), 200, f"`{row['event']}` when ready")
+    run = run_in(story, scene(row))
+    before = run.snapshot()
+    expect.refused(command(run), "illegal_transition")
+    expect.equal(run.snapshot(), before, "the run afterwards")
+
+
+@pytest.mark.parametrize("row", rows(is_same))
+def test_life_can_without_a_change(story: Story, row: Mapping[str, Any]) -> None:
+    """A command that asks for what is so already. Expect success and no change."""
+    run = run_in(story, scene(row))
+    before = run.snapshot()
+    answer = expect.ok(COMMANDS[row["event"]](run))
+    expect.equal(answer["state"], row["to"], "state in the answer")
+    expect.equal(run.snapshot(), before, "the run afterwards")
+
+
+@pytest.mark.parametrize("row", rows(is_move))
+def test_life_can(story: Story, row: Mapping[str, Any]) -> None:
+    """A command that the state allows.
+
+    Expect success and the run in its new state, in the answer and when read again. A
+    run that becomes `queued` does not stay so for ever.
+    """
+    if (row["from"], row["event"]) == ("running", "attach_worker"):
+        needs_workers(story, 2)
+    queue = {"queue_s": 0.1} if row.get("when") == "retryable" else {}
+    run = run_in(story, scene(row), **queue)
+    answer = expect.ok(COMMANDS[row["event"]](run))
+    if row["event"] != "attach_worker":
+        expect.equal(answer["state"], row["to"], "state in the answer")
+    states = ["queued", "ready"] if row["to"] == "queued" else [row["to"]]
+    expect.true(run.get()["state"] in states, f"a run {states}", run.body["state"])
+
+
+@requirement("LIFE-801")
+@background
+def test_life_801_queued_becomes_ready(story: Story) -> None:
+    """A run that stays queued for a moment. Expect it `ready` without any request."""
+    becomes(run_in(story, "queued", queue_s=1), "ready")
+
+
+@requirement("LIFE-802")
+def test_life_802_running_becomes_ready(story: Story) -> None:
+    """The only worker of a running run detaches. Expect the run `ready`."""
+    run = story.submit("count", "count")
+    worker = run.worker()
+    worker.attach()
+    run.until("running")
+    detached(worker)
+    becomes(run, "ready")
+
+
+@requirement("LIFE-803")
+def test_life_803_stopping_becomes_stopped(story: Story) -> None:
+    """The last worker of a draining run detaches. Expect the run `stopped`."""
+    run = story.submit("count", "count")
+    worker = run.worker()
+    worker.attach()
+    draining(run)
+    detached(worker)
+    becomes(run, "stopped")
+
+
+@requirement("LIFE-804")
+def test_life_804_running_becomes_completed(story: Story) -> None:
+    """Two episodes are played. Expect `completed` after the second, not before."""
+    run = story.submit("score", "score")
+    worker = run.worker()
+    worker.attach()
+    worker.play()
+    expect.equal(run.get()["state"], "running", "state with an episode left")
+    worker.play()
+    becomes(run, "completed")
+
+
+@requirement("LIFE-805")
+def test_life_805_stopping_becomes_completed(story: Story) -> None:
+    """The last episode ends while the run drains. Expect the run `completed`."""
+    run = story.submit("score")
+    worker = run.worker()
+    worker.attach()
+    draining(run)
+    worker.play()
+    becomes(run, "completed")
+
+
+@requirement("LIFE-806")
+def test_life_806_running_becomes_failed(story: Story) -> None:
+    """An episode may fault twice. Expect `running` after one fault, then `failed`."""
+    run = story.submit("fault", max_faults=2)
+    worker = run.worker()
+    worker.attach()
+    worker.predict(story.action(fault=1))
+    expect.equal(run.get()["state"], "running", "state after one fault of two")
+    worker.try_predict(story.action(fault=1))
+    becomes(run, "failed")
+
+
+@requirement("LIFE-807")
+def test_life_807_stopping_becomes_failed(story: Story) -> None:
+    """The last allowed fault comes while the run drains. Expect it `failed`."""
+    run = story.submit("fault", "fault", max_faults=1)
+    worker = run.worker()
+    worker.attach()
+    draining(run)
+    worker.try_predict(story.action(fault=1))
+    becomes(run, "failed")

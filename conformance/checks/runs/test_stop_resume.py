@@ -1,0 +1,236 @@
+"""Stopping, draining and going on (STOP, RES)."""
+
+from typing import Any
+
+from hypothesis import strategies as st
+
+from conformance.checks.support.generated_examples import for_all
+from conformance.checks.support.given_states import (
+    HISTORY,
+    attached,
+    index_of,
+    playing,
+    results,
+    without,
+)
+from conformance.client.check_context import Run, Story, Worker
+from conformance.runner.requirement import requirement
+from conformance.verdicts import expect
+from conformance.verdicts.expect import SetUpFailed
+
+
+@requirement("STOP-001")
+def test_stop_001_abort_keeps_what_is_scored(story: Story) -> None:
+    """One episode is scored, others are in play, when the run is aborted.
+
+    Expect the scored one as it was, the others unscored, and nothing in play.
+    """
+    run = story.submit("score", "score", "score")
+    crew = attached(run, min(2, story.limits["max_workers"]))
+    scored = index_of(crew[0])
+    crew[0].play(score=0.75)
+    for worker in crew:
+        worker.predict(story.action(score=1, success=1))
+    before = run.episodes()[scored]
+    expect.ok(run.call("stop_run", json={"mode": "abort"}))
+    episodes = run.episodes()
+    expect.equal(episodes.pop(scored), before, "the scored episode")
+    for episode in episodes:
+        expect.equal(episode["status"], "pending", "status of the others")
+        expect.true("result" not in episode, "no result of the others", episode)
+    progress = run.get()["progress"]
+    expect.equal(progress["episodes_in_progress"], 0, "episodes_in_progress")
+
+
+@requirement("STOP-002")
+def test_stop_002_abort_ends_the_sessions(story: Story) -> None:
+    """A worker in play, and one that thinks, go on after the run is aborted.
+
+    Expect `session_ended` for what was accepted before.
+    """
+    run = story.submit("score", "score", "score")
+    crew = attached(run, min(2, story.limits["max_workers"]))
+    for worker in crew:
+        worker.predict(story.action())
+        worker.heartbeat()
+    run.stop()
+    for worker in crew:
+        expect.refused(worker.try_predict(story.action()), "session_ended")
+        expect.refused(worker.try_heartbeat(), "session_ended")
+
+
+@requirement("STOP-003")
+def test_stop_003_drain_lets_episodes_end(story: Story) -> None:
+    """Episodes in play go on after a drain.
+
+    Expect their turns accepted, and each to end as the success that it was.
+    """
+    run = story.submit("score", "score", "score")
+    crew = attached(run, min(2, story.limits["max_workers"]))
+    for worker in crew:
+        worker.predict(story.action())
+    run.stop("drain")
+    for worker in crew:
+        expect.ok(worker.try_predict(story.action()))
+        worker.seq += 1
+        index = index_of(worker)
+        expect.ok(worker.try_predict(story.action(success=1, end=1)))
+        result = results(run)[index] or {}
+        expect.equal(result.get("outcome"), "success", f"outcome of episode {index}")
+
+
+@requirement("STOP-004")
+def test_stop_004_draining_worker_is_done(story: Story) -> None:
+    """An episode ends before, and another after, the run begins to drain.
+
+    Expect the turn that ends the second to be `done`, although a third one is left.
+    """
+    worker = playing(story, "score", "score", "score")
+    expect.equal(worker.play()["done"], False, "done before the drain")
+    worker.run.stop("drain")
+    turn = expect.ok(worker.try_predict(story.action(end=1)))
+    expect.equal(turn["done"], True, "done")
+    for member in ("episode", "observation"):
+        expect.true(member not in turn, f"no {member}", turn.get(member))
+
+
+def scored(run: Run) -> dict[int, Any]:
+    """Read the results that are there, by position in the manifest."""
+    return {i: result for i, result in enumerate(results(run)) if result is not None}
+
+
+@requirement("RES-001")
+def test_res_001_resume_keeps_what_is_scored(story: Story) -> None:
+    """A run with two scored episodes is stopped, resumed, and played to its end.
+
+    Expect the two results unchanged after the resume and in the completed run.
+    """
+    worker = playing(story, *["score"] * 4)
+    run = worker.run
+    worker.play(score=0.25)
+    worker.play(score=0.75)
+    worker.predict(story.action(score=1))
+    run.stop()
+    before = scored(run)
+    if len(before) != 2:
+        raise SetUpFailed("the stop has lost a result; see STOP-001")
+    run.resume()
+    expect.equal(scored(run), before, "results after the resume")
+    run.until("ready")
+    worker.attach()
+    worker.play()
+    worker.play()
+    after = {index: scored(run).get(index) for index in before}
+    expect.equal(after, before, "results in the completed run")
+
+
+@requirement("RES-002")
+def test_res_002_resume_hands_out_what_is_unscored(story: Story) -> None:
+    """A run of five is stopped when three are unscored, two of them in play.
+
+    Expect exactly these three to be handed out after the resume.
+    """
+    run = story.submit(*["score"] * 5)
+    crew = attached(run, min(2, story.limits["max_workers"]))
+    crew[-1].predict(story.action())
+    crew[0].play()
+    if len(crew) > 1:
+        crew[0].play()
+    run.stop()
+    unscored = sorted(set(range(5)) - scored(run).keys())
+    run.resume()
+    run.until("ready")
+    worker = run.worker()
+    turn = worker.attach()
+    handed_out: list[int] = []
+    while not turn["done"]:
+        handed_out.append(turn["episode"]["index"])
+        expect.true(len(handed_out) <= 5, "an end of the episodes", handed_out)
+        turn = worker.play()
+    expect.equal(sorted(handed_out), unscored, "episodes handed out after the resume")
+
+
+class Play:
+    """A run that is played by a plan, one move after another."""
+
+    def __init__(self, story: Story, plan: list[list[float]], workers: int) -> None:
+        self.story = story
+        self.plan = plan
+        self.run = story.submit(*["score"] * len(plan), max_attempts=10)
+        self.crew = [self.run.worker() for _ in range(workers)]
+        self.live: list[Worker] = []
+
+    def step(self, worker: Worker) -> bool:
+        """Play one action of the plan; False when the worker has nothing to play."""
+        if worker not in self.live:
+            worker.attach()
+            self.live.append(worker)
+        if worker.turn["done"]:
+            return False
+        view = worker.turn["episode"]
+        scores = self.plan[int(view["index"])]
+        score = scores[view["step"]]
+        is_last = view["step"] == len(scores) - 1
+        worker.predict(
+            self.story.action(score=score, success=int(score > 0.5), end=int(is_last))
+        )
+        return True
+
+    def interrupt(self, mode: str) -> bool:
+        """Stop and resume; False when the run was complete by then."""
+        self.run.stop(mode)
+        if mode == "drain":
+            for worker in self.live:
+                while self.step(worker):
+                    pass
+                worker.try_detach()  # some servers let go of it already
+        self.live.clear()
+        if self.run.get()["state"] == "completed":
+            return False
+        self.run.until("stopped")
+        self.run.resume()
+        self.run.until("ready")
+        return True
+
+    def outcome(self) -> dict[str, Any]:
+        """What the run came to, without its name and its history."""
+        found = {
+            f"result of episode {index}": without(result or {}, *HISTORY)
+            for index, result in enumerate(results(self.run))
+        }
+        score = without(self.run.score(), "run_id", "manifest_sha256", "state")
+        return {**found, "score": score}
+
+
+MOVES = st.lists(st.sampled_from(["0", "1", "0", "1", "abort", "drain"]), max_size=9)
+# Sums of these are exact, in whatever order a server adds them.
+PLAN = [[0.25, 0.75], [1.0], [0.5, 0.875, 0.125], [0.0625]]
+
+
+@requirement("RES-003")
+def test_res_003_stops_do_not_change_the_score(story: Story) -> None:
+    """The same actions in an undisturbed run, and in runs with two workers that are
+    aborted or drained and resumed at random points.
+
+    Expect the same score and the same results, but for how often they were tried.
+    """
+    calm = Play(story, PLAN, workers=1)
+    while calm.step(calm.crew[0]):
+        pass
+    expected = calm.outcome()
+
+    def law(moves: list[str]) -> None:
+        play = Play(story, PLAN, workers=min(2, story.limits["max_workers"]))
+        is_open = True
+        for move in moves:
+            if is_open and move in ("abort", "drain"):
+                is_open = play.interrupt(move)
+            elif is_open:
+                play.step(play.crew[int(move) % len(play.crew)])
+                is_open = play.run.get()["state"] != "completed"
+        while is_open and any(map(play.step, play.crew)):
+            is_open = play.run.get()["state"] != "completed"
+        for what, value in play.outcome().items():
+            expect.equal(value, expected[what], what)
+
+    for_all(story, MOVES, law, times=8)

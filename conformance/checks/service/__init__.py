@@ -1,0 +1,1 @@
+"""Checks of the service: discovery, accounts, errors, encodings."""

@@ -1,0 +1,283 @@
+"""Bytes and numbers: ENC."""
+
+import base64
+import io
+import json
+import math
+import struct
+from collections.abc import Callable, Iterator
+from datetime import datetime
+from typing import Any
+
+import msgspec
+from PIL import Image
+
+from conformance.client.check_context import Story, Worker
+from conformance.runner.requirement import requirement
+from conformance.verdicts import expect
+from conformance.verdicts.expect import NotApplicable, SetUpFailed
+
+ACCEPT_BOTH = (
+    "application/json, application/msgpack",
+    "application/msgpack, application/json",
+    "application/*",
+    "*/*",
+)
+# dtype → (struct format of one element, six elements), from calibration.md.
+_TINY = {"float16": 2.0**-14, "float32": 2.0**-126, "float64": 2.0**-1022}
+_HUGE = {
+    "float16": 65504.0,
+    "float32": (2 - 2.0**-23) * 2.0**127,
+    "float64": math.ldexp(2 - 2.0**-52, 1023),
+}
+_FORMATS = {"bool": "B"}
+_FORMATS |= {"int8": "b", "int16": "h", "int32": "i", "int64": "q"}
+_FORMATS |= {"uint8": "B", "uint16": "H", "uint32": "I", "uint64": "Q"}
+_FORMATS |= {"float16": "e", "float32": "f", "float64": "d"}
+
+
+def elements(dtype: str) -> list[float]:
+    """Give the elements that calibration.md says."""
+    bits = 8 * struct.calcsize(f"<{_FORMATS[dtype]}")
+    if dtype == "bool":
+        return [0, 1, 0, 1, 0, 1]
+    if dtype.startswith("int"):
+        return [-2, -1, 0, 1, -(2 ** (bits - 1)), 2 ** (bits - 1) - 1]
+    if dtype.startswith("uint"):
+        return [0, 1, 2, 3, 4, 2**bits - 1]
+    return [-2.0, -0.5, 0.0, 0.5, _TINY[dtype], _HUGE[dtype]]
+
+
+def tensors() -> Iterator[tuple[str, dict[str, Any]]]:
+    """Give every tensor of the task `echo`, with its data as bytes."""
+    for dtype, letter in _FORMATS.items():
+        data = struct.pack(f"<6{letter}", *elements(dtype))
+        yield dtype, {"dtype": dtype, "shape": [2, 3], "data": data}
+    yield "empty", {"dtype": "float64", "shape": [0, 3], "data": b""}
+
+
+def pattern(width: int, height: int, count: int) -> bytes:
+    """Give the image of the task `echo`."""
+    return bytes(
+        (7 * x + 13 * y + 29 * c + count) % 256
+        for y in range(height)
+        for x in range(width)
+        for c in range(3)
+    )
+
+
+def blob(data: Any) -> bytes:
+    """Read binary data as JSON or MessagePack carry it."""
+    if isinstance(data, bytes):
+        return data
+    try:
+        return base64.b64decode(data, validate=True)
+    except (ValueError, TypeError) as error:
+        raise expect.Violation("base64 with padding", expect.shown(data)) from error
+
+
+def echo(story: Story, **options: Any) -> Worker:
+    """Attach a worker to an episode of the task `echo`."""
+    worker = story.submit("echo", **options).worker()
+    worker.attach()
+    return worker
+
+
+@requirement("ENC-001")
+def test_enc_001_json_is_sent_when_both_are_acceptable(story: Story) -> None:
+    """JSON and MessagePack are acceptable alike, in every order. Expect JSON."""
+    worker = echo(story)
+    bodies = [False, True] if story.speaks_msgpack else [False]
+    for accept in ACCEPT_BOTH:
+        headers = {"Accept": accept}
+        for is_msgpack in bodies:
+            answer = worker.try_predict(
+                story.action(), msgpack=is_msgpack, headers=headers
+            )
+            expect.ok(answer)
+            worker.seq += 1
+            what = f"the media type for Accept: {accept}"
+            expect.equal(answer.media_type, "application/json", what)
+
+
+def structure(value: Any) -> Any:
+    """Write base64 and bin alike, and refuse what is neither JSON nor bin."""
+    if isinstance(value, dict):
+        return {
+            key: blob(item) if key == "data" else structure(item)
+            for key, item in value.items()
+        }
+    if isinstance(value, list):
+        return [structure(item) for item in value]
+    is_extension = isinstance(value, msgspec.msgpack.Ext | datetime)
+    expect.true(not is_extension, "no extension types", repr(value))
+    return value
+
+
+@requirement("ENC-002")
+def test_enc_002_msgpack_has_the_structure_of_json(story: Story) -> None:
+    """One turn is read in both encodings, with images and tensors.
+
+    Expect the same structure, `data` as bin, and no extension types.
+    """
+    worker = echo(story)
+    worker.predict(story.action(vector=[0.1] * 8))
+    read = [
+        worker.try_attach(attach_key=worker.attach_key, headers={"Accept": media_type})
+        for media_type in ("application/json", "application/msgpack")
+    ]
+    plain, packed = (expect.ok(answer) for answer in read)
+    expect.equal(read[1].media_type, "application/msgpack", "the media type")
+    for tensor in packed["observation"]["tensors"].values():
+        expect.true(isinstance(tensor["data"], bytes), "data as bin", tensor["data"])
+    for image in packed["observation"]["images"].values():
+        expect.true(isinstance(image["data"], bytes), "data as bin", image["data"])
+    for name in ("lease", "timing"):
+        expect.equal(sorted(packed.pop(name)), sorted(plain.pop(name)), name)
+    expect.equal(structure(packed), structure(plain), "the turn")
+
+
+def doubles(story: Story) -> list[float]:
+    """Give doubles that are easily damaged, and random ones."""
+    chosen = [0.1, -0.0, 1 / 3, 5e-324, 2.0**-1022, 1.7976931348623157e308]
+    chosen += [2.0**53 - 1, -(2.0**63), 1e21, 123456789.123456789, -1e-7, 1.0]
+    while len(chosen) < 64:
+        (number,) = struct.unpack("<d", story.random.randbytes(8))
+        if math.isfinite(number):
+            chosen.append(number)
+    return chosen
+
+
+@requirement("ENC-003")
+def test_enc_003_numbers_come_back_bit_for_bit(story: Story) -> None:
+    """Sixty-four doubles, eight in every action: tiny, huge, negative zero, random.
+
+    Expect every bit of them in the observation, in every encoding; JSON may also write
+    negative zero as `-0`.
+    """
+    worker = echo(story, max_steps=1000)
+    numbers = doubles(story)
+    encodings = [False, True] if story.speaks_msgpack else [False]
+    for is_msgpack in encodings:
+        for first in range(0, len(numbers), 8):
+            sent = numbers[first : first + 8]
+            answer = worker.try_predict(story.action(vector=sent), msgpack=is_msgpack)
+            seen = expect.ok(answer)["observation"]["state"]["vector"]
+            worker.seq += 1
+            bits = [struct.pack("<d", number).hex() for number in (*sent, *seen)]
+            expect.equal(bits[8:], bits[:8], f"the bits of {sent}")
+    body = {"session_id": worker.session_id, "seq": worker.seq + 1}
+    body["actions"] = [story.action(vector=[-0.0] * 8)]
+    short = json.dumps(body).replace("-0.0", "-0").encode()
+    answer = worker.run.call(
+        "predict",
+        worker_id=worker.id,
+        content=short,
+        headers={"Content-Type": "application/json"},
+    )
+    seen = expect.ok(answer)["observation"]["state"]["vector"]
+    expect.equal([math.copysign(1, zero) for zero in seen], [-1] * 8, "signs of `-0`")
+
+
+@requirement("ENC-004")
+def test_enc_004_tensors_arrive_bit_for_bit(story: Story) -> None:
+    """A worker reads the tensors of every dtype, before and after an action.
+
+    Expect the elements of calibration.md, little-endian, in C order.
+    """
+    worker = echo(story)
+    turns = [worker.turn, worker.predict(story.action())]
+    if story.speaks_msgpack:
+        turns.append(worker.predict(story.action(), msgpack=True))
+    for turn in turns:
+        seen = turn["observation"]["tensors"]
+        for name, tensor in tensors():
+            expect.true(name in seen, f"a tensor `{name}`", sorted(seen))
+            for member in ("dtype", "shape"):
+                what = f"{member} of `{name}`"
+                expect.equal(seen[name][member], tensor[member], what)
+            data = blob(seen[name]["data"])
+            expect.equal(data.hex(), tensor["data"].hex(), f"data of `{name}`")
+
+
+def image_chosen(story: Story, codec: str, size: dict[str, int]) -> Iterator[Any]:
+    """Choose a codec and a size; give the images of two turns with their count."""
+    if codec not in story.benchmark["image_codecs"]:
+        raise NotApplicable(f"the codec {codec} is not offered")
+    worker = echo(story, images={"codec": codec, **size})
+    for turn in (worker.turn, worker.predict(*[story.action()] * 3)):
+        images = turn["observation"]["images"]
+        if "pattern" not in images:
+            raise SetUpFailed(f"the task `echo` has no image `pattern`: {[*images]}")
+        image = images["pattern"]
+        told = {"codec": codec, "channels": 3, **size}
+        expect.equal({name: image[name] for name in told}, told, "the image's head")
+        yield blob(image["data"]), 0 if turn["seq"] == 0 else 3
+
+
+def decoded(data: bytes, codec: str) -> Image.Image:
+    """Decode an image of a codec."""
+    try:
+        image: Image.Image = Image.open(io.BytesIO(data), formats=[codec.upper()])
+        image.load()
+    except OSError as error:
+        raise expect.Violation(
+            f"a {codec} image", f"{error} in {data[:40]!r}"
+        ) from error
+    return image
+
+
+def judge_images(story: Story, codec: str, read: Callable[[bytes], bytes]) -> None:
+    """Expect the image in every size that is offered."""
+    for size in story.benchmark["image_sizes"][:3]:
+        for data, count in image_chosen(story, codec, size):
+            seen = read(data)
+            told = pattern(size["width"], size["height"], count)
+            what = f"bytes of the {codec} image, {size}, count {count}"
+            expect.equal(len(seen), len(told), f"number of {what}")
+            wrong = [n for n in range(len(told)) if seen[n] != told[n]]
+            expect.true(not wrong, f"the {what}", f"wrong at {wrong[:5]}")
+
+
+@requirement("ENC-005")
+def test_enc_005_raw_image_arrives_bit_for_bit(story: Story) -> None:
+    """Raw images of every offered size. Expect the pattern of calibration.md."""
+    judge_images(story, "raw", lambda data: data)
+
+
+@requirement("ENC-006")
+def test_enc_006_png_image_decodes_to_the_raw_one(story: Story) -> None:
+    """Png images of every offered size. Expect them to decode to the pattern."""
+
+    def read(data: bytes) -> bytes:
+        return decoded(data, "png").convert("RGB").tobytes()
+
+    judge_images(story, "png", read)
+
+
+@requirement("ENC-007")
+def test_enc_007_jpeg_image_decodes_to_its_size(story: Story) -> None:
+    """Jpeg images of every offered size. Expect them to decode to that size."""
+    for size in story.benchmark["image_sizes"][:3]:
+        for data, _ in image_chosen(story, "jpeg", size):
+            seen = decoded(data, "jpeg").size
+            expect.equal(seen, (size["width"], size["height"]), "the decoded size")
+
+
+@requirement("ENC-008")
+def test_enc_008_cannot_send_an_extension_type(story: Story) -> None:
+    """A value of an application's type, then a timestamp, in a MessagePack body.
+
+    Expect `malformed_body` and nothing executed; without them the body is served.
+    """
+    worker = story.submit("count").worker()
+    worker.attach()
+    for extension in (
+        msgspec.msgpack.Ext(5, b"\x00"),
+        msgspec.msgpack.Ext(-1, bytes(4)),
+    ):
+        for action in (story.action(score=extension), story.action(vector=extension)):
+            answer = worker.try_predict(action, msgpack=True)
+            expect.refused(answer, "malformed_body")
+    turn = expect.ok(worker.try_predict(story.action(), msgpack=True))
+    expect.equal(turn["observation"]["state"]["count"], [1], "count")

@@ -1,0 +1,1 @@
+"""What several checks share: given states, samples, generated requests."""

@@ -1,0 +1,77 @@
+"""Laws over generated examples: seeded, shrunk, and honest about what ended them."""
+
+import math
+import time
+from collections.abc import Callable
+from typing import TypeVar
+
+import hypothesis
+from hypothesis.errors import Flaky
+from hypothesis.strategies import SearchStrategy
+
+from conformance.client.check_context import Story
+from conformance.client.exchange_log import Exchange
+from conformance.verdicts.expect import (
+    Inconclusive,
+    NotApplicable,
+    SetUpFailed,
+    Violation,
+)
+
+Example = TypeVar("Example")
+_SHRINK_S = 10.0
+_NOT_THE_LAW = (SetUpFailed, Inconclusive, NotApplicable)
+
+
+def for_all(
+    story: Story,
+    examples: SearchStrategy[Example],
+    law: Callable[[Example], None],
+    times: int,
+    shrink_s: float = _SHRINK_S,
+) -> None:
+    """Judge a law on examples; the smallest one that breaks it is what is raised.
+
+    Then the journal holds what was there before, and the exchanges of that example.
+    The first example that could not be judged ends the search, and is raised.
+    """
+    ended: list[Exception] = []
+    broken: list[tuple[Violation, list[Exchange]]] = []
+    shrink_until = math.inf
+    journal = story.journal
+    before = list(journal.exchanges)
+
+    def judge(example: Example) -> None:
+        nonlocal shrink_until
+        if ended or time.monotonic() > shrink_until:
+            return
+        journal.exchanges[:] = before
+        try:
+            law(example)
+        except _NOT_THE_LAW as error:
+            ended.append(error)
+        except Violation as error:
+            text = f"{error.expected}, for the example {example}"
+            smaller = Violation(text, error.observed, error.exchange)
+            broken.append((smaller, list(journal.exchanges)))
+            story.tidy_up()  # there may be many examples before the smallest
+            shrink_until = min(shrink_until, time.monotonic() + shrink_s)
+            raise smaller from error
+
+    search = hypothesis.settings(
+        max_examples=times,
+        deadline=None,
+        database=None,
+        phases=(hypothesis.Phase.generate, hypothesis.Phase.shrink),
+        report_multiple_bugs=False,
+        suppress_health_check=list(hypothesis.HealthCheck),
+    )
+    seeded = hypothesis.seed(story.context.settings.seed)
+    try:
+        seeded(search(hypothesis.given(examples)(judge)))()
+    except (Violation, Flaky):
+        # Flaky: it broke, and then it did not: a race, or no time was left to shrink.
+        violation, journal.exchanges[:] = broken[-1]
+        raise violation from None
+    if ended:
+        raise ended[0]

@@ -1,0 +1,290 @@
+"""Generated requests of several clients to one run, and the model that judges them.
+
+A command says what a client wants; it becomes a request when the client knows enough:
+before its first predict it attaches. What it knows is what its answers told it.
+"""
+
+import copy
+import time
+from dataclasses import asdict, dataclass, field, replace
+from typing import Any
+
+from hypothesis import strategies as st
+
+from conformance.client.check_context import Run, Story
+from conformance.client.http_client import Answer
+from conformance.oracle.allowed_answers import Deviation, Models, advance
+from conformance.oracle.expected_score import expected_score, is_close
+from conformance.oracle.linearizability import Exchanged, parts
+from conformance.oracle.run_model import (
+    Attach,
+    Detach,
+    Episode,
+    Heartbeat,
+    Model,
+    Predict,
+    Read,
+    ReadEpisodes,
+    Request,
+    Resume,
+    Rules,
+    Seen,
+    Step,
+    Stop,
+)
+from conformance.verdicts import expect
+from conformance.verdicts.expect import Violation, told
+
+EPISODES, MAX_STEPS, MAX_ATTEMPTS, MAX_WORKERS = 3, 6, 2, 2
+# Sums of these are exact, in whatever order a server adds them.
+STEPS = [
+    Step(0.25),
+    Step(0.125),
+    Step(0.375),
+    Step(0.5, success=1),
+    Step(1.0, success=1, end=1),
+    Step(0.75, end=1),
+]
+NEW, AGAIN, TAKEOVER = "attach", "attach again", "take over"
+NEXT, REPEAT, OTHER, SKIP, OLD = "next", "repeat", "repeat otherwise", "skip", "old"
+RESTART = "abort and resume"
+ON_THE_RUN = ("abort", "drain", "resume", RESTART)
+AHEAD = {NEXT: 1, REPEAT: 0, OTHER: 0, SKIP: 2, OLD: -1}
+
+
+@dataclass(frozen=True)
+class Command:
+    """What client number `client` wants with a worker, or with the run."""
+
+    client: int
+    kind: str
+    worker: str = ""
+    steps: tuple[Step, ...] = ()
+
+    def __repr__(self) -> str:
+        """Write it as the report shows it."""
+        whose = f" {self.worker}" if self.worker else ""
+        steps = "".join(
+            f" {s.score:g}{'+' * s.success}{'.' * s.end}" for s in self.steps
+        )
+        return f"<client {self.client}: {self.kind}{whose}{steps}>"
+
+
+def commands(
+    clients: int, workers: str, kinds: list[str]
+) -> st.SearchStrategy[Command]:
+    """Draw a command; kinds that stand twice are drawn twice as often."""
+    chunk = st.lists(st.sampled_from(STEPS), min_size=1, max_size=3).map(tuple)
+    return st.builds(
+        lambda client, kind, worker, steps: Command(
+            client,
+            kind,
+            "" if kind in ON_THE_RUN else worker,
+            steps if kind in (NEXT, OTHER, SKIP, OLD) else (),
+        ),
+        st.integers(0, clients - 1),
+        st.sampled_from(kinds),
+        st.sampled_from(workers),
+        chunk,
+    )
+
+
+@dataclass
+class Handle:
+    """What a client knows of its session of one worker."""
+
+    session: str
+    key: str
+    seq: int = 0
+    steps: tuple[Step, ...] = ()
+
+
+def _of_session(command: Command, handle: Handle) -> Request | None:
+    """Give the request of a client that has a session."""
+    match command.kind:
+        case "attach again":
+            return Attach(command.worker, handle.key)
+        case "heartbeat":
+            return Heartbeat(command.worker, handle.session)
+        case "detach":
+            return Detach(command.worker, handle.session)
+    seq = handle.seq + AHEAD[command.kind]
+    steps = handle.steps if command.kind == REPEAT else command.steps
+    if seq < 1 or not steps:
+        return None
+    return Predict(command.worker, handle.session, seq, steps)
+
+
+@dataclass
+class Client:
+    """One client with its sessions; `keys` counts the attach keys it made up."""
+
+    number: int
+    handles: dict[str, Handle] = field(default_factory=dict)
+    keys: int = 0
+
+    def request(self, command: Command) -> Request | None:
+        """Give the request that carries a command out now, if there is one."""
+        handle = self.handles.get(command.worker)
+        kind = command.kind
+        if handle is None and command.worker and kind != TAKEOVER:
+            kind = NEW
+        match kind:
+            case "abort" | "drain":
+                return Stop(kind)
+            case "resume":
+                return Resume()
+            case "attach" | "take over":
+                self.keys += 1
+                key = f"client-{self.number}-key-{self.keys}"
+                return Attach(command.worker, key, kind == TAKEOVER)
+        return None if handle is None else _of_session(command, handle)
+
+    def learn(self, request: Request, answer: Answer) -> None:
+        """Keep what an answer tells."""
+        if answer.status != 200 or not isinstance(answer.json, dict):
+            return
+        if isinstance(request, Attach):
+            session = str(answer.json.get("session_id"))
+            known = self.handles.get(request.worker)
+            if known is None or known.session != session:
+                self.handles[request.worker] = Handle(session, request.key)
+        elif isinstance(request, Predict):
+            handle = self.handles[request.worker]
+            handle.seq, handle.steps = request.seq, request.steps
+
+
+class Tale:
+    """A fresh run, its clients, and what the model says of it so far."""
+
+    def __init__(self, story: Story, clients: int) -> None:
+        workers = min(MAX_WORKERS, story.limits["max_workers"])
+        self.story = story
+        self.run = story.submit(
+            *["score"] * EPISODES,
+            max_steps=MAX_STEPS,
+            max_attempts=MAX_ATTEMPTS,
+            max_workers=workers,
+        )
+        self.rules = Rules.of(
+            story.spec.lifecycle,
+            max_workers=workers,
+            max_steps=MAX_STEPS,
+            max_attempts=MAX_ATTEMPTS,
+        )
+        self.models: Models = frozenset({Model("ready", (Episode(),) * EPISODES)})
+        self.clients = [Client(number) for number in range(clients)]
+
+    def send(self, request: Request) -> tuple[Answer, Seen]:
+        """Send a request."""
+        answer = send(self.run, request)
+        return answer, Seen(answer.status, answer.code, answer.json)
+
+    def do(self, command: Command) -> None:
+        """Carry a command out and judge the answer."""
+        if command.kind == RESTART:
+            self.do(replace(command, kind="abort"))
+            self.do(replace(command, kind="resume"))
+            return
+        client = self.clients[command.client]
+        request = client.request(command)
+        if request is None:
+            return
+        answer, seen = self.send(request)
+        self.judge(request, seen, f"{command}", answer)
+        client.learn(request, answer)
+        if isinstance(request, Resume) and any(
+            m.state == "queued" for m in self.models
+        ):
+            self.run.until("ready")
+
+    def judge(
+        self, request: Request, seen: Seen, what: str, answer: Answer | None = None
+    ) -> None:
+        """Expect an answer that the rules allow."""
+        for part in parts(request, seen):
+            try:
+                self.models = advance(self.rules, self.models, part, seen)
+            except Deviation as deviation:
+                observed = told(answer) if answer else expect.shown(seen.body)
+                raise Violation(
+                    f"{deviation.expected}, as the answer to {what}",
+                    observed,
+                    answer.exchange if answer else None,
+                ) from None
+
+    def look(self) -> None:
+        """Expect the run, its episodes and its score to be as the model says."""
+        for request in (Read(), ReadEpisodes()):
+            self.judge(request, self.read(request), type(request).__name__)
+        self.look_at_score()
+
+    def read(self, request: Request) -> Seen:
+        """Read the run or its episodes."""
+        if isinstance(request, Read):
+            return Seen(200, None, self.run.get())
+        return Seen(200, None, self.run.episodes())
+
+    def look_at_score(self) -> None:
+        """Expect the score of the episodes that the model has (SCORE-…)."""
+        score = self.run.score()
+        wrong: list[str] = []
+        for model in self.models:
+            shape = [
+                {"task": "", "split": "", "outcome": e.outcome, "score": e.score}
+                for e in model.episodes
+            ]
+            due = expected_score(shape)
+            names = ("score", "score_low", "score_high")
+            wrong = [n for n in names if not is_close(score[n], due[n])]
+            if not wrong and score["complete"] == due["complete"]:
+                return
+        raise Violation(f"the score of its episodes in {wrong}", expect.shown(score))
+
+    def exchanged(self, client: Client, command: Command) -> Exchanged | None:
+        """Carry a command out beside others; it is judged with them later."""
+        request = client.request(command)
+        if request is None:
+            return None
+        answer, seen = self.send(request)
+        client.learn(request, answer)
+        return Exchanged(request, seen, answer.started_at, answer.ended_at)
+
+    def looked(self, request: Request) -> Exchanged:
+        """Read the run or its episodes when all others have their answers."""
+        started_at = time.monotonic()
+        seen = self.read(request)
+        return Exchanged(request, seen, started_at, time.monotonic())
+
+    def copies(self, count: int) -> list[Client]:
+        """Give each thread a client of its own that knows what the first one knows."""
+        return [
+            replace(copy.deepcopy(self.clients[0]), number=number)
+            for number in range(1, count + 1)
+        ]
+
+
+def send(run: Run, request: Request) -> Answer:
+    """Put a request on the wire."""
+    operation, how = _on_the_wire(request)
+    if isinstance(request, Attach | Predict | Heartbeat | Detach):
+        how["worker_id"] = request.worker
+    return run.call(operation, **how)
+
+
+def _on_the_wire(request: Request) -> tuple[str, dict[str, Any]]:
+    match request:
+        case Attach():
+            takeover = {"takeover": True} if request.takeover else {}
+            return "attach_worker", {"json": {"attach_key": request.key, **takeover}}
+        case Predict():
+            actions = [Story.action(**asdict(step)) for step in request.steps]
+            body = {"seq": request.seq, "actions": actions}
+            return "predict", {"json": {"session_id": request.session, **body}}
+        case Heartbeat():
+            return "heartbeat", {"json": {"session_id": request.session}}
+        case Detach():
+            return "detach_worker", {"params": {"session_id": request.session}}
+        case Stop(mode):
+            return "stop_run", {"json": {"mode": mode}}
+    return "resume_run", {}

@@ -1,0 +1,1 @@
+"""Checks of sessions and turns: attach, lease, predict, faults."""

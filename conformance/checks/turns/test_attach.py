@@ -1,0 +1,308 @@
+"""Opening and closing sessions: attach, take over, detach (ATT, DET)."""
+
+from collections import Counter
+from typing import Any
+
+from conformance.checks.support.given_states import (
+    attached,
+    count,
+    detached,
+    needs_workers,
+    not_for_the_state,
+    playing,
+    points_into,
+    without,
+)
+from conformance.client.check_context import Story, Worker
+from conformance.client.http_client import Answer
+from conformance.runner.requirement import requirement
+from conformance.verdicts import expect
+from conformance.verdicts.expect import SetUpFailed
+
+RACES = 5
+
+
+def codes(answers: list[Answer]) -> dict[str, int]:
+    """Count how a race was answered."""
+    return dict(Counter(answer.code or str(answer.status) for answer in answers))
+
+
+def turn_0(worker: Worker, answer: Answer) -> dict[str, Any]:
+    """Expect an open session, and let the worker use it."""
+    worker.turn = turn = expect.ok(answer)
+    worker.session_id, worker.seq = turn["session_id"], turn["seq"]
+    return worker.turn
+
+
+@requirement("ATT-001")
+def test_att_001_session_begins_with_turn_0(story: Story) -> None:
+    """A worker attaches, plays a little, detaches, and attaches again.
+
+    Expect both sessions to begin at seq 0 and step 0 with nothing executed.
+    """
+    run = story.submit("count")
+    for _ in range(2):
+        worker = run.worker("worker")
+        turn = worker.attach()
+        expect.equal(turn["seq"], 0, "seq")
+        expect.equal(turn["executed_steps"], 0, "executed_steps")
+        expect.equal(turn["rewards"], [], "rewards")
+        expect.equal(turn["done"], False, "done")
+        expect.equal(turn["episode"]["step"], 0, "episode.step")
+        expect.equal(count(turn), [0], "count in the first observation")
+        worker.predict(story.action(), story.action())
+        worker.detach()
+
+
+@requirement("ATT-002")
+def test_att_002_can_repeat_attach(story: Story) -> None:
+    """The answer to an attach was lost, at the beginning and again after a turn.
+
+    Expect the same key to give the same session and its latest turn, and the session
+    to go on.
+    """
+    worker = story.submit("count").worker()
+    worker.attach()
+    for _ in range(2):
+        again = expect.ok(worker.try_attach(attach_key=worker.attach_key))
+        volatile = ("lease", "timing")
+        expect.equal(
+            without(again, *volatile), without(worker.turn, *volatile), "the turn"
+        )
+        worker.predict(story.action())
+    expect.equal(count(worker.turn), [2], "count after two turns")
+
+
+@requirement("ATT-003")
+def test_att_003_cannot_attach_a_live_worker_with_another_key(story: Story) -> None:
+    """Another client uses the id of a live worker, then again when it is free.
+
+    Expect `worker_busy`, and the session to go on as if nobody had asked.
+    """
+    run = story.submit("count")
+    worker = run.worker("shared")
+    worker.attach()
+    worker.predict(story.action())
+    before = run.snapshot()
+    answer = not_for_the_state(run.worker("shared").try_attach())
+    expect.refused(answer, "worker_busy")
+    expect.equal(run.snapshot(), before, "the run afterwards")
+    turn = expect.ok(worker.try_predict(story.action()))
+    expect.equal(count(turn), [2], "count in the session's next turn")
+    worker.detach()
+    run.worker("shared").attach()
+
+
+@requirement("ATT-004")
+def test_att_004_can_take_over(story: Story) -> None:
+    """A restarted client takes its worker over in the middle of an episode.
+
+    Expect a new session with the episode, attempt, step and observation as they stood.
+    """
+    run = story.submit("echo", "echo")
+    old, new = run.worker("same"), run.worker("same")
+    old.attach()
+    old.predict(story.action(vector=[1.5] * 8), story.action(vector=[2.5] * 8))
+    turn = turn_0(new, not_for_the_state(new.try_attach(takeover=True)))
+    expect.true(new.session_id != old.session_id, "another session_id", new.session_id)
+    expect.equal(turn["seq"], 0, "seq")
+    expect.equal(turn["episode"], old.turn["episode"], "episode")
+    expect.equal(turn["observation"], old.turn["observation"], "observation")
+    turn = expect.ok(new.try_predict(story.action()))
+    expect.equal(count(turn), [3], "count after one more action")
+    expect.equal(run.episodes()[0]["attempt"], 1, "attempt of the episode")
+
+
+@requirement("ATT-005")
+def test_att_005_cannot_use_a_session_taken_over(story: Story) -> None:
+    """The old client goes on after a takeover, while its successor lives.
+
+    Expect `session_superseded` for its predict, heartbeat and detach, all of which the
+    new session may do.
+    """
+    run = story.submit("count")
+    old, new = run.worker("same"), run.worker("same")
+    old.attach()
+    old.predict(story.action())
+    before = count(new.attach(takeover=True))
+    expect.refused(old.try_predict(story.action()), "session_superseded")
+    expect.refused(old.try_heartbeat(), "session_superseded")
+    expect.refused(old.try_detach(), "session_superseded")
+    new.heartbeat()
+    after = count(new.predict(story.action()))
+    expect.equal(after, [before[0] + 1], "count in the new session")
+    new.detach()
+
+
+@requirement("ATT-006")
+def test_att_006_cannot_attach_one_worker_too_many(story: Story) -> None:
+    """One worker more than the run may have; it comes again when a slot is free.
+
+    Expect `worker_limit` for the first attempt.
+    """
+    most = min(2, story.limits["max_workers"])
+    run = story.submit(*["score"] * 4, max_workers=most)
+    crew = attached(run, most)
+    late = run.worker("late")
+    expect.refused(late.try_attach(), "worker_limit")
+    crew[0].detach()
+    late.attach()
+
+
+@requirement("ATT-007")
+def test_att_007_race_for_the_last_slots(story: Story) -> None:
+    """More workers than allowed attach at once, several times.
+
+    Expect exactly `max_workers` of them to succeed each time.
+    """
+    most = min(3, story.limits["max_workers"])
+    for _ in range(RACES):
+        run = story.submit(*["score"] * 8, max_workers=most)
+        crew = [run.worker() for _ in range(most + 4)]
+        answers = story.together(*[worker.try_attach for worker in crew])
+        opened = sum(not_for_the_state(a).status == 200 for a in answers)
+        expect.true(opened == most, f"{most} sessions opened", codes(answers))
+
+
+@requirement("ATT-008")
+def test_att_008_race_for_one_worker(story: Story) -> None:
+    """Several clients attach the same worker at once, several times.
+
+    Expect exactly one of them to succeed each time.
+    """
+    for _ in range(RACES):
+        run = story.submit(*["score"] * 8)
+        clients = [run.worker("same") for _ in range(5)]
+        answers = story.together(*[client.try_attach for client in clients])
+        opened = sum(answer.status == 200 for answer in answers)
+        expect.true(opened == 1, "one session opened", codes(answers))
+
+
+WRONG: list[tuple[dict[str, Any], str]] = [
+    ({"control_rate_hz": 20}, "/assumes/control_rate_hz"),
+    ({"action": {"vector": {"size": 7}}}, "/assumes/action/vector"),
+    ({"action": {"delay_s": {"unit": "ms"}}}, "/assumes/action/delay_s"),
+    ({"action": {"vector": {"rotation": "euler_xyz"}}}, "/assumes/action/vector"),
+    ({"action": {"clipped": {"frame": "base"}}}, "/assumes/action/clipped"),
+    ({"action": {"clipped": {"relative": True}}}, "/assumes/action/clipped"),
+    ({"state": {"vector": {"size": 9}}}, "/assumes/state/vector"),
+]
+
+
+@requirement("ATT-010")
+def test_att_010_cannot_attach_with_a_wrong_assumption(story: Story) -> None:
+    """A policy that assumes another rate, size, unit, rotation, frame and so on.
+
+    One that assumes the right rate is let in. Expect `convention_mismatch` pointing at
+    what is wrong, and no session.
+    """
+    run = story.submit("score")
+    worker = run.worker()
+    worker.attach(assumes={"control_rate_hz": 10})
+    detached(worker)
+    before = run.snapshot()
+    for assumes, pointer in WRONG:
+        answer = worker.try_attach(assumes=assumes)
+        points_into(expect.refused(answer, "convention_mismatch"), pointer)
+    expect.equal(run.snapshot(), before, "the run afterwards")
+
+
+def assumptions(space: dict[str, Any]) -> dict[str, Any]:
+    """Everything that can be assumed of the vectors of a space."""
+    members = ("size", "unit", "rotation", "frame", "relative")
+    return {
+        name: {member: vector[member] for member in members}
+        for name, vector in space.items()
+    }
+
+
+@requirement("ATT-011")
+def test_att_011_can_attach_with_right_assumptions(story: Story) -> None:
+    """A policy that assumes exactly what the benchmark declares, or a part of it.
+
+    Expect a session each time.
+    """
+    answer = story.call("get_benchmark", benchmark_id="calibration")
+    benchmark = expect.given(answer, 200, "get_benchmark")
+    rate = {"control_rate_hz": benchmark["control_rate_hz"]}
+    action = {"action": assumptions(benchmark["action_space"])}
+    state = {"state": assumptions(benchmark["observation_space"]["state"])}
+    for assumes in ({}, rate, action, state, rate | action | state):
+        worker = story.submit("score").worker()
+        expect.ok(worker.try_attach(assumes=assumes))
+
+
+@requirement("ATT-012")
+def test_att_012_attach_without_an_episode_left(story: Story) -> None:
+    """The only episode is in play when a second worker attaches.
+
+    Expect a session whose turn 0 is `done`, with neither observation nor episode.
+    """
+    needs_workers(story, 2)
+    first = playing(story, "score")
+    turn = expect.ok(not_for_the_state(first.run.worker().try_attach()))
+    if turn.get("episode") == first.turn["episode"]:
+        raise SetUpFailed("the episode in play was handed out again; see EPI-008")
+    expect.equal(turn["done"], True, "done")
+    expect.true("observation" not in turn, "no observation", turn.get("observation"))
+    expect.equal(turn["seq"], 0, "seq")
+    expect.true(turn["session_id"], "a session_id", turn["session_id"])
+
+
+@requirement("ATT-013")
+def test_att_013_cannot_attach_with_a_bad_worker_id(story: Story) -> None:
+    """Worker ids with a space, a dot, another alphabet, and one too long by one.
+
+    Expect `invalid_request`; the longest and oddest id that is allowed is accepted.
+    """
+    run = story.submit("score")
+    for worker_id in ("a b", "a.b", "ä", "a:b", "w" * 65):
+        expect.refused(run.worker(worker_id).try_attach(), "invalid_request")
+    run.worker("-_A0z" + "w" * 59).attach()
+
+
+@requirement("DET-001")
+def test_det_001_detach_frees_the_slot(story: Story) -> None:
+    """A full run: the second worker is let in only after the first has detached.
+
+    Expect it to be let in at once.
+    """
+    run = story.submit("score", "score", max_workers=1)
+    first, second = run.worker(), run.worker()
+    first.attach()
+    expect.given(second.try_attach(), 429, "attaching to a full run")
+    expect.ok(first.try_detach(), 204)
+    expect.ok(second.try_attach())
+
+
+def end_by_detach(worker: Worker) -> None:
+    """End the session by its own wish."""
+    worker.detach()
+
+
+def end_by_stop(worker: Worker) -> None:
+    """End the session from the control plane."""
+    worker.run.stop()
+
+
+def end_and_be_followed(worker: Worker) -> None:
+    """End the session and open another one for the same worker."""
+    worker.detach()
+    worker.run.worker(worker.id).attach()
+
+
+@requirement("DET-002")
+def test_det_002_can_detach_twice(story: Story) -> None:
+    """A session that ended by a detach (whether followed by another or not) or by a
+    stop is detached again.
+
+    It is refused a heartbeat by then. Expect 204 and that nothing changes.
+    """
+    for end in (end_by_detach, end_and_be_followed, end_by_stop):
+        worker = playing(story, "count", "count")
+        worker.predict(story.action())
+        end(worker)
+        expect.given(worker.try_heartbeat(), 409, "a session that has ended")
+        before = worker.run.snapshot()
+        expect.ok(worker.try_detach(), 204)
+        expect.equal(worker.run.snapshot(), before, "the run afterwards")

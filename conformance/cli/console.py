@@ -1,0 +1,154 @@
+"""The report that people read in a terminal or in the log of a CI machine.
+
+Eighty columns, no colour unless it is a terminal, one line per requirement, one card
+per failure.
+"""
+
+import itertools
+import sys
+import textwrap
+import time
+from collections.abc import Iterator
+
+from rich.console import Console
+from rich.text import Text
+
+from conformance.client.curl import script
+from conformance.specification.document import spec_name
+from conformance.specification.ledger import load_ledger
+from conformance.verdicts.result import Result
+from conformance.verdicts.verdict import Outcome, Verdict
+
+_WIDTH = 80
+_EVERY_S = 3.0
+_COMMANDS_SHOWN = 40
+_STYLES = {
+    Outcome.PASSED: "green",
+    Outcome.FAILED: "bold red",
+    Outcome.NOT_VERIFIED: "yellow",
+    Outcome.NOT_APPLICABLE: "dim",
+    Outcome.INCONCLUSIVE: "yellow",
+    Outcome.KIT_ERROR: "bold magenta",
+}
+_WORDS = {
+    Outcome.PASSED: "passed",
+    Outcome.FAILED: "FAILED",
+    Outcome.NOT_VERIFIED: "not verified",
+    Outcome.NOT_APPLICABLE: "not applic.",
+    Outcome.INCONCLUSIVE: "INCONCLUSIVE",
+    Outcome.KIT_ERROR: "KIT ERROR",
+}
+
+
+class Terminal:
+    """Writes progress while checks run, and the report at the end."""
+
+    def __init__(self) -> None:
+        # A terminal breaks lines as it likes; commands must survive copying.
+        self._console = Console(
+            highlight=False, markup=False, emoji=False, soft_wrap=True
+        )
+        self._seen = 0
+        self._failed = 0
+        self._last_word = time.monotonic()
+
+    def say(self, text: str, style: str = "") -> None:
+        """Write one line."""
+        self._console.print(Text(text, style=style), soft_wrap=True)
+
+    def progress(self, verdict: Verdict, total: int) -> None:
+        """Tell that a check has ended: on one line, or now and then in a log."""
+        self._seen += 1
+        self._failed += verdict.outcome == Outcome.FAILED
+        of = f"/{total}" if total else ""
+        line = f"{self._seen}{of} checked, {self._failed} failed"
+        if self._console.is_terminal:
+            sys.stdout.write(f"\r\x1b[K{line}  {verdict.requirement_id}")
+            sys.stdout.flush()
+        elif time.monotonic() - self._last_word > _EVERY_S:
+            self._last_word = time.monotonic()
+            self.say(line)
+
+    def report(self, result: Result) -> None:
+        """Write everything that is known at the end."""
+        if self._console.is_terminal and self._seen:
+            sys.stdout.write("\r\x1b[K")
+        if result.problem is None or self._seen:
+            self._rows(result)
+            for verdict in result.rows.values():
+                if verdict.outcome in (Outcome.FAILED, Outcome.KIT_ERROR):
+                    self._card(verdict, result)
+            self.say("")
+            self.say(f"{result.headline()} ({result.elapsed_s:.1f} s)", "bold")
+            self.say(
+                f"reports in {result.settings.report}/, seed {result.settings.seed}, "
+                f"judged by {spec_name()}"
+            )
+        for note in result.notes:
+            self.say(f"note: {note}", "yellow")
+        style = {0: "bold green", 1: "bold red"}.get(result.exit_code, "bold yellow")
+        self.say(result.conclusion(), style)
+
+    def _rows(self, result: Result) -> None:
+        ledger = load_ledger()
+        areas = itertools.groupby(
+            result.rows.values(), lambda row: ledger[row.requirement_id].area
+        )
+        for _, verdicts in areas:
+            self.say("")
+            for verdict in verdicts:
+                self._row(verdict)
+
+    def _row(self, verdict: Verdict) -> None:
+        row = load_ledger()[verdict.requirement_id]
+        line = Text(f"{row.id:<10}")
+        word = _WORDS[verdict.outcome]
+        if verdict.is_known_failure:
+            word = "known fail."
+        line.append(f"{word:<13}", _STYLES[verdict.outcome])
+        is_plain = verdict.outcome == Outcome.PASSED or not verdict.reason
+        told = row.text if is_plain else verdict.reason.split("\n")[0]
+        line.append(_cut(told, _WIDTH - len(line)))
+        self._console.print(line, soft_wrap=True)
+
+    def _card(self, verdict: Verdict, result: Result) -> None:
+        self.say("")
+        self.say("─" * _WIDTH, "red")
+        for line in card(verdict, result):
+            self.say(line)
+
+
+def card(verdict: Verdict, result: Result) -> Iterator[str]:
+    """Give all that is needed to understand and repeat a failure."""
+    row = load_ledger()[verdict.requirement_id]
+    yield f"{row.id} {_WORDS[verdict.outcome]} ({row.level}, {row.profile})"
+    yield from _entry("rule", row.text)
+    story = " ".join(verdict.story.split())
+    yield from _entry("check", f"{verdict.check}: {story}" if story else verdict.check)
+    if verdict.expected:
+        yield from _entry("expected", verdict.expected)
+        yield from _entry("observed", verdict.observed)
+    if verdict.reason:
+        yield from _entry("reason", verdict.reason)
+    yield from _entry("seed", str(result.settings.seed))
+    if not verdict.exchanges:
+        return
+    yield from _entry(
+        "repeat",
+        "as below in bash; our requests carried X-Correlation-Id: "
+        f"{row.id}/1 and so on",
+    )
+    lines = script(verdict.exchanges, result.settings.url)
+    if len(lines) > _COMMANDS_SHOWN:
+        yield "    # whole in report.html; from here on its last lines:"
+    for line in lines[-_COMMANDS_SHOWN:]:
+        yield f"    {line}"
+
+
+def _entry(name: str, text: str) -> list[str]:
+    lines = textwrap.wrap(text, _WIDTH - 12, break_long_words=False) or [""]
+    return [f"  {name:<10}{lines[0]}", *(f"{'':12}{line}" for line in lines[1:])]
+
+
+def _cut(text: str, length: int) -> str:
+    return text if len(text) <= length else text[: length - 1].rstrip() + "…"

@@ -1,0 +1,1 @@
+"""What a check talks to the server with; every exchange is logged."""

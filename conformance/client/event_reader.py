@@ -1,0 +1,192 @@
+"""Server-sent events as any client reads them: what the HTML standard says and no more.
+
+A `Reader` follows one run in a thread of its own. It passes comments over, and when a
+stream ends it comes back with the last id until it is told not to. What was told when
+is kept in order; whether that was right is for the checks to say.
+"""
+
+import queue
+import re
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+import msgspec
+
+from conformance.client.http_client import Answer, Stream
+from conformance.client.run_client import Run
+from conformance.verdicts.expect import Given, SetUpFailed, Violation, told
+
+# For what has no limit of its own: longer than a busy machine needs.
+PATIENCE_S = 5.0
+# How soon it comes back, whatever `retry` says: checks have little time.
+_RETRY_S = 0.2
+_END_OF_LINE = re.compile(rb"\r\n|\n|\r")
+
+
+@dataclass(frozen=True)
+class Event:
+    """One event; `at` is the monotonic time at which its end had come."""
+
+    kind: str
+    id: str | None
+    data: list[str]
+    at: float
+
+    @property
+    def body(self) -> dict[str, Any]:
+        """The JSON of its data, which EVT-001 judges."""
+        try:
+            body = msgspec.json.decode("\n".join(self.data))
+        except msgspec.DecodeError as error:
+            raise SetUpFailed(
+                f"data of an event is no JSON; see EVT-001: {error}"
+            ) from error
+        if not isinstance(body, dict):
+            raise SetUpFailed("data of an event is no object; see EVT-001")
+        return Given(body)
+
+
+class Parser:
+    """Bytes in, events out; whatever is cut off waits for the rest."""
+
+    def __init__(self) -> None:
+        self._rest = b""
+        self._ended_with_cr = False
+        self._fields: dict[str, list[str]] = {}
+
+    def feed(self, part: bytes) -> list[Event]:
+        """Take what has come, and give the events that are whole with it."""
+        events: list[Event] = []
+        if self._ended_with_cr:
+            part = part.removeprefix(b"\n")
+        self._ended_with_cr = part.endswith(b"\r")
+        *lines, self._rest = _END_OF_LINE.split(self._rest + part)
+        for line in lines:
+            event = self._line(line.decode("utf-8", "replace").removeprefix("\ufeff"))
+            if event is not None:
+                events.append(event)
+        return events
+
+    def _line(self, line: str) -> Event | None:
+        if line:
+            name, _, value = line.partition(":")
+            self._fields.setdefault(name, []).append(value.removeprefix(" "))
+            return None
+        fields, self._fields = self._fields, {}
+        if "data" not in fields:
+            return None
+        kind, id_ = fields.get("event", ["message"])[-1], fields.get("id", [None])[-1]
+        return Event(kind, id_, fields["data"], time.monotonic())
+
+
+class Reader:
+    """Somebody who follows a run; made by `reading`."""
+
+    def __init__(self, run: Run, after: str | None) -> None:
+        self.last_id = after
+        self.told: list[Event] = []  # what was taken from it, in order
+        self.heard_at: list[float] = []  # when anything came, comments too
+        self._status: int | None = None
+        self._has_answer, self._has_ended = threading.Event(), threading.Event()
+        self._run = run
+        self._is_closed = threading.Event()
+        self._stream: Stream | None = None
+        self._found: queue.Queue[Event | Answer | Exception] = queue.Queue()
+        self._thread = threading.Thread(target=self._follow, daemon=True)
+        self._thread.start()
+
+    def close(self) -> None:
+        """Hang up."""
+        self._is_closed.set()
+        stream = self._stream
+        if stream is not None:
+            stream.hang_up()
+        self._thread.join(PATIENCE_S)
+
+    def _follow(self) -> None:
+        try:
+            while not self._is_closed.is_set() and self._has_more():
+                self._is_closed.wait(_RETRY_S)
+        except Exception as error:  # noqa: BLE001 - raised where it is waited for
+            self._found.put(error)
+
+    def _has_more(self) -> bool:
+        """Read one stream to its end; whether to come back."""
+        last = {} if self.last_id is None else {"Last-Event-ID": self.last_id}
+        with self._run.stream("stream_events", headers=last) as opened:
+            status = opened.status if isinstance(opened, Answer) else 200
+            self._status = self._status or status
+            self._has_answer.set()
+            if isinstance(opened, Answer):
+                self._found.put(opened)
+                return False
+            self._stream, parser = opened, Parser()
+            if self._is_closed.is_set():
+                return False
+            self.heard_at.append(time.monotonic())
+            for part in opened.parts():
+                self.heard_at.append(time.monotonic())
+                for event in parser.feed(part):
+                    self.last_id = event.id or self.last_id
+                    self._found.put(event)
+            self._has_ended.set()
+        return True
+
+    def ends(self) -> bool:
+        """Whether a stream ends, or has ended; PATIENCE_S at the most."""
+        return self._has_ended.wait(PATIENCE_S)
+
+    def answered(self) -> int:
+        """Give the status of the first answer; PATIENCE_S at the most."""
+        self._has_answer.wait(PATIENCE_S)
+        if self._status is None:
+            raise Violation("an answer", f"none within {PATIENCE_S:g} s")
+        return self._status
+
+    def _next(self, within_s: float) -> Event | Answer | None:
+        try:
+            found = self._found.get(timeout=max(0.0, within_s))
+        except queue.Empty:
+            return None
+        if isinstance(found, Exception):
+            raise found
+        if isinstance(found, Event):
+            self.told.append(found)
+        return found
+
+    def during(self, seconds: float) -> list[Event]:
+        """Give what is told in this time."""
+        until, events = time.monotonic() + seconds, list[Event]()
+        while isinstance(found := self._next(until - time.monotonic()), Event):
+            events.append(found)
+        return events
+
+    def until(
+        self, is_it: Callable[[Event], bool], what: str, within_s: float = PATIENCE_S
+    ) -> list[Event]:
+        """Expect an event; give all up to it."""
+        until, events = time.monotonic() + within_s, list[Event]()
+        while True:
+            found = self._next(until - time.monotonic())
+            if isinstance(found, Answer):
+                raise Violation(f"an event {what}", told(found), found.exchange)
+            if found is None:
+                kinds = ", ".join(event.kind for event in events) or "nothing"
+                raise Violation(f"an event {what}", f"{kinds} in {within_s:g} s")
+            events.append(found)
+            if is_it(found):
+                return events
+
+
+@contextmanager
+def reading(run: Run, after: str | None = None) -> Iterator[Reader]:
+    """Follow a run, behind an event or from the beginning."""
+    reader = Reader(run, after)
+    try:
+        yield reader
+    finally:
+        reader.close()

@@ -1,0 +1,387 @@
+"""HTTP as a check sees it: one account's token, every answer, no exceptions on status.
+
+Every request carries `X-Correlation-Id: <check>/<n>`; every exchange goes to the
+check's journal and is judged by the rules that hold for all answers. What is sent is
+never corrected here: a check may send anything.
+"""
+
+import codecs
+import contextlib
+import functools
+import http.cookiejar
+import ipaddress
+import json as json_module
+import re
+import socket
+import ssl
+import threading
+import time
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+from urllib.parse import urlsplit
+
+import httpx
+import msgspec
+
+from conformance.client.exchange_log import Exchange, Journal
+from conformance.specification.document import (
+    EVENT_STREAM,
+    JSON,
+    MSGPACK,
+    PROBLEM_JSON,
+    Operation,
+    Spec,
+)
+from conformance.verdicts.expect import Violation
+from conformance.verdicts.universal_rules import Judged, Tally
+
+OWN_TOKEN = "own"
+# Of an answer that goes on: what is kept, and how long its beginning is waited for.
+_STREAM_KEPT = 4096
+_BEGINNING_S = 3.0
+_FIRST_EVENT = re.compile(rb"^data[^\r\n]*(\r\n|\n|\r){2}", re.MULTILINE)
+_LIMITS = httpx.Limits(
+    max_connections=4, max_keepalive_connections=2, keepalive_expiry=2.0
+)
+
+
+class NoAnswer(Violation):
+    """The server closed the connection, refused it, or took too long."""
+
+
+@dataclass(frozen=True)
+class Answer:
+    """One HTTP answer; `json` is the parsed body, JSON or MessagePack, or None."""
+
+    status: int
+    headers: httpx.Headers
+    body: bytes
+    started_at: float
+    ended_at: float
+    json: Any
+    exchange: int
+
+    @property
+    def elapsed_s(self) -> float:
+        """Time from sending the request to having read the answer."""
+        return self.ended_at - self.started_at
+
+    @property
+    def code(self) -> str | None:
+        """The problem code, if the body is an object that has one."""
+        code = self.json.get("code") if isinstance(self.json, dict) else None
+        return code if self.status >= 400 and isinstance(code, str) else None
+
+    @property
+    def media_type(self) -> str:
+        """Content type without parameters, in lower case."""
+        return media_type_of(self.headers)
+
+
+def media_type_of(headers: Mapping[str, str]) -> str:
+    """Give the content type without parameters, in lower case."""
+    return headers.get("content-type", "").partition(";")[0].strip().lower()
+
+
+def parse(media_type: str, body: bytes) -> tuple[Any, bool]:
+    """Read a body by its media type; strictly, so that NaN is an error."""
+    try:
+        if media_type in (JSON, PROBLEM_JSON):
+            return msgspec.json.decode(body), True
+        if media_type == MSGPACK:
+            return msgspec.msgpack.decode(body), True
+        if media_type == EVENT_STREAM:
+            # The end of what was kept may be half a character.
+            return codecs.getincrementaldecoder("utf-8")().decode(body), True
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
+        pass
+    return None, False
+
+
+class ClientPool:
+    """HTTP clients that keep their connections, each used by one thread at a time.
+
+    One client for all threads is not safe: while one thread is given an idle
+    connection, another may find that it has expired, and close it.
+    """
+
+    def __init__(self, url: str) -> None:
+        self._url = url
+        self._idle: list[httpx.Client] = []
+        self._lock = threading.Lock()
+
+    @contextlib.contextmanager
+    def borrow(self) -> Iterator[httpx.Client]:
+        """Give a client that nothing else uses until the end of the block."""
+        with self._lock:
+            client = self._idle.pop() if self._idle else None
+        client = client or self._open()
+        try:
+            yield client
+        finally:
+            with self._lock:
+                self._idle.append(client)
+
+    def _open(self) -> httpx.Client:
+        no_cookies = http.cookiejar.DefaultCookiePolicy(allowed_domains=[])
+        return httpx.Client(
+            limits=_LIMITS,
+            follow_redirects=False,
+            cookies=http.cookiejar.CookieJar(policy=no_cookies),
+            verify=_certificates(),
+            # Proxies from the environment help to reach the world, not this machine.
+            trust_env=not _is_this_machine(self._url),
+        )
+
+    def close(self) -> None:
+        """Close all clients that are not in use."""
+        with self._lock:
+            idle, self._idle = self._idle, []
+        for client in idle:
+            client.close()
+
+
+@functools.cache
+def _certificates() -> ssl.SSLContext:
+    """Read the authorities once: it takes longer than all else here together."""
+    return httpx.create_ssl_context()
+
+
+def _is_this_machine(url: str) -> bool:
+    host = urlsplit(url).hostname or ""
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"
+
+
+class Stream:
+    """An answer that goes on: what comes of it, until it ends or somebody hangs up."""
+
+    def __init__(self, response: httpx.Response) -> None:
+        self.body = b""
+        self._response = response
+
+    def parts(self) -> Iterator[bytes]:
+        """Give what comes while it comes; a stream that breaks off has ended."""
+        with contextlib.suppress(httpx.TransportError, OSError):
+            for part in self._response.iter_bytes():
+                self.body += part[: max(0, _STREAM_KEPT - len(self.body))]
+                yield part
+
+    def hang_up(self) -> None:
+        """End it from another thread than the one that reads it."""
+        network = self._response.extensions["network_stream"]
+        with contextlib.suppress(OSError):
+            network.get_extra_info("socket").shutdown(socket.SHUT_RDWR)
+
+
+def _beginning(response: httpx.Response) -> bytes:
+    """Read the first of events that may have no end."""
+    stream, until = Stream(response), time.monotonic() + _BEGINNING_S
+    with contextlib.closing(response):
+        for _ in stream.parts():
+            if _FIRST_EVENT.search(stream.body) or time.monotonic() > until:
+                break
+    return stream.body
+
+
+class Wire:
+    """Requests of one account to one server; safe for several threads."""
+
+    def __init__(
+        self,
+        *,
+        clients: ClientPool,
+        spec: Spec,
+        base_url: str,
+        token: str | None,
+        token_name: str,
+        journal: Journal,
+        tally: Tally,
+    ) -> None:
+        self.base_url = base_url.rstrip("/")
+        self.token = token
+        self._token_name = token_name
+        self._clients = clients
+        self._spec = spec
+        self._journal = journal
+        self._tally = tally
+
+    def request(
+        self,
+        method: str,
+        path: str,
+        *,
+        json: Any = None,
+        content: bytes | Iterable[bytes] | None = None,
+        headers: Mapping[str, str] | None = None,
+        params: Mapping[str, Any] | None = None,
+        timeout_s: float = 30.0,
+        token: str | None = OWN_TOKEN,
+        operation: Operation | None = None,
+    ) -> Answer:
+        """Send one request. `path` may be absolute; `token` None sends none.
+
+        Raises NoAnswer when there is no answer at all. Of events, which have no end,
+        the first is the answer, or what comes in a few seconds.
+        """
+        if json is not None:
+            content = json_module.dumps(json).encode()
+            headers = {"Content-Type": JSON, **(headers or {})}
+        with self._clients.borrow() as client:
+            request, exchange = self._prepared(
+                client,
+                method,
+                path,
+                content=content,
+                headers=headers,
+                params=params,
+                timeout_s=timeout_s,
+                token=token,
+            )
+            if operation is None:
+                operation = self._operation_of(method, str(request.url))
+            goes_on = operation is not None and operation.goes_on
+            response = self._sent(client, request, exchange, goes_on)
+            is_read = response.is_stream_consumed
+            body = response.content if is_read else _beginning(response)
+        return self._answered(response, body, exchange, operation)
+
+    @contextlib.contextmanager
+    def stream(
+        self, operation: Operation, path: str, headers: Mapping[str, str]
+    ) -> Iterator[Stream | Answer]:
+        """Send a GET whose answer goes on; an Answer when it does not."""
+        # Whoever hangs up ends a connection that nobody else will have.
+        headers = {"Connection": "close", **headers}
+        with self._clients.borrow() as client:
+            request, exchange = self._prepared(client, "GET", path, headers=headers)
+            response = self._sent(client, request, exchange, goes_on=True)
+            if response.is_stream_consumed:
+                yield self._answered(response, response.content, exchange, operation)
+                return
+            stream = Stream(response)
+            try:
+                yield stream
+            finally:
+                response.close()
+                self._answered(response, stream.body, exchange, operation)
+
+    def _prepared(
+        self,
+        client: httpx.Client,
+        method: str,
+        path: str,
+        *,
+        headers: Mapping[str, str] | None,
+        content: bytes | Iterable[bytes] | None = None,
+        params: Mapping[str, Any] | None = None,
+        timeout_s: float = 30.0,
+        token: str | None = OWN_TOKEN,
+    ) -> tuple[httpx.Request, Exchange]:
+        url = path if "://" in path else self.base_url + path
+        number = self._journal.next_number()
+        correlation_id = f"{self._journal.name}/{number}"
+        own_headers = {"X-Correlation-Id": correlation_id}
+        bearer = self.token if token == OWN_TOKEN else token
+        if bearer is not None:
+            own_headers["Authorization"] = f"Bearer {bearer}"
+        request = client.build_request(
+            method,
+            url,
+            content=content,
+            headers={**own_headers, **(headers or {})},
+            params=params,
+            timeout=timeout_s,
+        )
+        size = len(content) if isinstance(content, bytes) else None
+        exchange = Exchange(
+            number=number,
+            correlation_id=correlation_id,
+            method=method,
+            url=str(request.url),
+            token_name=self._name_of(request.headers.get("authorization")),
+            request_headers={
+                name: value
+                for name, value in (headers or {}).items()
+                if name.lower() != "authorization"
+            },
+            request_body=content if isinstance(content, bytes) else b"",
+            request_size=0 if content is None else size,
+        )
+        return request, exchange
+
+    def _sent(
+        self,
+        client: httpx.Client,
+        request: httpx.Request,
+        exchange: Exchange,
+        goes_on: bool,
+    ) -> httpx.Response:
+        """Give the answer; of events only the head.
+
+        Raises httpx.LocalProtocolError, as of a mistake of the kit, when HTTP cannot
+        carry the request.
+        """
+        exchange.started_at = time.monotonic()
+        try:
+            response = client.send(request, stream=goes_on)
+            if media_type_of(response.headers) != EVENT_STREAM:
+                response.read()
+        except httpx.LocalProtocolError:
+            raise
+        except (httpx.TransportError, OSError) as error:
+            exchange.elapsed_s = time.monotonic() - exchange.started_at
+            exchange.error = f"{type(error).__name__}: {error}"
+            self._journal.add(exchange)
+            raise NoAnswer("an answer", exchange.error, exchange.number) from error
+        return response
+
+    def _answered(
+        self,
+        response: httpx.Response,
+        body: bytes,
+        exchange: Exchange,
+        operation: Operation | None,
+    ) -> Answer:
+        """Write an exchange down and judge it by the rules for all answers."""
+        ended_at = time.monotonic()
+        value, is_readable = parse(media_type_of(response.headers), body)
+        exchange.elapsed_s = ended_at - exchange.started_at
+        exchange.status = response.status_code
+        exchange.answer_headers = dict(response.headers)
+        exchange.answer_body = body
+        self._journal.add(exchange)
+        judged = Judged(
+            status=response.status_code,
+            headers=response.headers,
+            media_type=media_type_of(response.headers),
+            body=body,
+            value=value,
+            is_readable=is_readable,
+        )
+        self._tally.observe(operation, judged, exchange)
+        return Answer(
+            status=response.status_code,
+            headers=response.headers,
+            body=body,
+            started_at=exchange.started_at,
+            ended_at=ended_at,
+            json=value,
+            exchange=exchange.number,
+        )
+
+    def _name_of(self, authorization: str | None) -> str | None:
+        """Say which token it was, never what it was."""
+        if authorization is None:
+            return None
+        is_own = authorization == f"Bearer {self.token}"
+        return self._token_name if is_own else "WRONG_TOKEN"
+
+    def _operation_of(self, method: str, url: str) -> Operation | None:
+        if not url.startswith(self.base_url):
+            return None
+        path = url.removeprefix(self.base_url).partition("?")[0]
+        return self._spec.find(method, path)

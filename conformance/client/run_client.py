@@ -1,0 +1,294 @@
+"""A run and a worker as a check handles them: the domain's verbs over the wire.
+
+The plain verbs (`attach`, `predict`, `stop`) are set-up: when the server refuses one,
+they raise SetUpFailed, which proves nothing against the rule under test. The `try_`
+verbs and `call` give the raw answer, for `expect` to judge.
+"""
+
+import contextlib
+import itertools
+import time
+import uuid
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+from conformance.client.http_client import Answer, Stream, Wire
+from conformance.specification.document import Operation
+from conformance.verdicts.expect import SetUpFailed, Violation
+
+if TYPE_CHECKING:
+    from conformance.client.check_context import Story
+
+_ENDED = ("completed", "failed", "stopped")
+_ABANDON_S = 5.0
+_POLL_FIRST_S = 0.004
+_POLL_LONGEST_S = 0.1
+_PATIENCE_LEAST_S = 0.5
+_VOLATILE = ("updated_at", "queue_position")
+_SURELY_ENOUGH_PAGES = 2000
+
+
+class Patience:
+    """How long to wait for something: less, the more often it did not come.
+
+    A server that never gets there would otherwise cost minutes. What is lost is never
+    a verdict against the server: too little patience leaves a row not verified.
+    """
+
+    def __init__(self) -> None:
+        self._disappointments: Counter[str] = Counter()
+
+    def of(self, what: str, wanted_s: float) -> float:
+        """Give the time to wait for it, in seconds."""
+        share: float = 0.5 ** self._disappointments[what]
+        return max(_PATIENCE_LEAST_S, share * wanted_s)
+
+    def lose(self, what: str) -> None:
+        """Note that it did not come."""
+        self._disappointments[what] += 1
+
+
+class Run:
+    """A run that a check submitted; `body` is the run as last seen."""
+
+    def __init__(self, story: "Story", body: dict[str, Any], wire: Wire) -> None:
+        self.story = story
+        self.wire = wire
+        self.body = body
+        self.id: str = body["run_id"]
+        self._worker_numbers = itertools.count(1)
+        self._sessions: dict[str, str] = {}  # of each worker, the latest
+
+    def call(self, operation_id: str, **how: Any) -> Answer:
+        """Send an operation on this run; the answer is raw."""
+        how.setdefault("wire", self.wire)
+        how.setdefault("run_id", self.id)
+        answer = self.story.call(operation_id, endpoint=self.body["endpoint"], **how)
+        if operation_id == "attach_worker" and answer.status == 200:
+            self._remember(str(how.get("worker_id")), answer.json)
+        return answer
+
+    @contextlib.contextmanager
+    def stream(
+        self, operation_id: str, headers: Mapping[str, str]
+    ) -> Iterator[Stream | Answer]:
+        """Read what an operation on this run tells of it, while it is told."""
+        operation = self.story.spec.operations[operation_id]
+        path = self.base_url_of(operation) + operation.path.format(run_id=self.id)
+        with self.wire.stream(operation, path, headers) as opened:
+            yield opened
+
+    def base_url_of(self, operation: Operation) -> str:
+        """Where an operation on this run is served: its endpoint, or the service."""
+        if operation.is_data_plane:
+            return str(self.body["endpoint"]).rstrip("/")
+        return self.wire.base_url
+
+    def _remember(self, worker_id: str, turn: Any) -> None:
+        session_id = turn.get("session_id") if isinstance(turn, dict) else None
+        if isinstance(session_id, str):
+            self._sessions[worker_id] = session_id
+
+    def abandon(self) -> None:
+        """Stop the run, so that it holds no simulator; best effort.
+
+        A server that cannot stop is asked to end the sessions one by one.
+        """
+        with contextlib.suppress(Violation, SetUpFailed):
+            abort = {"mode": "abort"}
+            stopped = self.call("stop_run", json=abort, timeout_s=_ABANDON_S)
+            if stopped.status == 200:
+                return
+            if not self._sessions or self.get()["state"] in _ENDED:
+                return
+            for worker_id, session_id in self._sessions.items():
+                self.call(
+                    "detach_worker",
+                    worker_id=worker_id,
+                    params={"session_id": session_id},
+                    timeout_s=_ABANDON_S,
+                )
+
+    def _given(self, operation_id: str, status: int = 200, **how: Any) -> Any:
+        return self.story.given(
+            lambda: self.call(operation_id, **how), status, operation_id
+        )
+
+    def get(self) -> dict[str, Any]:
+        """Read the run."""
+        self.body = self._given("get_run")
+        return self.body
+
+    def score(self) -> dict[str, Any]:
+        """Read the score."""
+        score: dict[str, Any] = self._given("get_score")
+        return score
+
+    def episodes(self) -> list[dict[str, Any]]:
+        """Read all pages of the episodes."""
+        episodes: list[dict[str, Any]] = []
+        params: dict[str, Any] = {}
+        for _ in range(_SURELY_ENOUGH_PAGES):
+            page = self._given("list_episodes", params=params)
+            episodes += page["episodes"]
+            if page["next_cursor"] is None:
+                return episodes
+            params = {"cursor": page["next_cursor"]}
+        raise SetUpFailed("the pages of `list_episodes` never end")
+
+    def stop(self, mode: str = "abort") -> dict[str, Any]:
+        """Stop the run."""
+        self.body = self._given("stop_run", json={"mode": mode})
+        return self.body
+
+    def resume(self) -> dict[str, Any]:
+        """Resume the run."""
+        self.body = self._given("resume_run")
+        return self.body
+
+    def until(self, state: str, timeout_s: float = 5.0) -> dict[str, Any]:
+        """Poll until the run is in a state."""
+        timeout_s = self.story.context.patience.of(state, timeout_s)
+        deadline = time.monotonic() + timeout_s
+        pause_s = _POLL_FIRST_S
+        while self.get()["state"] != state:
+            if time.monotonic() > deadline:
+                self.story.context.patience.lose(state)
+                raise SetUpFailed(
+                    f"the run did not become `{state}` within {timeout_s:g} s; "
+                    f"it is `{self.body['state']}`"
+                )
+            time.sleep(pause_s)
+            pause_s = min(2 * pause_s, _POLL_LONGEST_S)
+        return self.body
+
+    def worker(self, worker_id: str | None = None) -> "Worker":
+        """Name a worker of this run; nothing is sent."""
+        return Worker(self, worker_id or f"worker-{next(self._worker_numbers)}")
+
+    def snapshot(self) -> dict[str, Any]:
+        """Read everything of the run that only a command may change."""
+        run = {k: v for k, v in self.get().items() if k not in _VOLATILE}
+        return {"run": run, "episodes": self.episodes(), "score": self.score()}
+
+
+class Worker:
+    """A worker with its latest session, the last seq it used, and its last turn."""
+
+    def __init__(self, run: Run, worker_id: str) -> None:
+        self.run = run
+        self.id = worker_id
+        self.attach_key = ""
+        self.session_id = ""
+        self.seq = 0
+        self.turn: dict[str, Any] = {}
+
+    def _call(self, operation_id: str, **how: Any) -> Answer:
+        how.setdefault("worker_id", self.id)
+        return self.run.call(operation_id, **how)
+
+    def try_attach(
+        self,
+        takeover: bool = False,
+        attach_key: str | None = None,
+        assumes: Mapping[str, Any] | None = None,
+        **how: Any,
+    ) -> Answer:
+        """Ask for a session, with a new key unless one is given."""
+        body: dict[str, Any] = {"attach_key": attach_key or uuid.uuid4().hex}
+        if takeover:
+            body["takeover"] = True
+        if assumes is not None:
+            body["assumes"] = assumes
+        return self._call("attach_worker", json=body, **how)
+
+    def attach(
+        self,
+        takeover: bool = False,
+        attach_key: str | None = None,
+        assumes: Mapping[str, Any] | None = None,
+        **how: Any,
+    ) -> dict[str, Any]:
+        """Open a session and give its turn 0."""
+        key = attach_key or uuid.uuid4().hex
+        turn: dict[str, Any] = self.run.story.given(
+            lambda: self.try_attach(takeover, key, assumes, **how), 200, "attach_worker"
+        )
+        self.attach_key = key
+        self.session_id = turn["session_id"]
+        self.seq = turn["seq"]
+        self.turn = turn
+        return turn
+
+    def try_predict(
+        self,
+        *actions: Mapping[str, Any],
+        seq: int | None = None,
+        session_id: str | None = None,
+        observe: str | None = None,
+        msgpack: bool = False,
+        **how: Any,
+    ) -> Answer:
+        """Send a chunk; the worker's own count of seq does not move."""
+        body: dict[str, Any] = {
+            "session_id": self.session_id if session_id is None else session_id,
+            "seq": self.seq + 1 if seq is None else seq,
+            "actions": list(actions),
+        }
+        if observe is not None:
+            body["observe"] = observe
+        return self._call("predict", json=body, msgpack=msgpack, **how)
+
+    def predict(
+        self,
+        *actions: Mapping[str, Any],
+        observe: str | None = None,
+        msgpack: bool = False,
+        **how: Any,
+    ) -> dict[str, Any]:
+        """Play a chunk under the next seq and give the turn."""
+        turn: dict[str, Any] = self.run.story.given(
+            lambda: self.try_predict(*actions, observe=observe, msgpack=msgpack, **how),
+            200,
+            "predict",
+        )
+        self.seq += 1
+        self.turn = turn
+        return turn
+
+    def play(
+        self, score: float = 0.5, success: float = 0, steps: int = 1
+    ) -> dict[str, Any]:
+        """Play the current episode to its end; give the turn that ended it."""
+        story = self.run.story
+        actions = [story.action(score=score, success=success) for _ in range(steps - 1)]
+        actions.append(story.action(score=score, success=success, end=1))
+        turn: dict[str, Any] = {}
+        longest = story.limits["max_chunk"]
+        for first in range(0, steps, longest):
+            turn = self.predict(*actions[first : first + longest])
+        if "episode_result" not in turn:
+            raise SetUpFailed("an action with `end` 1 did not end the episode")
+        return turn
+
+    def try_heartbeat(self, session_id: str | None = None, **how: Any) -> Answer:
+        """Send a heartbeat; the answer is raw."""
+        body = {"session_id": self.session_id if session_id is None else session_id}
+        return self._call("heartbeat", json=body, **how)
+
+    def heartbeat(self) -> dict[str, Any]:
+        """Extend the lease."""
+        lease: dict[str, Any] = self.run.story.given(
+            self.try_heartbeat, 200, "heartbeat"
+        )
+        return lease
+
+    def try_detach(self, session_id: str | None = None, **how: Any) -> Answer:
+        """Ask to close the session; the answer is raw."""
+        session = self.session_id if session_id is None else session_id
+        return self._call("detach_worker", params={"session_id": session}, **how)
+
+    def detach(self) -> None:
+        """Close the session."""
+        self.run.story.given(self.try_detach, 204, "detach_worker")

@@ -1,0 +1,1 @@
+"""What a right server would answer, computed independently. Sends nothing."""

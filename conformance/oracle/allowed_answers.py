@@ -1,0 +1,352 @@
+"""What the rules demand of the answer to a request, given a run of the model. Pure.
+
+See history.py for what a run, a request and a demand are.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+from conformance.oracle.run_model import (
+    ABSENT,
+    Attach,
+    Demand,
+    Detach,
+    Heartbeat,
+    Model,
+    Predict,
+    Read,
+    ReadEpisodes,
+    Request,
+    Resume,
+    Rules,
+    Seen,
+    Session,
+    Step,
+    Stop,
+    close,
+    closure,
+    frozen,
+    hand_out,
+    settled,
+)
+
+Models = frozenset[Model]
+
+
+class Deviation(Exception):
+    """An answer that no rule allows."""
+
+    def __init__(self, expected: str) -> None:
+        super().__init__(expected)
+        self.expected = expected
+
+
+def advance(rules: Rules, models: Models, request: Request, seen: Seen) -> Models:
+    """Give the runs that the server may be in after an answer, or raise Deviation."""
+    after: set[Model] = set()
+    missed: dict[str, None] = {}
+    for before in models:
+        for model in closure(rules, before):
+            for demand in demands(rules, model, request):
+                text = demand.miss(seen)
+                if text is None:
+                    after.add(demand.after(seen))
+                else:
+                    missed[text] = None
+    if not after:
+        raise Deviation("; or ".join(missed))
+    return frozenset(after)
+
+
+def demands(rules: Rules, model: Model, request: Request) -> Iterator[Demand]:
+    """Give every answer that is allowed."""
+    match request:
+        case Attach():
+            yield from _attach(rules, model, request)
+        case Predict():
+            yield from _predict(rules, model, request)
+        case Heartbeat() | Detach():
+            yield from _touch(rules, model, request)
+        case Stop(mode):
+            yield from _command(rules, model, f"stop_{mode}")
+        case Resume():
+            yield from _command(rules, model, "resume_run")
+        case Read():
+            yield from _read(model)
+        case ReadEpisodes():
+            yield from _read_episodes(model)
+
+
+def refuse(rule: str, model: Model, code: str, **members: Any) -> Demand:
+    """Demand a refusal, which changes nothing."""
+    status = 429 if code == "worker_limit" else 409
+    return Demand(rule, status, lambda _: model, code, members)
+
+
+# --- attach ---
+
+
+def _attach(rules: Rules, model: Model, request: Attach) -> Iterator[Demand]:
+    rule, to = rules.table[model.state, "attach_worker"]
+    current = model.live(request.worker)
+    is_busy = current is not None and not current.is_done
+    if to == "refused":
+        yield refuse(rule, model, "illegal_transition", state=model.state)
+    if current is not None and current.key == request.key:
+        yield Demand("ATT-002", 200, lambda _: model, same_turn=current.turn)
+    elif current is not None and not request.takeover:
+        # A session that is done may count as live or not.
+        yield refuse("ATT-003", model, "worker_busy")
+    elif current is not None and is_busy:
+        yield from _take_over(model, current, request)
+    if to != "refused" and not is_busy:
+        yield from _enter(rules, model, request, to)
+
+
+def _take_over(model: Model, old: Session, request: Attach) -> Iterator[Demand]:
+    assert old.episode is not None, "a session that holds a slot plays an episode"
+    episode = _view(model, old)
+
+    def after(seen: Seen) -> Model:
+        new = replace(
+            opened(request, seen, len(model.sessions)),
+            episode=old.episode,
+            is_done=False,
+            steps=old.steps,
+            success=old.success,
+        )
+        gone = replace(old, status="superseded", episode=None)
+        return model.with_session(gone).with_session(new)
+
+    known = [s.id for s in model.sessions]
+    members = {"seq": 0, "done": False, **episode}
+    yield Demand("ATT-004", 200, after, members=members, new_among=known)
+
+
+def _enter(rules: Rules, model: Model, request: Attach, to: str) -> Iterator[Demand]:
+    others = [
+        s for s in model.sessions if s.status == "live" and s.worker != request.worker
+    ]
+    if len(others) >= rules.max_workers:
+        yield refuse("ATT-006", model, "worker_limit")
+    if sum(not s.is_done for s in others) >= rules.max_workers:
+        return
+    sessions = tuple(
+        replace(s, status="superseded")
+        if s.status == "live" and s.worker == request.worker
+        else s
+        for s in model.sessions
+    )
+    before = replace(model, state=to, sessions=sessions)
+
+    def after(seen: Seen) -> Model:
+        new = opened(request, seen, len(model.sessions))
+        return settled(rules, hand_out(before, new))
+
+    shown = after(Seen(200, None, {"session_id": "new"}))
+    session = shown.session("new")
+    members = {
+        "seq": 0,
+        "executed_steps": 0,
+        "rewards": [],
+        "done": session.is_done,
+        "episode_result": ABSENT,
+        **_view(shown, session),
+    }
+    rule = "ATT-012" if session.is_done else "ATT-001, EPI-001"
+    known = [s.id for s in model.sessions]
+    yield Demand(rule, 200, after, members=members, new_among=known)
+
+
+def opened(request: Attach, seen: Seen, number: int) -> Session:
+    """Make the session that an attach opened."""
+    body = seen.body if isinstance(seen.body, dict) else {}
+    return Session(
+        id=str(body.get("session_id", f"unnamed {number}")),
+        worker=request.worker,
+        key=request.key,
+        episode=None,
+        is_done=True,
+        turn=frozen(body),
+    )
+
+
+def _view(model: Model, session: Session) -> dict[str, Any]:
+    if session.episode is None:
+        return {"episode": ABSENT, "observation": ABSENT}
+    return {
+        "episode.index": session.episode,
+        "episode.attempt": model.episodes[session.episode].attempt,
+        "episode.step": session.steps,
+        "observation.state.count": [session.steps],
+    }
+
+
+# --- requests of a session ---
+
+
+def _ends(model: Model, session: Session) -> Iterator[Demand]:
+    """Give the refusals of a request whose session is not the live one any more."""
+    successor = model.live(session.worker)
+    if session.status == "live":
+        return
+    if successor is not None or session.status == "superseded":
+        yield refuse("ATT-005", model, "session_superseded")
+    is_held = successor is not None and not (successor.is_done or session.is_done)
+    if not (session.status == "superseded" and is_held):
+        yield refuse("STOP-002, DET-001", model, "session_ended")
+
+
+def _predict(rules: Rules, model: Model, request: Predict) -> Iterator[Demand]:
+    session = model.session(request.session)
+    yield from _ends(model, session)
+    if session.status != "live" and not session.is_done:
+        return
+    if request.seq == session.seq:
+        if request.steps != session.request:
+            yield refuse("PRED-003", model, "seq_conflict")
+            return
+        rule = "PRED-010" if session.is_done else "PRED-002"
+        yield Demand(rule, 200, lambda _: model, same_turn=session.turn)
+    elif request.seq != session.seq + 1:
+        due = session.seq + 1
+        yield refuse("PRED-004", model, "seq_out_of_order", expected_seq=due)
+    elif session.is_done:
+        yield refuse("PRED-011", model, "no_episode")
+    else:
+        yield _execute(rules, model, session, request)
+
+
+def played(rules: Rules, model: Model, request: Predict) -> tuple[Model, list[Step]]:
+    """Execute a chunk: the run then, and the actions that were executed."""
+    session = model.session(request.session)
+    index = session.episode
+    assert index is not None, "a session that is not done plays an episode"
+    done: list[Step] = []
+    for step in request.steps:
+        done.append(step)
+        if step.end or session.steps + len(done) == rules.max_steps:
+            break
+    session = replace(
+        session,
+        seq=request.seq,
+        request=request.steps,
+        steps=session.steps + len(done),
+        success=max(session.success, *(step.success for step in done)),
+    )
+    if not done[-1].end and session.steps < rules.max_steps:
+        return model.with_session(session), done
+    outcome = "success" if session.success else "failure"
+    model = model.with_episode(
+        index, is_held=False, outcome=outcome, score=done[-1].score
+    )
+    return settled(rules, hand_out(model, session)), done
+
+
+def _execute(rules: Rules, model: Model, session: Session, request: Predict) -> Demand:
+    after, done = played(rules, model, request)
+    index = session.episode
+    assert index is not None, "a session that is not done plays an episode"
+    now = after.session(session.id)
+    ended = after.episodes[index].outcome is not None
+    steps = session.steps + len(done)
+    members: dict[str, Any] = {
+        "session_id": session.id,
+        "seq": request.seq,
+        "executed_steps": len(done),
+        "stopped_early": len(done) < len(request.steps),
+        "rewards": [step.score for step in done],
+        "terminated": bool(done[-1].end),
+        "truncated": steps == rules.max_steps and not done[-1].end,
+        "done": now.is_done,
+        **_view(after, now),
+    }
+    if not ended:
+        members["episode_result"] = ABSENT
+    else:
+        result = after.episodes[index]
+        expected = {
+            "index": index,
+            "outcome": result.outcome,
+            "score": result.score,
+            "steps": steps,
+            "attempt": result.attempt,
+        }
+        members |= {f"episode_result.{k}": v for k, v in expected.items()}
+
+    def then(seen: Seen) -> Model:
+        return after.with_session(replace(now, turn=frozen(seen.body)))
+
+    rule = "PRED-007, PRED-008, PRED-009, STOP-004" if ended else "PRED-001, CAL-003"
+    return Demand(rule, 200, then, members=members)
+
+
+def _touch(rules: Rules, model: Model, request: Heartbeat | Detach) -> Iterator[Demand]:
+    session = model.session(request.session)
+    refusals = list(_ends(model, session))
+    if isinstance(request, Heartbeat):
+        yield from refusals
+        if session.status == "live" or session.is_done:
+            yield Demand("LEASE-003", 200, lambda _: model)
+    elif session.status == "live":
+        after = settled(rules, close(rules, model, session))
+        yield Demand("DET-001", 204, lambda _: after)
+    else:
+        if session.status == "superseded":
+            yield from (r for r in refusals if r.code == "session_superseded")
+        if session.status == "ended" or len(refusals) > 1:
+            yield Demand("DET-002", 204, lambda _: model)
+
+
+# --- commands on the run, and what it shows ---
+
+
+def _command(rules: Rules, model: Model, command: str) -> Iterator[Demand]:
+    rule, to = rules.table[model.state, command]
+    if to == "refused":
+        yield refuse(rule, model, "illegal_transition", state=model.state)
+        return
+    after = model
+    if command == "stop_abort":
+        for session in model.sessions:
+            if session.status == "live":
+                after = close(rules, after, session)
+        if after.all_scored and not model.all_scored:
+            # The last attempts were closed: LIFE-804 speaks as well as the command.
+            complete = settled(rules, after)
+            yield Demand("LIFE-804, LIFE-805", 200, lambda _: complete)
+    moved = settled(rules, replace(after, state=to))
+    yield Demand(rule, 200, lambda _: moved)
+
+
+def _read(model: Model) -> Iterator[Demand]:
+    holders = len(model.holders)
+    live = sum(s.status == "live" for s in model.sessions)
+    members = {
+        "state": model.state,
+        "live_workers": range(holders, live + 1),
+        "progress.episodes_scored": sum(e.outcome is not None for e in model.episodes),
+        "progress.episodes_in_progress": sum(e.is_held for e in model.episodes),
+        "progress.episodes_pending": sum(e.is_pending for e in model.episodes),
+    }
+    yield Demand("LIFE, RUN-014", 200, lambda _: model, members=members)
+
+
+def _read_episodes(model: Model) -> Iterator[Demand]:
+    members: dict[str, Any] = {}
+    for index, episode in enumerate(model.episodes):
+        status = "in_progress" if episode.is_held else "scored"
+        expected: dict[str, Any] = {
+            "index": index,
+            "status": "pending" if episode.is_pending else status,
+            "attempt": episode.attempt,
+        }
+        if episode.outcome is None:
+            expected["result"] = ABSENT
+        else:
+            expected["result.outcome"] = episode.outcome
+            expected["result.score"] = episode.score
+        members |= {f"{index}.{name}": value for name, value in expected.items()}
+    members[str(len(model.episodes))] = ABSENT
+    yield Demand("EPI-003, EPI-005, EPI-006", 200, lambda _: model, members=members)

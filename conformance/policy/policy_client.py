@@ -1,0 +1,66 @@
+"""A session with a policy server, as a check handles it.
+
+`reset` and `predict` are set-up: refused, they prove nothing against the rule under
+test. The `try_` verbs give the raw answer, for `expect` to judge.
+"""
+
+import itertools
+from typing import Any
+
+from conformance.client.check_context import Story
+from conformance.client.http_client import Answer
+from conformance.policy import turns
+from conformance.verdicts.expect import SetUpFailed
+
+_numbers = itertools.count(1)
+
+
+class Asked:
+    """One session; `seq` is that of its next turn."""
+
+    def __init__(self, story: Story) -> None:
+        self.story = story
+        self.benchmark = story.benchmark
+        self.session_id = f"kit-{story.random.randrange(10**9)}-{next(_numbers)}"
+        self.seq = 0
+        self.view = turns.episode(self.benchmark)
+
+    def reset_body(self, index: int = 0, attempt: int = 1) -> dict[str, Any]:
+        """Give the body of a reset; the turns that follow are of that attempt."""
+        self.view = turns.episode(self.benchmark, index, attempt)
+        return {
+            "session_id": self.session_id,
+            "run_id": "run_kit",
+            "benchmark": self.benchmark,
+            "episode": self.view,
+        }
+
+    def try_reset(self, index: int = 0, attempt: int = 1, **members: Any) -> Answer:
+        """Ask for a reset, with further members if there are any."""
+        body = self.reset_body(index, attempt) | members
+        return self.story.call("reset", json=body)
+
+    def reset(self, index: int = 0, attempt: int = 1) -> None:
+        """Begin an attempt."""
+        self.story.given(lambda: self.try_reset(index, attempt), 200, "reset")
+
+    def turn(self, **members: Any) -> dict[str, Any]:
+        """Give the next turn."""
+        made = turns.turn(self.benchmark, self.session_id, self.seq, self.view)
+        return made | members
+
+    def try_predict(self, turn: dict[str, Any] | None = None, **how: Any) -> Answer:
+        """Ask for actions; the session's own count does not move."""
+        return self.story.call("predict", json=turn or self.turn(), **how)
+
+    def predict(self) -> list[Any]:
+        """Ask for actions, and go on as if they had been executed."""
+        answer = self.story.given(self.try_predict, 200, "predict")
+        actions: list[Any] = answer["actions"]
+        if not actions:
+            raise SetUpFailed("`predict` was answered with no action")
+        self.seq += 1
+        left = self.view["max_steps"] - 1
+        step = min(self.view["step"] + len(actions), left)
+        self.view = self.view | {"step": step}
+        return actions

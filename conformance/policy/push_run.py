@@ -1,0 +1,139 @@
+"""Runs that the judged server has to play by calling the kit's policy server."""
+
+import contextlib
+import ipaddress
+import socket
+import time
+from collections.abc import Iterator
+from typing import Any
+from urllib.parse import urlsplit
+
+from conformance.client.check_context import Run, Story
+from conformance.client.http_client import Answer
+from conformance.policy.chat import ScriptedChat
+from conformance.policy.scripted import ScriptedPolicy
+from conformance.verdicts import expect
+from conformance.verdicts.expect import SetUpFailed, Violation
+
+LONGEST_S = 15.0
+ENDED = ("completed", "failed", "stopped")
+_FIRST_CALL_S = 5.0
+_POLL_S = 0.01
+
+
+@contextlib.contextmanager
+def policy_server(story: Story) -> Iterator[ScriptedPolicy]:
+    """Serve a policy where the judged server can find it."""
+    with ScriptedPolicy(own_address(story.context.settings.url)) as policy:
+        yield policy
+
+
+@contextlib.contextmanager
+def chat_server(story: Story, says: Any = "1") -> Iterator[ScriptedChat]:
+    """Serve a chat model where the judged server can find it."""
+    with ScriptedChat(says, own_address(story.context.settings.url)) as chat:
+        yield chat
+
+
+def push_body(url: str, *tasks: str, **order: Any) -> dict[str, Any]:
+    """Give a body of submit_run; `options` are the run's, the rest is the order's."""
+    options = {"tasks": list(tasks or ("score",)), **order.pop("options", {})}
+    given = {"url": url, "protocol": "proctor", "call_timeout_s": 5.0, "max_retries": 0}
+    return Story.submit_body(
+        mode="push", policy_server={**given, **order}, options=options
+    )
+
+
+def pushed(story: Story, policy: ScriptedPolicy, *tasks: str, **order: Any) -> Run:
+    """Submit a run and wait for the first call; SetUpFailed if there is none."""
+    body = push_body(policy.url, *tasks, **order)
+    before = len(policy.calls)
+    answer = story.call("submit_run", json=body)
+    require_permitted(answer, policy.url)
+    run = story.adopt(expect.given(answer, 201, "`submit_run` with mode push"))
+    deadline = time.monotonic() + _FIRST_CALL_S
+    while len(policy.calls) == before and run.get()["state"] not in ENDED:
+        if time.monotonic() > deadline:
+            raise Violation(
+                f"a call of the policy server at {policy.url}",
+                f"none within {_FIRST_CALL_S:g} s in a run that is "
+                f"`{run.body['state']}`",
+            )
+        time.sleep(_POLL_S)
+    if len(policy.calls) == before:
+        raise SetUpFailed(
+            f"the server does not reach the kit's policy server at {policy.url}: "
+            f"{run.body['reason']}",
+            allowed=not is_here(story.context.settings.url),
+        )
+    return run
+
+
+def pointers_of(answer: Answer) -> set[str]:
+    """Give the pointers of the errors in a refusal."""
+    errors = answer.json.get("errors", []) if isinstance(answer.json, dict) else []
+    return {str(error.get("pointer")) for error in errors}
+
+
+def require_permitted(answer: Answer, url: str) -> None:
+    """Raise SetUpFailed when the server's operator does not let it call this URL."""
+    if "/policy_server/url" in pointers_of(answer):
+        raise SetUpFailed(
+            f"the server does not call policies at {url}: {expect.told(answer)} "
+            "Allow it to call that address (the reference server: "
+            "`--allow-private-policies 127.0.0.1`), or let the kit start the server.",
+            allowed=True,
+        )
+
+
+def ended(run: Run, state: str) -> dict[str, Any]:
+    """Expect a run to end in a state, and give it."""
+    deadline = time.monotonic() + LONGEST_S
+    while (body := run.get())["state"] not in ENDED:
+        if time.monotonic() > deadline:
+            raise Violation(
+                f"a run that becomes `{state}`",
+                f"`{body['state']}` after {LONGEST_S:g} s",
+            )
+        time.sleep(_POLL_S)
+    if body["state"] != state:
+        told = f"a run that is `{body['state']}` ({body['reason']})"
+        raise Violation(f"a run that becomes `{state}`", told)
+    return body
+
+
+def faulted(run: Run, within_s: float = LONGEST_S) -> dict[str, Any]:
+    """Expect the policy's fault to be told with the first episode, and give that."""
+    deadline = time.monotonic() + within_s
+    while "policy_fault" not in (episode := run.episodes()[0]):
+        if time.monotonic() > deadline:
+            raise Violation(
+                f"`policy_fault` of an episode within {within_s:g} s",
+                expect.shown(dict(episode)),
+            )
+        time.sleep(_POLL_S)
+    expect.true(episode["policy_fault"], "a text in `policy_fault`")
+    return episode
+
+
+def own_address(url: str) -> str:
+    """Give the address of this machine by which the server at a URL can reach it."""
+    parts = urlsplit(url)
+    if is_here(url):
+        return "127.0.0.1"
+    port = parts.port or (443 if parts.scheme == "https" else 80)
+    try:
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+            probe.connect((parts.hostname or "", port))  # sends nothing
+            return str(probe.getsockname()[0])
+    except OSError as error:
+        reason = f"no address of this machine is known to reach {url}: {error}"
+        raise SetUpFailed(reason, allowed=True) from error
+
+
+def is_here(url: str) -> bool:
+    host = urlsplit(url).hostname or ""
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"

@@ -1,0 +1,1 @@
+"""A finished judgement as HTML, JSON, JUnit XML and a badge."""

@@ -1,0 +1,60 @@
+"""badge.svg: the result in two words, to be shown where a server presents itself.
+
+Red when a MUST is violated, known or not; green only for a whole conformant run.
+"""
+
+from xml.sax.saxutils import escape
+
+from conformance.specification.document import load_spec
+from conformance.verdicts.result import Result
+from conformance.verdicts.verdict import Outcome
+
+_GREEN, _RED, _GREY, _ORANGE = "#1f7a38", "#c62828", "#5b6472", "#96600a"
+# Verdana at 11 pixels, on average; the text is stretched to what is reserved.
+_CHARACTER = 6.4
+_PADDING = 6
+
+
+def badge(result: Result) -> str:
+    """Draw the badge."""
+    version = load_spec().version.rpartition(".")[0]
+    name, told, colour = f"proctor {version}", *_say(result)
+    left, right = (_width(text) for text in (name, told))
+    whole = left + right
+    label = escape(f"{name}: {told}", {'"': "&quot;"})
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{whole}" height="20" '
+        f'role="img" aria-label="{label}"><title>{label}</title>'
+        f'<clipPath id="r"><rect width="{whole}" height="20" rx="3"/></clipPath>'
+        f'<g clip-path="url(#r)"><rect width="{left}" height="20" fill="#333a45"/>'
+        f'<rect x="{left}" width="{right}" height="20" fill="{colour}"/></g>'
+        '<g fill="#fff" font-family="Verdana,DejaVu Sans,sans-serif" font-size="11" '
+        f'text-anchor="middle">{_drawn(name, 0, left)}{_drawn(told, left, right)}'
+        "</g></svg>\n"
+    )
+
+
+def _say(result: Result) -> tuple[str, str]:
+    count = result.counts("MUST")
+    about = count.total() - count[Outcome.NOT_APPLICABLE]
+    verified = f"{count[Outcome.PASSED]}/{about} verified"
+    if count[Outcome.FAILED]:
+        return f"{verified}, {count[Outcome.FAILED]} violated", _RED
+    if result.exit_code == 2:
+        return "could not judge", _ORANGE
+    if result.exit_code == 1:
+        return f"{verified}, known failures are stale", _RED
+    if result.is_partial:
+        return f"{verified} of a selection", _GREY
+    return verified, _GREEN
+
+
+def _width(text: str) -> int:
+    return round(len(text) * _CHARACTER) + 2 * _PADDING
+
+
+def _drawn(text: str, start: int, width: int) -> str:
+    return (
+        f'<text x="{start + width / 2:g}" y="14" textLength="{width - 2 * _PADDING}">'
+        f"{escape(text)}</text>"
+    )

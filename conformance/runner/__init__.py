@@ -1,0 +1,1 @@
+"""Runs the checks under pytest, and the servers that they may kill."""

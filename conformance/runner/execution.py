@@ -1,0 +1,141 @@
+"""Runs the checks with pytest in this process and gathers what they found."""
+
+import os
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from conformance.cli.settings import Settings
+from conformance.runner.pytest_plugin import (
+    DEAD,
+    TALLY,
+    VERDICT,
+    requirement_of,
+    story_of,
+)
+from conformance.specification.document import load_spec
+from conformance.specification.ledger import POLICY, PROFILES
+from conformance.verdicts.universal_rules import Tally
+from conformance.verdicts.verdict import Outcome, Verdict
+
+CHECKS = Path(__file__).resolve().parents[1] / "checks"
+_NOTHING_FAILED_IN_PYTEST = (
+    pytest.ExitCode.OK,
+    pytest.ExitCode.TESTS_FAILED,
+    pytest.ExitCode.NO_TESTS_COLLECTED,
+    pytest.ExitCode.INTERRUPTED,
+)
+
+
+class Gathered:
+    """A pytest plugin that keeps verdicts, tallies and troubles."""
+
+    def __init__(self, progress: Callable[[Verdict, int], None]) -> None:
+        self.verdicts: dict[str, Verdict] = {}
+        self.tally = Tally(load_spec())
+        self.problem: str | None = None
+        self._progress = progress
+        self._total = 0
+
+    def pytest_collection_finish(self, session: pytest.Session) -> None:
+        """Learn how many checks there will be (nothing in an xdist controller)."""
+        self._total = len(session.items)
+
+    def pytest_collectreport(self, report: pytest.CollectReport) -> None:
+        """A file of checks that cannot be read is the kit's fault."""
+        if report.failed:
+            self.problem = f"the kit is broken: {report.longreprtext[-600:]}"
+
+    def pytest_internalerror(self, excrepr: Any) -> None:
+        """Whatever pytest stumbles over is the kit's fault, too."""
+        self.problem = f"the kit is broken: {str(excrepr)[-600:]}"
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        """Take over what the plugin attached to the end of a check."""
+        if report.when != "teardown":
+            return
+        for name, value in report.user_properties:
+            if name == VERDICT and isinstance(value, dict):
+                self._add(Verdict.from_plain(value))
+            elif name == TALLY and isinstance(value, dict):
+                self.tally.add_plain(value)
+            elif name == DEAD:
+                self.problem = self.problem or str(value)
+
+    def _add(self, verdict: Verdict) -> None:
+        known = self.verdicts.get(verdict.requirement_id)
+        if known is not None and verdict.outcome == Outcome.PASSED:
+            return
+        self.verdicts[verdict.requirement_id] = verdict
+        self._progress(verdict, self._total)
+
+
+class _Listing:
+    """A pytest plugin that keeps what was collected."""
+
+    def __init__(self) -> None:
+        self.checks: list[list[str]] = []
+
+    def pytest_collection_finish(self, session: pytest.Session) -> None:
+        """Note id, name and docstring of each check."""
+        self.checks = [
+            [requirement_of(item), item.name, story_of(item)] for item in session.items
+        ]
+
+
+def execute(
+    settings: Settings, processes: int, progress: Callable[[Verdict, int], None]
+) -> Gathered:
+    """Run the selected checks."""
+    gathered = Gathered(progress)
+    code = _run_pytest(settings, gathered, processes)
+    if gathered.problem is None and code not in _NOTHING_FAILED_IN_PYTEST:
+        gathered.problem = f"the kit is broken: pytest ended with code {code}"
+    if gathered.problem is None and code == pytest.ExitCode.INTERRUPTED:
+        gathered.problem = "interrupted before the end"
+    return gathered
+
+
+def list_checks(chosen: Settings | None = None) -> list[list[str]]:
+    """Give id, name and docstring of the checks (of all), without a server."""
+    profiles = [*PROFILES, POLICY]
+    everything = Settings(profiles=profiles, service={"profiles": profiles})
+    listing = _Listing()
+    code = _run_pytest(chosen or everything, listing, 0, "--collect-only")
+    if code not in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED):
+        raise RuntimeError(f"the checks cannot be collected: pytest's code {code}")
+    return listing.checks
+
+
+def _run_pytest(
+    settings: Settings, plugin: object, processes: int, *more: str
+) -> int | pytest.ExitCode:
+    settings.hand_over()
+    # The operator's plugins and configuration must not change a verdict.
+    os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"
+    os.environ.pop("PYTEST_ADDOPTS", None)
+    # What Hypothesis keeps between runs is of no interest where the kit is run.
+    user = getattr(os, "getuid", int)()
+    kept = Path(tempfile.gettempdir(), f"proctor-conformance-{user}")
+    os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", str(kept))
+    arguments = [
+        str(CHECKS),
+        f"--rootdir={CHECKS.parent.parent}",
+        f"--config-file={os.devnull}",
+        "--strict-markers",
+        "--assert=plain",
+        "--capture=no",
+        "--import-mode=importlib",
+        "-pconformance.plugin",
+        "-pno:cacheprovider",
+        "-pno:faulthandler",
+        "-pno:terminal",
+        "-pno:warnings",
+        *more,
+    ]
+    if processes > 1:
+        arguments += ["-pxdist.plugin", f"-n{processes}", "--dist=loadgroup"]
+    return pytest.main(arguments, plugins=[plugin])

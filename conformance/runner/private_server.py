@@ -1,0 +1,98 @@
+"""A server that a check may kill: one of its own, or the operator's by a hook.
+
+With `--start-cmd` every check gets a server of its own. With `--restart-cmd` it is the
+server under test, which the command must kill and start again; these checks then run
+alone, after all others.
+"""
+
+import contextlib
+import shlex
+import subprocess
+import tempfile
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Protocol
+
+import httpx
+
+from conformance.client.check_context import Story
+from conformance.runner.server_process import ServerProcess, StartFailed, Tokens
+from conformance.verdicts.expect import SetUpFailed
+
+_RESTART_S = 60.0
+
+
+class PrivateServer(Protocol):
+    """What a crash check may do; `story` talks to this server."""
+
+    story: Story
+
+    def kill9(self) -> None:
+        """End the server without warning."""
+
+    def restart(self) -> None:
+        """Start it again on the same data, and wait until it answers."""
+
+
+class _OwnServer:
+    def __init__(self, story: Story, process: ServerProcess) -> None:
+        self.story = story
+        self._process = process
+
+    def kill9(self) -> None:
+        self._process.kill9()
+
+    def restart(self) -> None:
+        try:
+            self._process.start()
+        except StartFailed as error:
+            raise SetUpFailed(f"the server did not start again: {error}") from error
+
+
+class _HookedServer:
+    def __init__(self, story: Story, command: str) -> None:
+        self.story = story
+        self._command = shlex.split(command)
+
+    def kill9(self) -> None:
+        """Do nothing: the command of the operator kills and starts in one go."""
+
+    def restart(self) -> None:
+        done = subprocess.run(
+            self._command, capture_output=True, timeout=_RESTART_S, check=False
+        )
+        if done.returncode != 0:
+            raise SetUpFailed(f"the restart command ended with {done.returncode}")
+        deadline = time.monotonic() + _RESTART_S
+        url = self.story.context.settings.url
+        while time.monotonic() < deadline:
+            with contextlib.suppress(httpx.TransportError):
+                httpx.get(f"{url}/v1", timeout=2.0)
+                return
+            time.sleep(0.05)
+        raise SetUpFailed("the server did not answer after the restart command")
+
+
+@contextlib.contextmanager
+def open_private_server(story: Story) -> Iterator[PrivateServer]:
+    """Give a server that may be killed, and end it afterwards."""
+    settings = story.context.settings
+    if settings.restart_cmd is not None:
+        yield _HookedServer(story, settings.restart_cmd)
+        return
+    if settings.start_cmd is None:
+        raise SetUpFailed("needs --start-cmd or --restart-cmd", allowed=True)
+    tokens = Tokens(
+        settings.token or "", settings.token_2 or "", settings.token_read or ""
+    )
+    with tempfile.TemporaryDirectory(prefix="proctor-conformance-") as directory:
+        log = Path(settings.report) / f"server-{story.name}.log"
+        process = ServerProcess(settings.start_cmd, tokens, Path(directory), log)
+        try:
+            process.start()
+            yield _OwnServer(story.at(process.url), process)
+        except StartFailed as error:
+            raise SetUpFailed(str(error)) from error
+        finally:
+            process.stop()

@@ -1,0 +1,1 @@
+"""Reads the specification: operations, schemas, requirements."""

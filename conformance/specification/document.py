@@ -1,0 +1,283 @@
+"""The specification as data: operations, schemas, problems, lifecycle.
+
+Loaded once per process from `spec/openapi.yaml`; an installed kit carries the
+documents with it. Knows nothing of servers or checks.
+"""
+
+import copy
+import functools
+import hashlib
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import jsonschema_rs
+import yaml
+
+_HERE = Path(__file__).resolve().parent
+_PACKAGED = _HERE / "files"
+SPEC_DIRECTORY = _PACKAGED if _PACKAGED.is_dir() else _HERE.parents[1] / "spec"
+_DOCUMENTS = ("openapi.yaml", "policy.yaml", "scoring.md", "calibration.md")
+JSON = "application/json"
+MSGPACK = "application/msgpack"
+PROBLEM_JSON = "application/problem+json"
+EVENT_STREAM = "text/event-stream"
+_METHODS = ("get", "put", "post", "delete")
+# RFC 3339, section 5.6, with the letters that it allows in lower case as well.
+_DATE_TIME = re.compile(
+    r"\d{4}-(0[1-9]|1[0-2])-(0[1-9]|[12]\d|3[01])[Tt]"
+    r"([01]\d|2[0-3]):[0-5]\d:([0-5]\d|60)(\.\d+)?([Zz]|[+-]([01]\d|2[0-3]):[0-5]\d)"
+)
+_INTEGER_BITS = {"int32": 32, "int64": 64}
+_FORMATS = jsonschema.FormatChecker(formats=())
+
+
+@_FORMATS.checks("date-time")
+def _is_date_time(value: object) -> bool:
+    return not isinstance(value, str) or _DATE_TIME.fullmatch(value) is not None
+
+
+def _with_bytes() -> Any:
+    """Make a validator class with the type `bytes`, which MessagePack has."""
+    checker = jsonschema.Draft202012Validator.TYPE_CHECKER.redefine(
+        "bytes", lambda _, value: isinstance(value, bytes)
+    )
+    extend: Any = jsonschema.validators.extend
+    return extend(jsonschema.Draft202012Validator, type_checker=checker)
+
+
+_Validator = _with_bytes()
+
+
+@dataclass(frozen=True)
+class Operation:
+    """One operation of the document; `path` is the template."""
+
+    operation_id: str
+    method: str
+    path: str
+    is_data_plane: bool
+    needs_token: bool
+    profile: str
+    description: Mapping[str, Any]
+
+    def request_media_types(self) -> list[str]:
+        """Name the media types in which a body may be sent."""
+        return list(self.description.get("requestBody", {}).get("content", {}))
+
+    def answer_media_types(self) -> list[str]:
+        """Name the media types of its successful answers."""
+        answers = self.description["responses"].items()
+        return [
+            media_type
+            for status, answer in answers
+            if status.startswith("2")
+            for media_type in answer.get("content", {})
+        ]
+
+    @property
+    def goes_on(self) -> bool:
+        """Whether its answer is a stream of events."""
+        return EVENT_STREAM in self.answer_media_types()
+
+    def response(self, status: int) -> Mapping[str, Any] | None:
+        """Find what is said of a status: by itself or by its class, else None."""
+        responses: Mapping[str, Any] = self.description["responses"]
+        return responses.get(str(status)) or responses.get(f"{status // 100}XX")
+
+
+class Spec:
+    """The document with every `$ref` replaced by what it names."""
+
+    def __init__(self, document: Mapping[str, Any]) -> None:
+        self.document = document
+        self.version: str = document["info"]["version"]
+        self.problems: Mapping[str, Any] = document["x-problems"]
+        self.lifecycle: Mapping[str, Any] = document["x-lifecycle"]
+        self.requirements: list[dict[str, Any]] = document["x-requirements"]
+        self.operations = {o.operation_id: o for o in self._read_operations()}
+        # Of each schema: a quick look that lets valid bodies pass, and who explains.
+        self._judges: dict[tuple[Any, ...], tuple[Callable[[Any], bool], Any]] = {}
+
+    def _read_operations(self) -> Iterator[Operation]:
+        for path, item in self.document["paths"].items():
+            for method in _METHODS:
+                if method not in item:
+                    continue
+                description = self._resolve(item[method])
+                security = description.get("security", self.document["security"])
+                yield Operation(
+                    operation_id=description["operationId"],
+                    method=method.upper(),
+                    path=path,
+                    is_data_plane="data" in description["tags"],
+                    needs_token=bool(security),
+                    profile=description.get("x-profile", "core"),
+                    description=description,
+                )
+
+    def _resolve(self, node: Any) -> Any:
+        if isinstance(node, dict):
+            if "$ref" in node:
+                target: Any = self.document
+                for key in node["$ref"].removeprefix("#/").split("/"):
+                    target = target[key]
+                return self._resolve(target)
+            return {key: self._resolve(value) for key, value in node.items()}
+        if isinstance(node, list):
+            return [self._resolve(item) for item in node]
+        return node
+
+    def schema(self, name: str) -> dict[str, Any]:
+        """Give a schema of `components` without references."""
+        resolved: dict[str, Any] = self._resolve(
+            copy.deepcopy(self.document["components"]["schemas"][name])
+        )
+        return resolved
+
+    def find(self, method: str, path: str) -> Operation | None:
+        """Find the operation of a concrete path, relative to the server's base."""
+        for operation in self.operations.values():
+            pattern = re.sub(r"\\{[a-z_]+\\}", "[^/]+", re.escape(operation.path))
+            if operation.method == method and re.fullmatch(pattern, path):
+                return operation
+        return None
+
+    def request_faults(self, operation: Operation, body: Any) -> list[str]:
+        """List how a request body breaks its schema."""
+        content = operation.description["requestBody"]["content"]
+        key = ("request", operation.operation_id)
+        return self._faults(key, content[JSON]["schema"], body)
+
+    def response_faults(
+        self, operation: Operation, status: int, media_type: str, body: Any
+    ) -> list[str]:
+        """List how a body breaks the schema of its status and media type."""
+        response = operation.response(status)
+        if response is None or media_type not in response.get("content", {}):
+            return []
+        schema = response["content"][media_type]["schema"]
+        key = ("response", operation.operation_id, status, media_type)
+        if media_type == MSGPACK:
+            schema = _blobs_as_bytes(schema)
+        return self._faults(key, schema, body)
+
+    def _faults(self, key: tuple[Any, ...], schema: Any, body: Any) -> list[str]:
+        if key not in self._judges:
+            schema = _with_ranges(schema)
+            explains = _Validator(schema, format_checker=_FORMATS)
+            knows_bytes = MSGPACK in key
+            passes = explains.is_valid if knows_bytes else _filter(schema)
+            self._judges[key] = passes, explains
+        passes, explains = self._judges[key]
+        if passes(body):
+            return []
+        return [
+            f"{error.json_path}: {error.message[:300]}"
+            for error in explains.iter_errors(body)
+        ]
+
+
+def _with_ranges(schema: Any) -> Any:
+    """Say what the formats int32 and int64 mean in words of JSON Schema."""
+    if isinstance(schema, dict):
+        said = {key: _with_ranges(value) for key, value in schema.items()}
+        bits = _INTEGER_BITS.get(str(schema.get("format")))
+        if bits is not None:
+            bound = 2 ** (bits - 1)
+            said["allOf"] = [{"minimum": -bound, "maximum": bound - 1}]
+        return said
+    if isinstance(schema, list):
+        return [_with_ranges(item) for item in schema]
+    return schema
+
+
+def _filter(schema: Any) -> Callable[[Any], bool]:
+    """Make a quick look at a body: what it lets pass is valid.
+
+    The validator that can tell why a body is not has the last word.
+    """
+    validator = jsonschema_rs.Draft202012Validator(
+        schema, validate_formats=True, formats={"date-time": _is_date_time}
+    )
+
+    def lets_pass(body: Any) -> bool:
+        try:
+            return bool(validator.is_valid(body))
+        except ValueError:  # a string that is no Unicode, for one
+            return False
+
+    return lets_pass
+
+
+def _blobs_as_bytes(schema: Any) -> Any:
+    """In MessagePack, what JSON carries as base64 is `bin`."""
+    if isinstance(schema, dict):
+        if schema.get("contentEncoding") == "base64":
+            return {"type": "bytes"}
+        return {key: _blobs_as_bytes(value) for key, value in schema.items()}
+    if isinstance(schema, list):
+        return [_blobs_as_bytes(item) for item in schema]
+    return schema
+
+
+@functools.cache
+def load_spec() -> Spec:
+    """Load the document that stands beside the kit."""
+    return Spec(_read(SPEC_DIRECTORY / "openapi.yaml"))
+
+
+@functools.cache
+def load_policy_spec() -> Spec:
+    """Load the other direction: its paths and rules, with the messages of both."""
+    whole, policy = load_spec().document, _read(SPEC_DIRECTORY / "policy.yaml")
+    here = _with_own_references(policy)
+    here["components"]["schemas"] = whole["components"]["schemas"]
+    codes = policy["x-problems"]
+    here["x-problems"] = {code: whole["x-problems"][code] for code in codes}
+    return Spec(here | {"x-lifecycle": {"transitions": []}})
+
+
+def _with_own_references(node: Any) -> Any:
+    if isinstance(node, dict):
+        own = {key: _with_own_references(value) for key, value in node.items()}
+        if "$ref" in own:
+            own["$ref"] = own["$ref"].removeprefix("openapi.yaml")
+        return own
+    if isinstance(node, list):
+        return [_with_own_references(item) for item in node]
+    return node
+
+
+def load_profiles() -> dict[str, dict[str, Any]]:
+    """Load the documents of other wires that a server may offer, by their file."""
+    return {path.name: _read(path) for path in _profile_paths()}
+
+
+def _profile_paths() -> list[Path]:
+    return sorted((SPEC_DIRECTORY / "profiles").glob("*.yaml"))
+
+
+def _read(path: Path) -> dict[str, Any]:
+    # The C loader is ten times faster; both are safe ones.
+    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    text = path.read_text(encoding="utf-8")
+    document: dict[str, Any] = yaml.load(text, Loader=loader)  # noqa: S506
+    return document
+
+
+@functools.cache
+def spec_sha256() -> str:
+    """Give the hash over all documents, so that two reports can be compared."""
+    paths = [*(SPEC_DIRECTORY / name for name in _DOCUMENTS), *_profile_paths()]
+    documents = [path.read_bytes() for path in paths]
+    # A checkout may have turned the ends of lines into those of its system.
+    return hashlib.sha256(b"".join(documents).replace(b"\r\n", b"\n")).hexdigest()
+
+
+def spec_name() -> str:
+    """Say which specification is judged, in a few words."""
+    return f"Proctor {load_spec().version} ({spec_sha256()[:12]})"

@@ -1,0 +1,193 @@
+"""What a check may conclude. Only the functions here say that a server is wrong.
+
+A check ends in one of five ways: it returns (passed), or it raises `Violation`
+(failed), `SetUpFailed` (a step before the point was refused: not verified),
+`Inconclusive` (timing spoke neither way) or `NotApplicable` (never declared).
+Anything else is a fault of the kit itself.
+"""
+
+import itertools
+import json
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from conformance.specification.document import load_spec
+
+if TYPE_CHECKING:
+    from conformance.client.http_client import Answer
+
+TIME_WAS_UP = "time was up"
+_LONGEST_TEXT = 600
+_PATHS_SHOWN = 5
+_ABSENT = "(absent)"
+
+
+class Violation(AssertionError):
+    """The server broke the rule under test."""
+
+    def __init__(
+        self,
+        expected: str,
+        observed: str,
+        exchange: int | None = None,
+        *,
+        is_alone: bool = False,
+    ) -> None:
+        """Say both sides; `is_alone`: the one exchange is the whole story."""
+        super().__init__(f"expected {expected}; observed {observed}")
+        self.expected = expected
+        self.observed = observed
+        self.exchange = exchange
+        self.is_alone = is_alone
+
+
+class SetUpFailed(Exception):
+    """A step before the one under test did not work, so nothing can be said.
+
+    `allowed` marks what the operator chose not to give (a second token, a restart
+    hook): it leaves a run conformant.
+    """
+
+    def __init__(self, reason: str, *, allowed: bool = False):
+        super().__init__(reason)
+        self.reason = reason
+        self.allowed = allowed
+
+
+class Inconclusive(Exception):
+    """The clock or the network did not let the check decide."""
+
+
+class NotApplicable(Exception):
+    """The server never declared what the rule is about."""
+
+
+class KitError(Exception):
+    """The kit did something that the specification forbids it to do."""
+
+
+class Expected(dict[str, Any]):
+    """A body in which a missing member is a violation of the rule under test."""
+
+    def __missing__(self, key: str) -> Any:
+        """Refuse to go on without the member."""
+        raise Violation(f"a member `{key}`", f"members {sorted(self)}")
+
+
+class Given(dict[str, Any]):
+    """A body of a set-up step, in which a missing member proves nothing."""
+
+    def __missing__(self, key: str) -> Any:
+        """Refuse to go on without the member."""
+        raise SetUpFailed(f"an answer lacks the member `{key}`; it has {sorted(self)}")
+
+
+def ok(answer: "Answer", status: int = 200) -> Any:
+    """Expect success, and give the body."""
+    if answer.status != status:
+        raise Violation(f"status {status}", told(answer), answer.exchange)
+    return _wrap(answer.json, Expected)
+
+
+def refused(
+    answer: "Answer", code: str, *, pointer: str | None = None, **members: Any
+) -> dict[str, Any]:
+    """Expect a refusal with this code, its status, and these members."""
+    status = load_spec().problems[code]["status"]
+    expected = f"status {status} with code `{code}`"
+    body = answer.json
+    if answer.status != status or answer.code != code or not isinstance(body, dict):
+        raise Violation(expected, told(answer), answer.exchange)
+    for name, value in members.items():
+        if body.get(name) != value:
+            text = f"{name} {shown(body.get(name))}"
+            raise Violation(
+                f"{expected} and {name} {shown(value)}", text, answer.exchange
+            )
+    if pointer is not None:
+        pointers = _pointers(body)
+        if pointer not in pointers:
+            raise Violation(
+                f"{expected} and an entry of `errors` pointing at {pointer}",
+                f"pointers {pointers}",
+                answer.exchange,
+            )
+    return Expected(body)
+
+
+def equal(observed: Any, expected: Any, what: str) -> None:
+    """Expect a value."""
+    if observed == expected:
+        return
+    if len(shown(expected)) + len(shown(observed)) <= _LONGEST_TEXT:
+        raise Violation(f"{what} = {shown(expected)}", shown(observed))
+    paths = list(itertools.islice(_differences(observed, expected), _PATHS_SHOWN))
+    raise Violation(
+        f"{what} with " + ", ".join(f"{at} {shown(due)}" for at, _, due in paths),
+        ", ".join(f"{at} {shown(seen)}" for at, seen, _ in paths),
+    )
+
+
+def _differences(
+    observed: Any, expected: Any, path: str = ""
+) -> Iterator[tuple[str, Any, Any]]:
+    """Give the places where two values differ: path, observed, expected."""
+    if isinstance(observed, dict) and isinstance(expected, dict):
+        for name in [*expected, *(n for n in observed if n not in expected)]:
+            pair = (observed.get(name, _ABSENT), expected.get(name, _ABSENT))
+            yield from _differences(*pair, f"{path}/{name}")
+    elif (
+        isinstance(observed, list)
+        and isinstance(expected, list)
+        and len(observed) == len(expected)
+    ):
+        for index, pair in enumerate(zip(observed, expected, strict=True)):
+            yield from _differences(*pair, f"{path}/{index}")
+    elif observed != expected:
+        yield path or "/", observed, expected
+
+
+def true(condition: object, what: str, observed: Any = None) -> None:
+    """Expect something that `what` says in words."""
+    if not condition:
+        raise Violation(what, "the contrary" if observed is None else shown(observed))
+
+
+def given(answer: "Answer", status: int, step: str) -> Any:
+    """Take a step that is not under test; what it gives, or SetUpFailed."""
+    if answer.status != status:
+        raise SetUpFailed(f"{step} was answered with {told(answer)}")
+    return _wrap(answer.json, Given)
+
+
+def told(answer: "Answer") -> str:
+    """Say an answer in one line."""
+    if answer.code is not None:
+        detail = answer.json.get("detail", "")
+        return f"status {answer.status} with code `{answer.code}` ({detail})"
+    body = shown(answer.json) if answer.json is not None else repr(answer.body[:200])
+    return f"status {answer.status} with body {body}"
+
+
+def shown(value: Any) -> str:
+    """Write a value as JSON, shortened in the middle."""
+    text = json.dumps(value, ensure_ascii=False, default=repr)
+    if len(text) <= _LONGEST_TEXT:
+        return text
+    half = _LONGEST_TEXT // 2
+    return f"{text[:half]} … {text[-half:]}"
+
+
+def _pointers(body: dict[str, Any]) -> list[Any]:
+    errors = body.get("errors")
+    if not isinstance(errors, list):
+        return []
+    return [item.get("pointer") for item in errors if isinstance(item, dict)]
+
+
+def _wrap(value: Any, kind: type[dict[str, Any]]) -> Any:
+    if isinstance(value, dict):
+        return kind({key: _wrap(item, kind) for key, item in value.items()})
+    if isinstance(value, list):
+        return [_wrap(item, kind) for item in value]
+    return value

@@ -1,0 +1,222 @@
+"""The result of one run of the kit: every row with its verdict, and the exit code."""
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from conformance.cli.settings import Settings
+from conformance.client.curl import script
+from conformance.specification.document import load_spec, spec_sha256
+from conformance.specification.ledger import (
+    NEVER_ANNOUNCED,
+    POLICY,
+    PROFILES,
+    Requirement,
+    load_ledger,
+)
+from conformance.verdicts.expect import TIME_WAS_UP
+from conformance.verdicts.universal_rules import SESSION_WIDE, Tally
+from conformance.verdicts.verdict import Outcome, Verdict, exit_code
+
+
+@dataclass
+class Result:
+    """What the reports show. `problem` says why nothing could be judged."""
+
+    settings: Settings
+    started_at: str = ""
+    elapsed_s: float = 0.0
+    problem: str | None = None
+    notes: list[str] = field(default_factory=list)
+    round_trip_p50_s: float = 0.0
+    rows: dict[str, Verdict] = field(default_factory=dict)
+    stale: list[str] = field(default_factory=list)
+
+    @property
+    def exit_code(self) -> int:
+        """0 conformant, 1 violated, 2 could not judge."""
+        if self.problem is not None:
+            return 2
+        levels = {row.id: row.level for row in load_ledger().values()}
+        code = exit_code(self.rows.values(), levels)
+        if code == 0 and any(
+            row.reason.startswith(TIME_WAS_UP) for row in self.rows.values()
+        ):
+            return 2
+        return 1 if self.stale and code == 0 else code
+
+    @property
+    def is_partial(self) -> bool:
+        """Whether the operator asked for less than everything."""
+        settings = self.settings
+        is_policy = settings.profiles == [POLICY]
+        is_narrow = not is_policy and bool(set(PROFILES) - set(settings.profiles))
+        return bool(settings.only or settings.quick or is_narrow)
+
+    def counts(self, level: str) -> Counter[Outcome]:
+        """Count the outcomes of the rows of a level."""
+        ledger = load_ledger()
+        return Counter(
+            verdict.outcome
+            for verdict in self.rows.values()
+            if ledger[verdict.requirement_id].level == level
+        )
+
+    def headline(self) -> str:
+        """Give the numbers in one line."""
+        count = self.counts("MUST")
+        parts = [
+            f"{count.total()} MUST: {count[Outcome.PASSED]} verified",
+            f"{count[Outcome.FAILED]} violated",
+            f"{count[Outcome.NOT_VERIFIED]} not verified",
+            f"{count[Outcome.NOT_APPLICABLE]} not applicable",
+        ]
+        parts += [
+            f"{count[outcome]} {outcome.value.replace('_', ' ')}"
+            for outcome in (Outcome.INCONCLUSIVE, Outcome.KIT_ERROR)
+            if count[outcome]
+        ]
+        warned = self.counts("SHOULD")[Outcome.FAILED]
+        if warned:
+            parts.append(f"{warned} SHOULD not followed")
+        return ", ".join(parts)
+
+    def conclusion(self) -> str:
+        """Give the last line."""
+        if self.problem is not None:
+            return f"could not judge: {self.problem}"
+        scope = " in the rows that were selected" if self.is_partial else ""
+        if self.exit_code == 0:
+            return f"conformant{scope}"
+        if self.exit_code == 1:
+            if self.stale:
+                return f"known failures that do not fail any more: {self.stale}"
+            return f"NOT conformant{scope}"
+        return f"could not judge: {self._undecided()}"
+
+    def _undecided(self) -> str:
+        """Say which rows kept the run from a conclusion, and why the first did."""
+        open_rows = [
+            row
+            for row in self.rows.values()
+            if row.outcome not in (Outcome.PASSED, Outcome.NOT_APPLICABLE)
+        ]
+        broken = [row for row in open_rows if not row.allowed] or open_rows
+        if not broken:
+            return "nothing that was selected is offered here"
+        ids = ", ".join(row.requirement_id for row in broken[:8])
+        more = f" and {len(broken) - 8} more" if len(broken) > 8 else ""
+        reason = (broken[0].reason.strip() or "?").splitlines()[0]
+        return f"nothing was decided on {ids}{more} ({reason})"
+
+
+def select(settings: Settings) -> list[Requirement]:
+    """Give the rows that the operator asked for."""
+    return [
+        row
+        for row in load_ledger().values()
+        if row.profile in settings.profiles
+        and (not settings.only or row.id.startswith(tuple(settings.only)))
+    ]
+
+
+def is_offered(row: Requirement, settings: Settings) -> bool:
+    """Say whether the server declares what a row is about."""
+    announced = settings.service.get("profiles", [])
+    return row.profile in NEVER_ANNOUNCED or row.profile in announced
+
+
+def conclude(
+    result: Result, verdicts: Mapping[str, Verdict], tally: Tally, known: set[str]
+) -> None:
+    """Fill in the rows of a result from what the checks found."""
+    for row in select(result.settings):
+        verdict = _verdict_on(row, result, verdicts)
+        if row.id in SESSION_WIDE:
+            _apply_tally(verdict, tally)
+        if row.id in known:
+            verdict.is_known_failure = verdict.outcome == Outcome.FAILED
+            if verdict.outcome == Outcome.PASSED:
+                result.stale.append(row.id)
+        result.rows[row.id] = verdict
+
+
+def _verdict_on(
+    row: Requirement, result: Result, verdicts: Mapping[str, Verdict]
+) -> Verdict:
+    def unjudged(reason: str | None, *, allowed: bool = True) -> Verdict:
+        return Verdict(row.id, Outcome.NOT_VERIFIED, reason or "", allowed)
+
+    if not row.is_observable:
+        return unjudged(row.why)
+    if not is_offered(row, result.settings):
+        reason = f"the profile {row.profile} is not announced"
+        return Verdict(row.id, Outcome.NOT_APPLICABLE, reason)
+    if row.id in verdicts:
+        return verdicts[row.id]
+    if result.problem is not None:
+        return unjudged(result.problem, allowed=False)
+    if result.settings.quick:
+        return unjudged("left out by --quick")
+    return Verdict(row.id, Outcome.KIT_ERROR, "no check of the kit judges this row")
+
+
+def _apply_tally(verdict: Verdict, tally: Tally) -> None:
+    """Fail a row that an answer somewhere in the run has broken."""
+    row = verdict.requirement_id
+    breaches = [item for item in tally.breaches if item.requirement_id == row]
+    if verdict.outcome == Outcome.PASSED and not tally.exercised[row]:
+        verdict.outcome = Outcome.NOT_VERIFIED
+        verdict.reason = "no answer of this run was one that the rule is about"
+    if not breaches or verdict.outcome == Outcome.FAILED:
+        return
+    first = breaches[0]
+    verdict.outcome = Outcome.FAILED
+    verdict.reason = f"{tally.broken[row]} of {tally.exercised[row]} answers"
+    verdict.expected, verdict.observed = first.expected, first.observed
+    verdict.exchanges = [breach.exchange for breach in breaches[:3]]
+
+
+def as_plain(result: Result) -> dict[str, Any]:
+    """Give the report as JSON-ready data; see report.schema.json."""
+    ledger = load_ledger()
+    settings = result.settings
+    rows = []
+    for row_id, verdict in result.rows.items():
+        row = ledger[row_id]
+        rule = {"level": row.level, "profile": row.profile, "text": row.text}
+        commands = "\n".join(script(verdict.exchanges, settings.url))
+        rows.append(
+            rule | {"source": row.source, "script": commands} | verdict.as_plain()
+        )
+    return {
+        "schema_version": 1,
+        "spec": {"version": load_spec().version, "sha256": spec_sha256()},
+        "url": settings.url,
+        "server": {
+            key: settings.service.get(key)
+            for key in ("name", "version", "protocol", "profiles")
+        },
+        "started_at": result.started_at,
+        "elapsed_s": round(result.elapsed_s, 3),
+        "seed": settings.seed,
+        "only": settings.only,
+        "profiles": settings.profiles,
+        "quick": settings.quick,
+        "max_time_s": settings.max_time_s,
+        "round_trip_p50_s": result.round_trip_p50_s,
+        "round_trip_p95_s": settings.round_trip_s,
+        "tolerance_s": settings.tolerance_s,
+        "notes": result.notes,
+        "problem": result.problem,
+        "stale_known_failures": result.stale,
+        "headline": result.headline(),
+        "conclusion": result.conclusion(),
+        "exit_code": result.exit_code,
+        "counts": {
+            level: {key.value: n for key, n in result.counts(level).items()}
+            for level in ("MUST", "SHOULD")
+        },
+        "rows": rows,
+    }

@@ -1,0 +1,187 @@
+"""Rules that hold for every answer whatever was asked, judged on every exchange.
+
+SVC-003, VER-001, ERR-001, ERR-011 and ERR-012 are not bound to a story. Breaches are
+collected here and decide these rows at the end; they do not fail the check in which
+they happened. One breach counts for one row: an error answer that is no proper
+problem breaks ERR-001 alone, not the schema (SVC-003) as well.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from conformance.client.exchange_log import Exchange
+from conformance.specification.document import PROBLEM_JSON, Operation, Spec
+from conformance.verdicts.expect import shown
+
+SESSION_WIDE = ("SVC-003", "VER-001", "ERR-001", "ERR-011", "ERR-012")
+_BREACHES_KEPT = 3
+_VERSION = re.compile(r"[0-9]+\.[0-9]+")
+
+
+@dataclass
+class Breach:
+    """One answer that broke a rule for all answers."""
+
+    requirement_id: str
+    expected: str
+    observed: str
+    exchange: Exchange
+
+
+@dataclass(frozen=True)
+class Judged:
+    """The parts of an answer that the rules look at."""
+
+    status: int
+    headers: Mapping[str, str]
+    media_type: str
+    body: bytes
+    value: Any
+    is_readable: bool
+
+
+class Tally:
+    """How often each rule was exercised, and the first breaches of it."""
+
+    def __init__(self, spec: Spec) -> None:
+        self._spec = spec
+        self.exercised: Counter[str] = Counter()
+        self.broken: Counter[str] = Counter()
+        self.breaches: list[Breach] = []
+
+    def as_plain(self) -> dict[str, Any]:
+        """Give it as JSON-ready data."""
+        breaches = [
+            vars(breach) | {"exchange": breach.exchange.as_plain()}
+            for breach in self.breaches
+        ]
+        return {
+            "exercised": dict(self.exercised),
+            "broken": dict(self.broken),
+            "breaches": breaches,
+        }
+
+    def add_plain(self, plain: dict[str, Any]) -> None:
+        """Add what another tally counted."""
+        self.exercised.update(plain["exercised"])
+        self.broken.update(plain["broken"])
+        for breach in plain["breaches"]:
+            exchange = Exchange.from_plain(breach["exchange"])
+            self.breaches.append(Breach(**(breach | {"exchange": exchange})))
+
+    def observe(
+        self, operation: Operation | None, answer: Judged, exchange: Exchange
+    ) -> None:
+        """Judge one answer; `operation` is None for what the document lacks."""
+        if exchange.method in ("HEAD", "OPTIONS"):
+            return
+        self._version(answer, exchange)
+        self._no_server_error(answer, exchange)
+        if answer.status in (429, 503):
+            self._retry_after(answer, exchange)
+        is_problem = True
+        if answer.status >= 400:
+            is_problem = self._problem(answer, exchange)
+        if operation is not None and is_problem:
+            self._described(operation, answer, exchange)
+
+    def _hold(
+        self, row: str, holds: bool, expected: str, observed: str, exchange: Exchange
+    ) -> None:
+        self.exercised[row] += 1
+        if holds:
+            return
+        self.broken[row] += 1
+        if self.broken[row] <= _BREACHES_KEPT:
+            self.breaches.append(Breach(row, expected, observed, exchange))
+
+    def _version(self, answer: Judged, exchange: Exchange) -> None:
+        if answer.status == 304:
+            return
+        version = answer.headers.get("proctor-version")
+        self._hold(
+            "VER-001",
+            version is not None and _VERSION.fullmatch(version) is not None,
+            "a Proctor-Version header like 1.0",
+            f"status {answer.status} with Proctor-Version {version}",
+            exchange,
+        )
+
+    def _no_server_error(self, answer: Judged, exchange: Exchange) -> None:
+        self._hold(
+            "ERR-012",
+            answer.status < 500 or answer.status == 503,
+            "no status of 500 or above except 503",
+            f"status {answer.status} with body {answer.body[:300]!r}",
+            exchange,
+        )
+
+    def _retry_after(self, answer: Judged, exchange: Exchange) -> None:
+        value = answer.headers.get("retry-after", "")
+        self._hold(
+            "ERR-011",
+            value.isascii() and value.isdigit(),
+            "a Retry-After header with whole seconds",
+            f"status {answer.status} with Retry-After {value or 'absent'}",
+            exchange,
+        )
+
+    def _problem(self, answer: Judged, exchange: Exchange) -> bool:
+        """Judge ERR-001; say whether the body is worth a look at its schema."""
+        observed = self._problem_fault(answer)
+        self._hold(
+            "ERR-001",
+            observed is None,
+            "application/problem+json with a code of x-problems and its status, "
+            "`retryable` and `side_effects`",
+            f"status {answer.status}: {observed}",
+            exchange,
+        )
+        return observed is None
+
+    def _problem_fault(self, answer: Judged) -> str | None:
+        if answer.media_type != PROBLEM_JSON:
+            return f"media type {answer.media_type or 'absent'}"
+        if not isinstance(answer.value, dict):
+            return f"body {answer.body[:200]!r}"
+        code = answer.value.get("code")
+        known = self._spec.problems.get(code) if isinstance(code, str) else None
+        if known is None:
+            return f"code {shown(code)}"
+        if answer.status != known["status"]:
+            return f"code `{code}`, whose status is {known['status']}"
+        for member in ("status", "retryable", "side_effects"):
+            if answer.value.get(member) != known[member]:
+                return f"code `{code}` with {member} {answer.value.get(member)!r}"
+        return None
+
+    def _described(
+        self, operation: Operation, answer: Judged, exchange: Exchange
+    ) -> None:
+        fault = self._description_fault(operation, answer)
+        self._hold(
+            "SVC-003",
+            fault is None,
+            f"what openapi.yaml says of `{operation.operation_id}`",
+            f"status {answer.status}: {fault}",
+            exchange,
+        )
+
+    def _description_fault(self, operation: Operation, answer: Judged) -> str | None:
+        response = operation.response(answer.status)
+        if response is None:
+            return "a status that the description does not have"
+        content = response.get("content", {})
+        if not content:
+            return f"body {answer.body[:200]!r}" if answer.body else None
+        if answer.media_type not in content:
+            return f"media type {answer.media_type or 'absent'}"
+        if not answer.is_readable:
+            return f"a body that cannot be parsed: {answer.body[:200]!r}"
+        faults = self._spec.response_faults(
+            operation, answer.status, answer.media_type, answer.value
+        )
+        return "; ".join(faults[:3]) or None

@@ -1,0 +1,82 @@
+"""The verdict on one requirement, and on all of them together.
+
+passed          a check ran to its end
+failed          the server broke the rule
+not_verified    the rule could not be judged, and why
+not_applicable  the server never declared what the rule is about
+inconclusive    the clock or the network spoke neither way
+kit_error       the kit's fault, never the server's
+"""
+
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass, field
+from enum import StrEnum
+from typing import Any
+
+from conformance.client.exchange_log import Exchange
+
+
+class Outcome(StrEnum):
+    """How the judgement of one requirement ended."""
+
+    PASSED = "passed"
+    FAILED = "failed"
+    NOT_VERIFIED = "not_verified"
+    NOT_APPLICABLE = "not_applicable"
+    INCONCLUSIVE = "inconclusive"
+    KIT_ERROR = "kit_error"
+
+
+@dataclass
+class Verdict:
+    """One row of the report.
+
+    `allowed` tells a row that nobody could have judged here (no hook, no second
+    token, not observable) from one whose prerequisites broke.
+    """
+
+    requirement_id: str
+    outcome: Outcome
+    reason: str = ""
+    allowed: bool = False
+    expected: str = ""
+    observed: str = ""
+    check: str = ""
+    story: str = ""
+    elapsed_s: float = 0.0
+    is_known_failure: bool = False
+    exchanges: list[Exchange] = field(default_factory=list)
+
+    def as_plain(self) -> dict[str, Any]:
+        """Give it as JSON-ready data."""
+        plain = asdict(self)
+        plain["outcome"] = self.outcome.value
+        plain["exchanges"] = [exchange.as_plain() for exchange in self.exchanges]
+        return plain
+
+    @classmethod
+    def from_plain(cls, plain: dict[str, Any]) -> "Verdict":
+        """Undo `as_plain`."""
+        exchanges = [Exchange.from_plain(item) for item in plain["exchanges"]]
+        outcome = Outcome(plain["outcome"])
+        return cls(**(plain | {"exchanges": exchanges, "outcome": outcome}))
+
+
+def exit_code(verdicts: Iterable[Verdict], levels: dict[str, str]) -> int:
+    """Say 0 for conformant, 1 for violated, 2 for could not judge."""
+    rows = list(verdicts)
+    if any(
+        row.outcome == Outcome.FAILED
+        and levels[row.requirement_id] == "MUST"
+        and not row.is_known_failure
+        for row in rows
+    ):
+        return 1
+    undecided = (Outcome.KIT_ERROR, Outcome.INCONCLUSIVE)
+    if any(row.outcome in undecided for row in rows):
+        return 2
+    if any(row.outcome == Outcome.NOT_VERIFIED and not row.allowed for row in rows):
+        # Something that had to work did not; with a known failure that is its echo.
+        return 0 if any(row.is_known_failure for row in rows) else 2
+    judged = (Outcome.PASSED, Outcome.FAILED)
+    return 0 if any(row.outcome in judged for row in rows) else 2

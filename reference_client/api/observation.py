@@ -1,0 +1,172 @@
+"""What a policy sees: numbers, pictures and tensors, decoded from a turn.
+
+Pixels and tensors are numpy arrays over the bytes that came: nothing is copied.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from functools import lru_cache
+from math import prod
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from reference_client.api.errors import BAD_ANSWER, ProctorError
+from reference_client.generated.messages import Image, Tensor, Turn
+from reference_client.generated.messages import Observation as WireObservation
+
+# channels → what pillow calls them, and what simplejpeg does
+_PNG_MODES = {1: "L", 2: "LA", 3: "RGB", 4: "RGBA"}
+_JPEG_COLOURS = {1: "GRAY", 3: "RGB", 4: "RGBA"}
+_PIXELS_MAX = 2**26  # a small file may claim any size; pillow has its own limit
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Observation:
+    """One look at the world, in the units and frames of the benchmark's spaces.
+
+    state: name → vector of floats.
+    images: name → uint8 of shape (height, width, channels), row 0 on top; read-only.
+    tensors: name → array of the dtype and shape that the benchmark names; read-only.
+    instruction: what the robot shall do in this episode.
+    episode_id: which episode this is; an id, without meaning.
+    step: actions executed in this attempt so far; 0 in an episode's first observation.
+    turn: all that came with it, as the wire has it; for policies that pass it on.
+    """
+
+    state: Mapping[str, tuple[float, ...]]
+    images: Mapping[str, npt.NDArray[np.uint8]]
+    tensors: Mapping[str, npt.NDArray[Any]]
+    instruction: str
+    episode_id: str
+    step: int
+    turn: Turn | None = field(default=None, repr=False)
+
+
+def observation_of(turn: Turn) -> Observation:
+    """The observation of a turn that is not done.
+
+    Raises ProctorError `bad_answer` if it is missing or does not decode.
+    """
+    if not turn.episode or not turn.observation:
+        raise _broken("the turn", "has no observation, and is not done")
+    episode = turn.episode
+    return decoded(
+        turn.observation, episode.instruction, episode.episode_id, episode.step, turn
+    )
+
+
+def decoded(
+    seen: WireObservation,
+    instruction: str,
+    episode_id: str,
+    step: int,
+    turn: Turn | None = None,
+) -> Observation:
+    """One of a turn's observations; raises as `observation_of`."""
+    return Observation(
+        state={name: tuple(v) for name, v in seen.state.items()},
+        images=_pictures(seen.images),
+        tensors={name: _array(name, tensor) for name, tensor in seen.tensors.items()},
+        instruction=instruction,
+        episode_id=episode_id,
+        step=step,
+        turn=turn,
+    )
+
+
+def _pictures(images: Mapping[str, Image]) -> dict[str, npt.NDArray[np.uint8]]:
+    """Several compressed ones at once: decoders let go of the interpreter."""
+    compressed = [image for image in images.values() if image.codec != "raw"]
+    spread = _threads().map if len(compressed) > 1 else map
+    return dict(zip(images, spread(_pixels, images, images.values()), strict=True))
+
+
+@lru_cache(maxsize=1)
+def _threads() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(os.cpu_count(), thread_name_prefix="proctor-decode")
+
+
+def _pixels(name: str, image: Image) -> npt.NDArray[np.uint8]:
+    shape = (image.height, image.width, image.channels)
+    if image.codec == "raw":
+        return _view(name, image.data, np.dtype(np.uint8), shape)
+    return _decompressed(name, image.data, image.codec, shape)
+
+
+def _decompressed(
+    name: str, data: memoryview, codec: str, shape: tuple[int, int, int]
+) -> npt.NDArray[np.uint8]:
+    """One decoder: whoever sends bytes does not choose it."""
+    try:
+        decode = {"jpeg": _from_jpeg, "png": _from_png}[codec]
+        pixels = decode(data, shape)
+    except (OSError, SyntaxError, LookupError, ValueError, MemoryError) as error:
+        raise _broken(name, f"is no {codec}: {error}") from error
+    pixels.flags.writeable = False
+    return pixels
+
+
+def _from_jpeg(data: memoryview, shape: tuple[int, int, int]) -> npt.NDArray[np.uint8]:
+    """Twice as fast as by pillow, and the same pixels."""
+    # Only who asks for compressed images needs a decoder.
+    import simplejpeg
+
+    colours = _JPEG_COLOURS[shape[2]]
+    size = simplejpeg.decode_jpeg_header(data)[:2]
+    if size != shape[:2]:
+        raise _other_size(size, shape)
+    if prod(size) > _PIXELS_MAX:
+        raise ValueError(f"{size} rows and columns are more than anybody means")
+    pixels: npt.NDArray[np.uint8] = simplejpeg.decode_jpeg(data, colours)
+    return pixels
+
+
+def _from_png(data: memoryview, shape: tuple[int, int, int]) -> npt.NDArray[np.uint8]:
+    import PIL.Image
+
+    try:
+        with PIL.Image.open(io.BytesIO(data), formats=["PNG"]) as picture:
+            if picture.size[::-1] != shape[:2]:
+                raise _other_size(picture.size[::-1], shape)
+            pixels = np.asarray(picture.convert(_PNG_MODES[shape[2]]), dtype=np.uint8)
+    except PIL.Image.DecompressionBombError as error:
+        raise ValueError(str(error)) from error
+    return pixels.reshape(shape)
+
+
+def _other_size(size: tuple[int, ...], shape: tuple[int, ...]) -> ValueError:
+    """Found out before anything is decoded."""
+    return ValueError(f"has {size} rows and columns, announced as {shape[:2]}")
+
+
+def _array(name: str, tensor: Tensor) -> npt.NDArray[Any]:
+    """C order, little-endian; a bool is one byte."""
+    dtype = np.dtype(tensor.dtype).newbyteorder("<")
+    return _view(name, tensor.data, dtype, tuple(tensor.shape))
+
+
+def _view(
+    name: str, data: memoryview, dtype: np.dtype[Any], shape: tuple[int, ...]
+) -> npt.NDArray[Any]:
+    try:
+        array = np.frombuffer(data, dtype).reshape(shape)
+    except ValueError as error:
+        raise _broken(name, f"does not have its announced size: {error}") from error
+    array.flags.writeable = False
+    return array
+
+
+def _broken(name: str, what: str) -> ProctorError:
+    return ProctorError(
+        BAD_ANSWER,
+        f"The observation cannot be decoded: {name} {what}. Report it to the server's "
+        "operator.",
+        side_effects="possible",
+    )

@@ -1,0 +1,259 @@
+"""A run as a Gymnasium environment: `reset` takes the next episode, `step` plays it.
+
+    import gymnasium
+    import reference_client.api.remote_env
+
+    env = gymnasium.make("proctor/Remote-v0", url=..., token=..., benchmark="tabletop")
+
+Or `RemoteEnv(url=..., ...)`. Seeds and scores are the server's: `reset(seed=...)` seeds
+what this process draws, not the episode. Importing this file registers the id.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import threading
+from collections.abc import Mapping
+from typing import Any, SupportsFloat, cast
+
+import gymnasium
+import msgspec
+from proctor_client import Assumptions, Observe, PolicyInfo, Run
+from pydantic_core import to_jsonable_python
+
+from reference_client.api import spaces
+from reference_client.api.errors import ProctorError
+from reference_client.api.observation import Observation, decoded, observation_of
+from reference_client.api.policy import chunk_of
+from reference_client.evaluation.plan import exactly, submission
+from reference_client.generated.messages import Turn
+from reference_client.protocol.connection import Connection
+from reference_client.protocol.control_client import Desk
+from reference_client.protocol.data_plane import DataPlane
+from reference_client.protocol.heartbeat import Heart
+from reference_client.protocol.retry_policy import Patience
+from reference_client.protocol.worker_session import OVER, Seat, Session
+
+ENV_ID = "proctor/Remote-v0"
+
+
+class RunDone(ProctorError):
+    """`reset` was called and the run has no episode left: `code` is `run_done`."""
+
+    def __init__(self, run_id: str) -> None:
+        super().__init__(
+            "run_done",
+            f"Every episode of run {run_id} is scored: `score()` has the result. Make "
+            "a new environment for another run, or one with renew=True.",
+        )
+
+
+class RemoteEnv(gymnasium.Env[spaces.Seen, dict[str, Any]]):
+    """One worker of a run.
+
+    url, token: of the server; PROCTOR_URL and PROCTOR_TOKEN when absent.
+    benchmark: for a new run, submitted by the first `reset`; or run_id: of a run.
+    options, images, idle_timeout_s, name: of the new run, as `evaluate` has them.
+    worker_id: another for each environment of a run. takeover, assumes, patience_s: as
+    `evaluate` has them.
+    renew: when the run is done, `reset` submits another; without it RunDone is raised.
+
+    The last observation of an episode costs a second one in every answer: for cameras
+    at full speed, write a policy for `evaluate` instead.
+    """
+
+    def __init__(
+        self,
+        *,
+        url: str | None = None,
+        token: str | None = None,
+        benchmark: str | None = None,
+        run_id: str | None = None,
+        options: Mapping[str, Any] | None = None,
+        images: Mapping[str, Any] | None = None,
+        idle_timeout_s: float | None = None,
+        name: str = "RemoteEnv",
+        worker_id: str = "env-0",
+        takeover: bool = False,
+        assumes: Mapping[str, Any] | None = None,
+        patience_s: float = 300.0,
+        renew: bool = False,
+        render_mode: None = None,
+    ) -> None:
+        """Raises ProctorError, also for a server that is not there; ValueError."""
+        url = url or os.environ.get("PROCTOR_URL")
+        if url is None or (benchmark is None) == (run_id is None):
+            raise ValueError("RemoteEnv needs url=…, and benchmark=… or run_id=…")
+        self.metadata = {"render_modes": []}
+        self.render_mode = render_mode
+        self._worker_id = worker_id
+        self._takeover = takeover
+        self._assumes = exactly(Assumptions, "assumes", assumes)
+        self._renew = renew
+        self._closing = contextlib.ExitStack()
+        self._attached = contextlib.ExitStack()  # the session and its heart
+        self._session: Session | None = None
+        self._planes: dict[str, DataPlane] = {}  # by endpoint
+        self._run: Run | None = None
+        self._seen: Observation | None = None
+        self._in_episode = False
+        token = token or os.environ.get("PROCTOR_TOKEN")
+        connection = Connection(url, token, requests=3)
+        self._connection = self._closing.enter_context(connection)
+        self._patience = Patience(
+            connection.url, patience_s, threading.Event(), lambda _why: None
+        )
+        self._desk = Desk(connection.control, self._patience)
+        self._desk.greet(1)
+        if run_id is not None:
+            self._run = self._desk.take_up(run_id)
+            benchmark = self._run.benchmark_id
+        manifest = self._desk.benchmark(str(benchmark))
+        self._submission = submission(
+            manifest.benchmark_id,
+            PolicyInfo(name=name),
+            images=images,
+            options=options,
+            idle_timeout_s=idle_timeout_s,
+        )
+        chosen = self._run.images if self._run else self._submission.images
+        self._space = spaces.observation_space(manifest, chosen)
+        self.observation_space = cast(Any, self._space)
+        self.action_space = cast(Any, spaces.action_space(manifest))
+
+    @property
+    def run_id(self) -> str | None:
+        """Of the run; None before the first `reset` of a new one."""
+        return None if self._run is None else self._run.run_id
+
+    def score(self) -> dict[str, Any]:
+        """The run's score so far, as schema Score. RuntimeError before the first."""
+        if self._run is None:
+            raise RuntimeError("there is no run before the first reset()")
+        score: dict[str, Any] = to_jsonable_python(
+            self._desk.score(self._run.run_id).to_dict()
+        )
+        return score
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[spaces.Seen, dict[str, Any]]:
+        """The first observation of the next episode.
+
+        An episode that has begun and not ended is given up: its attempt counts, it goes
+        back to the queue, and is often the next again. Raises RunDone, ProctorError.
+        """
+        super().reset(seed=seed)
+        if self._in_episode:
+            self._leave()
+        turn = self._next_turn()
+        self._in_episode = False  # given up without cost as long as nothing is played
+        self._seen = observation_of(turn)
+        return spaces.placed(self._seen, self._space), self._info(turn)
+
+    def step(
+        self, action: Mapping[str, Any]
+    ) -> tuple[spaces.Seen, SupportsFloat, bool, bool, dict[str, Any]]:
+        """Executes one action, exactly once.
+
+        `info["episode_result"]` is the server's when the episode ends. Where the
+        attempt is lost (the server restarted, the simulator failed) the episode is
+        `truncated` and `info["lost"]` says why; it is played again later.
+        """
+        session, before = self._session, self._seen
+        if session is None or before is None:
+            raise gymnasium.error.ResetNeeded("call reset() before step()")
+        self._in_episode = True
+        try:
+            turn = session.predict(chunk_of([dict(action)]), observe=Observe.ALL)
+        except ProctorError as error:
+            if error.code not in OVER:
+                raise
+            self._leave()
+            return self._lost(before, error.detail)
+        if turn.fault:
+            self._in_episode = False
+            self._seen = None
+            return self._lost(before, turn.fault.detail)
+        assert turn.observations
+        seen = decoded(
+            turn.observations[-1],
+            before.instruction,
+            before.episode_id,
+            before.step + turn.executed_steps,
+        )
+        ended = turn.terminated or turn.truncated
+        self._in_episode = not ended
+        self._seen = None if ended else seen
+        info = self._info(turn) | {
+            "episode_id": seen.episode_id,
+            "instruction": seen.instruction,
+        }
+        if turn.episode_result:
+            info["episode_result"] = msgspec.to_builtins(turn.episode_result)
+        placed = spaces.placed(seen, self._space)
+        return placed, sum(turn.rewards), turn.terminated, turn.truncated, info
+
+    def close(self) -> None:
+        """Detaches; the run stays. May be called again."""
+        self._leave()
+        self._closing.close()
+
+    def _lost(
+        self, before: Observation, why: str
+    ) -> tuple[spaces.Seen, SupportsFloat, bool, bool, dict[str, Any]]:
+        return spaces.placed(before, self._space), 0.0, False, True, {"lost": why}
+
+    def _info(self, turn: Turn) -> dict[str, Any]:
+        if not turn.episode:
+            return {}
+        return {
+            "episode_id": turn.episode.episode_id,
+            "instruction": turn.episode.instruction,
+            "task": turn.episode.task,
+        }
+
+    def _next_turn(self) -> Turn:
+        """A turn with an observation at the beginning of an episode."""
+        while True:
+            if self._session is not None and not self._session.turn.done:
+                return self._session.turn
+            self._leave()
+            if self._run is None:
+                self._desk.check(self._submission.benchmark_id)
+                self._run = self._desk.submit(self._submission)
+            if self._desk.work_is_left(self._run.run_id, held=self._takeover):
+                self._attach(self._run)
+            elif self._renew:
+                self._run = None
+            else:
+                raise RunDone(self._run.run_id)
+
+    def _attach(self, run: Run) -> None:
+        if run.endpoint not in self._planes:  # one for all sessions and runs there
+            self._planes[run.endpoint] = self._connection.data(run.endpoint)
+        seat = Seat(self._planes[run.endpoint], run, self._worker_id)
+        session = Session.attach(
+            seat, self._patience, takeover=self._takeover, assumes=self._assumes
+        )
+        self._takeover = False
+        self._session = session
+        self._attached.callback(session.detach)
+        lease_s = session.turn.lease.idle_timeout_s
+        heart = self._attached.enter_context(Heart(lease_s, session.beat))
+        # Whoever calls step() may take as long as it likes in between.
+        self._attached.enter_context(heart.thinking())
+
+    def _leave(self) -> None:
+        self._session = None
+        self._seen = None
+        self._in_episode = False
+        self._attached.close()
+
+
+gymnasium.register(
+    ENV_ID,
+    entry_point="reference_client.api.remote_env:RemoteEnv",
+    nondeterministic=True,  # an episode is the server's choice, not the seed's
+)

@@ -1,0 +1,82 @@
+"""The spaces of a benchmark, as Gymnasium has them, and observations put into them.
+
+An observation is a dict of the groups that the benchmark has, `state`, `images` and
+`tensors`, each a dict by name; an action is a dict by name. What a task does not show
+(some entries are of some tasks only) is zeros, for a space is the same at every step.
+"""
+
+from __future__ import annotations
+
+from typing import Any, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+from gymnasium import spaces
+from proctor_client import Benchmark, ImageChoice, VectorSpace
+
+from reference_client.api.observation import Observation
+
+Array: TypeAlias = npt.NDArray[Any]
+Seen: TypeAlias = dict[str, dict[str, Array]]
+
+
+def action_space(benchmark: Benchmark) -> spaces.Dict:
+    return spaces.Dict(
+        {name: _box(vector) for name, vector in benchmark.action_space.items()}
+    )
+
+
+def observation_space(benchmark: Benchmark, images: ImageChoice | None) -> spaces.Dict:
+    """images: as chosen for the run; the benchmark's first when absent."""
+    has = benchmark.observation_space
+    if images is None:
+        size = benchmark.image_sizes[0]
+        height, width = size.height, size.width
+    else:
+        height, width = images.height, images.width
+    groups: dict[str, dict[str, spaces.Space[Any]]] = {
+        "state": {name: _box(vector) for name, vector in has.state.items()},
+        "images": {
+            name: spaces.Box(0, 255, (height, width, image.channels), np.uint8)
+            for name, image in has.images.items()
+        },
+        "tensors": {
+            name: _tensor(np.dtype(tensor.dtype.value), tuple(tensor.shape))
+            for name, tensor in has.tensors.items()
+        },
+    }
+    return spaces.Dict(
+        {group: spaces.Dict(entries) for group, entries in groups.items() if entries}
+    )
+
+
+def placed(seen: Observation, space: spaces.Dict) -> Seen:
+    """The observation as an element of the space, of arrays of its own."""
+    out: Seen = {}
+    for group, entries in space.items():
+        assert isinstance(entries, spaces.Dict)
+        shown = getattr(seen, group)
+        out[group] = {
+            name: np.array(shown[name], dtype=box.dtype)
+            if name in shown
+            else np.zeros(box.shape or (), dtype=box.dtype)
+            for name, box in entries.items()
+        }
+    return out
+
+
+def _box(vector: VectorSpace) -> spaces.Box:
+    """Bounds as declared, for they are what the server holds actions to."""
+    shape = (vector.size,)
+    low = np.array(vector.minimum or [-np.inf] * vector.size, np.float64)
+    high = np.array(vector.maximum or [np.inf] * vector.size, np.float64)
+    return spaces.Box(low, high, shape, np.float64)
+
+
+def _tensor(dtype: np.dtype[Any], shape: tuple[int, ...]) -> spaces.Space[Any]:
+    if dtype.kind == "b":
+        return spaces.MultiBinary(shape)
+    if dtype.kind == "f":
+        return spaces.Box(-np.inf, np.inf, shape, dtype.type)
+    whole = np.iinfo(dtype)
+    return spaces.Box(whole.min, whole.max, shape, dtype.type)

@@ -1,0 +1,1 @@
+"""One evaluation: workers, processes, progress, result."""

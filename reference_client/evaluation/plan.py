@@ -1,0 +1,132 @@
+"""What an evaluation is asked to do, before anything has been sent.
+
+Made by `evaluate` and by the command alike. What the protocol would drop or refuse is
+noticed here, where no run has to be left behind.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+from proctor_client import (
+    Assumptions,
+    Benchmark,
+    CalibrationOptions,
+    ImageChoice,
+    PolicyInfo,
+    PolicyServer,
+    Run,
+    RunMode,
+    SubmitRun,
+)
+from pydantic import ValidationError
+
+from reference_client.protocol.control_client import Desk
+
+# Of the parameter WorkerId: what the server refuses would leave a run behind.
+WORKER_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")
+
+Model = TypeVar("Model", Assumptions, CalibrationOptions, ImageChoice, PolicyServer)
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """A run, new or known, and the workers that shall play it.
+
+    submission: of a new run, or None for the run of `run_id`, which must be of
+        `benchmark` if that is given. worker_ids: one worker each. patience_s: how long
+        a server is waited for that does not answer, seconds. vet: is given the
+        benchmark before there is a run, and raises if the policy does not fit it.
+    """
+
+    url: str
+    token: str | None
+    worker_ids: tuple[str, ...]
+    submission: SubmitRun | None = None
+    run_id: str | None = None
+    benchmark: str | None = None
+    takeover: bool = False
+    assumes: Assumptions | None = None
+    patience_s: float = 300.0
+    vet: Callable[[Benchmark], None] | None = None
+
+    def __post_init__(self) -> None:
+        if self.submission is None and self.run_id is None:
+            raise ValueError("give benchmark=... for a new run, or run_id=... to go on")
+        if not self.worker_ids:
+            raise ValueError("workers must be at least 1")
+        if len(set(self.worker_ids)) < len(self.worker_ids):
+            raise ValueError("every worker needs an id of its own")
+        for worker_id in self.worker_ids:
+            if not WORKER_ID.fullmatch(worker_id):
+                raise ValueError(f"{worker_id!r} is no worker's id: A-Z a-z 0-9 _ -")
+
+    def open(self, desk: Desk, prepare: Callable[[], None]) -> Run:
+        """The run, in which episodes can be played; `prepare` is called before it.
+
+        So a policy that cannot be made leaves no run behind, and a server that would
+        refuse the run does not wait for the policies to load.
+        """
+        if self.run_id is None:
+            assert self.submission is not None
+            benchmark = desk.check(self.submission.benchmark_id)
+            if self.vet is not None:
+                self.vet(benchmark)
+            prepare()
+            return desk.submit(self.submission)
+        run = desk.read(self.run_id)
+        if self.benchmark not in (None, run.benchmark_id):
+            raise ValueError(
+                f"run {self.run_id} is of benchmark {run.benchmark_id!r}, "
+                f"not {self.benchmark!r}"
+            )
+        if self.vet is not None:
+            self.vet(desk.benchmark(run.benchmark_id))
+        prepare()
+        return desk.take_up(self.run_id)
+
+
+def submission(
+    benchmark: str,
+    policy: PolicyInfo,
+    *,
+    images: Mapping[str, Any] | None = None,
+    options: Mapping[str, Any] | None = None,
+    idle_timeout_s: float | None = None,
+    max_workers: int | None = None,
+    policy_server: Mapping[str, Any] | None = None,
+) -> SubmitRun:
+    """A new run, with mode `push` for a policy server; ValueError for what cannot be
+    meant."""
+    try:
+        return SubmitRun(
+            benchmark_id=benchmark,
+            policy=policy,
+            idle_timeout_s=idle_timeout_s,
+            max_workers=max_workers,
+            images=exactly(ImageChoice, "images", images),
+            options=exactly(CalibrationOptions, "options", options),
+            mode=None if policy_server is None else RunMode.PUSH,
+            policy_server=exactly(PolicyServer, "policy_server", policy_server),
+        )
+    except ValidationError as error:
+        faults = error.errors(include_url=False)
+        texts = [f"{'.'.join(map(str, f['loc']))}: {f['msg']}" for f in faults]
+        raise ValueError("; ".join(texts)) from error
+
+
+def exactly(
+    model: type[Model], name: str, members: Mapping[str, Any] | None
+) -> Model | None:
+    """The model of what was given; ValueError for what the model would drop."""
+    if members is None:
+        return None
+    given = json.loads(json.dumps(members))
+    made = model.from_dict(given)
+    if made is None or made.to_dict() != given:
+        raise ValueError(f"{name} has members that the protocol does not know: {given}")
+    return made

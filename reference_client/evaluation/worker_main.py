@@ -1,0 +1,166 @@
+"""The main program of a worker in a process of its own.
+
+Started by `worker_processes.py`, never by hand. Its standard input is commands, one
+JSON object a line, and its standard output reports; what the policy prints goes to the
+standard error. At the end of the input it detaches and exits.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import queue
+import signal
+import sys
+import threading
+import traceback
+from collections.abc import Callable
+from typing import Any, TextIO
+
+from proctor_client import Assumptions, Run
+
+from reference_client.api.errors import ProctorError
+from reference_client.api.policy import Policy
+from reference_client.evaluation.status_board import Board, Glimpse
+from reference_client.evaluation.worker_thread import Worker
+from reference_client.policies import BadMapping, BadPolicy, Mapping, load
+from reference_client.policies.error_origin import blamed
+from reference_client.protocol.connection import Connection
+from reference_client.protocol.retry_policy import Interrupted, Patience
+from reference_client.protocol.worker_session import Seat
+from reference_client.view.frames import shown
+
+# For a request or a thought under way, after the orders have ended.
+FAREWELL_S = 4.0
+
+
+class Reporter(Board):
+    """What a worker tells, written to the parent."""
+
+    def __init__(self, stream: TextIO) -> None:
+        super().__init__()
+        self._stream = stream
+        self._writing = threading.Lock()
+        self.latest: Glimpse | None = None
+
+    def report(self, kind: str, **members: Any) -> None:
+        with self._writing:
+            self._stream.write(json.dumps({"report": kind} | members) + "\n")
+            self._stream.flush()
+
+    def teller(self, who: str) -> Callable[[str | None], None]:
+        return lambda what: self.report("waiting", what=what)
+
+    def scored(self) -> None:
+        self.report("scored")
+
+    def attached(self, session_id: str) -> None:
+        self.report("attached", session_id=session_id)
+
+    def looked(self, glimpse: Glimpse) -> None:
+        self.latest = glimpse
+
+    def failed(self, error: BaseException) -> None:
+        if isinstance(error, ProctorError):
+            self.report(
+                "failed",
+                code=error.code,
+                detail=error.detail,
+                retryable=error.retryable,
+                errors=error.errors,
+            )
+        elif isinstance(error, BadMapping | BadPolicy):
+            self.report(
+                "failed",
+                code="invalid_request",
+                detail=str(error),
+                retryable=False,
+                errors=(),
+            )
+        else:
+            whole = "".join(traceback.format_exception(error))
+            self.report("failed", detail=blamed(error), traceback=whole)
+
+
+class Desk:
+    """Takes the orders; `next` is the next run to play, or None to leave."""
+
+    def __init__(self, orders: TextIO, reporter: Reporter) -> None:
+        self._orders = orders
+        self._reporter = reporter
+        self._queue: queue.Queue[dict[str, Any] | None] = queue.Queue()
+        self.stop = threading.Event()
+        self.worker: Worker | None = None
+        threading.Thread(target=self._listen, daemon=True).start()
+
+    def next(self) -> dict[str, Any] | None:
+        return self._queue.get()
+
+    def _listen(self) -> None:
+        for line in self._orders:
+            order = json.loads(line)
+            if order["order"] == "play":
+                self._queue.put(order)
+            elif self._reporter.latest is not None:
+                self._reporter.report("frames", **shown(self._reporter.latest))
+        self.stop.set()
+        self._queue.put(None)
+        # The policy may think for minutes: its session ends now all the same.
+        threading.Event().wait(FAREWELL_S)
+        if self.worker is not None:
+            self.worker.let_go()
+        os._exit(1)
+
+
+def main() -> int:
+    """Returns the exit code; whatever goes wrong has been reported then."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    reporter = Reporter(os.fdopen(os.dup(sys.stdout.fileno()), "w"))
+    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
+    first = json.loads(sys.stdin.readline())
+    try:
+        mapping = Mapping.read(first["mapping"]) if first["mapping"] else None
+        policy = load(first["policy"], mapping)()
+    except BaseException as error:  # noqa: BLE001 - told to who can tell the user
+        reporter.failed(error)
+        return 1
+    reporter.report("ready")
+    desk = Desk(sys.stdin, reporter)
+    while (order := desk.next()) is not None:
+        try:
+            if desk.worker is None:
+                desk.worker = _worker(first["worker_id"], order, policy, desk, reporter)
+            desk.worker.play()
+        except Interrupted:
+            return 0
+        except BaseException as error:  # noqa: BLE001 - the same
+            reporter.failed(error)
+            return 1
+        reporter.report("over")
+    return 0
+
+
+def _worker(
+    worker_id: str,
+    order: dict[str, Any],
+    policy: Policy,
+    desk: Desk,
+    reporter: Reporter,
+) -> Worker:
+    run = Run.from_dict(order["run"])
+    assert run is not None
+    connection = Connection(order["url"], order["token"], requests=3)
+    return Worker(
+        Seat(connection.data(run.endpoint), run, worker_id),
+        policy,
+        Patience(
+            connection.url, order["patience_s"], desk.stop, reporter.teller(worker_id)
+        ),
+        reporter,
+        takeover=order["takeover"],
+        assumes=Assumptions.from_dict(order["assumes"]) if order["assumes"] else None,
+    )
+
+
+if __name__ == "__main__":
+    sys.exit(main())

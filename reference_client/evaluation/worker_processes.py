@@ -1,0 +1,233 @@
+"""The workers of a run as processes, one each; `worker_main.py` is their program.
+
+The parent sends commands as lines of JSON to the standard input of each, and receives
+reports from its standard output. The end of the input means exit, so the processes exit
+also when the parent is killed. When a process dies, that is reported, its session ends
+at once, and its episode is played by another worker.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from pydantic_core import to_jsonable_python
+
+from reference_client.api.errors import WORKER_DIED, PolicyFailed, ProctorError
+from reference_client.evaluation.rounds import Player
+from reference_client.evaluation.status_board import Board
+from reference_client.evaluation.worker_pool import Engagement
+from reference_client.protocol.retry_policy import Interrupted
+from reference_client.protocol.worker_session import detach
+
+# After its order to leave, a process detaches within this time or is killed.
+LEAVE_S = 6.0
+
+Report = dict[str, Any]
+
+
+class Processes:
+    """Each worker has a process, and in it the policy that `reference` names.
+
+    mapping: path of the mapping file, if any. frames: takes (worker id, report) of what
+    a process shows of itself when it is asked.
+    """
+
+    def __init__(
+        self,
+        reference: str,
+        mapping: str | None = None,
+        frames: Callable[[str, Report], None] | None = None,
+    ) -> None:
+        self._first = {"policy": reference, "mapping": mapping}
+        self._frames = frames
+        self._workers: list[WorkerProcess] = []
+
+    def prepare(self, worker_ids: Sequence[str]) -> None:
+        """Starts all, then waits until each has loaded its policy."""
+        for worker_id in worker_ids:
+            self._workers.append(WorkerProcess(worker_id, self._frames))
+            self._workers[-1].order(self._first | {"worker_id": worker_id})
+        for worker in self._workers:
+            worker.until("ready")
+
+    def players(self, engagement: Engagement) -> list[Player]:
+        for worker in self._workers:
+            worker.engage(engagement)
+        return list(self._workers)
+
+    def dismiss(self) -> None:
+        for worker in self._workers:
+            worker.part()
+            if not worker.is_engaged:
+                worker.process.kill()  # it loads its policy, and has no session
+        deadline = time.monotonic() + LEAVE_S
+        for worker in self._workers:
+            worker.end(deadline)
+
+    def kill(self) -> None:
+        """All at once, by a signal's handler; their sessions end with their leases."""
+        for worker in self._workers:
+            worker.process.kill()
+
+    def look(self) -> None:
+        """Have every process show what it sees; the answers come to `frames`."""
+        for worker in self._workers:
+            if worker.is_playing:  # else nobody reads what it answers
+                worker.order({"order": "look"})
+
+
+class WorkerProcess:
+    """A player whose worker plays in `process`."""
+
+    def __init__(
+        self, worker_id: str, frames: Callable[[str, Report], None] | None = None
+    ) -> None:
+        self.worker_id = worker_id
+        self._frames = frames
+        self._lock = threading.Lock()  # of the pipe of orders
+        self._session_id: str | None = None
+        self._engagement: Engagement | None = None
+        self._leaving = False
+        self.is_playing = False
+        root = str(Path(__file__).resolve().parents[2])
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "reference_client.evaluation.worker_main"],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            # A terminal sends Ctrl-C to its whole group; who leaves when is said here.
+            start_new_session=True,
+            env=os.environ | {"PYTHONPATH": os.pathsep.join([root, *_python_path()])},
+        )
+
+    @property
+    def is_engaged(self) -> bool:
+        return self._engagement is not None
+
+    def engage(self, engagement: Engagement) -> None:
+        self._engagement = engagement
+
+    def play(self) -> None:
+        """Raises as Worker.play; PolicyFailed; and `worker_died` if the process has."""
+        engagement = self._engagement
+        assert engagement is not None
+        plan = engagement.plan
+        self.order(
+            {
+                "order": "play",
+                "url": plan.url,
+                "token": plan.token,
+                "run": engagement.run.to_dict(),
+                "takeover": plan.takeover,
+                "assumes": plan.assumes and plan.assumes.to_dict(),
+                "patience_s": plan.patience_s,
+            }
+        )
+        self.is_playing = True
+        try:
+            self.until("over")
+        finally:
+            self.is_playing = False
+
+    def until(self, wanted: str) -> Report:
+        """Reads reports until the wanted one; raises what they say."""
+        for report in self._reports():
+            kind = report["report"]
+            if kind == wanted:
+                return report
+            if kind == "failed":
+                raise _failure(report)
+            self._heard(kind, report)
+        if self._leaving:
+            raise Interrupted
+        raise self._died()
+
+    def part(self) -> None:
+        self._leaving = True
+        with self._lock, contextlib.suppress(OSError):
+            assert self.process.stdin is not None
+            self.process.stdin.close()
+
+    def let_go(self) -> None:
+        self.process.kill()
+        self._detach()
+
+    def end(self, deadline: float) -> None:
+        """Wait for it until the deadline of the monotonic clock, then kill it."""
+        try:
+            self.process.wait(max(0.0, deadline - time.monotonic()))
+        except subprocess.TimeoutExpired:
+            self.let_go()
+            self.process.wait()
+        assert self.process.stdout is not None
+        with contextlib.suppress(ValueError, OSError):  # its thread may read it still
+            self.process.stdout.close()
+
+    def order(self, order: Report) -> None:
+        with self._lock, contextlib.suppress(OSError, ValueError):  # it may have died
+            assert self.process.stdin is not None
+            self.process.stdin.write(json.dumps(to_jsonable_python(order)) + "\n")
+            self.process.stdin.flush()
+
+    def _reports(self) -> Iterator[Report]:
+        assert self.process.stdout is not None
+        for line in self.process.stdout:
+            yield json.loads(line)
+
+    def _heard(self, kind: str, report: Report) -> None:
+        if kind == "frames":
+            if self._frames is not None:
+                self._frames(self.worker_id, report)
+        elif kind == "attached":
+            self._session_id = report["session_id"]
+        elif self._engagement is not None:
+            board: Board = self._engagement.board
+            if kind == "scored":
+                board.scored()
+            elif kind == "waiting":
+                board.teller(self.worker_id)(report["what"])
+
+    def _died(self) -> ProctorError:
+        code = self.process.wait()
+        self._detach()
+        how = f"exit code {code}"
+        if code < 0:
+            how = signal.Signals(-code).name
+        return ProctorError(
+            WORKER_DIED,
+            f"The process of {self.worker_id} has died ({how}); its episode goes "
+            "back to the queue.",
+            retryable=True,
+        )
+
+    def _detach(self) -> None:
+        if self._session_id is None or self._engagement is None:
+            return
+        engagement, session_id = self._engagement, self._session_id
+        self._session_id = None
+        detach(engagement.seat(self.worker_id), engagement.patience.url, session_id)
+
+
+def _failure(report: Report) -> ProctorError:
+    if "traceback" in report:
+        return PolicyFailed(report["detail"], report["traceback"])
+    return ProctorError(
+        report["code"],
+        report["detail"],
+        retryable=report["retryable"],
+        errors=[(pointer, text) for pointer, text in report["errors"]],
+    )
+
+
+def _python_path() -> list[str]:
+    return [path for path in os.environ.get("PYTHONPATH", "").split(os.pathsep) if path]

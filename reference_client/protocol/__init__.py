@@ -1,0 +1,1 @@
+"""The protocol as a client speaks it: sessions, turns, retries, connections."""

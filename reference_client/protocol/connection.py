@@ -1,0 +1,87 @@
+"""One server as this client reaches it: its control plane, and the data planes."""
+
+from __future__ import annotations
+
+from types import TracebackType
+from typing import Self
+from urllib.parse import urlsplit
+
+from proctor_client import ApiClient, Configuration, ControlApi
+
+from reference_client.api.errors import BAD_ANSWER, ProctorError
+from reference_client.protocol.data_plane import DataPlane
+
+PROTOCOL_VERSION = "1.0"
+USER_AGENT = "proctor-reference-client/0.1.0"
+# (connect, read). A turn may take longer than this: its repeat waits for it (PRED-005).
+TIMEOUTS_S = (5.0, 60.0)
+
+
+class Connection:
+    """The control plane at `url`, and the data planes that runs name.
+
+    token: sent as the bearer token to both. requests: how many are sent at once.
+    Raises ValueError if `url` is no http or https URL. Nothing is sent yet.
+    """
+
+    def __init__(self, url: str, token: str | None, *, requests: int) -> None:
+        parts = urlsplit(url)
+        if parts.scheme not in ("http", "https") or not parts.netloc:
+            raise ValueError(f"url must be like http://127.0.0.1:8460, not {url!r}")
+        self.url = url.rstrip("/")
+        self._token = token
+        self._requests = requests
+        self._clients: dict[str, ApiClient] = {}
+        self._planes: list[DataPlane] = []
+        self.control = ControlApi(self._client(self.url))
+
+    def data(self, endpoint: str) -> DataPlane:
+        """The data plane at a run's `endpoint`, for one worker.
+
+        Raises ProctorError `bad_answer` if the token would travel there in clear.
+        """
+        if self.url.startswith("https:") and not endpoint.startswith("https:"):
+            raise ProctorError(
+                BAD_ANSWER,
+                f"{self.url} sends workers to {endpoint}, where the token would travel "
+                "in clear. Ask the operator to set the server's public URL.",
+            )
+        headers = {"User-Agent": USER_AGENT, "Proctor-Version": PROTOCOL_VERSION}
+        if self._token is not None:
+            headers["Authorization"] = f"Bearer {self._token}"
+        client = self._client(endpoint.rstrip("/"))
+        plane = DataPlane(endpoint, client, headers, TIMEOUTS_S)
+        self._planes.append(plane)
+        return plane
+
+    def close(self) -> None:
+        for plane in self._planes:
+            plane.close()
+        for client in self._clients.values():
+            client.rest_client.pool_manager.clear()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def _client(self, host: str) -> ApiClient:
+        if host not in self._clients:
+            configuration = Configuration(
+                host=host,
+                access_token=self._token,
+                connection_pool_maxsize=self._requests,
+                # One place decides on repeats, and it is not urllib3: `patience`.
+                retries=False,
+            )
+            client = ApiClient(configuration)
+            client.user_agent = USER_AGENT
+            client.default_headers["Proctor-Version"] = PROTOCOL_VERSION
+            self._clients[host] = client
+        return self._clients[host]

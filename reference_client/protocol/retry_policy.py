@@ -1,0 +1,112 @@
+"""Sending a request until it is answered.
+
+Every request of this client may be repeated: what must not happen twice carries a seq,
+an attach_key or an Idempotency-Key. So whether to repeat is decided here, for all of
+them alike, by the answer alone.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+import threading
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import TypeVar
+
+import msgspec
+from proctor_client import ApiException
+
+from reference_client.api.errors import SILENCE, ProctorError, from_failure
+
+Answer = TypeVar("Answer")
+
+FIRST_PAUSE_S = 0.1
+LONGEST_PAUSE_S = 5.0
+
+# Refusals, silence, answers that break the schema.
+FAILURES = (ApiException, *SILENCE, msgspec.MsgspecError, ValueError)
+
+# Answers of a healthy server that is full: waiting is right, however long it takes.
+_FULL = frozenset({"worker_limit", "no_capacity"})
+_DEFECT_S = 10.0  # a defect of the server seldom goes away by itself
+
+_NO_LIMITS: Mapping[str, float] = {}
+
+
+class Interrupted(Exception):
+    """The evaluation is ending: whoever waits stops waiting."""
+
+
+@dataclass(frozen=True, slots=True)
+class Patience:
+    """How long failing requests to `url` are repeated, and who hears of it.
+
+    total_s: how long one kind of failure is borne. stop: ends every wait at once.
+    tell: takes what is waited for, in words; None when it is over.
+    """
+
+    url: str
+    total_s: float
+    stop: threading.Event
+    tell: Callable[[str | None], None]
+
+    def until_answered(
+        self, send: Callable[[], Answer], *, limits_s: Mapping[str, float] = _NO_LIMITS
+    ) -> Answer:
+        """The answer to `send`, which is called until there is one.
+
+        limits_s: code → how long this refusal is borne, where it is not the usual.
+        Raises ProctorError for what no repeat can cure or none did in time, and
+        Interrupted.
+        """
+        borne: ProctorError | None = None
+        since = time.monotonic()
+        pause_s = FIRST_PAUSE_S
+        while not self.stop.is_set():
+            try:
+                answer = send()
+            except FAILURES as failure:
+                error = from_failure(failure, self.url)
+                if borne is None or borne.code != error.code:
+                    since, pause_s = time.monotonic(), FIRST_PAUSE_S
+                wait_s = _wait_s(error, pause_s)
+                left_s = since + self._limit_s(error, limits_s) - time.monotonic()
+                if not error.retryable or wait_s > left_s:
+                    self._tell_end(borne)
+                    # What was borne before may be what explains the last word.
+                    raise error from (borne or failure)
+            else:
+                self._tell_end(borne)
+                return answer
+            if borne is None or borne.detail != error.detail:
+                self.tell(error.detail)
+            borne, pause_s = error, min(2 * pause_s, LONGEST_PAUSE_S)
+            self.stop.wait(wait_s)
+        raise Interrupted
+
+    def pause(self, wait_s: float) -> None:
+        """Raises Interrupted when the evaluation ends meanwhile."""
+        if self.stop.wait(wait_s):
+            raise Interrupted
+
+    def _limit_s(self, error: ProctorError, limits_s: Mapping[str, float]) -> float:
+        if error.code in limits_s:
+            return limits_s[error.code]
+        if error.code in _FULL:
+            return math.inf
+        if error.code == "internal_error":
+            return min(_DEFECT_S, self.total_s)
+        return self.total_s
+
+    def _tell_end(self, borne: ProctorError | None) -> None:
+        if borne is not None:
+            self.tell(None)
+
+
+def _wait_s(error: ProctorError, pause_s: float) -> float:
+    """With jitter, so that workers that failed together do not come back together."""
+    if error.retry_after_s:
+        return error.retry_after_s + random.uniform(0, FIRST_PAUSE_S)
+    return pause_s * random.uniform(0.5, 1.0)

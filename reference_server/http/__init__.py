@@ -1,0 +1,1 @@
+"""The only place that knows HTTP: requests in, views and problems out."""

@@ -1,0 +1,74 @@
+"""Who is calling: bearer tokens, kept as hashes only."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import secrets
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from reference_server.http.problems import Refused
+
+SCOPES = frozenset({"read", "run"})
+
+
+class BadTokens(ValueError):
+    """The setting `tokens` cannot be read; the text says which entry and why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Caller:
+    account: str
+    scopes: frozenset[str]
+
+
+class Tokens:
+    """All tokens of this server: SHA-256 of the secret → who it stands for."""
+
+    def __init__(self, by_hash: Mapping[str, Caller]) -> None:
+        self._by_hash = dict(by_hash)
+
+    @classmethod
+    def parse(cls, text: str) -> Tokens:
+        """`account:scopes:token`, comma-separated; token may be `sha256=<hex>`."""
+        by_hash: dict[str, Caller] = {}
+        for number, entry in enumerate(filter(None, text.split(",")), start=1):
+            account, _, rest = entry.strip().partition(":")
+            names, _, secret = rest.partition(":")
+            scopes = frozenset(names.split("+"))
+            if not account or not secret or not scopes <= SCOPES:
+                raise BadTokens(
+                    f"entry {number} of tokens is not account:scopes:token "
+                    "with scopes read, run or read+run"
+                )
+            hashed = secret.removeprefix("sha256=").lower()
+            if not secret.startswith("sha256="):
+                hashed = _hash(secret)
+            elif not re.fullmatch(r"[0-9a-f]{64}", hashed):
+                raise BadTokens(f"entry {number} of tokens is no SHA-256 in hex")
+            by_hash[hashed] = Caller(account, scopes)
+        if not by_hash:
+            raise BadTokens("tokens has no entry; leave it out to have one made")
+        return cls(by_hash)
+
+    @classmethod
+    def fresh(cls) -> tuple[Tokens, str]:
+        """One new token with every scope for the account `local`, and its secret."""
+        secret = f"proctor_{secrets.token_urlsafe(24)}"
+        return cls({_hash(secret): Caller("local", SCOPES)}), secret
+
+    def caller(self, authorization: str | None, scope: str) -> Caller:
+        """Who an Authorization header stands for (AUTH-001, AUTH-005)."""
+        scheme, _, secret = (authorization or "").partition(" ")
+        # A look-up by hash takes the same time for every wrong secret.
+        caller = self._by_hash.get(_hash(secret.strip()))
+        if scheme.lower() != "bearer" or caller is None:
+            raise Refused("unauthenticated", "There is no valid bearer token.")
+        if scope not in caller.scopes:
+            raise Refused("forbidden", f"The token has no scope `{scope}`.")
+        return caller
+
+
+def _hash(secret: str) -> str:
+    return hashlib.sha256(secret.encode()).hexdigest()

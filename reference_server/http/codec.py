@@ -1,0 +1,284 @@
+"""Bytes to messages and back: bounds, media types, validation.
+
+Nothing is parsed before its size is known; nothing is decoded that could hold code.
+Every fault of a body becomes a refusal with JSON pointers.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import secrets
+from collections.abc import Iterable, Sequence
+from datetime import datetime
+from functools import lru_cache
+from typing import Any, TypeVar
+
+import msgspec
+import pybase64
+from pydantic import BaseModel, ValidationError
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.types import Receive, Scope, Send
+
+from reference_server.http.problems import Refused
+
+JSON = "application/json"
+MSGPACK = "application/msgpack"
+# An oversized body is read to its end, up to this many times the limit, so that the
+# refusal reaches a client that is still sending.
+DRAIN_FACTOR = 32
+# Copying less costs less than sending one part more.
+LARGE_BYTES = 2**15
+_MINUS_ZERO = re.compile(rb"-0[\s,\]}]")  # also in text, where it does no harm
+_BIN_32 = b"\xc6"  # MessagePack: a length of four bytes and that much follow
+
+Model = TypeVar("Model", bound=BaseModel)
+
+
+async def read_body(request: Request, max_bytes: int) -> bytes:
+    """The request's body; refused when it is larger than `max_bytes` (ERR-005)."""
+    parts: list[bytes] = []
+    size, more = 0, True
+    while more and size <= max_bytes * DRAIN_FACTOR:
+        message = await request.receive()
+        if message["type"] == "http.disconnect":
+            raise Refused("malformed_body", "The body breaks off.")
+        more = message.get("more_body", False)
+        part = message.get("body", b"")
+        size += len(part)
+        if size <= max_bytes:
+            parts.append(part)
+        else:
+            parts.clear()
+    if size > max_bytes:
+        raise Refused(
+            "body_too_large",
+            f"The body exceeds {max_bytes} bytes.",
+            requirement="ERR-005",
+        )
+    return b"".join(parts)
+
+
+def decode(body: bytes, media_type: str) -> Any:
+    """The structure in a body; refused when malformed (ERR-002, ERR-013)."""
+    try:
+        if media_type == MSGPACK:
+            return msgspec.msgpack.decode(body, ext_hook=_no_extensions)
+        return _from_json(body)
+    except RecursionError as error:
+        raise Refused("malformed_body", "The body is nested too deeply.") from error
+    except (msgspec.MsgspecError, UnicodeDecodeError, ValueError) as error:
+        raise Refused("malformed_body", f"The body is malformed: {error}.") from error
+
+
+def _from_json(body: bytes) -> Any:
+    structure = msgspec.json.decode(body)
+    if _MINUS_ZERO.search(body):
+        # ENC-003: `-0` is a double with a sign, which msgspec's integer 0 has lost.
+        return json.loads(body, parse_int=_with_sign)
+    return structure
+
+
+def _with_sign(digits: str) -> float:
+    return -0.0 if digits == "-0" else int(digits)
+
+
+def validate(model: type[Model], data: Any) -> Model:
+    """The message in a structure; refused with a pointer for each fault in it."""
+    try:
+        return model.model_validate(data, strict=True)
+    except ValidationError as error:
+        faults = error.errors(include_url=False, include_context=False)
+        if _accept_whole_numbers(data, faults):
+            return validate(model, data)
+        if _holds_time(data):
+            # ENC-008: the one extension that msgspec knows by itself.
+            raise Refused("malformed_body", "Extension types are not read.") from error
+        raise Refused(
+            "invalid_request",
+            "The body breaks its schema.",
+            errors=[(pointer(f["loc"]), f["msg"]) for f in faults[:50]],
+        ) from error
+
+
+def pointer(loc: Iterable[str | int]) -> str:
+    """RFC 6901."""
+    parts = [str(part).replace("~", "~0").replace("/", "~1") for part in loc]
+    return "".join(f"/{part}" for part in parts)
+
+
+def media_type_of(request: Request, readable: Sequence[str]) -> str:
+    """The body's media type (ERR-007)."""
+    declared = request.headers.get("content-type", "")
+    media_type = declared.partition(";")[0].strip().lower()
+    if media_type not in readable:
+        raise Refused(
+            "unsupported_media_type",
+            f"The body is declared as {media_type or 'nothing'}; "
+            f"{' and '.join(readable)} are read here.",
+        )
+    return media_type
+
+
+def acceptable(request: Request, writable: Sequence[str]) -> str:
+    """The media type to answer in; of equals the first, which is JSON (ENC-001)."""
+    header = ",".join(request.headers.getlist("accept")) or "*/*"
+    best = _best(header, tuple(writable))
+    if not best:
+        raise Refused(
+            "not_acceptable", f"{' and '.join(writable)} are what is written here."
+        )
+    return best
+
+
+@lru_cache(maxsize=64)
+def _best(accept: str, writable: Sequence[str]) -> str:
+    """Of equals the first; empty if none will do. Clients repeat themselves."""
+    ranges = [_range(part) for part in accept.split(",")]
+    best, best_q = "", 0.0
+    for media_type in writable:
+        q = _weight(media_type, ranges)
+        if q > best_q:
+            best, best_q = media_type, q
+    return best
+
+
+def encoded(content: Any, media_type: str = JSON, status: int = 200) -> Response:
+    """An answer. Blobs are Base64 in JSON and `bin` in MessagePack (ENC-002)."""
+    first, *others = in_parts(content, media_type)
+    if others:
+        return InParts([first, *others], status, media_type)
+    return Response(first, status_code=status, media_type=media_type)
+
+
+class InParts(Response):
+    """An answer whose large images are sent from where they are."""
+
+    def __init__(
+        self, parts: Sequence[bytes | memoryview], status: int, media_type: str
+    ) -> None:
+        super().__init__(None, status, media_type=media_type)
+        self._parts = parts
+        self.headers["content-length"] = str(sum(map(len, parts)))
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """ASGI: the parts one by one under one Content-Length."""
+        start = {"status": self.status_code, "headers": self.raw_headers}
+        await send({"type": "http.response.start", **start})
+        last = len(self._parts) - 1
+        for index, part in enumerate(self._parts):
+            more = {"body": part, "more_body": index < last}
+            await send({"type": "http.response.body", **more})
+
+
+def in_parts(content: Any, media_type: str = MSGPACK) -> Sequence[bytes | memoryview]:
+    """The encoded content, in parts to be sent one after another.
+
+    Large images are parts of their own: uncopied in MessagePack, and in JSON Base64 by
+    pybase64, which takes a tenth of the time that msgspec does. What stands around them
+    is encoded with a mark in their places, which nobody can guess, and cut there: no
+    encoder of ours is needed for that.
+    """
+    if media_type == MSGPACK:
+        encode, framed = msgspec.msgpack.encode, _in_msgpack
+    else:
+        encode, framed = msgspec.json.encode, _in_json
+    large = _large_images(content)
+    if not large:
+        return [encode(content)]
+    mark, blobs, marked = secrets.token_bytes(16), [], {}
+    for name, image in large.items():
+        before, blob, after = framed(image["data"])
+        blobs.append(blob)
+        marked[name] = image | {"data": msgspec.Raw(before + mark + after)}
+    observation = content["observation"]
+    images = observation["images"] | marked
+    turn = content | {"observation": observation | {"images": images}}
+    first, *others = encode(turn).split(mark)
+    parts: list[bytes | memoryview] = [first]
+    for blob, around in zip(blobs, others, strict=True):
+        parts += [blob, around]
+    return parts
+
+
+def _in_msgpack(blob: memoryview) -> tuple[bytes, bytes | memoryview, bytes]:
+    return _BIN_32 + len(blob).to_bytes(4, "big"), blob, b""
+
+
+def _in_json(blob: memoryview) -> tuple[bytes, bytes | memoryview, bytes]:
+    return b'"', pybase64.b64encode(blob), b'"'
+
+
+def _large_images(content: Any) -> dict[str, Any]:
+    """Those of a turn's observation that are not worth a copy, in its order."""
+    seen = content.get("observation") if isinstance(content, dict) else None
+    images = seen.get("images") if isinstance(seen, dict) else None
+    if not isinstance(images, dict):
+        return {}
+    return {
+        name: image
+        for name, image in images.items()
+        if len(image["data"]) >= LARGE_BYTES
+    }
+
+
+def _range(part: str) -> tuple[str, float]:
+    """A media range of Accept and its weight."""
+    name, *parameters = (piece.strip().lower() for piece in part.split(";"))
+    for parameter in parameters:
+        key, _, value = parameter.partition("=")
+        if key.strip() == "q":
+            try:
+                return name, float(value)
+            except ValueError:
+                return name, 0.0
+    return name, 1.0
+
+
+def _weight(media_type: str, ranges: Sequence[tuple[str, float]]) -> float:
+    """RFC 9110, 12.5.1: of the ranges that match, the most specific one counts."""
+    kind = media_type.partition("/")[0]
+    for wanted in (media_type, f"{kind}/*", "*/*"):
+        weights = [q for name, q in ranges if name == wanted]
+        if weights:
+            return max(weights)
+    return 0.0
+
+
+def _no_extensions(code: int, _data: memoryview) -> Any:
+    raise ValueError(f"extension type {code}")
+
+
+def _holds_time(data: Any) -> bool:
+    """Whether a timestamp stands anywhere, however deep the sender put it."""
+    rest = [data]
+    while rest:
+        one = rest.pop()
+        if isinstance(one, datetime):
+            return True
+        if isinstance(one, dict):
+            rest += [*one, *one.values()]
+        elif isinstance(one, list | tuple):
+            rest += one
+    return False
+
+
+def _accept_whole_numbers(data: Any, faults: Sequence[Any]) -> bool:
+    """JSON Schema calls 630.0 an integer; strict models do not. Mend those, in place.
+
+    Returns whether anything was mended. Runs only after a failed validation.
+    """
+    mended = False
+    for fault in faults:
+        number = fault["input"]
+        whole = isinstance(number, float) and number.is_integer()
+        if fault["type"] != "int_type" or not whole or not fault["loc"]:
+            continue
+        *path, last = fault["loc"]
+        holder = data
+        for step in path:
+            holder = holder[step]
+        holder[last] = int(number)
+        mended = True
+    return mended

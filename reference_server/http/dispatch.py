@@ -1,0 +1,230 @@
+"""From HTTP to an operation and back: what every operation has in common.
+
+An operation is a function from a Call to a Response. Its route, method, scope, body
+and media types are declared once, in `routes.py`; the order of checks is here.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import re
+from collections.abc import Awaitable, Callable, Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any
+
+from pydantic import BaseModel
+from starlette.requests import Request
+from starlette.responses import Response
+
+from reference_server.http import codec
+from reference_server.http.auth import Caller, Tokens
+from reference_server.http.problems import Refused, problem_response
+from reference_server.storage.store import StoreFailed
+
+log = logging.getLogger("proctor.operations")
+
+VERSION = "1.0"
+VERSION_MIN = "1.0"
+VERSION_MAX = "1.0"
+
+# name → (pattern, what a breach is): path parameters of unknown form name nothing that
+# exists, but a worker id is the client's own choice and so its own mistake.
+PATH_PATTERNS: dict[str, tuple[str, str]] = {
+    "benchmark_id": (r"[a-z][a-z0-9_]{0,63}", "not_found"),
+    "run_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
+    "worker_id": (r"[A-Za-z0-9_-]{1,64}", "invalid_request"),
+}
+HEADER_PATTERNS: dict[str, str] = {
+    "if-none-match": r"(?s:.{0,200})",
+    "idempotency-key": r"[\x21-\x7e]{1,128}",
+    "last-event-id": r"[A-Za-z0-9_-]{1,128}",
+    "prefer": r"wait=[0-9]{1,4}",
+    "run_id": r"[A-Za-z0-9_-]{1,64}",
+}
+QUERY_PATTERNS: dict[str, str] = {
+    "baseline": r"[A-Za-z0-9_-]{1,64}",
+    "cursor": r"[A-Za-z0-9_-]{1,128}",
+    "limit": r"[0-9]{1,4}",
+    "request_id": r"[A-Za-z0-9_.-]{1,1040}",
+    "request_ids": r"[A-Za-z0-9_.,-]{1,8000}",
+    "render_mode": r"(?s:.{0,20})",
+    "run_id": r"[A-Za-z0-9_-]{1,64}",
+    "runs": r"[A-Za-z0-9_-]{1,64}(,[A-Za-z0-9_-]{1,64}){0,15}",
+    "session_id": r"(?s:.{1,128})",
+    "subframes": r"(?s:.{0,20})",
+    "tolerance": r"[0-9]{1,4}(\.[0-9]{1,40})?([Ee][+-]?[0-9]{1,3})?",
+    "user_id": r"(?s:.{0,200})",
+}
+# What a pattern cannot say of a number: the least and the largest.
+QUERY_RANGES: dict[str, tuple[int, int]] = {"limit": (1, 1000), "tolerance": (0, 1)}
+
+
+@dataclass(frozen=True, slots=True)
+class Operation:
+    """One operation of the spec.
+
+    scope: what the token needs; None for anyone. body: the model of the body.
+    reads, writes: media types, best first; without any there is no body.
+    query, headers: names that it takes. refusal: how it says no; a problem without.
+    """
+
+    handler: Callable[[Call], Awaitable[Response]]
+    scope: str | None = "read"
+    body: type[BaseModel] | None = None
+    reads: tuple[str, ...] = (codec.JSON,)
+    writes: tuple[str, ...] = (codec.JSON,)
+    query: tuple[str, ...] = ()
+    required_query: tuple[str, ...] = ()
+    headers: tuple[str, ...] = ()
+    refusal: Callable[[Refused], Response] | None = None
+
+
+@dataclass(slots=True)
+class Call:
+    """One request, checked: every member fits the spec."""
+
+    request: Request
+    path: Mapping[str, str]
+    query: Mapping[str, str]
+    headers: Mapping[str, str]
+    media_type: str
+    caller: Caller | None = None
+    body: Any = None
+    raw: bytes = field(default=b"", repr=False)
+
+    @property
+    def account(self) -> str:
+        assert self.caller is not None, "an operation without scope has no caller"
+        return self.caller.account
+
+    def answer(self, content: Any, status: int = 200) -> Response:
+        return codec.encoded(content, self.media_type, status)
+
+
+async def perform(
+    request: Request, operation: Operation, tokens: Tokens, max_body_bytes: int
+) -> Response:
+    """Check a request in the fixed order and carry it out; refusals become problems."""
+    try:
+        call = await _checked(request, operation, tokens, max_body_bytes)
+        return await operation.handler(call)
+    except Refused as error:
+        refused = error
+    except StoreFailed as error:
+        log.error("the store failed: %s", error)  # noqa: TRY400 - it says all
+        refused = Refused("unavailable", "The store does not answer.")
+    except asyncio.CancelledError:
+        # By the server alone, which ends and has waited long enough.
+        refused = Refused("unavailable", "The server is ending.")
+    return (operation.refusal or problem_response)(refused)
+
+
+async def _checked(
+    request: Request, operation: Operation, tokens: Tokens, max_body_bytes: int
+) -> Call:
+    check_version(request)
+    caller = None
+    if operation.scope is not None:
+        authorization = request.headers.get("authorization")
+        caller = tokens.caller(authorization, operation.scope)
+    call = Call(
+        request,
+        _path(request),
+        _query(request, operation),
+        _headers(request, operation),
+        codec.acceptable(request, operation.writes) if operation.writes else "",
+        caller,
+    )
+    if operation.body is not None:
+        media_type = codec.media_type_of(request, operation.reads)
+        call.raw = await codec.read_body(request, max_body_bytes)
+        structure = codec.decode(call.raw, media_type)
+        call.body = codec.validate(operation.body, structure)
+    return call
+
+
+def check_version(request: Request) -> None:
+    """VER-002."""
+    wanted = request.headers.get("proctor-version")
+    if wanted is not None and not _is_spoken(wanted):
+        raise Refused(
+            "unsupported_version",
+            f"Version {wanted[:20]} was asked for; {VERSION_MIN} to {VERSION_MAX} are "
+            "spoken here.",
+            requirement="VER-002",
+        )
+
+
+@lru_cache(maxsize=64)
+def _is_spoken(version: str) -> bool:
+    if not re.fullmatch(r"[0-9]{1,4}\.[0-9]{1,4}", version):
+        return False
+    return _pair(VERSION_MIN) <= _pair(version) <= _pair(VERSION_MAX)
+
+
+def _pair(version: str) -> tuple[int, int]:
+    major, _, minor = version.partition(".")
+    return int(major), int(minor)
+
+
+def _path(request: Request) -> Mapping[str, str]:
+    for name, value in request.path_params.items():
+        pattern, code = PATH_PATTERNS[name]
+        if not re.fullmatch(pattern, value):
+            raise Refused(
+                code,
+                f"{name} does not match {pattern}.",
+                errors=[(f"path:{name}", f"must match {pattern}")],
+            )
+    return request.path_params
+
+
+def _query(request: Request, operation: Operation) -> Mapping[str, str]:
+    """ERR-014. A name that the operation does not have is a mistake, not a wish."""
+    seen: dict[str, str] = {}
+    if not request.scope["query_string"] and not operation.required_query:
+        return seen
+    errors = []
+    for name, value in request.query_params.multi_items():
+        if name not in operation.query:
+            errors.append((f"query:{name}", "this operation has no such parameter"))
+        elif name in seen:
+            errors.append((f"query:{name}", "is given more than once"))
+        elif not re.fullmatch(QUERY_PATTERNS[name], value):
+            errors.append((f"query:{name}", f"must match {QUERY_PATTERNS[name]}"))
+        elif name in QUERY_RANGES and not _in_range(name, value):
+            least, most = QUERY_RANGES[name]
+            errors.append((f"query:{name}", f"must be from {least} to {most}"))
+        seen[name] = value
+    errors += [
+        (f"query:{name}", "is missing")
+        for name in operation.required_query
+        if name not in seen
+    ]
+    if errors:
+        raise Refused("invalid_request", "A query parameter is wrong.", errors=errors)
+    return seen
+
+
+def _in_range(name: str, value: str) -> bool:
+    least, most = QUERY_RANGES[name]
+    return least <= float(value) <= most
+
+
+def _headers(request: Request, operation: Operation) -> Mapping[str, str]:
+    values = {}
+    for name in operation.headers:
+        value = request.headers.get(name)
+        if value is None:
+            continue
+        pattern = HEADER_PATTERNS.get(name)
+        if pattern is not None and not re.fullmatch(pattern, value):
+            raise Refused(
+                "invalid_request",
+                f"The header {name} does not match {pattern}.",
+                errors=[(f"header:{name}", f"must match {pattern}")],
+            )
+        values[name] = value
+    return values

@@ -1,0 +1,92 @@
+"""A turn as the wire shows it: schema Turn as plain data, blobs as bytes.
+
+Plain data and not models on purpose: a turn may carry megabytes of pixels, which pass
+from the simulator to the socket without being looked at.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from typing import Any
+
+from reference_server.http.views import result_view, timestamp
+from reference_server.rules.run import Episode, Session
+from reference_sim.process.pool import Played, Timing
+
+
+def turn(
+    session: Session,
+    *,
+    observation: Any,
+    observations: list[Any] | None = None,
+    played: Played | None = None,
+    left: int = 0,
+    ended: Episode | None = None,
+    fault: Mapping[str, Any] | None = None,
+    spent: Mapping[str, float] | None = None,
+) -> dict[str, Any]:
+    """The turn that a session gets now; `finish` adds lease and total time.
+
+    left: actions of the chunk that were not executed. ended: the episode that this
+    turn ended; the session has the next one already.
+    """
+    body: dict[str, Any] = {
+        "session_id": session.session_id,
+        "seq": session.seq,
+        "executed_steps": played.executed if played else 0,
+        "stopped_early": left > 0 and played is not None,
+        "rewards": list(played.rewards) if played else [],
+        "terminated": played.terminated if played else False,
+        "truncated": played.truncated if played else False,
+        "done": session.done,
+        "timing": dict(spent) if spent is not None else timing(0.0),
+    }
+    if session.episode is not None:
+        body["episode"] = _episode_view(session, session.episode)
+    if observation is not None:
+        body["observation"] = observation
+    if observations is not None:
+        body["observations"] = observations
+    if ended is not None:
+        body["episode_result"] = result_view(ended)
+    if fault is not None:
+        body["fault"] = fault
+    return body
+
+
+def finish(body: dict[str, Any], session: Session, total_s: float) -> None:
+    """Add what is only known when the turn leaves."""
+    body["lease"] = lease_view(session)
+    body["timing"]["total_s"] = total_s
+
+
+def lease_view(session: Session) -> dict[str, Any]:
+    """Schema Lease. The lease runs on the monotonic clock; people read the other."""
+    left_s = session.expires_at - time.monotonic()
+    return {
+        "expires_at": timestamp(time.time() + left_s),
+        "idle_timeout_s": session.idle_timeout_s,
+    }
+
+
+def timing(queue_s: float, *spent: Timing) -> dict[str, float]:
+    """Schema Timing without its total: what the simulator spent, summed over calls."""
+    return {
+        "queue_s": queue_s,
+        "simulate_s": sum(t.simulate_s for t in spent),
+        "render_s": sum(t.render_s for t in spent),
+        "encode_s": sum(t.encode_s for t in spent),
+    }
+
+
+def _episode_view(session: Session, episode: Episode) -> dict[str, Any]:
+    return {
+        "episode_id": episode.episode_id,
+        "index": episode.index,
+        "task": episode.task,
+        "instruction": session.instruction,
+        "attempt": episode.attempt,
+        "step": session.steps,
+        "max_steps": session.max_steps,
+    }

@@ -1,0 +1,137 @@
+"""Runs, episodes and scores as the wire shows them, in the generated models."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from functools import lru_cache
+from typing import Any
+
+from reference_server.generated import models
+from reference_server.push.policy_server_config import Order
+from reference_server.rules.run import Episode, RunHead
+from reference_server.rules.scoring import Scored, score_of
+
+
+def timestamp(at_wall: float) -> str:
+    """RFC 3339 in UTC, to the millisecond, of seconds since 1970."""
+    second, milliseconds = divmod(int(at_wall * 1000), 1000)
+    return f"{_second(second)}.{milliseconds:03d}Z"
+
+
+@lru_cache(maxsize=64)
+def _second(at_wall: int) -> str:
+    """Every turn tells a time, and most of them one within few seconds."""
+    return datetime.fromtimestamp(at_wall, UTC).replace(tzinfo=None).isoformat()
+
+
+def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> dict[str, Any]:
+    """Schema Run."""
+    in_progress = sum(1 for s in run.live if s.episode is not None)
+    shown = models.Run(
+        run_id=run.run_id,
+        state=run.state,
+        reason=run.reason,
+        retryable=run.retryable,
+        benchmark_id=run.manifest["benchmark_id"],
+        benchmark_version=run.manifest["version"],
+        manifest_sha256=run.manifest_sha256,
+        policy=models.PolicyInfo(**run.submission["policy"]),
+        mode="push" if run.is_push else "pull",
+        max_workers=run.max_workers,
+        idle_timeout_s=run.idle_timeout_s,
+        images=models.ImageChoice(**run.images),
+        endpoint=endpoint,
+        queue_position=queue_position,
+        live_workers=len(run.live),
+        progress=models.Progress(
+            episodes_total=run.total,
+            episodes_scored=run.scored,
+            episodes_in_progress=in_progress,
+            episodes_pending=run.total - run.scored - in_progress,
+        ),
+        created_at=timestamp(run.created_at_wall),
+        updated_at=timestamp(run.updated_at_wall),
+    )
+    if run.is_push:
+        shown.policy_server = Order.of(run).view()
+    return shown.model_dump()
+
+
+def result_view(episode: Episode) -> dict[str, Any]:
+    """Schema EpisodeResult of a scored episode."""
+    result = episode.result
+    assert result is not None
+    return models.EpisodeResult(
+        episode_id=episode.episode_id,
+        index=episode.index,
+        task=episode.task,
+        split=episode.split,
+        seed=episode.seed,
+        attempt=result.attempt,
+        faults=episode.faults,
+        outcome=result.outcome,
+        score=result.score,
+        steps=result.steps,
+        terminated=result.terminated,
+        truncated=result.truncated,
+        think_s=result.think_s,
+        finished_at=timestamp(result.finished_at_wall),
+    ).model_dump()
+
+
+def episode_view(episode: Episode) -> dict[str, Any]:
+    """Schema Episode."""
+    status: models.EpisodeStatus = "pending"
+    if episode.result is not None:
+        status = "scored"
+    elif episode.in_progress:
+        status = "in_progress"
+    body = models.Episode(
+        episode_id=episode.episode_id,
+        index=episode.index,
+        task=episode.task,
+        split=episode.split,
+        status=status,
+        attempt=episode.attempt,
+        faults=episode.faults,
+    ).model_dump()
+    if episode.policy_fault is not None:
+        body["policy_fault"] = episode.policy_fault
+    if episode.result is not None:
+        body["result"] = result_view(episode)
+    return body
+
+
+def comparison_view(
+    baseline: RunHead, tolerance: float, entries: list[dict[str, Any]]
+) -> dict[str, Any]:
+    """Schema Comparison; entries: schema ComparedRun each."""
+    return {
+        "baseline": baseline.run_id,
+        "benchmark_id": baseline.manifest["benchmark_id"],
+        "manifest_sha256": baseline.manifest_sha256,
+        "tolerance": tolerance,
+        "runs": entries,
+    }
+
+
+def scored(episodes: Sequence[Episode]) -> list[Scored]:
+    """What scoring needs of a run's episodes, in manifest order."""
+    return [
+        Scored(e.task, e.split, e.result.outcome, e.result.score)
+        if e.result
+        else Scored(e.task, e.split, None)
+        for e in episodes
+    ]
+
+
+def score_view(run: RunHead, episodes: Sequence[Episode]) -> dict[str, Any]:
+    """Schema Score, of all episodes of the run."""
+    return {
+        "run_id": run.run_id,
+        "benchmark_id": run.manifest["benchmark_id"],
+        "manifest_sha256": run.manifest_sha256,
+        "state": run.state,
+        **score_of(scored(episodes)),
+    }

@@ -1,0 +1,1 @@
+"""EBench's API as a profile."""

@@ -1,0 +1,122 @@
+"""What EBench's client asks, read from the bodies of its requests."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from pydantic import BaseModel, Field
+
+from reference_server.http.dispatch import PATH_PATTERNS
+from reference_server.http.problems import Refused
+from reference_server.profiles.ebench import pickle_writer
+from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.run import Run
+
+
+class CreateTask(BaseModel):
+    """Members are absent when empty; others than these are passed over."""
+
+    task_id: str = ""
+    model_name: str = ""
+    model_type: str = ""
+    benchmark_set: str = ""
+    submitter_name: str = ""
+    submitter_homepage: str = ""
+    is_public: int = 0
+
+    def policy(self) -> dict[str, str]:
+        """Schema PolicyInfo."""
+        name = self.model_name or "unnamed"
+        policy = {"name": f"{name} ({self.model_type})" if self.model_type else name}
+        if self.submitter_name:
+            policy["submitter"] = self.submitter_name
+        if self.submitter_homepage:
+            policy["homepage"] = self.submitter_homepage
+        return policy
+
+
+class Ready(BaseModel):
+    task_id: str
+
+
+class WorkerIds(BaseModel):
+    worker_ids: list[str | int] = Field(max_length=1024)
+
+
+class Workers(BaseModel):
+    """The body of create_workers and of kill."""
+
+    data: WorkerIds
+
+
+@dataclass(frozen=True, slots=True)
+class Chunk:
+    """A worker's actions as they came, and where each stood."""
+
+    actions: Sequence[Any]
+    at: Sequence[str]
+
+    def digest(self) -> str:
+        """Equal for what is sent again as it was."""
+        return hashlib.sha256(pickle_writer.write(_plain(self.actions))).hexdigest()
+
+    def refused(self, verdict: Refuse) -> Refused:
+        """A refusal of what was made of it, pointing at what was sent."""
+        refused = Refused.by(verdict)
+        refused.errors = tuple(self._error(*error) for error in refused.errors)
+        return refused
+
+    def _error(self, pointer: str, detail: str) -> tuple[str, str]:
+        found = re.fullmatch(r"/actions/(\d+)/values/(.*)", pointer)
+        if found is None:
+            return self.at[0], detail
+        return f"{self.at[int(found[1])]}/action", f"{found[2]}: {detail}"
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, np.ndarray):
+        return [value.dtype.str, *value.shape, value.tobytes().hex()]
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [_plain(item) for item in value]
+    return value
+
+
+def read_chunks(body: Any, run: Run) -> dict[str, Chunk]:
+    """Of each worker its actions, from one step or from a list of them."""
+    steps = body if isinstance(body, list) else [body]
+    actions: dict[str, list[Any]] = {}
+    at: dict[str, list[str]] = {}
+    for number, step in enumerate(steps):
+        place = f"/{number}" if isinstance(body, list) else ""
+        if not isinstance(step, dict):
+            raise misshapen(place, "is a dict from worker ids to actions")
+        ids = read_worker_ids(list(step), run)
+        for worker_id, action in zip(ids, step.values(), strict=True):
+            actions.setdefault(worker_id, []).append(action)
+            at.setdefault(worker_id, []).append(f"{place}/{worker_id}")
+    if not actions:
+        raise misshapen("", "names no worker")
+    return {i: Chunk(chunk, at[i]) for i, chunk in actions.items()}
+
+
+def read_worker_ids(named: Sequence[Any], run: Run) -> list[str]:
+    ids = [str(one) if type(one) in (str, int) else "" for one in named]
+    pattern, _ = PATH_PATTERNS["worker_id"]
+    if not all(re.fullmatch(pattern, one) for one in ids) or len(set(ids)) < len(ids):
+        raise misshapen("/worker_ids", f"each matches {pattern} and stands once")
+    if len(ids) > run.max_workers:
+        raise misshapen("/worker_ids", f"are {run.max_workers} at most in this run")
+    return ids
+
+
+def misshapen(at: str, text: str) -> Refused:
+    return Refused(
+        "invalid_request", "The body breaks its schema.", errors=[(at, text)]
+    )

@@ -1,0 +1,102 @@
+"""What EBench's client is answered: envelopes, workers' observations, a status."""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import msgspec
+from starlette.responses import Response
+from starlette.types import Receive, Scope, Send
+
+from reference_server.generated.problem_codes import PROBLEMS
+from reference_server.http import views
+from reference_server.http.codec import JSON
+from reference_server.http.dispatch import Call
+from reference_server.http.problems import Refused
+from reference_server.profiles.ebench import actions, pickle_writer
+from reference_server.rules.run import Run
+
+PICKLE = "application/octet-stream"
+
+
+def envelope(data: Any, code: int = 0, msg: str = "success") -> Response:
+    """Always status 200: what went wrong is told by `code` and `msg`."""
+    trace_id = secrets.token_hex(16)
+    body = {"code": code, "msg": msg, "trace_id": trace_id, "data": data}
+    return Response(msgspec.json.encode(body), media_type=JSON)
+
+
+def refusal(refused: Refused) -> Response:
+    """A refusal in an envelope; `code` is the status it would have elsewhere."""
+    entry = PROBLEMS[refused.code]
+    faults = "; ".join(f"{at or 'the body'} {text}" for at, text in refused.errors)
+    told = [refused.detail, faults and f"{faults}.", entry["act"]]
+    return envelope(None, entry["status"], " ".join(filter(None, told)))
+
+
+class Heard(Response):
+    """An answer that notes whether its client was still there to take it."""
+
+    def __init__(self, value: Any, call: Call, hear: Callable[[], None]) -> None:
+        super().__init__(pickle_writer.write(value), media_type=PICKLE)
+        self._request = call.request
+        self._hear = hear
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """ASGI: who has left before the last byte was sent has not got the answer.
+
+        After that byte nothing is asked any more: many clients leave when they have it.
+        """
+        start = {"status": self.status_code, "headers": self.raw_headers}
+        await send({"type": "http.response.start", **start})
+        whole = memoryview(self.body)
+        rest, last = whole[:-1], whole[-1:]
+        await send({"type": "http.response.body", "body": rest, "more_body": True})
+        was_there = not await self._request.is_disconnected()
+        await send({"type": "http.response.body", "body": last, "more_body": False})
+        if was_there:
+            self._hear()
+
+
+def shown(
+    run: Run, turn: Mapping[str, Any], results: Mapping[str, float]
+) -> dict[str, Any]:
+    """What EBench answers for one worker."""
+    of = run.run_id, run.manifest["benchmark_id"]
+    ended = turn.get("episode_result")
+    metric = {ended["task"]: ended["score"]} if ended else None
+    return {
+        "obs": None if turn["done"] else actions.observation(turn, *of),
+        "metric": results if turn["done"] else metric,
+        "episode_result": ended and actions.episode_result(ended, *of),
+    }
+
+
+def results_of(run: Run) -> dict[str, float]:
+    """Mean score of each task that has one."""
+    by_task = views.score_view(run, run.episodes)["by_task"]
+    means = {task: group["mean"] for task, group in by_task.items()}
+    return {task: mean for task, mean in means.items() if mean is not None}
+
+
+def status_of(run: Run) -> dict[str, Any]:
+    live = [session.worker_id for session in run.live]
+    status = "idle"
+    if run.state == "completed":
+        status = "complete"
+    elif live:
+        status = "running"
+    elif run.scored or run.state in ("stopped", "failed"):
+        status = "incomplete"
+    return {
+        "status": status,
+        "benchmark_id": run.manifest["benchmark_id"],
+        "run_id": run.run_id,
+        "total_episodes": len(run.episodes),
+        "completed_episodes": run.scored,
+        "in_progress_episodes": sum(s.episode is not None for s in run.live),
+        "active_workers": sorted(live),
+        "results": results_of(run),
+    }

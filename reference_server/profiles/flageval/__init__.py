@@ -1,0 +1,1 @@
+"""FlagEval's API as a profile."""

@@ -1,0 +1,170 @@
+"""What a FlagEval client asks, read from its bodies, and the run that it means.
+
+Numbers that this server gives less of are cut to what it gives. Never keeps or shows
+an `api_key`: it goes into the submission, where it is sealed, and nowhere else.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal, TypeAlias
+
+import msgspec
+from pydantic import BaseModel, Field
+
+from reference_server.generated import models
+from reference_server.http import codec
+from reference_server.http.problems import Refused
+
+NO_KEY = "EMPTY"
+QUESTIONS = "question_answering"
+COMPLETIONS = "/chat/completions"
+CALL_TIMEOUT_S_MOST, RETRIES_MOST = 600, 10  # of schema PolicyServer
+EVALUATIONS_MOST = 16
+# Two datasets of `calibration`, so that a kit can judge this wire without pictures.
+CALIBRATION_TASKS = ["score", "score", "score", "score", "count", "count"]
+# Run ids, joined by dots.
+RequestId: TypeAlias = Annotated[
+    str, Field(pattern=r"^[A-Za-z0-9_-]{1,64}(\.[A-Za-z0-9_-]{1,64}){0,15}$")
+]
+_PAIR = re.compile(
+    r"\s*([a-z][a-z0-9_]{0,39})\s*=\s*(-?[0-9]{1,9}(?:\.[0-9]{1,9})?)\s*"
+)
+_RENAMED = {"max_gen_toks": "max_tokens"}
+# Where a submission is wrong → which of their members was.
+_MEMBERS = {
+    "/policy/name": "eval_model",
+    "/policy_server/url": "eval_url",
+    "/policy_server/model": "model",
+    "/policy_server/api_key": "api_key",
+    "/policy_server/max_concurrent": "num_concurrent",
+}
+
+
+class EvalInfo(BaseModel):
+    """One model to evaluate; members that are not listed are passed over."""
+
+    eval_model: str = Field(min_length=1, max_length=200)
+    model: str
+    eval_url: str
+    tokenizer: str = Field(max_length=200)
+    api_key: str = NO_KEY
+    batch_size: int = Field(1, ge=1)
+    num_concurrent: int = Field(1, ge=1, le=1024)
+    num_retry: int = Field(10, ge=0)
+    gen_kwargs: str = Field("", max_length=2000)
+    thinking: bool = False
+    retry_time: int = Field(3600, ge=1)
+    chip: str = Field("Nvidia-H100", max_length=200)
+    base_model_name: str = Field("", max_length=200)
+
+
+class Evaluation(BaseModel):
+    eval_infos: list[EvalInfo] = Field(min_length=1, max_length=EVALUATIONS_MOST)
+    domain: Literal["NLP", "MM"]
+    mode: str = ""
+    region: Literal["bj", "sz"] = "bj"
+    special_event: str = Field("yes", max_length=200)
+    user_id: int | None = None
+
+    @property
+    def benchmark_id(self) -> str:
+        return self.mode or QUESTIONS
+
+    def check(self) -> None:
+        """What no schema says. Raises Refused."""
+        if self.domain == "NLP" and not self.mode:
+            raise _wrong("/domain", "NLP has no datasets here; MM has")
+        names = [info.eval_model for info in self.eval_infos]
+        for number, name in enumerate(names):
+            if name in names[:number]:
+                raise _wrong(f"/eval_infos/{number}/eval_model", "stands there twice")
+
+    def submission(self, number: int, images: Mapping[str, Any] | None) -> Any:
+        """Schema SubmitRun of one evaluation, and what else is kept with it."""
+        info, at = self.eval_infos[number], f"/eval_infos/{number}"
+        url = info.eval_url.removesuffix("/")
+        if not url.endswith(COMPLETIONS):
+            raise _wrong(f"{at}/eval_url", f"ends with {COMPLETIONS}")
+        server: dict[str, Any] = {
+            "url": url.removesuffix(COMPLETIONS),
+            "protocol": "openai_chat",
+            "model": info.model,
+            "call_timeout_s": float(min(info.retry_time, CALL_TIMEOUT_S_MOST)),
+            "max_concurrent": info.num_concurrent,
+            "max_retries": min(info.num_retry, RETRIES_MOST),
+            "generation": _generation(info.gen_kwargs, f"{at}/gen_kwargs"),
+        }
+        if info.api_key != NO_KEY:
+            server["api_key"] = info.api_key
+        submission = {
+            "benchmark_id": self.benchmark_id,
+            "policy": {"name": info.eval_model},
+            "mode": "push",
+            "policy_server": server,
+        }
+        if images is not None:
+            submission["images"] = images
+        if self.benchmark_id == "calibration":
+            submission["options"] = {"tasks": CALIBRATION_TASKS}
+        try:
+            checked = codec.validate(models.SubmitRun, submission).model_dump()
+        except Refused as refused:
+            raise told_in_their_words(refused, number) from refused
+        return checked | {"labels": self._labels(number)}
+
+    def _labels(self, number: int) -> dict[str, Any]:
+        """What is recorded with the run: everything but the key."""
+        whole = self.model_dump(exclude={"eval_infos"})
+        return whole | self.eval_infos[number].model_dump(exclude={"api_key"})
+
+    def digest(self, number: int) -> str:
+        """Equal for the same evaluation asked for again."""
+        canonical = msgspec.json.encode(self._labels(number), order="deterministic")
+        return hashlib.sha256(canonical).hexdigest()
+
+
+class Named(BaseModel):
+    request_id: RequestId
+
+
+class Progress(Named):
+    domain: Literal["NLP", "MM"]
+
+
+class Diffs(BaseModel):
+    """The first is the baseline."""
+
+    request_ids: list[RequestId] = Field(min_length=1, max_length=EVALUATIONS_MOST)
+
+
+def key_of(eval_model: str) -> str:
+    """The Idempotency-Key of an evaluation: its name is used once in an account."""
+    return f"flageval-{hashlib.sha256(eval_model.encode()).hexdigest()}"
+
+
+def told_in_their_words(refused: Refused, number: int) -> Refused:
+    """A refusal of a submission, pointing at what the client wrote."""
+    at = f"/eval_infos/{number}"
+    errors = [
+        (f"{at}/{_MEMBERS[where]}" if where in _MEMBERS else where, text)
+        for where, text in refused.errors
+    ]
+    return Refused(refused.code, refused.detail, errors=errors)
+
+
+def _generation(text: str, at: str) -> dict[str, float]:
+    """`temperature=0.6,max_gen_toks=16000` as numbers by name."""
+    found: dict[str, float] = {}
+    for part in filter(str.strip, text.split(",")):
+        pair = _PAIR.fullmatch(part)
+        if pair is None:
+            raise _wrong(at, "is name=number, with commas between them")
+        found[_RENAMED.get(pair[1], pair[1])] = float(pair[2])
+    return found
+
+
+def _wrong(at: str, text: str) -> Refused:
+    return Refused("invalid_request", "The body cannot be meant.", errors=[(at, text)])

@@ -1,0 +1,149 @@
+"""What a FlagEval client is answered: status letters, datasets, differences.
+
+A dataset is a task of the benchmark, an accuracy the mean score of its episodes, and a
+difference and `release` are those of `comparison`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import msgspec
+from starlette.responses import Response
+
+from reference_server.generated.problem_codes import PROBLEMS
+from reference_server.http import views
+from reference_server.http.codec import JSON
+from reference_server.http.problems import Refused
+from reference_server.rules import comparison
+from reference_server.rules.run import Episode, RunHead
+from reference_server.rules.scoring import Scored, score_of
+
+Status = Literal["S", "F", "C", "OOR", "R"]
+BASELINE = "-nvidia-origin"
+TOLERANCE = comparison.TOLERANCE
+# Of several evaluations together: the first that one of them has.
+_GRAVEST: tuple[Status, ...] = ("R", "F", "OOR", "C", "S")
+
+
+def answer(**members: Any) -> Response:
+    """Success, with both names that the message has in their documents."""
+    told = {"err_code": 0, "err_msg": "success", "err_message": "success"}
+    return Response(msgspec.json.encode(told | members), media_type=JSON)
+
+
+def refusal(refused: Refused) -> Response:
+    """Always status 200: `err_code` 1 says that it was refused, the message why."""
+    faults = "; ".join(f"{at or 'the body'} {text}" for at, text in refused.errors)
+    parts = [refused.detail, faults and f"{faults}.", PROBLEMS[refused.code]["act"]]
+    text = " ".join(filter(None, parts))
+    told = {"err_code": 1, "err_msg": text, "err_message": text}
+    return Response(msgspec.json.encode(told), media_type=JSON)
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluated:
+    """One evaluation as it stands: a run, in the words of this wire."""
+
+    run_id: str
+    eval_model: str
+    base_model_name: str
+    status: Status
+    manifest_sha256: str
+    episodes: Sequence[Scored]
+
+    @classmethod
+    def of(cls, run: RunHead, episodes: Sequence[Episode]) -> Evaluated:
+        return cls(
+            run.run_id,
+            run.submission["policy"]["name"],
+            run.submission.get("labels", {}).get("base_model_name", ""),
+            status_of(run, episodes),
+            run.manifest_sha256,
+            views.scored(episodes),
+        )
+
+    @property
+    def is_baseline(self) -> bool:
+        return self.eval_model.endswith(BASELINE)
+
+    @property
+    def datasets(self) -> dict[str, dict[str, Any]]:
+        """Task → counts and mean, in the order of the manifest."""
+        by_task: dict[str, dict[str, Any]] = score_of(self.episodes)["by_task"]
+        return by_task
+
+    def beside(self, base: Evaluated | None) -> dict[str, Any] | None:
+        """Schema ComparedRun; None without a baseline of the same manifest."""
+        if base is None or base.manifest_sha256 != self.manifest_sha256:
+            return None
+        return comparison.compare(base.episodes, self.episodes, TOLERANCE)
+
+    def result(self, base: Evaluated | None) -> dict[str, Any]:
+        """EvalResult: what evaldiffs says of it."""
+        compared = self.beside(base)
+        details = [
+            {
+                "dataset": task,
+                "status": self.status if group["counts"]["unscored"] else "S",
+                "accuracy": group["mean"],
+                "diff": compared and compared["by_task"][task]["difference"],
+            }
+            for task, group in self.datasets.items()
+        ]
+        release = compared is not None and compared["release"]
+        return {"status": self.status, "details": details, "release": release}
+
+    def diff(self, base: Evaluated) -> dict[str, Any]:
+        """What evaluation_diffs says of it. Raises Refused."""
+        compared = self.beside(base)
+        if compared is None:
+            raise Refused("not_comparable", f"{self.eval_model}: other datasets.")
+        details = [
+            {
+                "dataset": task,
+                "base_acc": group["baseline_mean"],
+                "accuracy": group["mean"],
+                "diff": group["difference"],
+            }
+            for task, group in compared["by_task"].items()
+        ]
+        return {"details": details, "release": compared["release"]}
+
+
+def status_of(run: RunHead, episodes: Sequence[Episode]) -> Status:
+    """Success, failure, cancelled, out of retries, or running."""
+    if run.state == "completed":
+        return "S"
+    if run.state in ("stopped", "stopping"):
+        return "C"
+    if run.state != "failed":
+        return "R"
+    most = run.manifest["max_faults"]
+    is_ours = any(e.faults - e.faults_forgiven >= most for e in episodes)
+    return "OOR" if run.retryable and not is_ours else "F"
+
+
+def progress(evaluations: Sequence[Evaluated]) -> dict[str, Any]:
+    """How far all of a request's evaluations are, together."""
+    statuses = {one.status for one in evaluations}
+    status = next(letter for letter in _GRAVEST if letter in statuses)
+    open_, done, total = [], 0, 0
+    for one in evaluations:
+        for task, group in one.datasets.items():
+            counts = group["counts"]
+            total += 1
+            done += counts["unscored"] == 0
+            if counts["unscored"] and one.status == "R":
+                scored = counts["total"] - counts["unscored"]
+                open_.append((task, f"{scored}/{counts['total']}"))
+    dataset, running = open_[0] if open_ else ("", "")
+    return {
+        "finished": status != "R",
+        "status": status,
+        "datasets_progress": f"{done}/{total}",
+        "running_dataset": dataset,
+        "running_progress": running,
+    }

@@ -1,0 +1,87 @@
+"""Runs beside a baseline: the second half of `spec/scoring.md` in code. Pure.
+
+Both runs are of one manifest, so that their episodes pair by position. It must not know
+what a run is, nor whose: it takes episodes and gives numbers.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from reference_server.rules.scoring import Scored
+
+TOLERANCE = 0.05  # CMP-008: when none is given
+ROUNDING = 1e-9  # CMP-008: so that no rounding decides
+
+Pair = tuple[Scored, Scored]
+
+
+def compare(
+    baseline: Sequence[Scored], run: Sequence[Scored], tolerance: float
+) -> dict[str, Any]:
+    """The computed members of schema ComparedRun, for two runs of one manifest."""
+    by_task: dict[str, list[Pair]] = {episode.task: [] for episode in run}
+    pairs = list(_pairs(baseline, run))
+    for pair in pairs:
+        by_task[pair[1].task].append(pair)
+    whole = _group(pairs)
+    tasks = {task: _group(members) for task, members in by_task.items()}
+    complete = len(pairs) == len(run)
+    wins = sum(_succeeds(run) > _succeeds(base) for base, run in pairs)
+    losses = sum(_succeeds(run) < _succeeds(base) for base, run in pairs)
+    return {
+        "complete": complete,
+        "release": complete and is_within([whole, *tasks.values()], tolerance),
+        **whole,
+        "wins": wins,
+        "losses": losses,
+        "ties": len(pairs) - wins - losses,
+        "p_value": mcnemar(wins, losses),
+        "by_task": tasks,
+    }
+
+
+def mcnemar(wins: int, losses: int) -> float:
+    """CMP-007: the exact two-sided p of McNemar's test, correctly rounded."""
+    n = wins + losses
+    tail, ways = 0, 1
+    for k in range(min(wins, losses) + 1):
+        tail += ways
+        ways = ways * (n - k) // (k + 1)  # C(n, k + 1)
+    # Whole numbers until the one division: no sum of small terms loses anything.
+    return min(1.0, 2 * tail / (1 << n))
+
+
+def is_within(groups: Sequence[dict[str, Any]], tolerance: float) -> bool:
+    """Whether no difference is beyond the tolerance; all of them are numbers."""
+    return all(abs(g["difference"]) <= tolerance + ROUNDING for g in groups)
+
+
+def _pairs(baseline: Sequence[Scored], run: Sequence[Scored]) -> Iterator[Pair]:
+    for pair in zip(baseline, run, strict=True):
+        if all(episode.outcome is not None for episode in pair):
+            yield pair
+
+
+def _succeeds(episode: Scored) -> bool:
+    return episode.outcome == "success"
+
+
+def _group(pairs: Sequence[Pair]) -> dict[str, Any]:
+    """Schema ComparedTask."""
+    means = [_mean([pair[side] for pair in pairs]) for side in (0, 1)]
+    base, run = means
+    return {
+        "paired": len(pairs),
+        "baseline_mean": base,
+        "mean": run,
+        "difference": None if base is None or run is None else base - run,
+    }
+
+
+def _mean(episodes: Sequence[Scored]) -> float | None:
+    # SCORE-004: abandoned is 0, whatever was reached. fsum rounds once.
+    earned = (0.0 if e.outcome == "abandoned" else e.score for e in episodes)
+    return math.fsum(earned) / len(episodes) if episodes else None

@@ -1,0 +1,325 @@
+"""What an accepted command or an event does to a run.
+
+The second half of the rules: `protocol.py` says whether, this file says what then. Pure
+like it: each function changes the run it is given, at the time it is given, and nothing
+else. Every change of state goes through the table.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from reference_server.rules.lifecycle import (
+    TRANSITIONS,
+    Attach,
+    Event,
+    Predict,
+    lease_over,
+    legal,
+)
+from reference_server.rules.run import Episode, Result, Run, Session, SessionEnd
+
+# A lease is for a client that may vanish. A worker of the server's own cannot, and its
+# calls have their own bounds: this is longer than all of them together.
+OWN_LEASE_S = 86_400.0
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What the simulator says after a chunk; see `reference_sim`."""
+
+    executed: int
+    ended: bool
+    terminated: bool
+    truncated: bool
+    success: bool
+    score: float
+
+
+def move(run: Run, event: Event, reason: str | None = None) -> None:
+    """Change the state as the table says; an event without a row changes nothing."""
+    if not legal(run, event):
+        return
+    after = TRANSITIONS[(run.state, event)]
+    if after != run.state:
+        run.state, run.reason = after, reason
+        run.retryable = None
+
+
+# --- commands ---
+
+
+def open_session(run: Run, command: Attach, session_id: str, now: float) -> Session:
+    """Take the worker's slot and an episode; the caller starts the simulator.
+
+    A live session of the worker is fenced out and its episode goes over as it stands
+    (ATT-004). The session is busy until `answer` is called.
+    """
+    old = run.workers.pop(command.worker_id, None)
+    idle_timeout_s = OWN_LEASE_S if command.by_server else run.idle_timeout_s
+    session = Session(
+        session_id=session_id,
+        worker_id=command.worker_id,
+        attach_key=command.attach_key,
+        idle_timeout_s=idle_timeout_s,
+        max_steps=run.manifest["max_steps"],
+        expires_at=now + idle_timeout_s,
+        busy="opening",
+    )
+    if old is not None and not old.done:
+        session.episode, session.instruction = old.episode, old.instruction
+        session.steps, session.think_s = old.steps, old.think_s
+    else:
+        session.episode = run.take_pending()
+    session.done = session.episode is None  # ATT-012
+    run.workers[command.worker_id] = session
+    move(run, "attach_worker")
+    if session.done:
+        _after_session_end(run)
+    return session
+
+
+def begin_turn(session: Session, command: Predict, now: float) -> None:
+    """The chunk is about to be executed; from here its seq is used up."""
+    session.seq = command.seq
+    session.request = (command.actions, command.observe)
+    session.turn = None
+    session.busy = "playing"
+    session.think_s += max(0.0, now - session.answered_at)
+
+
+def await_hearing(session: Session, command: Predict, asked: str) -> None:
+    """A client that counts no turns asked for this one; see `protocol.repeated`.
+
+    While a turn is played, its own answer is the one that may be lost.
+    """
+    if not session.busy or command.seq == session.seq:
+        session.unheard = (command.seq, asked)
+
+
+def heard(session: Session, seq: int) -> None:
+    """The answer has left, and its client was still there to take it."""
+    if session.unheard is not None and session.unheard[0] == seq:
+        session.unheard = None
+
+
+def end_turn(
+    run: Run, session: Session, played: Outcome, now_wall: float
+) -> Episode | None:
+    """Account for an executed chunk. Returns the episode it ended, if it did.
+
+    Then `session.episode` is the next one, or the session is done (PRED-008, PRED-009).
+    """
+    session.busy = "turning"
+    session.steps += played.executed
+    if not played.ended:
+        return None
+    episode = _episode_of(session)
+    _score(
+        run,
+        episode,
+        Result(
+            outcome="success" if played.success else "failure",
+            score=played.score,
+            attempt=episode.attempt,
+            steps=session.steps,
+            terminated=played.terminated,
+            truncated=played.truncated,
+            think_s=session.think_s,
+            finished_at_wall=now_wall,
+        ),
+    )
+    session.steps, session.think_s = 0, 0.0
+    # STOP-004: a stopping run hands out nothing any more.
+    session.episode = run.take_pending() if run.state == "running" else None
+    if session.episode is None:
+        session.done = True
+        _after_session_end(run)
+    return episode
+
+
+def answer(session: Session, turn: dict[str, Any], now: float) -> None:
+    """The turn is about to leave: it is kept for a repeat and the lease starts anew."""
+    session.turn = turn
+    session.busy = None
+    session.answered_at = now
+    touch(session, now)
+
+
+def touch(session: Session, now: float) -> None:
+    """LEASE-003, LEASE-004: an answered request extends the lease."""
+    session.expires_at = now + session.idle_timeout_s
+
+
+def close_session(
+    run: Run, session: Session, ended_by: SessionEnd, now_wall: float
+) -> None:
+    """End a session; its attempt is closed unscored (EPI-002, EPI-003, EPI-004)."""
+    if run.workers.get(session.worker_id) is session:
+        del run.workers[session.worker_id]
+    run.remember_end(session, ended_by)
+    _close_attempt(run, session, now_wall, counted=ended_by != "run_failed")
+    if not session.done:
+        session.done = True
+        _after_session_end(run)
+
+
+def end_by_policy(run: Run, session: Session, fault: str, now_wall: float) -> None:
+    """The policy that this server calls went wrong: its attempt ends (PUSH-010)."""
+    episode = session.episode
+    if episode is not None:
+        episode.policy_fault = fault
+        run.changed.add(episode.index)
+    close_session(run, session, "detached", now_wall)
+
+
+def give_up(
+    run: Run, reason: str, now_wall: float, *, retryable: bool = True
+) -> list[Session]:
+    """The policy cannot be called (PUSH-012). Returns the sessions that ended.
+
+    That is its own doing: attempts in play count, as when a client goes away.
+    retryable: whether a resume can help.
+    """
+    sessions = list(run.workers.values())
+    _end_all(run, sessions, "run_failed", now_wall, counted=True)
+    if legal(run, "fault"):
+        move(run, "fault", reason)
+        run.retryable = retryable
+    return sessions
+
+
+def expire(run: Run, now: float, now_wall: float) -> list[Session]:
+    """Close every session whose lease is over; returns those that held a slot."""
+    over = [s for s in run.workers.values() if lease_over(s, now)]
+    live = [s for s in over if not s.done]
+    for session in over:
+        close_session(run, session, "lease_ended", now_wall)
+    return live
+
+
+def stop(run: Run, mode: str, now_wall: float) -> list[Session]:
+    """Returns the sessions that the stop ended (STOP-001, STOP-002)."""
+    sessions = list(run.workers.values()) if mode == "abort" else []
+    reason = f"Stopped by its submitter ({mode})."
+    _end_all(run, sessions, "run_stopped", now_wall, counted=True)
+    move(run, "stop_abort" if mode == "abort" else "stop_drain", reason)
+    return sessions
+
+
+def resume(run: Run, queue_until_wall: float) -> None:
+    """RES-001, RES-002: back to the queue with what is scored kept."""
+    if run.state not in ("stopped", "failed"):
+        return
+    for episode in run.episodes:
+        if episode.result is None and episode.faults > episode.faults_forgiven:
+            episode.faults_forgiven = episode.faults
+            run.changed.add(episode.index)
+    run.queue_until_wall = queue_until_wall
+    move(run, "resume_run")
+
+
+# --- events ---
+
+
+def fault(
+    run: Run, session: Session, detail: str, *, unplayable: bool, now_wall: float
+) -> list[Session]:
+    """The simulator broke under a session.
+
+    The episode begins again in the same attempt (FAULT-001), unless it has faulted
+    `max_faults` times or can never be played: then the run fails, and the sessions
+    that ended with it are returned (FAULT-002, FAULT-005).
+    """
+    episode = _episode_of(session)
+    episode.faults += 1
+    run.changed.add(episode.index)
+    session.steps = 0
+    if not unplayable:
+        since_resume = episode.faults - episode.faults_forgiven
+        if since_resume < run.manifest["max_faults"]:
+            return []
+    verb = "cannot be played" if unplayable else f"faulted {episode.faults} times"
+    sessions = list(run.workers.values())
+    _end_all(run, sessions, "run_failed", now_wall, counted=False)
+    move(run, "fault", f"Episode {episode.episode_id} {verb}: {detail}")
+    run.retryable = not unplayable
+    return sessions
+
+
+def admit(
+    queued: Sequence[Run], active: int, active_max: int, now_wall: float
+) -> list[Run]:
+    """LIFE-801: which queued runs, oldest first, become ready now; they are moved."""
+    admitted: list[Run] = []
+    for run in sorted(queued, key=lambda r: r.number):
+        if active + len(admitted) >= active_max:
+            break
+        if run.queue_until_wall <= now_wall:
+            move(run, "capacity")
+            admitted.append(run)
+    return admitted
+
+
+def _episode_of(session: Session) -> Episode:
+    assert session.episode is not None, "a session without an episode plays nothing"
+    return session.episode
+
+
+def _score(run: Run, episode: Episode, result: Result) -> None:
+    run.keep_result(episode, result)
+    episode.in_progress = False
+    if run.scored == len(run.episodes):
+        move(run, "all_scored")
+
+
+def _end_all(
+    run: Run,
+    sessions: Sequence[Session],
+    ended_by: SessionEnd,
+    now_wall: float,
+    *,
+    counted: bool,
+) -> None:
+    """End sessions together; the state is the caller's to move."""
+    for session in sessions:
+        _close_attempt(run, session, now_wall, counted=counted)
+        session.done = True
+        run.workers.pop(session.worker_id, None)
+        run.remember_end(session, ended_by)
+
+
+def _close_attempt(
+    run: Run, session: Session, now_wall: float, *, counted: bool
+) -> None:
+    episode, session.episode = session.episode, None
+    if episode is None or episode.result is not None:
+        return
+    begun = session.steps > 0 or session.busy == "playing"
+    if not (counted and begun):
+        run.give_back(episode)
+        return
+    run.changed.add(episode.index)
+    if episode.attempt < run.manifest["max_attempts"]:
+        episode.attempt += 1
+        run.give_back(episode)
+        return
+    abandoned = Result(
+        outcome="abandoned",
+        score=0.0,
+        attempt=episode.attempt,
+        steps=session.steps,
+        terminated=False,
+        truncated=False,
+        think_s=session.think_s,
+        finished_at_wall=now_wall,
+    )
+    _score(run, episode, abandoned)
+
+
+def _after_session_end(run: Run) -> None:
+    if not run.live:
+        reason = "Drained." if run.state == "stopping" else None
+        move(run, "last_lease_ends", reason)

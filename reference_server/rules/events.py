@@ -1,0 +1,99 @@
+"""What a reader of a run's events is told, and where it stands then (EVT).
+
+A reader's place follows from the `id` of the last event alone, so the server remembers
+nothing of who reads, and the same ids go on after a restart. Pure, as the rules are: it
+gets what is true of the run, as bytes that are shown, and says which of that is news.
+It must not know of requests, of the store or of time.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from reference_server.rules.run import RunHead
+
+_ID = re.compile(r"([0-9]{1,9})-(none|[0-9a-f]{16})-[0-9a-f]{8}")
+
+
+@dataclass(frozen=True, slots=True)
+class Cursor:
+    """A place in the events of a run.
+
+    told: how many results, in the order in which they were scored. seen: a digest of
+    the run as it was told last.
+    """
+
+    told: int = 0
+    seen: str = "none"
+
+    def id_in(self, run_id: str) -> str:
+        """The place as text, with a sum that makes it useless in another run."""
+        place = f"{self.told}-{self.seen}"
+        return f"{place}-{_digest(f'{run_id}/{place}'.encode(), 8)}"
+
+    @classmethod
+    def of(cls, id_: str, run_id: str) -> Cursor | None:
+        """The place that an id of this run stands for; None of anything else."""
+        parts = _ID.fullmatch(id_)
+        if parts is None:
+            return None
+        cursor = cls(int(parts[1]), parts[2])
+        return cursor if cursor.id_in(run_id) == id_ else None
+
+
+@dataclass(frozen=True, slots=True)
+class Telling:
+    """What to tell next.
+
+    text: the events, as they are sent; maybe none. cursor: the place behind them.
+    is_behind: there are more at once. is_last: nothing will ever follow.
+    """
+
+    text: bytes
+    cursor: Cursor
+    is_behind: bool
+    is_last: bool
+
+
+def news(
+    cursor: Cursor,
+    run: RunHead,
+    shown: bytes,
+    scored: Sequence[bytes],
+    same: bytes,
+) -> Telling:
+    """What a reader at the cursor has not been told yet.
+
+    shown: the run as get_run shows it. same: what of that is the same for every reader.
+    scored: the next episodes behind the cursor in the order in which they were scored,
+    as list_episodes shows them; as many as are to be told at a time. The run is told
+    when all that it counts are (EVT-003).
+    """
+    events = []
+    for episode in scored:
+        cursor = Cursor(cursor.told + 1, cursor.seen)
+        events.append(_event(b"episode", cursor, run, episode))
+    is_behind = cursor.told < run.scored
+    seen = _digest(same, 16)
+    if not is_behind and seen != cursor.seen:
+        cursor = Cursor(cursor.told, seen)
+        events.append(_event(b"run", cursor, run, shown))
+    is_last = not is_behind and is_final(run)
+    return Telling(b"".join(events), cursor, is_behind, is_last)
+
+
+def is_final(run: RunHead) -> bool:
+    """EVT-006: nothing that is legal is left, as a test proves of the lifecycle."""
+    return run.state == "completed" or (run.state == "failed" and not run.retryable)
+
+
+def _event(kind: bytes, cursor: Cursor, run: RunHead, data: bytes) -> bytes:
+    id_ = cursor.id_in(run.run_id).encode()
+    return b"event: %b\nid: %b\ndata: %b\n\n" % (kind, id_, data)
+
+
+def _digest(data: bytes, length: int) -> str:
+    return hashlib.sha256(data).hexdigest()[:length]

@@ -1,0 +1,383 @@
+"""The rules of the protocol, decided.
+
+Everything that makes a request legal or illegal stands in this file, but for what a
+benchmark's spaces say of an action, which is in `spaces.py`. Pure: no clock, no disk,
+no socket, no `await`; `now` is a monotonic time in seconds and comes in as an argument.
+
+`decide` answers what may happen to a command: Accept, Replay a stored turn, Wait for
+the turn in execution, or Refuse with a code of the catalogue. What an accepted command
+does to the run is in `progress.py`. Legality by state is the table TRANSITIONS (equal
+to `x-lifecycle` of the spec, as a test proves); whatever is not state is a guard, one
+small function each, called in the one order that GUARDS gives.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal, TypeAlias
+
+from reference_server.rules import action_space
+from reference_server.rules.run import Observe, Run, Session, State
+
+Event: TypeAlias = Literal[
+    "attach_worker",
+    "stop_abort",
+    "stop_drain",
+    "resume_run",
+    "capacity",
+    "last_lease_ends",
+    "all_scored",
+    "fault",
+]
+
+# (state, event) → state; a missing key is the refusal. A failed run resumes only if it
+# is retryable: that is the one row with a condition, see `legal`.
+TRANSITIONS: dict[tuple[State, Event], State] = {
+    ("queued", "capacity"): "ready",
+    ("queued", "stop_abort"): "stopped",
+    ("queued", "stop_drain"): "stopped",
+    ("queued", "resume_run"): "queued",
+    ("queued", "fault"): "failed",
+    ("ready", "attach_worker"): "running",
+    ("ready", "stop_abort"): "stopped",
+    ("ready", "stop_drain"): "stopped",
+    ("ready", "resume_run"): "ready",
+    ("ready", "fault"): "failed",
+    ("running", "attach_worker"): "running",
+    ("running", "last_lease_ends"): "ready",
+    ("running", "all_scored"): "completed",
+    ("running", "stop_abort"): "stopped",
+    ("running", "stop_drain"): "stopping",
+    ("running", "resume_run"): "running",
+    ("running", "fault"): "failed",
+    ("stopping", "last_lease_ends"): "stopped",
+    ("stopping", "all_scored"): "completed",
+    ("stopping", "stop_abort"): "stopped",
+    ("stopping", "stop_drain"): "stopping",
+    ("stopping", "fault"): "failed",
+    ("stopped", "stop_abort"): "stopped",
+    ("stopped", "stop_drain"): "stopped",
+    ("stopped", "resume_run"): "queued",
+    ("failed", "resume_run"): "queued",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Attach:
+    worker_id: str
+    attach_key: str
+    takeover: bool = False
+    assumes: Mapping[str, Any] | None = None
+    by_server: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Predict:
+    worker_id: str
+    session_id: str
+    seq: int
+    actions: Sequence[Mapping[str, Sequence[float]]]
+    observe: Observe = "last"
+    by_server: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Heartbeat:
+    worker_id: str
+    session_id: str
+    by_server: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Detach:
+    worker_id: str
+    session_id: str
+    by_server: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    mode: Literal["abort", "drain"]
+
+
+@dataclass(frozen=True, slots=True)
+class Resume:
+    pass
+
+
+Command: TypeAlias = Attach | Predict | Heartbeat | Detach | Stop | Resume
+
+
+@dataclass(frozen=True, slots=True)
+class Accept:
+    """The command may be carried out."""
+
+
+@dataclass(frozen=True, slots=True)
+class Replay:
+    """The command was carried out before: return the session's stored turn."""
+
+    session: Session
+
+
+@dataclass(frozen=True, slots=True)
+class Wait:
+    """The session is executing: decide again when its turn is finished."""
+
+    session: Session
+
+
+@dataclass(frozen=True, slots=True)
+class Nothing:
+    """The command is already true; answer success and change nothing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Refuse:
+    """`code` is one of x-problems; `members` go into the problem as they are."""
+
+    code: str
+    detail: str
+    requirement: str | None = None
+    errors: tuple[tuple[str, str], ...] = ()
+    members: Mapping[str, Any] = field(default_factory=dict)
+
+
+Verdict: TypeAlias = Accept | Replay | Wait | Nothing | Refuse
+
+
+def legal(run: Run, event: Event) -> bool:
+    """Whether the table has a row for this event in the run's state."""
+    if (run.state, event) == ("failed", "resume_run") and not run.retryable:
+        return False  # LIFE-605
+    return (run.state, event) in TRANSITIONS
+
+
+def decide(run: Run, command: Command, now: float) -> Verdict:
+    """The verdict of the first guard that has one; Accept when none objects.
+
+    `now` is monotonic seconds. Changes nothing.
+    """
+    for guard in GUARDS[type(command)]:
+        verdict = guard(run, command, now)
+        if verdict is not None:
+            return verdict
+    return Accept()
+
+
+def lease_over(session: Session, now: float) -> bool:
+    """LEASE-001, LEASE-005: the lease runs only while the server executes nothing."""
+    return not session.busy and now > session.expires_at
+
+
+def repeated(session: Session, asked: str) -> Predict | None:
+    """The last turn once more, if a client that counts none means that (EBE-013).
+
+    asked: a digest of what the client sent. It means the last turn when it sends the
+    same again and the answer did not reach it; anything else is a turn of its own, as
+    is what a policy chooses again after it has heard (EBE-014).
+    """
+    if session.request is None or session.unheard != (session.seq, asked):
+        return None
+    return Predict(session.worker_id, session.session_id, session.seq, *session.request)
+
+
+# --- guards: (run, command, now) → a verdict, or None to let the next one look ---
+
+
+def _event_is_legal(run: Run, command: Command, _now: float) -> Verdict | None:
+    event = _event_of(command)
+    if legal(run, event):
+        return None
+    hint = ""
+    if run.state == "failed":
+        hint = f" It failed because: {run.reason}"
+    return Refuse(
+        "illegal_transition",
+        f"A run that is {run.state} does not allow {event}; nothing was changed.{hint}",
+        members={"state": run.state},
+    )
+
+
+def _played_by_whom_it_is_for(
+    run: Run, command: Attach | Predict | Heartbeat | Detach, _now: float
+) -> Verdict | None:
+    if run.is_push == command.by_server:
+        return None
+    return Refuse(
+        "illegal_transition",
+        "This run has mode push: the server calls its policy, and nobody else plays.",
+        "PUSH-003",
+        members={"state": run.state},
+    )
+
+
+def _same_attach_key(run: Run, command: Attach, now: float) -> Verdict | None:
+    """ATT-002: a lost answer to attach costs nothing."""
+    session = run.workers.get(command.worker_id)
+    if session is None or session.attach_key != command.attach_key:
+        return None
+    if lease_over(session, now):
+        return None
+    return Wait(session) if session.busy else Replay(session)
+
+
+def _worker_is_free(run: Run, command: Attach, now: float) -> Verdict | None:
+    session = run.workers.get(command.worker_id)
+    if session is None or lease_over(session, now):
+        return None
+    if not (session.done or command.takeover):
+        return Refuse(
+            "worker_busy",
+            f"Worker {command.worker_id} has a live session and keeps it.",
+            "ATT-003",
+        )
+    # ATT-004: the successor goes on where the turn in execution will have ended; also
+    # the last one, whose result is still being stored.
+    return Wait(session) if session.busy else None
+
+
+def _below_worker_limit(run: Run, command: Attach, now: float) -> Verdict | None:
+    others = sum(
+        1
+        for session in run.workers.values()
+        if session.worker_id != command.worker_id
+        and not session.done
+        and not lease_over(session, now)
+    )
+    if others < run.max_workers:
+        return None
+    return Refuse(
+        "worker_limit",
+        f"The run has {others} live workers, as many as it may have.",
+        "ATT-006",
+    )
+
+
+def _conventions_agree(run: Run, command: Attach, _now: float) -> Verdict | None:
+    errors = tuple(action_space.mismatches(command.assumes or {}, run.manifest))
+    if not errors:
+        return None
+    return Refuse(
+        "convention_mismatch",
+        "The policy assumes conventions that this benchmark does not have.",
+        "ATT-010",
+        errors,
+    )
+
+
+def _session_is_live(
+    run: Run, command: Predict | Heartbeat, now: float
+) -> Verdict | None:
+    session = run.workers.get(command.worker_id)
+    ended_by = run.ended.get(command.session_id)
+    if session is not None and session.session_id == command.session_id:
+        if not lease_over(session, now):
+            return None
+        ended_by = "lease_ended"
+    elif session is not None and ended_by is None:
+        return Refuse(
+            "session_superseded",
+            f"A newer session holds worker {command.worker_id}.",
+            "ATT-005",
+        )
+    ended_by = ended_by or "unknown"
+    return Refuse(
+        "session_ended",
+        f"The session has ended ({ended_by}); an unscored episode is queued again.",
+        members={"ended_by": ended_by},
+    )
+
+
+def _detach_has_an_object(run: Run, command: Detach, now: float) -> Verdict | None:
+    """DET-002: what has ended already is detached already."""
+    verdict = _session_is_live(
+        run, Heartbeat(command.worker_id, command.session_id), now
+    )
+    if isinstance(verdict, Refuse) and verdict.code == "session_ended":
+        return Nothing()
+    return verdict
+
+
+def _repeated_seq(run: Run, command: Predict, _now: float) -> Verdict | None:
+    """Exactly once: PRED-002, PRED-003, PRED-005."""
+    session = run.workers[command.worker_id]
+    if command.seq != session.seq or session.seq == 0:
+        return None
+    if session.request != (command.actions, command.observe):
+        return Refuse(
+            "seq_conflict",
+            f"Turn {command.seq} was asked for with another body; that one stands.",
+            "PRED-003",
+        )
+    return Wait(session) if session.busy else Replay(session)
+
+
+def _expected_seq(run: Run, command: Predict, _now: float) -> Verdict | None:
+    session = run.workers[command.worker_id]
+    expected = session.seq + 1
+    if command.seq == expected:
+        return Wait(session) if session.busy else None
+    return Refuse(
+        "seq_out_of_order",
+        f"Turn {command.seq} was asked for, turn {expected} is the next.",
+        "PRED-004",
+        members={"expected_seq": expected},
+    )
+
+
+def _has_an_episode(run: Run, command: Predict, _now: float) -> Verdict | None:
+    if not run.workers[command.worker_id].done:
+        return None
+    return Refuse(
+        "no_episode", "This session was told that no episode is left.", "PRED-011"
+    )
+
+
+def _actions_fit(run: Run, command: Predict, _now: float) -> Verdict | None:
+    """PRED-013 to PRED-017, PRED-019: one bad value refuses the whole chunk."""
+    errors = tuple(action_space.misfits(command.actions, run.manifest))
+    if not errors:
+        return None
+    return Refuse(
+        "invalid_request",
+        "The actions do not fit the benchmark's action space; none was executed.",
+        errors=errors,
+    )
+
+
+def _event_of(command: Command) -> Event:
+    match command:
+        case Attach():
+            return "attach_worker"
+        case Stop(mode):
+            return "stop_abort" if mode == "abort" else "stop_drain"
+        case _:
+            return "resume_run"
+
+
+# The order is part of the rules: what was answered once is answered again before
+# anything else is asked, so a lost answer never turns into a refusal.
+GUARDS: dict[type[Command], tuple[Callable[[Run, Any, float], Verdict | None], ...]] = {
+    Attach: (
+        _played_by_whom_it_is_for,
+        _same_attach_key,
+        _event_is_legal,
+        _conventions_agree,
+        _worker_is_free,
+        _below_worker_limit,
+    ),
+    Predict: (
+        _played_by_whom_it_is_for,
+        _session_is_live,
+        _repeated_seq,
+        _expected_seq,
+        _has_an_episode,
+        _actions_fit,
+    ),
+    Heartbeat: (_played_by_whom_it_is_for, _session_is_live),
+    Detach: (_played_by_whom_it_is_for, _detach_has_an_object),
+    Stop: (_event_is_legal,),
+    Resume: (_event_is_legal,),
+}

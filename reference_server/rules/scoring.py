@@ -1,0 +1,83 @@
+"""Episodes in, score out: `spec/scoring.md` in code. Pure."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from operator import attrgetter
+from typing import Any, NamedTuple, get_args
+
+from reference_server.rules.run import Outcome
+
+Z_95 = 1.959963984540054  # the 97.5 % point of the normal distribution
+
+
+class Scored(NamedTuple):
+    """What scoring needs of an episode; outcome None while it is unscored."""
+
+    task: str
+    split: str
+    outcome: Outcome | None
+    score: float = 0.0
+
+
+def wilson(rate: float | None, n: int) -> dict[str, float]:
+    """SCORE-012: the 95 % Wilson interval of a rate over n trials; [0, 1] for n = 0."""
+    if rate is None or n == 0:
+        return {"low": 0.0, "high": 1.0}
+    z2 = Z_95 * Z_95
+    centre = (rate + z2 / (2 * n)) / (1 + z2 / n)
+    spread = math.sqrt(max(0.0, rate * (1 - rate)) / n + z2 / (4 * n * n))
+    half = Z_95 / (1 + z2 / n) * spread
+    return {"low": max(0.0, centre - half), "high": min(1.0, centre + half)}
+
+
+def score_of(episodes: Sequence[Scored]) -> dict[str, Any]:
+    """The computed members of schema Score, for one run's episodes (at least one)."""
+    total = len(episodes)
+    group = _group(episodes)
+    scored = total - group["counts"]["unscored"]
+    sum_ = _sum(episodes)
+    complete = scored == total
+    return {
+        "complete": complete,
+        "score": sum_ / total if complete else None,
+        "score_low": sum_ / total,
+        "score_high": (sum_ + (total - scored)) / total,
+        **group,
+        "success_interval": wilson(group["success_rate"], scored),
+        "mean_interval": wilson(group["mean"], scored),
+        "by_task": _by(episodes, attrgetter("task")),
+        "by_split": _by(episodes, attrgetter("split")),
+    }
+
+
+def _sum(episodes: Iterable[Scored]) -> float:
+    # fsum is exact before its one rounding: 1e-12 holds for any number of episodes.
+    # SCORE-004: an abandoned episode has score 0 and stays in every denominator.
+    return math.fsum(e.score for e in episodes if e.outcome in ("success", "failure"))
+
+
+def _counts(episodes: Sequence[Scored]) -> dict[str, int]:
+    outcomes = [episode.outcome for episode in episodes]
+    counts = {name: outcomes.count(name) for name in get_args(Outcome)}
+    return {"total": len(outcomes), **counts, "unscored": outcomes.count(None)}
+
+
+def _group(episodes: Sequence[Scored]) -> dict[str, Any]:
+    counts = _counts(episodes)
+    scored = counts["total"] - counts["unscored"]
+    return {
+        "counts": counts,
+        "mean": _sum(episodes) / scored if scored else None,
+        "success_rate": counts["success"] / scored if scored else None,
+    }
+
+
+def _by(
+    episodes: Sequence[Scored], key: Callable[[Scored], str]
+) -> dict[str, dict[str, Any]]:
+    groups: dict[str, list[Scored]] = {}
+    for episode in episodes:
+        groups.setdefault(key(episode), []).append(episode)
+    return {name: _group(members) for name, members in groups.items()}

@@ -1,0 +1,131 @@
+"""The benchmarks offered here, as the wire shows them.
+
+Their content is the simulator's; the hash and the refusals are the server's.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import msgspec
+
+from reference_server.http.problems import Refused
+from reference_server.rules.run import Run
+from reference_sim import benchmark_registry
+
+
+@dataclass(frozen=True, slots=True)
+class ResolvedRun:
+    """A benchmark with one submission's choices applied.
+
+    manifest: schema Benchmark without its hash, and `episodes` with their seeds.
+    """
+
+    manifest: dict[str, Any]
+    manifest_sha256: str
+    images: Mapping[str, Any]
+
+
+class Benchmarks:
+    """All benchmarks of the simulator's catalogue."""
+
+    def __init__(self, max_chunk: int) -> None:
+        self._max_chunk = max_chunk
+
+    def summaries(self) -> list[dict[str, Any]]:
+        """Schema BenchmarkSummary of each, sorted by id (BEN-001)."""
+        found = []
+        for benchmark_id in benchmark_registry.benchmark_ids():
+            resolved = self._resolved(benchmark_id, None, None)
+            members = ("benchmark_id", "version", "title", "episodes_total")
+            summary = {name: resolved.manifest[name] for name in members}
+            found.append(summary | {"manifest_sha256": resolved.manifest_sha256})
+        return found
+
+    async def view(self, benchmark_id: str) -> dict[str, Any]:
+        """Schema Benchmark (BEN-002, BEN-003)."""
+        if benchmark_id not in benchmark_registry.benchmark_ids():
+            raise Refused("not_found", f"There is no benchmark {benchmark_id}.")
+        resolved = self._resolved(benchmark_id, None, None)
+        shown = {k: v for k, v in resolved.manifest.items() if k != "episodes"}
+        # Not through the schema's model: a simulator may add members of its own.
+        return shown | {
+            "manifest_sha256": resolved.manifest_sha256,
+            "unavailable_reason": await _unavailable(benchmark_id),
+        }
+
+    async def resolve(self, submission: Mapping[str, Any]) -> ResolvedRun:
+        """The manifest of a run to be; refused when the choices do not fit."""
+        benchmark_id = submission["benchmark_id"]
+        if benchmark_id not in benchmark_registry.benchmark_ids():
+            raise Refused(
+                "invalid_request",
+                f"There is no benchmark {benchmark_id}.",
+                errors=[("/benchmark_id", "see list_benchmarks")],
+                requirement="RUN-006",
+            )
+        reason = await _unavailable(benchmark_id)
+        if reason is not None:
+            raise Refused("benchmark_unavailable", f"{benchmark_id}: {reason}.")
+        options, images = submission.get("options"), submission.get("images")
+        try:
+            return self._resolved(benchmark_id, options, images)
+        except benchmark_registry.InvalidChoice as error:
+            raise Refused(
+                "invalid_request",
+                "The benchmark does not offer this choice.",
+                errors=[(error.pointer, error.detail)],
+            ) from error
+
+    def _resolved(
+        self,
+        benchmark_id: str,
+        options: Mapping[str, Any] | None,
+        images: Mapping[str, Any] | None,
+    ) -> ResolvedRun:
+        found = benchmark_registry.resolve(
+            benchmark_id, options, images, max_chunk=self._max_chunk
+        )
+        return ResolvedRun(found.manifest, digest(found.manifest), found.images)
+
+
+def world_of(run: Run) -> benchmark_registry.World:
+    """What a simulator process needs to build this run's simulator.
+
+    Refused when the benchmark is not the one that the run was submitted to: a score is
+    of one manifest.
+    """
+    submission = run.submission
+    benchmark_id = submission["benchmark_id"]
+    if benchmark_id not in benchmark_registry.benchmark_ids():
+        raise Refused(
+            "benchmark_unavailable", f"{benchmark_id} is not offered here any more."
+        )
+    found = benchmark_registry.resolve(
+        benchmark_id,
+        submission.get("options"),
+        run.images,
+        max_chunk=run.manifest["max_chunk"],
+    )
+    if digest(found.manifest) != run.manifest_sha256:
+        raise Refused(
+            "benchmark_unavailable",
+            f"{benchmark_id} has changed since this run was submitted: what it offers "
+            "now has another manifest. Submit another run.",
+        )
+    return found.world
+
+
+def digest(manifest: Mapping[str, Any]) -> str:
+    """The `manifest_sha256` of a manifest with its episodes."""
+    canonical = msgspec.json.encode(manifest, order="deterministic")
+    return hashlib.sha256(canonical).hexdigest()
+
+
+async def _unavailable(benchmark_id: str) -> str | None:
+    # Looking for a renderer may start a process: never on the event loop.
+    return await asyncio.to_thread(benchmark_registry.unavailable_reason, benchmark_id)

@@ -1,0 +1,376 @@
+"""The runs in memory and their way to and from the store.
+
+One Run object per run for as long as anyone holds it, so that every decision sees the
+same state. Carries out what the protocol decides for the control plane, wakes whoever
+waits for a change, and lets queued runs in when there is capacity.
+
+Memory may be ahead of the disk while a write is on its way. Nobody is told of that:
+what is shown was taken from memory and then found stored (`shown`). A failed write
+drops the run from memory, for the store has the truth, and its sessions end as in a
+restart.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import time
+from bisect import bisect_left, insort
+from collections import OrderedDict
+from collections.abc import Awaitable, Callable, Sequence
+from functools import partial
+from typing import TypeVar
+from weakref import WeakValueDictionary
+
+from reference_server.http.problems import Refused
+from reference_server.rules import effects
+from reference_server.rules.run import Episode, Run, RunHead, State
+from reference_server.storage.store import Store, StoreFailed
+
+log = logging.getLogger("proctor.runs")
+
+# Runs kept in memory although nobody uses them at the moment.
+RUNS_KEPT = 256
+ACTIVE = ("ready", "running", "stopping")
+# What a stored run in one of these was when it left memory, it still is.
+AT_REST = ("ready", "stopped", "failed", "completed")
+# How long after a failed write its run is loaded again, when nobody asks for it.
+RELOAD_S = 1.0
+
+Shown = TypeVar("Shown")
+
+
+class RunBook:
+    """All runs of this server, by id."""
+
+    def __init__(self, store: Store, active_max: int) -> None:
+        self._store = store
+        self._active_max = active_max
+        self._known: WeakValueDictionary[str, Run] = WeakValueDictionary()
+        self._recent: OrderedDict[str, Run] = OrderedDict()
+        self._queued: dict[str, Run] = {}
+        self._queue: list[int] = []  # their numbers, the next one first
+        self._active: set[str] = set()
+        self._loading: dict[str, asyncio.Task[Run | None]] = {}
+        self._saving: dict[str, asyncio.Task[bool]] = {}  # the last one of each run
+        # Only who waits for news holds them.
+        self._news: WeakValueDictionary[str, asyncio.Event] = WeakValueDictionary()
+        self._admission: asyncio.TimerHandle | None = None
+        self._reloads: dict[str, asyncio.TimerHandle] = {}
+        self._tasks: set[asyncio.Future[object]] = set()
+        self._ending = self._closed = False
+        # Set by the data plane: what to do with the sessions of a run that was lost.
+        self.forget: Callable[[Run], None] = lambda _run: None
+        # Set by who plays the push runs: looks at a run whose state may have changed.
+        self.seen: Callable[[Run], None] = lambda _run: None
+
+    async def open(self) -> None:
+        self._active = set(await self._store.in_states(*ACTIVE))
+        for run_id in await self._store.in_states("queued"):
+            await self.get(run_id)
+
+    def end(self) -> None:
+        """The server will end: nobody needs to wait for a change any more."""
+        self._ending = True
+        for run_id in list(self._news):
+            self._wake(run_id)
+
+    async def close(self) -> None:
+        """Wait until everything that was begun is stored; then nothing begins."""
+        self._closed = True
+        for timer in (self._admission, *self._reloads.values()):
+            if timer is not None:
+                timer.cancel()
+        while self._tasks:  # one may begin another
+            await asyncio.wait(self._tasks)
+
+    async def get(self, run_id: str, account: str | None = None) -> Run:
+        """The run, if the account may see it (AUTH-003, RUN-010)."""
+        run = self._known.get(run_id) or await self._load(run_id)
+        if run is None or account not in (None, run.account):
+            raise _no_run(run_id)
+        self._keep(run)
+        return run
+
+    async def look(
+        self,
+        run_id: str,
+        account: str,
+        view: Callable[[RunHead, Sequence[Episode]], Shown],
+        start: int = 0,
+        end: int | None = 0,
+        *,
+        scored: bool = False,
+    ) -> Shown:
+        """What `view` makes of the run and of its episodes from start to end.
+
+        scored: of those that have a result, in the order in which they were scored.
+        A run that is not in memory stays out of it, and no more of it is read than is
+        shown, so that nobody pays for the size or the number of finished runs.
+        """
+        if run_id not in self._known:
+            found = await self._store.glance(run_id, start, end, scored)
+            if found is not None and self._is_at_rest(found[0]):
+                if found[0].account != account:
+                    raise _no_run(run_id)
+                return view(*found)
+        run = await self.get(run_id, account)
+        window = partial(Run.window, start=start, end=end, scored=scored)
+        return await self.shown(run, lambda run: view(run, window(run)))
+
+    def _is_at_rest(self, head: RunHead) -> bool:
+        """Whether the run is as it was just read: nobody has taken it up meanwhile."""
+        return head.state in AT_REST and head.run_id not in self._known
+
+    async def add(self, run: Run, key: str | None, body_sha256: str) -> Run:
+        """Store a new run; or the run that this Idempotency-Key made (RUN-003)."""
+        # Whoever finds it in the store, even before we hear of that, finds this object.
+        self._known[run.run_id] = run
+        if await self._store.insert(run, key, body_sha256):
+            self._keep(run)
+            self._place(run, run.state)
+            self._admit()
+            return run
+        assert key is not None
+        found = await self._store.find_key(run.account, key)
+        assert found is not None, "an insert is refused only for a used key"
+        if found[0] != body_sha256:
+            raise Refused(
+                "idempotency_conflict",
+                f"The key made run {found[1]} from another body.",
+                requirement="RUN-004",
+            )
+        return await self.get(found[1])
+
+    async def made_by(self, account: str, key: str) -> tuple[str, str] | None:
+        """(body_sha256, run_id) of what an Idempotency-Key of the account made."""
+        return await self._store.find_key(account, key)
+
+    async def page(
+        self,
+        account: str,
+        before: int | None,
+        limit: int,
+        view: Callable[[RunHead], Shown],
+    ) -> list[Shown]:
+        """Views of up to `limit` runs of the account, newest first."""
+        ids = [run_id for _, run_id in await self._store.page(account, before, limit)]
+        heads = await self._store.heads([i for i in ids if i not in self._known])
+        found = []
+        for run_id in ids:
+            head = heads.get(run_id)
+            if head is not None and self._is_at_rest(head):
+                found.append(view(head))
+            else:
+                found.append(await self.shown(await self.get(run_id), view))
+        return found
+
+    async def shown(self, run: Run, view: Callable[[Run], Shown]) -> Shown:
+        """What `view` makes of the run, once all of that is stored."""
+        while True:
+            shown = view(run)
+            if await self.is_stored(run):
+                return shown
+            run = await self.get(run.run_id)
+
+    async def is_stored(self, run: Run) -> bool:
+        """Whether the run as it is now is on disk, as soon as that is known.
+
+        Waits for the last write that was begun, and for none that begins meanwhile.
+        """
+        saving = self._saving.get(run.run_id)
+        if saving is not None:
+            await asyncio.wait([saving])
+        return not run.lost
+
+    async def commit(self, run: Run) -> None:
+        """Store what changed; then tell those who wait for it.
+
+        A caller that is cancelled does not take the write with it.
+        """
+        if not await asyncio.shield(self.commit_later(run)):
+            raise Refused("unavailable", "The run could not be stored.")
+
+    def commit_later(self, run: Run) -> asyncio.Task[bool]:
+        """Begin to store what changed (a lease that ended, an admission).
+
+        The task never raises; its result is whether the run was stored.
+        """
+        run.updated_at_wall = time.time()
+        saving = asyncio.ensure_future(self._save(run))
+        self._saving[run.run_id] = saving
+        self.begin(saving)
+        return saving
+
+    def news(self, run_id: str) -> asyncio.Event:
+        """The next change of what get_run shows; take it before you look."""
+        return self._news.setdefault(run_id, asyncio.Event())
+
+    async def changed(self, news: asyncio.Event, timeout_s: float) -> bool:
+        """Wait for a change; whether there was one in time."""
+        try:
+            if not self._ending:
+                await asyncio.wait_for(news.wait(), timeout_s)
+        except TimeoutError:
+            return False
+        if self._ending:
+            raise Refused("unavailable", "The server is ending.")
+        return True
+
+    def notify(self, run: Run) -> None:
+        """Something that get_run shows has changed."""
+        if not run.lost:
+            self._place(run, run.state)
+        self._wake(run.run_id)
+        self._admit()
+
+    def active(self) -> list[str]:
+        """Ids of the runs that hold capacity."""
+        return list(self._active)
+
+    def queue_position(self, run: RunHead) -> int | None:
+        """RUN-008: 1 is next; None unless queued."""
+        if run.state != "queued":
+            return None
+        return 1 + bisect_left(self._queue, run.number)
+
+    def _place(self, run: Run, state: State | None) -> None:
+        """Among the active, in the queue, or nowhere, as the state says."""
+        if state in ACTIVE:
+            self._active.add(run.run_id)
+        else:
+            self._active.discard(run.run_id)
+        was_queued = self._queued.pop(run.run_id, None) is not None
+        if state == "queued":
+            self._queued[run.run_id] = run
+        if was_queued != (state == "queued"):
+            self._move_up(run.number, was_queued)
+        if state is not None:
+            self.seen(run)
+
+    def _move_up(self, number: int, has_left: bool) -> None:
+        """A run has left the queue or come into it: those behind it have moved."""
+        if has_left:
+            del self._queue[bisect_left(self._queue, number)]
+        else:
+            insort(self._queue, number)
+        for run_id in list(self._news):  # rarely as many as there are in the queue
+            waiting = self._queued.get(run_id)
+            if waiting is not None and waiting.number > number:
+                self._wake(run_id)
+
+    def _wake(self, run_id: str) -> None:
+        event = self._news.pop(run_id, None)
+        if event is not None:
+            event.set()
+
+    def _admit(self) -> None:
+        # Nobody pays for the length of a queue that cannot move.
+        if self._closed or len(self._active) >= self._active_max:
+            return
+        queued = [r for r in self._queued.values() if r.state == "queued"]
+        if not queued:
+            return
+        now = time.time()
+        admitted = effects.admit(queued, len(self._active), self._active_max, now)
+        for run in admitted:
+            self._place(run, run.state)
+            self.commit_later(run)
+        self._admit_again(now)
+
+    def _admit_again(self, now: float) -> None:
+        """Look again when the next hold in the queue ends."""
+        holds = [r.queue_until_wall for r in self._queued.values()]
+        later = [until for until in holds if until > now]
+        if self._admission is not None:
+            self._admission.cancel()
+            self._admission = None
+        if later:
+            loop = asyncio.get_running_loop()
+            wait_s = max(0.001, min(later) - now)
+            self._admission = loop.call_later(wait_s, self._admit)
+
+    def begin(self, work: Awaitable[object]) -> None:
+        """Do work that no request waits for, before the server ends."""
+        task = asyncio.ensure_future(work)
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)
+
+    async def _save(self, run: Run) -> bool:
+        try:
+            await self._store.save(run)
+        except Exception:  # whatever it was: memory is ahead of the disk now
+            log.exception("run %s could not be stored", run.run_id)
+            self._drop(run)
+            return False
+        else:
+            return True
+        finally:
+            if self._saving.get(run.run_id) is asyncio.current_task():
+                del self._saving[run.run_id]
+            self.notify(run)
+
+    async def _load(self, run_id: str) -> Run | None:
+        """The run from the store, read once however many ask for it at a time."""
+        loading = self._loading.get(run_id)
+        if loading is None:
+            loading = asyncio.ensure_future(self._load_once(run_id))
+            self._loading[run_id] = loading
+        return await asyncio.shield(loading)
+
+    async def _load_once(self, run_id: str) -> Run | None:
+        try:
+            return self._adopt(await self._store.load(run_id))
+        finally:
+            del self._loading[run_id]
+
+    def _adopt(self, loaded: Run | None) -> Run | None:
+        """A run just loaded: nobody held it, so no session of it lives."""
+        if loaded is not None:
+            effects.move(loaded, "last_lease_ends", "Its sessions were lost.")
+            self._known[loaded.run_id] = loaded
+            self._place(loaded, loaded.state)
+            self._admit()
+        return loaded
+
+    def _keep(self, run: Run) -> None:
+        self._known[run.run_id] = run
+        self._recent[run.run_id] = run
+        self._recent.move_to_end(run.run_id)
+        if len(self._recent) > RUNS_KEPT:
+            self._recent.popitem(last=False)
+
+    def _drop(self, run: Run) -> None:
+        """From now on the run is what the store has, and loaded when it is wanted."""
+        if run.lost:
+            return
+        run.lost = True
+        self._known.pop(run.run_id, None)
+        self._recent.pop(run.run_id, None)
+        self._place(run, None)
+        # Until it is known what the store has, the run may be active and keeps a place.
+        self._active.add(run.run_id)
+        self.forget(run)
+        self._reload_later(run.run_id)
+
+    def _reload_later(self, run_id: str) -> None:
+        """A run that was queued is still admitted, though nobody ask for it."""
+        if not self._closed:
+            loop = asyncio.get_running_loop()
+            timer = loop.call_later(RELOAD_S, self._reload, run_id)
+            self._reloads[run_id] = timer
+
+    def _reload(self, run_id: str) -> None:
+        del self._reloads[run_id]
+        self.begin(self._get_again(run_id))
+
+    async def _get_again(self, run_id: str) -> None:
+        try:
+            await self.get(run_id)
+        except StoreFailed:
+            log.exception("run %s could not be loaded", run_id)
+            self._reload_later(run_id)
+
+
+def _no_run(run_id: str) -> Refused:
+    return Refused("not_found", f"There is no run {run_id}.")

@@ -1,0 +1,139 @@
+"""A run as rows of a database, and back: plain values, and bytes that hold JSON.
+
+It knows the names of the columns and nothing of the database; `store.py` does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict
+from typing import Any
+
+import msgspec
+
+from reference_server.rules.run import Episode, Result, Run, RunHead
+
+Row = Mapping[str, Any]
+# What is stored of an episode, and in which types.
+TOUCHED = (
+    *("index", "attempt", "faults", "faults_forgiven"),
+    *("policy_fault", "place", "result"),
+)
+Touched = tuple[int, int, int, int, str | None, int | None, bytes | None]
+
+# What an object takes from its row as it stands there.
+_PLAIN = (
+    "run_id",
+    "number",
+    "account",
+    "state",
+    "reason",
+    "retryable",
+    "manifest_sha256",
+    "max_workers",
+    "idle_timeout_s",
+    "created_at_wall",
+    "updated_at_wall",
+    "queue_until_wall",
+)
+_RESULT = msgspec.json.Decoder(Result)
+
+
+def new_run_row(run: Run) -> dict[str, Any]:
+    """All columns of a run but its number, which the database gives."""
+    return run_row(run) | {
+        "run_id": run.run_id,
+        "account": run.account,
+        "manifest_sha256": run.manifest_sha256,
+        "submission": msgspec.json.encode(run.submission),
+        "max_workers": run.max_workers,
+        "idle_timeout_s": run.idle_timeout_s,
+        "images": msgspec.json.encode(run.images),
+        "created_at_wall": run.created_at_wall,
+    }
+
+
+def run_row(run: Run) -> dict[str, Any]:
+    """The columns that change in a run's life."""
+    return {
+        "state": run.state,
+        "reason": run.reason,
+        "retryable": run.retryable,
+        "updated_at_wall": run.updated_at_wall,
+        "queue_until_wall": run.queue_until_wall,
+        "scored": run.scored,
+    }
+
+
+def episode_rows(run: Run, changed: set[int]) -> list[dict[str, Any]]:
+    """The rows of those episodes, in manifest order."""
+    rows = []
+    for index in sorted(changed):
+        episode = run.episodes[index]
+        result = episode.result
+        rows.append(
+            {
+                "number": run.number,
+                "index": index,
+                "attempt": episode.attempt,
+                "faults": episode.faults,
+                "faults_forgiven": episode.faults_forgiven,
+                "policy_fault": episode.policy_fault,
+                "place": episode.place,
+                "result": msgspec.json.encode(asdict(result)) if result else None,
+            }
+        )
+    return rows
+
+
+def episodes_of(
+    plans: Sequence[Mapping[str, Any]], start: int, touched: Iterable[Touched]
+) -> list[Episode]:
+    """Episodes from `start`, by their plans and what has happened to them."""
+    episodes = [_planned(index, plan) for index, plan in enumerate(plans, start)]
+    for row in touched:
+        _touch(episodes[row[0] - start], row)
+    return episodes
+
+
+def episode_of(plans: Sequence[Mapping[str, Any]], row: Touched) -> Episode:
+    """One episode by the plans of all and what has happened to it."""
+    episode = _planned(row[0], plans[row[0]])
+    _touch(episode, row)
+    return episode
+
+
+def _planned(index: int, plan: Mapping[str, Any]) -> Episode:
+    return Episode(index, plan["task"], plan["split"], plan["seed"])
+
+
+def _touch(episode: Episode, row: Touched) -> None:
+    _, attempt, faults, faults_forgiven, policy_fault, place, result = row
+    episode.attempt = attempt
+    episode.faults, episode.faults_forgiven = faults, faults_forgiven
+    episode.policy_fault, episode.place = policy_fault, place
+    if result:
+        episode.result = _RESULT.decode(result)
+
+
+def _columns_of(row: Row, manifest: Mapping[str, Any]) -> dict[str, Any]:
+    """The members of a RunHead, but for its counts."""
+    decoded = {
+        "manifest": manifest,
+        "submission": msgspec.json.decode(row["submission"]),
+        "images": msgspec.json.decode(row["images"]),
+    }
+    return {name: row[name] for name in _PLAIN} | decoded
+
+
+def head_of(row: Row, manifest: Mapping[str, Any]) -> RunHead:
+    """`row` has every column of the run; `manifest` is shared and never changed."""
+    total = len(manifest["episodes"])
+    columns = _columns_of(row, manifest)
+    return RunHead(**columns, total=total, scored=row["scored"])
+
+
+def run_of(row: Row, manifest: Mapping[str, Any], touched: Iterable[Touched]) -> Run:
+    """The run with all its episodes, of which `touched` differ from their plans."""
+    episodes = episodes_of(manifest["episodes"], 0, touched)
+    return Run(**_columns_of(row, manifest), episodes=episodes)

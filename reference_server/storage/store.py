@@ -1,0 +1,398 @@
+"""What outlives the process: the one module that knows the database.
+
+SQLAlchemy over SQLite by default; a URL makes it PostgreSQL. It stores and returns
+runs and holds no rule. Sessions are not here: they end with the process, and a run
+that was in play is found ready again (CRASH-002).
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from collections.abc import AsyncIterator, Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import asynccontextmanager
+from pathlib import Path
+from typing import Any, TypeVar
+
+import msgspec
+import sqlalchemy as sa
+from sqlalchemy.ext.asyncio import AsyncConnection, AsyncEngine, create_async_engine
+
+from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.storage import rows
+
+Found = TypeVar("Found")
+
+# Looks at a file that go on at once.
+READERS = 4
+# Decoded manifests kept, for all the runs that share them.
+MANIFESTS_KEPT = 64
+
+_tables = sa.MetaData()
+
+_runs = sa.Table(
+    "runs",
+    _tables,
+    sa.Column("number", sa.Integer, primary_key=True, autoincrement=True),
+    sa.Column("run_id", sa.String(64), unique=True, nullable=False),
+    sa.Column("account", sa.String(200), nullable=False),
+    sa.Column("state", sa.String(16), nullable=False, index=True),
+    sa.Column("reason", sa.Text),
+    sa.Column("retryable", sa.Boolean),
+    sa.Column("manifest_sha256", sa.String(64), nullable=False),
+    sa.Column("submission", sa.LargeBinary, nullable=False),
+    sa.Column("max_workers", sa.Integer, nullable=False),
+    sa.Column("idle_timeout_s", sa.Float, nullable=False),
+    sa.Column("images", sa.LargeBinary, nullable=False),
+    sa.Column("created_at_wall", sa.Float, nullable=False),
+    sa.Column("updated_at_wall", sa.Float, nullable=False),
+    sa.Column("queue_until_wall", sa.Float, nullable=False),
+    # How many of its episodes have a result; NULL from before there was this column.
+    sa.Column("scored", sa.Integer),
+    sa.Index("runs_of_account", "account", "number"),
+)
+# A manifest is stored once, however many runs use it.
+_manifests = sa.Table(
+    "manifests",
+    _tables,
+    sa.Column("manifest_sha256", sa.String(64), primary_key=True),
+    sa.Column("manifest", sa.LargeBinary, nullable=False),
+)
+# Only episodes that something happened to; the others follow from the manifest.
+_episodes = sa.Table(
+    "episodes",
+    _tables,
+    sa.Column("number", sa.ForeignKey("runs.number"), primary_key=True),
+    sa.Column("index", sa.Integer, primary_key=True),
+    sa.Column("attempt", sa.Integer, nullable=False),
+    sa.Column("faults", sa.Integer, nullable=False),
+    sa.Column("faults_forgiven", sa.Integer, nullable=False),
+    sa.Column("result", sa.LargeBinary),
+    sa.Column("policy_fault", sa.Text),
+    # Of its result among those of the run; NULL from before there was this column.
+    sa.Column("place", sa.Integer),
+)
+_keys = sa.Table(
+    "idempotency_keys",
+    _tables,
+    sa.Column("account", sa.String(200), primary_key=True),
+    sa.Column("key", sa.String(128), primary_key=True),
+    sa.Column("body_sha256", sa.String(64), nullable=False),
+    sa.Column("run_id", sa.String(64), nullable=False),
+)
+
+_counted = (
+    sa.select(sa.func.count(_episodes.c.result))
+    .where(_episodes.c.number == _runs.c.number)
+    .scalar_subquery()
+)
+_HEADS = sa.select(
+    *(column for column in _runs.c if column is not _runs.c.scored),
+    sa.func.coalesce(_runs.c.scored, _counted).label("scored"),
+).where(_runs.c.run_id.in_(sa.bindparam("run_ids", expanding=True)))
+_MANIFEST = sa.select(_manifests.c.manifest).where(
+    _manifests.c.manifest_sha256 == sa.bindparam("manifest_sha256")
+)
+_OF_RUN = sa.select(*(_episodes.c[name] for name in rows.TOUCHED)).where(
+    _episodes.c.number == sa.bindparam("number")
+)
+_start, _end = (sa.bindparam(name, type_=sa.Integer) for name in ("start", "end"))
+_TOUCHED = _OF_RUN.where(_episodes.c.index >= _start, _episodes.c.index < _end)
+# One after another as they were scored, like Run.scored_order.
+_SCORED = (
+    _OF_RUN.where(_episodes.c.result.is_not(None))
+    .order_by(sa.func.coalesce(_episodes.c.place, 0), _episodes.c.index)
+    .offset(_start)
+    .limit(_end - _start)
+)
+
+
+class StoreFailed(Exception):
+    """The database did not do what it was asked; nothing of it was stored."""
+
+
+class Store:
+    """Runs on disk. Writes happen one after another; each is one transaction."""
+
+    def __init__(self, url: str) -> None:
+        try:
+            self._url = sa.make_url(url)
+            self._engine: AsyncEngine = create_async_engine(self._url)
+        except (sa.exc.SQLAlchemyError, ImportError) as error:
+            raise StoreFailed(_one_line(error)) from error
+        self._writing = asyncio.Lock()
+        # A database in memory is one connection, and so one transaction at a time.
+        shared = isinstance(self._engine.pool, sa.StaticPool)
+        self._alone = asyncio.Lock() if shared else contextlib.nullcontext()
+        if self._url.get_backend_name() == "sqlite":
+            sa.event.listen(self._engine.sync_engine, "connect", _tune_sqlite)
+        # The async driver goes to its thread and back for each step of a query. To read
+        # a file one way there and back is enough, for all the queries of one look.
+        self._reader: sa.Engine | None = None
+        # Not the loop's own threads: a slow look-up of a name may hold those.
+        self._readers = ThreadPoolExecutor(READERS, "store")
+        if self._url.get_backend_name() == "sqlite" and not shared:
+            self._reader = sa.create_engine(self._url.set(drivername="sqlite"))
+            sa.event.listen(self._reader, "connect", _only_read)
+            sa.event.listen(self._reader, "begin", _begin)
+        self._decoded: dict[str, Mapping[str, Any]] = {}
+
+    async def open(self) -> None:
+        """Make the tables and end what the last process left in play."""
+        if self._url.get_backend_name() == "sqlite" and self._url.database:
+            try:
+                Path(self._url.database).parent.mkdir(parents=True, exist_ok=True)
+            except OSError as error:
+                raise StoreFailed(_one_line(error)) from error
+        async with self._transaction() as connection:
+            await connection.run_sync(_tables.create_all)
+            await connection.run_sync(_add_what_is_new)
+            for before, after in (("running", "ready"), ("stopping", "stopped")):
+                await connection.execute(
+                    _runs.update()
+                    .where(_runs.c.state == before)
+                    .values(state=after, reason="The server was started anew.")
+                )
+
+    async def close(self) -> None:
+        await self._engine.dispose()
+        if self._reader is not None:
+            self._readers.shutdown(wait=False)
+            self._reader.dispose()
+
+    @asynccontextmanager
+    async def _transaction(self) -> AsyncIterator[AsyncConnection]:
+        try:
+            async with self._alone, self._engine.begin() as connection:
+                yield connection
+        except (sa.exc.SQLAlchemyError, OSError) as error:
+            # A server that cannot be reached is told by its driver, not by SQLAlchemy.
+            raise StoreFailed(_one_line(error)) from error
+
+    async def _read(self, look: Callable[[sa.Connection], Found]) -> Found:
+        """What `look` finds, all of it as it was at one moment."""
+        if self._reader is None:
+            async with self._transaction() as connection:
+                return await connection.run_sync(look)
+        try:
+            loop = asyncio.get_running_loop()
+            return await loop.run_in_executor(
+                self._readers, _within, self._reader, look
+            )
+        except (sa.exc.SQLAlchemyError, OSError) as error:
+            raise StoreFailed(_one_line(error)) from error
+
+    async def insert(self, run: Run, key: str | None, body_sha256: str) -> bool:
+        """Store a new run and give it its number, unless its key is taken.
+
+        Returns whether it was stored.
+        """
+        async with self._writing, self._transaction() as connection:
+            if key is not None and await _find_key(connection, run.account, key):
+                return False
+            row = rows.new_run_row(run)
+            known = sa.select(_manifests.c.manifest_sha256).where(
+                _manifests.c.manifest_sha256 == run.manifest_sha256
+            )
+            if (await connection.execute(known)).first() is None:
+                await connection.execute(
+                    _manifests.insert().values(
+                        manifest_sha256=run.manifest_sha256,
+                        manifest=msgspec.json.encode(run.manifest),
+                    )
+                )
+            inserted = await connection.execute(
+                _runs.insert().values(row).returning(_runs.c.number)
+            )
+            run.number = inserted.scalar_one()
+            if key is not None:
+                await connection.execute(
+                    _keys.insert().values(
+                        account=run.account,
+                        key=key,
+                        body_sha256=body_sha256,
+                        run_id=run.run_id,
+                    )
+                )
+        return True
+
+    async def save(self, run: Run) -> None:
+        """Commit the run's state and the episodes that changed since the last save."""
+        async with self._writing:
+            # Read inside the lock and before any other await: a later save never
+            # overtakes an earlier one, and state and episodes are of one moment.
+            if run.lost:
+                raise StoreFailed("an earlier write of the run failed")
+            changed, run.changed = run.changed, set()
+            row, episodes = rows.run_row(run), rows.episode_rows(run, changed)
+            try:
+                async with self._transaction() as connection:
+                    await connection.execute(
+                        _runs.update().where(_runs.c.number == run.number).values(row)
+                    )
+                    await _replace_episodes(connection, run.number, episodes)
+            except StoreFailed:
+                run.changed |= changed
+                raise
+
+    async def find_key(self, account: str, key: str) -> tuple[str, str] | None:
+        """(body_sha256, run_id) of an account's Idempotency-Key, if it was used."""
+        async with self._transaction() as connection:
+            return await _find_key(connection, account, key)
+
+    async def load(self, run_id: str) -> Run | None:
+        """The run with all its episodes."""
+
+        def look(connection: sa.Connection) -> Run | None:
+            for row, manifest in self._heads(connection, [run_id]):
+                return rows.run_of(row, manifest, _touched(connection, row["number"]))
+            return None
+
+        return await self._read(look)
+
+    async def glance(
+        self, run_id: str, start: int, end: int | None, scored: bool = False
+    ) -> tuple[RunHead, list[Episode]] | None:
+        """The run as it is stored, and its episodes that `Run.window` would give."""
+
+        def look(connection: sa.Connection) -> tuple[RunHead, list[Episode]] | None:
+            for row, manifest in self._heads(connection, [run_id]):
+                head, plans = rows.head_of(row, manifest), manifest["episodes"]
+                window = (connection, head.number, start, start + len(plans[start:end]))
+                if scored:
+                    found = _touched(*window, _SCORED)
+                    return head, [rows.episode_of(plans, one) for one in found]
+                found = _touched(*window)
+                return head, rows.episodes_of(plans[start:end], start, found)
+            return None
+
+        return await self._read(look)
+
+    async def heads(self, run_ids: Sequence[str]) -> dict[str, RunHead]:
+        """Those runs by id, without their episodes."""
+
+        def look(connection: sa.Connection) -> dict[str, RunHead]:
+            found = (rows.head_of(*one) for one in self._heads(connection, run_ids))
+            return {head.run_id: head for head in found}
+
+        return await self._read(look)
+
+    def _heads(
+        self, connection: sa.Connection, run_ids: Sequence[str]
+    ) -> Iterator[tuple[rows.Row, Mapping[str, Any]]]:
+        """Each run's row and manifest."""
+        rows = connection.execute(_HEADS, {"run_ids": run_ids}).mappings().all()
+        for row in rows:
+            yield dict(row), self._manifest(connection, row["manifest_sha256"])
+
+    def _manifest(self, connection: sa.Connection, sha256: str) -> Mapping[str, Any]:
+        """The one decoded copy of a manifest; several threads may ask at a time."""
+        manifest = self._decoded.get(sha256)
+        if manifest is None:
+            known = {"manifest_sha256": sha256}
+            manifest = msgspec.json.decode(connection.scalars(_MANIFEST, known).one())
+            if len(self._decoded) >= MANIFESTS_KEPT:
+                self._decoded.clear()
+            self._decoded[sha256] = manifest
+        return manifest
+
+    async def page(
+        self, account: str, before: int | None, limit: int
+    ) -> list[tuple[int, str]]:
+        """(number, run_id) of an account's runs, newest first, below a number."""
+        query = sa.select(_runs.c.number, _runs.c.run_id).where(
+            _runs.c.account == account
+        )
+        if before is not None:
+            query = query.where(_runs.c.number < before)
+        query = query.order_by(_runs.c.number.desc()).limit(limit)
+
+        def look(connection: sa.Connection) -> list[tuple[int, str]]:
+            return [(n, r) for n, r in connection.execute(query)]
+
+        return await self._read(look)
+
+    async def in_states(self, *states: str) -> list[str]:
+        """Ids of all runs in these states, oldest first."""
+        query = sa.select(_runs.c.run_id).where(_runs.c.state.in_(states))
+        async with self._transaction() as connection:
+            return list(await connection.scalars(query.order_by(_runs.c.number)))
+
+
+def _within(engine: sa.Engine, look: Callable[[sa.Connection], Found]) -> Found:
+    with engine.connect() as connection:
+        return look(connection)
+
+
+def _add_what_is_new(connection: sa.Connection) -> None:
+    """A database of the time before a column gets it, empty."""
+    for table in _tables.sorted_tables:
+        columns = sa.inspect(connection).get_columns(table.name)
+        present = {column["name"] for column in columns}
+        for column in table.columns:
+            if column.name not in present:
+                kind = column.type.compile(connection.dialect)
+                add = f"ALTER TABLE {table.name} ADD {column.name} {kind}"
+                connection.execute(sa.text(add))
+
+
+def _one_line(error: Exception) -> str:
+    return str(error).partition("\n")[0]
+
+
+def _tune_sqlite(connection: Any, _record: object) -> None:
+    cursor = connection.cursor()
+    # WAL lets readers pass a writer; FULL makes a commit survive a power cut too.
+    for pragma in ("journal_mode=WAL", "synchronous=FULL", "foreign_keys=ON"):
+        cursor.execute(f"PRAGMA {pragma}")
+    cursor.close()
+
+
+def _only_read(connection: Any, _record: object) -> None:
+    connection.isolation_level = None  # `_begin` says when a transaction begins
+    connection.execute("PRAGMA query_only=ON").close()
+
+
+def _begin(connection: sa.Connection) -> None:
+    """All that is read until the end is of one moment."""
+    connection.exec_driver_sql("BEGIN")
+
+
+async def _find_key(
+    connection: AsyncConnection, account: str, key: str
+) -> tuple[str, str] | None:
+    query = sa.select(_keys.c.body_sha256, _keys.c.run_id).where(
+        _keys.c.account == account, _keys.c.key == key
+    )
+    row = (await connection.execute(query)).first()
+    return None if row is None else (row[0], row[1])
+
+
+async def _replace_episodes(
+    connection: AsyncConnection, number: int, rows: list[dict[str, Any]]
+) -> None:
+    """Delete and insert: an upsert that every database speaks."""
+    if not rows:
+        return
+    await connection.execute(
+        _episodes.delete().where(
+            _episodes.c.number == number,
+            _episodes.c.index.in_([row["index"] for row in rows]),
+        )
+    )
+    await connection.execute(_episodes.insert(), rows)
+
+
+def _touched(
+    connection: sa.Connection,
+    number: int,
+    start: int = 0,
+    end: int = 2**31 - 1,
+    query: sa.Select[Any] = _TOUCHED,
+) -> list[rows.Touched]:
+    """What is stored of a run's episodes from start to end, as the query counts."""
+    if start == end:
+        return []
+    window = {"number": number, "start": start, "end": end}
+    return [tuple(row) for row in connection.execute(query, window)]

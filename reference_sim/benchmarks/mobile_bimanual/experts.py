@@ -1,0 +1,50 @@
+"""A policy that solves the mobile bimanual tasks, to prove that they can be solved.
+
+The expert sees what any policy sees: the observation's state, as it comes over the
+wire, with the poses of the things. For each task there is a script in scripts.py; the
+instruction says which. Nothing is read from the simulator being played: the arms'
+kinematics are a model apart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from reference_sim.benchmarks.mobile_bimanual.plans import SCRIPTS
+from reference_sim.benchmarks.mobile_bimanual.skills import Puppet, Steps
+
+
+class UnknownInstruction(ValueError):
+    """No script is known for what was asked."""
+
+
+class MobileBimanualExpert:
+    """Plays the script that the instruction asks for until the episode ends."""
+
+    def __init__(self, control: str = "joint_position") -> None:
+        """control: a key of ACTION_CHANNELS."""
+        self._control = control
+        self._puppet = Puppet(control)
+        self._script: Steps | None = None
+
+    def reset(self, instruction: str) -> None:
+        """Begins an episode. Raises UnknownInstruction."""
+        if instruction not in SCRIPTS:
+            raise UnknownInstruction(instruction)
+        self._puppet.reset()
+        self._script = SCRIPTS[instruction](self._puppet)
+
+    def act(
+        self, observation_state: Mapping[str, Sequence[float]]
+    ) -> dict[str, list[float]]:
+        """The next action, with the names of the benchmark's action space."""
+        if self._script is None:
+            raise RuntimeError("reset comes before act")
+        self._puppet.see(observation_state)
+        next(self._script)
+        return self._puppet.action()
+
+
+def make_expert() -> MobileBimanualExpert:
+    """For `mobile_bimanual_state`."""
+    return MobileBimanualExpert()

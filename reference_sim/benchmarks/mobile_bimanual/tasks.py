@@ -1,0 +1,185 @@
+"""The tasks of the mobile bimanual world. A new one is one class, named in TASKS."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from reference_sim.benchmarks.mobile_bimanual.layout import (
+    BAR_HALF_M,
+    BOX_HALF_M,
+    MAT_HALF_M,
+    SIDES,
+    TABLE_TOP_M,
+    TRAY_HALF_M,
+)
+from reference_sim.benchmarks.mobile_bimanual.scene import MobileBimanualScene
+from reference_sim.benchmarks.mobile_bimanual.splits import Draw
+from reference_sim.mujoco.physical import Task
+
+LIFTED_M = 0.10  # above where it lay
+IN_THE_AIR_M = 0.03
+
+
+class FetchAndPlace:
+    name = "fetch_and_place"
+    instruction = (
+        "Drive to the side table, fetch the box and put it on the mat on the work "
+        "table."
+    )
+    stages = ("at the side table", "box lifted", "box at the work table")
+
+    AT_TABLE_M = 0.80  # an arm's length, about
+    BASE_X_M, BASE_Y_M, BASE_YAW_RAD = (-1.1, -0.6), (-0.5, 0.2), (-0.5, 0.5)
+    BOX_X_M, BOX_Y_M = (-1.20, -0.60), (1.32, 1.42)
+    MAT_X_M, MAT_Y_M = (0.46, 0.54), (-0.30, 0.30)
+
+    def reset(
+        self, scene: MobileBimanualScene, rng: np.random.Generator, split: str
+    ) -> None:
+        draw = Draw(rng, split)
+        draw.dress(scene)
+        scene.place_base(
+            draw.within(*self.BASE_X_M),
+            draw.within(*self.BASE_Y_M),
+            draw.within(*self.BASE_YAW_RAD),
+        )
+        scene.place(
+            "box",
+            draw.within(*self.BOX_X_M),
+            draw.within(*self.BOX_Y_M),
+            TABLE_TOP_M + BOX_HALF_M * scene.scale_of("box"),
+            draw.within(-math.pi, math.pi),
+        )
+        scene.place(
+            "mat",
+            draw.within(*self.MAT_X_M),
+            draw.within(*self.MAT_Y_M),
+            TABLE_TOP_M + 0.001,
+            draw.within(-0.4, 0.4),
+        )
+
+    def goal_holds(self, scene: MobileBimanualScene) -> bool:
+        """The box's middle is on the mat, its whole side down, both hands off."""
+        return (
+            scene.distance_m("box", "mat") <= MAT_HALF_M
+            and scene.height_m("box") <= BOX_HALF_M * scene.scale_of("box") + 0.005
+            and not any(scene.touches(side, "box") for side in SIDES)
+        )
+
+    def reached(self, scene: MobileBimanualScene) -> list[bool]:
+        lifted = scene.height_m("box") >= BOX_HALF_M + IN_THE_AIR_M and any(
+            scene.holds(side, "box") for side in SIDES
+        )
+        return [
+            scene.base_distance_m("box") <= self.AT_TABLE_M,
+            lifted,
+            lifted and scene.base_distance_m("mat") <= self.AT_TABLE_M,
+        ]
+
+
+class TwoHandedLift:
+    name = "two_handed_lift"
+    instruction = (
+        "Lift the tray with both hands at least 10 cm above the table. Keep it level, "
+        "so that the box stays on it."
+    )
+    stages = ("both hands at the tray's grips", "both hands hold it", "half way up")
+
+    AT_GRIP_M = 0.06  # from the grip's foot, between the fingertips
+    GRIP_Y_M = 0.162
+    LEVEL_RAD = math.radians(10)
+    TRAY_X_M, TRAY_Y_M, TRAY_YAW_RAD = (0.50, 0.57), (-0.06, 0.06), (-0.25, 0.25)
+    BOX_X_M, BOX_Y_M, BOX_YAW_RAD = (-0.04, 0.04), (-0.05, 0.05), (-math.pi, math.pi)
+
+    def reset(
+        self, scene: MobileBimanualScene, rng: np.random.Generator, split: str
+    ) -> None:
+        draw = Draw(rng, split)
+        draw.dress(scene)
+        _dock(scene, draw)
+        x, y = draw.within(*self.TRAY_X_M), draw.within(*self.TRAY_Y_M)
+        z, yaw = TABLE_TOP_M + TRAY_HALF_M, draw.within(*self.TRAY_YAW_RAD)
+        scene.place("tray", x, y, z, yaw)
+        scene.place(
+            "box",
+            x + draw.within(*self.BOX_X_M),
+            y + draw.within(*self.BOX_Y_M),
+            z + TRAY_HALF_M + BOX_HALF_M * scene.scale_of("box"),
+            draw.within(*self.BOX_YAW_RAD),
+        )
+
+    def goal_holds(self, scene: MobileBimanualScene) -> bool:
+        """Both hands hold the tray up, level, with the box on it."""
+        return (
+            scene.height_m("tray") >= TRAY_HALF_M + LIFTED_M
+            and scene.tilt_rad("tray") <= self.LEVEL_RAD
+            and scene.lies_on("box", "tray")
+            and all(scene.holds(side, "tray") for side in SIDES)
+        )
+
+    def reached(self, scene: MobileBimanualScene) -> list[bool]:
+        held = all(scene.holds(side, "tray") for side in SIDES)
+        grips = zip(SIDES, (self.GRIP_Y_M, -self.GRIP_Y_M), strict=True)
+        return [
+            all(
+                scene.hand_distance_m(side, "tray", y_m) <= self.AT_GRIP_M
+                for side, y_m in grips
+            ),
+            held,
+            held and scene.height_m("tray") >= TRAY_HALF_M + LIFTED_M / 2,
+        ]
+
+
+class Handover:
+    name = "handover"
+    instruction = (
+        "Pick up the bar with the left hand, hand it over to the right hand, and hold "
+        "it at least 10 cm above the table with the right hand alone."
+    )
+    stages = ("left hand holds the bar", "in the air", "both hands hold it")
+
+    BAR_X_M, BAR_Y_M, BAR_YAW_RAD = (0.46, 0.56), (0.30, 0.40), (-0.4, 0.4)
+
+    def reset(
+        self, scene: MobileBimanualScene, rng: np.random.Generator, split: str
+    ) -> None:
+        draw = Draw(rng, split)
+        draw.dress(scene)
+        _dock(scene, draw)
+        scene.place(
+            "bar",
+            draw.within(*self.BAR_X_M),
+            draw.within(*self.BAR_Y_M),
+            TABLE_TOP_M + BAR_HALF_M * scene.scale_of("bar"),
+            draw.within(*self.BAR_YAW_RAD),
+        )
+
+    def goal_holds(self, scene: MobileBimanualScene) -> bool:
+        """The right hand holds the bar up, and the left hand does not touch it.
+
+        That is the end; how the right hand came by the bar only the stages tell.
+        """
+        return (
+            scene.height_m("bar") >= BAR_HALF_M + LIFTED_M
+            and scene.holds("right", "bar")
+            and not scene.touches("left", "bar")
+        )
+
+    def reached(self, scene: MobileBimanualScene) -> list[bool]:
+        left = scene.holds("left", "bar")
+        high = scene.height_m("bar") >= BAR_HALF_M + IN_THE_AIR_M
+        return [left, left and high, left and high and scene.holds("right", "bar")]
+
+
+def _dock(scene: MobileBimanualScene, draw: Draw) -> None:
+    """At the work table, as well as a robot docks."""
+    scene.place_base(
+        draw.within(-0.04, 0.02), draw.within(-0.04, 0.04), draw.within(-0.06, 0.06)
+    )
+
+
+TASKS: dict[str, type[Task[MobileBimanualScene]]] = {
+    task.name: task for task in (FetchAndPlace, TwoHandedLift, Handover)
+}

@@ -1,0 +1,113 @@
+"""The manifest of the benchmark `question_answering`.
+
+An item is an episode of one step: a picture, a question as its instruction, and one
+action that carries the answer. Importing this file imports no simulator.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from reference_sim.definition import (
+    Definition,
+    Json,
+    bounded,
+    image_sizes,
+    installed_version,
+    without_pictures,
+)
+from reference_sim.interface import Simulator
+
+# Task → the share of items that the best constant answer gets right, at most.
+CHANCES = {
+    "count": 1 / 6,
+    "colour": 1 / 4,
+    "side": 1 / 2,
+    "nearest": 1 / 3,
+    "reachable": 1 / 2,
+    "point": 1 / 12,
+}
+TASKS = tuple(CHANCES)
+FIRST_SEEDS = {"val": 6000, "test": 7200}  # whole blocks of BLOCK seeds
+BLOCK = 12  # a multiple of the number of answers that each task has
+CAMERA = "view"
+QUALITY = "standard"
+NO_ANSWER = -1.0
+NUMBER_MAX = 999_999
+LETTERS = "ABCD"
+
+
+def _episodes() -> list[Json]:
+    """Each task comes early: the first items of a run are telling already."""
+    return [
+        {"task": task, "split": split, "seed": first_seed + index}
+        for split, first_seed in FIRST_SEEDS.items()
+        for index in range(BLOCK)
+        for task in TASKS
+    ]
+
+
+def _answers() -> Json:
+    """The action space: every action has all entries, of which a task looks at one."""
+    none = "-1 where that is not the answer"
+    last = len(LETTERS) - 1
+    return {
+        "choice": bounded(1, NO_ANSWER, last, out_of_range="refuse")
+        | {"description": f"0 for A, 1 for B and so on; {none}"},
+        "number": bounded(1, NO_ANSWER, NUMBER_MAX, out_of_range="refuse")
+        | {"description": f"a number; {none}"},
+        "point": bounded(2, NO_ANSWER, 1.0, out_of_range="refuse")
+        | {"description": f"x to the right, y down, from 0 to 1; {none}"},
+    }
+
+
+def _describe(options: Mapping[str, Any], max_chunk: int) -> Json:  # noqa: ARG001 - no options, no chunks
+    episodes = _episodes()
+    return {
+        "benchmark_id": "question_answering",
+        "version": "1",
+        "title": "Questions about a tabletop",
+        "description": "A picture of an arm and things on its table, and a question "
+        "with one right answer: how many, which colour, left or right, what is "
+        "nearest, what is in reach, where. One action is the answer.",
+        "episodes_total": len(episodes),
+        "episodes": episodes,
+        "tasks": list(TASKS),
+        "splits": list(FIRST_SEEDS),
+        "control_rate_hz": 1.0,  # nothing moves
+        "max_steps": 1,
+        "max_chunk": 1,
+        "max_attempts": 3,
+        "max_faults": 3,
+        "success_rule": "any_step",
+        "action_space": _answers(),
+        "observation_space": {
+            "state": {},
+            "images": {
+                CAMERA: {"channels": 3, "description": "RGB, what is asked about"}
+            },
+            "tensors": {},
+        },
+        # One shape, so that a point means the same in every size.
+        "image_sizes": image_sizes((640, 480), (320, 240)),
+        "image_codecs": ["png", "jpeg", "raw"],
+        "simulator": {
+            "name": "mujoco",
+            "version": installed_version("mujoco"),
+            "quality": QUALITY,
+        },
+    }
+
+
+def _make(settings: Mapping[str, Any]) -> Simulator:
+    from reference_sim.benchmarks.question_answering.simulator import QuestionSimulator
+
+    return QuestionSimulator((settings["width"], settings["height"]))
+
+
+BENCHMARKS = {
+    "question_answering": Definition(
+        _describe, dict, _make, unavailable=without_pictures
+    ),
+}

@@ -1,0 +1,50 @@
+"""An item as an episode of one step: the picture is seen, the answer is the action.
+
+It must not know how an answer came to be: text, parsers and models are other people's.
+"""
+
+from __future__ import annotations
+
+from reference_sim.benchmarks.question_answering.arrangement import Arrangement
+from reference_sim.benchmarks.question_answering.benchmark import CAMERA, QUALITY, TASKS
+from reference_sim.benchmarks.question_answering.questions import Question, draw
+from reference_sim.benchmarks.tabletop.scene import TabletopScene
+from reference_sim.interface import Action, Observation, StepOutcome, TaskUnplayable
+
+
+class QuestionSimulator:
+    """Asks, and says whether the answer is right: 1 or 0, nothing between."""
+
+    def __init__(self, size: tuple[int, int], quality: str = QUALITY) -> None:
+        """size: width and height of the picture, 4 to 3."""
+        self._scene = TabletopScene(quality)
+        self._size = size
+        self._item: tuple[Question, Arrangement] | None = None
+
+    def reset(self, task: str, seed: int, split: str = "") -> str:
+        """Draws the item; returns the question. Raises TaskUnplayable."""
+        if task not in TASKS:
+            raise TaskUnplayable(f"there is no task {task}")
+        self._item = draw(self._scene, task, seed, split)
+        return self._item[0].text
+
+    def step(self, action: Action) -> StepOutcome:
+        question, shown = self._asked()
+        is_right = question.is_right(action, shown)
+        return StepOutcome(success=is_right, score=float(is_right), terminated=True)
+
+    def observe(self) -> Observation:
+        _, shown = self._asked()
+        return Observation(state={}, images={CAMERA: shown.picture(*self._size)})
+
+    def truth(self) -> Action:
+        """The right answer, for who has to know: no policy can ask."""
+        return self._asked()[0].right
+
+    def close(self) -> None:
+        self._scene.world.close()
+
+    def _asked(self) -> tuple[Question, Arrangement]:
+        if self._item is None:
+            raise RuntimeError("reset comes before step, observe and truth")
+        return self._item

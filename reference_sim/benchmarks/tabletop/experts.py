@@ -1,0 +1,81 @@
+"""A policy that solves the tabletop tasks, to prove that they can be solved.
+
+It sees what any policy sees: the instruction, and the observation's state as it comes
+over the wire. It knows nothing of tasks, seeds or scores.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from reference_sim.benchmarks.tabletop.layout import HOME_RAD, JOINTS
+from reference_sim.benchmarks.tabletop.plans import PLANS
+from reference_sim.benchmarks.tabletop.scene import scene_mjcf
+from reference_sim.benchmarks.tabletop.skills import Eyes, Plan
+from reference_sim.mujoco.kinematics import ArmKinematics
+from reference_sim.mujoco.world import Vector
+
+PICTURE_CAMERA = "front"
+PICTURE_MOMENTS = {  # task → share of an episode: where docs/tasks.md shows it
+    "reach": 0.7,
+    "push": 0.45,
+    "lift_cube": 1.0,
+    "pick_and_place": 0.72,
+    "stack": 0.75,
+    "open_drawer": 1.0,
+    "press_button": 0.85,
+    "insert_peg": 0.8,
+}
+
+
+class TabletopExpert:
+    """Follows the plan that the instruction asks for."""
+
+    def __init__(self) -> None:
+        self._arm = tabletop_arm()
+        self._eyes = Eyes()
+        self._plan: Plan | None = None
+
+    def reset(self, instruction: str) -> None:
+        """Begins an episode. Raises KeyError at an instruction of no tabletop task."""
+        self._plan = PLANS[instruction.split(maxsplit=1)[0]](self._eyes)
+        self._joints: Vector | None = None  # as last commanded
+
+    def act(
+        self, observation_state: Mapping[str, Sequence[float]]
+    ) -> dict[str, list[float]]:
+        """Raises RuntimeError before the first reset."""
+        if self._plan is None:
+            raise RuntimeError("reset comes before act")
+        self._eyes.see(observation_state)
+        if self._joints is None:
+            self._joints = np.array(observation_state["joint_position"])
+            self._waypoint = self._eyes.hand
+        move = next(self._plan)
+        self._stride_to(move.position, move.stride_m)
+        pose = np.concatenate([self._waypoint, _facing_down(move.yaw)])
+        self._joints = self._arm.inverse(pose, self._joints)
+        return {"joint_position": self._joints.tolist(), "gripper": [move.opening]}
+
+    def _stride_to(self, goal: Vector, stride_m: float) -> None:
+        way = goal - self._waypoint
+        length = float(np.linalg.norm(way))
+        self._waypoint = self._waypoint + way * min(1.0, stride_m / max(length, 1e-9))
+
+
+def make_expert() -> TabletopExpert:
+    """What tools/experts.py looks for."""
+    return TabletopExpert()
+
+
+def tabletop_arm() -> ArmKinematics:
+    """The arm's kinematics, apart from the simulator being played."""
+    return ArmKinematics(scene_mjcf(), JOINTS, "tcp", HOME_RAD)
+
+
+def _facing_down(yaw: float) -> Vector:
+    """Quaternion wxyz of a gripper that looks down and is turned by yaw about z."""
+    return np.array([0.0, -math.sin(yaw / 2), math.cos(yaw / 2), 0.0])

@@ -1,0 +1,181 @@
+"""What the tabletop experts can do: travel, grasp, carry, push, pull, press.
+
+A plan is a generator of moves. It looks at the newest state each time it is resumed, so
+a thing that slips or is knocked away is followed and fetched again. Nothing here knows
+of joints.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Generator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TypeVar
+
+import numpy as np
+
+from reference_sim.mujoco.world import Vector
+
+STRIDE_M = 0.03  # per control step
+HOVER_M = 0.09  # above a thing, where the fingers are clear of it
+ARRIVED_M = 0.01
+LOST_M = 0.035  # farther from where it was gripped than this, a thing was lost
+CARRY_HEIGHT_M = 0.15  # of the centre of what is carried
+SQUEEZE_STEPS = 5
+TIPS_M = 0.019  # the fingers reach this far beyond the point that is moved
+CLOSED, AJAR, OPEN = 0.0, 0.4, 1.0
+
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """Where the fingertips' middle is to go, in m, world; how the gripper, looking
+    down, is turned about z, in rad; how far it is open; the longest way per step."""
+
+    position: Vector
+    yaw: float
+    opening: float
+    stride_m: float = STRIDE_M
+
+
+Plan = Generator[Move, None, None]
+Goal = Callable[[], Vector]  # (3,) m, asked anew for each move
+
+
+class Eyes:
+    """The newest observation, in the words of a plan."""
+
+    def __init__(self) -> None:
+        self._state: Mapping[str, Vector] = {}
+
+    def see(self, state: Mapping[str, Sequence[float]]) -> None:
+        self._state = {
+            name: np.asarray(values, dtype=np.float64) for name, values in state.items()
+        }
+
+    @property
+    def hand(self) -> Vector:
+        """(3,) m, between the fingertips."""
+        return self._state["ee_pose"][:3]
+
+    @property
+    def hand_yaw(self) -> float:
+        """Of a gripper that looks down, rad."""
+        _, x, y, _ = self._state["ee_pose"][3:]
+        return 2 * math.atan2(-x, y)
+
+    def position(self, thing: str) -> Vector:
+        """(3,) m."""
+        if f"{thing}_pose" in self._state:
+            return self._state[f"{thing}_pose"][:3]
+        return self._state[f"{thing}_position"]
+
+    def yaw(self, thing: str) -> float:
+        """Of a thing that stands upright, rad."""
+        w, x, y, z = self._state[f"{thing}_pose"][3:]
+        return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+
+
+def travel(eyes: Eyes, goal: Goal, yaw: Callable[[], float], opening: float) -> Plan:
+    """The gripper to a goal, which may move meanwhile."""
+    while _length(eyes.hand - goal()) > ARRIVED_M:
+        yield Move(goal(), yaw(), opening)
+
+
+def wait(eyes: Eyes, opening: float, steps: int) -> Plan:
+    """Only the fingers move."""
+    position, yaw = eyes.hand, eyes.hand_yaw
+    for _ in range(steps):
+        yield Move(position, yaw, opening)
+
+
+def grasp(eyes: Eyes, thing: str, *, above_centre_m: float = 0.0) -> Plan:
+    """From above, by two opposite sides."""
+
+    def at(height_m: float) -> Vector:
+        return raised(eyes.position(thing), above_centre_m + height_m)
+
+    def yaw() -> float:
+        return quarter_turn(eyes.yaw(thing))
+
+    yield from travel(eyes, lambda: at(HOVER_M), yaw, OPEN)
+    yield from travel(eyes, lambda: at(0.0), yaw, OPEN)
+    yield from wait(eyes, CLOSED, SQUEEZE_STEPS)
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """Where the centre of a carried thing is to go next, and how nearly."""
+
+    goal: Goal
+    within_m: float = ARRIVED_M
+    stride_m: float = STRIDE_M
+
+
+def carry(
+    eyes: Eyes, thing: str, *stops: Stop, yaw: Callable[[], float] | None = None
+) -> Generator[Move, None, bool]:
+    """Lifts what is gripped straight up, then goes from stop to stop; False if lost.
+
+    yaw: of the gripper on the way; without it, as it is.
+    """
+    kept = fixed(eyes.hand_yaw)
+    top = raised(level(eyes.position(thing)), CARRY_HEIGHT_M)
+    if not (yield from _bring(eyes, thing, Stop(fixed(top), 2 * ARRIVED_M), kept)):
+        return False
+    for stop in stops:
+        if not (yield from _bring(eyes, thing, stop, yaw or kept)):
+            return False
+    return True
+
+
+def _bring(
+    eyes: Eyes, thing: str, stop: Stop, yaw: Callable[[], float]
+) -> Generator[Move, None, bool]:
+    grip = eyes.position(thing) - eyes.hand
+    while _length(stop.goal() - eyes.position(thing)) > stop.within_m:
+        held = eyes.position(thing) - eyes.hand
+        if _length(held - grip) > LOST_M:
+            return False
+        yield Move(stop.goal() - held, yaw(), CLOSED, stop.stride_m)
+    return True
+
+
+def release(eyes: Eyes) -> Plan:
+    """Opens and goes straight up."""
+    up, yaw = fixed(raised(eyes.hand, HOVER_M)), fixed(eyes.hand_yaw)
+    yield from wait(eyes, OPEN, SQUEEZE_STEPS)
+    yield from travel(eyes, up, yaw, OPEN)
+
+
+def fixed(value: T) -> Callable[[], T]:
+    """Where a goal is asked for that does not change."""
+    return lambda: value
+
+
+def raised(position: Vector, height_m: float) -> Vector:
+    """(3,) m, so far above another."""
+    above: Vector = position + np.array([0.0, 0.0, height_m])
+    return above
+
+
+def level(way: Vector) -> Vector:
+    """(3,) m, its part along the table."""
+    along: Vector = way * np.array([1.0, 1.0, 0.0])
+    return along
+
+
+def quarter_turn(yaw: float) -> float:
+    """The same for a square, as near to straight ahead as it goes, rad."""
+    return (yaw + math.pi / 4) % (math.pi / 2) - math.pi / 4
+
+
+def half_turn(yaw: float) -> float:
+    """The same for a line, as near to straight ahead as it goes, rad."""
+    return (yaw + math.pi / 2) % math.pi - math.pi / 2
+
+
+def _length(way: Vector) -> float:
+    return float(np.linalg.norm(way))

@@ -1,0 +1,47 @@
+"""`python -m reference_sim.gymnasium check WHAT…`: tries your benchmarks.
+
+WHAT is what `--benchmarks` of the server takes. Exit code: 0 they can be offered, 1 one
+of them cannot, 2 there is no such benchmark.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from reference_sim.gymnasium import BadBenchmark
+from reference_sim.gymnasium.benchmark_file import read
+from reference_sim.gymnasium.registration import examine
+
+
+def main(arguments: list[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(
+        prog="python -m reference_sim.gymnasium", description=__doc__
+    )
+    commands = parser.add_subparsers(required=True, metavar="check")
+    command = commands.add_parser("check", help="try every task of a benchmark")
+    command.add_argument("what", nargs="+", help="gymnasium:ID, FILE.toml, …")
+    try:
+        verdicts = [_check(what) for what in parser.parse_args(arguments).what]
+    except BadBenchmark as error:
+        print(error, file=sys.stderr)
+        return 2
+    return 0 if all(verdicts) else 1
+
+
+def _check(what: str) -> bool:
+    good = True
+    for benchmark, folder in read(what):
+        found = examine(benchmark, folder, lambda line: print(line, file=sys.stderr))
+        for kind in ("faults", "warnings", "notes"):
+            for line in found.get(kind, ()):
+                print(f"{benchmark.benchmark_id}: {kind.removesuffix('s')}: {line}")
+        if not found["faults"]:
+            total = found["manifest"]["episodes_total"]
+            print(f"{benchmark.benchmark_id}: can be offered, {total} episodes")
+        good = good and not found["faults"]
+    return good
+
+
+if __name__ == "__main__":
+    sys.exit(main())

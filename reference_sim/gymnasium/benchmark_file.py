@@ -1,0 +1,291 @@
+"""What the user says of a benchmark: a TOML file, or a short name on the command line.
+
+docs/benchmarks.md is its manual. Nothing of an environment is known here; what a file
+leaves open is settled by `check`, which has one.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+
+from reference_sim.gymnasium import BadBenchmark
+
+READY = {
+    "metaworld_mt50": Path(__file__).parents[1] / "benchmarks/metaworld/benchmark.toml"
+}
+_ID_LENGTH_MAX = 64
+_DEFAULT_EPISODES = 10
+
+BenchmarkId = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,63}$")]
+Name = Annotated[str, Field(min_length=1, max_length=200)]
+Reference = Annotated[str, Field(pattern=r"^.+:[A-Za-z_][A-Za-z0-9_]*$")]
+Seed = Annotated[int, Field(ge=0, le=2**32 - 1)]
+Rotation = Literal[
+    "none",
+    "quaternion_wxyz",
+    "quaternion_xyzw",
+    "axis_angle",
+    "euler_xyz",
+    "rot6d_columns",
+]
+PixelCount = Annotated[int, Field(ge=1, le=4096)]
+
+
+class _Strict(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+
+
+class Task(_Strict):
+    """kwargs: of the environment, added to the benchmark's. reset_options: `options`
+    of its reset."""
+
+    name: Name
+    instruction: str = Field(min_length=1)
+    kwargs: dict[str, Any] = {}
+    reset_options: dict[str, Any] | None = None
+
+
+class Split(_Strict):
+    """Every task with every seed. seeds: a list, or first_seed and episodes."""
+
+    name: Name
+    seeds: list[Seed] = []
+    first_seed: Seed = 0
+    episodes: Annotated[int, Field(ge=1, le=100_000)] | None = None
+    tasks: list[str] | None = None
+
+    @model_validator(mode="after")
+    def _has_seeds(self) -> Self:
+        if bool(self.seeds) == (self.episodes is not None):
+            raise ValueError(
+                "give either seeds = [...] or episodes = N (and first_seed)"
+            )
+        if len(set(self.seeds)) < len(self.seeds):
+            raise ValueError("seeds has a number twice")
+        return self
+
+    def all_seeds(self) -> list[int]:
+        if self.episodes is None:
+            return self.seeds
+        return list(range(self.first_seed, self.first_seed + self.episodes))
+
+
+class Success(_Strict):
+    """When the goal condition holds, after a step. Exactly one member.
+
+    info: a key of the step's `info`. function: FILE.py:NAME or MODULE:NAME, called with
+    (environment, info). return_at_least: of the sum of rewards so far.
+    """
+
+    info: Name | None = None
+    reward_at_least: float | None = None
+    return_at_least: float | None = None
+    terminated: Literal[True] | None = None
+    function: Reference | None = None
+
+    @model_validator(mode="after")
+    def _is_one(self) -> Self:
+        members = list(type(self).model_fields)
+        if len(self.given()) != 1:
+            raise ValueError(f"give exactly one of {', '.join(members)}")
+        return self
+
+    def given(self) -> dict[str, Any]:
+        return self.model_dump(exclude_none=True)
+
+
+class ReturnScore(_Strict):
+    """The sum of rewards, as a share of the way between two returns."""
+
+    return_from: float
+    return_to: float
+
+    @model_validator(mode="after")
+    def _is_a_way(self) -> Self:
+        if not self.return_from < self.return_to:
+            raise ValueError("return_from must be less than return_to")
+        return self
+
+
+class Camera(_Strict):
+    """What `render` draws. upside_down: turned by half a turn before it is shown."""
+
+    name: Name = "render"
+    upside_down: bool = False
+
+
+class ImageSize(_Strict):
+    width: PixelCount
+    height: PixelCount
+
+
+class Convention(_Strict):
+    """What Gymnasium cannot say of an entry; see schema VectorSpace."""
+
+    unit: str | None = None
+    meaning: str | None = None
+    frame: str | None = None
+    rotation: Rotation | None = None
+    relative: bool | None = None
+    gripper_open: float | None = None
+
+    def members(self) -> dict[str, Any]:
+        """Of a VectorSpace."""
+        said = self.model_dump(exclude_none=True)
+        if "meaning" in said:
+            said["description"] = said.pop("meaning")
+        return said
+
+
+class Benchmark(_Strict):
+    """A whole file. What is None or empty is settled by the environment."""
+
+    benchmark_id: BenchmarkId
+    version: Name = "1"
+    title: str = ""
+    description: str = ""
+    environment: Name | None = None
+    made_by: Reference | None = None
+    modules: list[str] = []
+    kwargs: dict[str, Any] = {}
+    tasks: list[Task] = []
+    splits: list[Split] = [Split(name="test", episodes=_DEFAULT_EPISODES)]
+    max_steps: Annotated[int, Field(ge=1)] | None = None
+    control_rate_hz: Annotated[float, Field(gt=0, allow_inf_nan=False)] | None = None
+    success: Success | None = None
+    success_rule: Literal["any_step", "last_step"] | None = None
+    ends_on_success: bool | None = None
+    score: Literal["success"] | ReturnScore = "success"
+    rebuild_every_episode: bool = False
+    camera: Camera | Literal[False] | None = None
+    image_sizes: list[ImageSize] = []
+    image_codecs: Annotated[
+        list[Literal["raw", "png", "jpeg"]], Field(min_length=1)
+    ] = ["raw", "png", "jpeg"]
+    action: dict[str, Convention] = {}
+    state: dict[str, Convention] = {}
+
+    @model_validator(mode="after")
+    def _hangs_together(self) -> Self:
+        if (self.environment is None) == (self.made_by is None):
+            raise ValueError(
+                'give either environment = "ID" or made_by = "FILE.py:NAME"'
+            )
+        names = [task.name for task in self.tasks]
+        if len(set(names)) < len(names):
+            raise ValueError("two tasks have the same name")
+        if len({split.name for split in self.splits}) < len(self.splits):
+            raise ValueError("two splits have the same name")
+        for split in self.splits:
+            if unknown := set(split.tasks or ()) - set(names):
+                raise ValueError(f"split {split.name} names no task: {unknown.pop()}")
+        if (
+            self.success
+            and self.success.return_at_least is not None
+            and self.success_rule == "any_step"
+        ):
+            raise ValueError(
+                "return_at_least is known at the end only: success_rule is last_step"
+            )
+        return self
+
+    @property
+    def source(self) -> str:
+        return self.environment or self.made_by or ""
+
+    def episodes(self, tasks: Sequence[str]) -> list[dict[str, Any]]:
+        """Split by split, task by task, so that worlds are seldom rebuilt."""
+        return [
+            {"task": task, "split": split.name, "seed": seed}
+            for split in self.splits
+            for task in tasks
+            if split.tasks is None or task in split.tasks
+            for seed in split.all_seeds()
+        ]
+
+
+def read(reference: str) -> Iterator[tuple[Benchmark, Path]]:
+    """The benchmarks that a reference names, each with the folder of its own files.
+
+    `gymnasium:ID`, FILE.toml, FOLDER, FILE.py:CLASS, or one of READY. Raises
+    BadBenchmark.
+    """
+    place, _, name = reference.rpartition(":")
+    if reference in READY:
+        yield _read_file(READY[reference])
+    elif reference.startswith("gymnasium:") and name:
+        yield _registered(reference.partition(":")[2]), Path.cwd()
+    elif place.endswith(".py") and name.isidentifier():
+        path = Path(place).absolute()
+        made_by = f"{path.name}:{name}"
+        yield (
+            Benchmark(benchmark_id=legal_id(name), title=name, made_by=made_by),
+            path.parent,
+        )
+    elif reference.endswith(".toml"):
+        yield _read_file(Path(reference).absolute())
+    elif (folder := Path(reference).absolute()).is_dir():
+        files = sorted(folder.glob("*.toml"))
+        if not files:
+            raise BadBenchmark(f"{reference}: no file *.toml is in this folder")
+        yield from map(_read_file, files)
+    else:
+        raise BadBenchmark(
+            f"{reference}: no benchmark; say gymnasium:ID, FILE.toml, a folder of such "
+            f"files, FILE.py:CLASS or {', '.join(READY)}"
+        )
+
+
+def _registered(name: str) -> Benchmark:
+    """Gymnasium's own notation: `MODULE:ID` imports the module first."""
+    module, _, environment = name.rpartition(":")
+    try:
+        return Benchmark(
+            benchmark_id=legal_id(environment),
+            title=environment,
+            environment=environment,
+            modules=[module] if module else [],
+        )
+    except ValidationError as error:
+        raise BadBenchmark(f"gymnasium:{name}: {_faults_of(error)}") from error
+
+
+def _read_file(path: Path) -> tuple[Benchmark, Path]:
+    try:
+        content = tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise BadBenchmark(f"{path}: {error.strerror}") from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise BadBenchmark(f"{path}: no TOML: {error}") from error
+    content.setdefault("benchmark_id", legal_id(path.stem))
+    try:
+        return Benchmark.model_validate(content), path.parent
+    except ValidationError as error:
+        raise BadBenchmark(f"{path}: {_faults_of(error)}") from error
+
+
+def _faults_of(error: ValidationError) -> str:
+    """Every fault with its path, as `tasks[1].name: Field required`."""
+    faults = []
+    for fault in error.errors(include_url=False, include_context=False):
+        path = "".join(
+            f"[{part}]" if isinstance(part, int) else f".{part}"
+            for part in fault["loc"]
+        ).removeprefix(".")
+        text = fault["msg"].removeprefix("Value error, ")
+        faults.append(f"{path}: {text}" if path else text)
+    return "; ".join(faults)
+
+
+def legal_id(name: str) -> str:
+    """A benchmark id made of an environment's: `ALE/Pong-v5` is `ale_pong_v5`."""
+    words = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")
+    if not words or not words[0].isalpha():
+        words = f"env_{words}".rstrip("_")
+    return words[:_ID_LENGTH_MAX]

@@ -1,0 +1,273 @@
+"""Looks at an environment before it is offered: what is it, and what is wrong with it?
+
+Runs in a process of its own (registration starts it), because an environment may hang
+or end the process that it is in. It plays a little of every task: the same seed twice
+with another between, so that a seed that is ignored and a state that leaks from one
+episode into the next are both seen. Each fault and each warning is a line.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import sys
+import time
+import warnings
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import TypeAlias
+
+import numpy as np
+
+from reference_sim.definition import Json
+from reference_sim.gymnasium import entries, environments
+from reference_sim.gymnasium.benchmark_file import Benchmark
+from reference_sim.gymnasium.entries import Entry
+from reference_sim.gymnasium.plan import Draft, Unsettled
+from reference_sim.gymnasium.simulator import GymnasiumSimulator
+
+SEED, OTHER_SEED = 20, 21
+STEPS = 12  # of each short trajectory
+_PLAY_ON_S = 5.0  # longest time that the end of an episode is waited for
+
+# What an episode showed at each step: name → bytes.
+Film: TypeAlias = list[dict[str, bytes]]
+
+
+class Fault(Exception):
+    """The task cannot be offered; the text says what is wrong, in one line."""
+
+
+class Check:
+    """One benchmark, looked at task by task. `tell` is given what is being done."""
+
+    def __init__(
+        self, benchmark: Benchmark, folder: Path, tell: Callable[[str], None]
+    ) -> None:
+        self._draft = Draft(benchmark, folder)
+        self._tell = tell
+        self._said: dict[str, dict[str, list[str]]] = {"faults": {}, "warnings": {}}
+        self._observed: list[Entry] = []
+        self._actions: list[Entry] = []
+        self._outside: dict[str, str] = {}
+        self._frame: tuple[int, int] | None = None
+        self._played, self._play_s = 0, 0.0
+
+    def look(self) -> Json:
+        """faults, warnings, notes: lines; without faults, also plan and manifest."""
+        draft = self._draft
+        self._tell(f"importing {draft.benchmark.source}")
+        try:
+            draft.begin()
+        except Exception as error:  # noqa: BLE001 - it runs what the user wrote
+            return self._report({_line(error): [""]})
+        names = [task["name"] for task in draft.tasks]
+        for number, name in enumerate(names):
+            self._tell(f"task {name} ({number + 1} of {len(names)})")
+            try:
+                self._look_at(name)
+            except Exception as error:  # noqa: BLE001 - so does this
+                self._say("faults", name, _line(error))
+            if self._said["faults"] and number == 0:
+                break  # the rest would say the same
+        if self._said["faults"]:
+            return self._report(self._said["faults"])
+        for name, example in self._outside.items():
+            self._say("warnings", "", f"{example}; its bounds are not published")
+            self._observed = [
+                _unbounded(e) if e.name == name else e for e in self._observed
+            ]
+        try:
+            found = draft.settle(self._actions, self._observed, self._frame)
+        except (Unsettled, entries.UnsupportedSpace) as unsettled:
+            return self._report({str(unsettled): [""]})
+        pace = self._played / max(self._play_s, 1e-9)
+        return (
+            self._report({}) | found | {"notes": [*draft.notes, f"{pace:.0f} steps/s"]}
+        )
+
+    def _say(self, kind: str, task: str, text: str) -> None:
+        self._said[kind].setdefault(text, []).append(task)
+
+    def _report(self, faults: Mapping[str, list[str]]) -> Json:
+        warned = dict(self._said["warnings"])
+        warned |= {text: [""] for text in self._draft.warnings}
+        return {"faults": _lines(faults), "warnings": _lines(warned)}
+
+    # One task
+
+    def _look_at(self, task: str) -> None:
+        simulator = GymnasiumSimulator(self._draft.plan)
+        try:
+            first = self._film(simulator, task, SEED)
+            self._learn(simulator, task)
+            other = self._film(simulator, task, OTHER_SEED)
+            again = self._film(simulator, task, SEED)
+            if (difference := _difference(first, again)) is not None:
+                self._explain(simulator, task, first, difference)
+            if _difference(first, other) is None:
+                self._say("warnings", task, "every seed gives the same episode")
+            self._find_success(simulator, task)
+        finally:
+            simulator.close()
+
+    def _film(self, simulator: GymnasiumSimulator, task: str, seed: int) -> Film:
+        """A short episode with actions that are the same for every seed."""
+        # An environment that draws from the global generators must not be saved by us.
+        random.seed()
+        np.random.seed()  # noqa: NPY002 - it is theirs
+        simulator.reset(task, seed)
+        film = [self._still(simulator)]
+        rng = np.random.default_rng(0)
+        began = time.perf_counter()
+        for _ in range(STEPS):
+            outcome = simulator.step(_some_action(simulator.actions, rng))
+            film.append(self._still(simulator) | _numbers(outcome.reward))
+            self._played += 1
+            if simulator.over:
+                break
+        self._play_s += time.perf_counter() - began
+        return film
+
+    def _still(self, simulator: GymnasiumSimulator) -> dict[str, bytes]:
+        seen: dict[str, bytes] = {}
+        for part in simulator.look().values():
+            seen |= {f"observation {name!r}": a.tobytes() for name, a in part.items()}
+        for entry, value in simulator.leaves():
+            array = np.asarray(value)
+            if entry.kind != "state" and array.dtype != entry.dtype:
+                raise Fault(
+                    f"the observation {entry.name!r} is of {array.dtype}, its space of "
+                    f"{entry.dtype}"
+                )
+            outside = (array < entry.low) | (array > entry.high)
+            if outside.any() and entry.name not in self._outside:
+                at = np.argwhere(outside)[0]
+                where = f"[{', '.join(map(str, at))}]" if at.size else ""
+                number, low, high = (
+                    float(a[tuple(at)]) for a in (array, entry.low, entry.high)
+                )
+                self._outside[entry.name] = (
+                    f"the observation {entry.name!r}{where} is {number:g}, outside its "
+                    f"bounds {low:g} … {high:g}"
+                )
+        return seen
+
+    def _learn(self, simulator: GymnasiumSimulator, task: str) -> None:
+        """The spaces, that must be one for all tasks; the camera, from the first."""
+        if not self._actions:
+            self._actions, self._observed = simulator.actions, simulator.observed
+            self._draft.ask(simulator)
+            if self._draft.plan["camera"] is not None:
+                self._frame = self._draft.try_camera(simulator)
+            return
+        if not entries.same(self._actions, simulator.actions):
+            raise Fault("its action space differs from that of the first task")
+        self._observed = entries.joined(self._observed, simulator.observed)
+
+    def _explain(
+        self, simulator: GymnasiumSimulator, task: str, first: Film, difference: str
+    ) -> None:
+        """The same seed gave two episodes. Raises Fault with the likely cause."""
+        simulator.close()  # the next reset makes it anew
+        fresh = self._film(simulator, task, SEED)
+        if _difference(first, fresh) is None:
+            raise Fault(
+                f"an episode depends on the one before it ({difference}): set "
+                "rebuild_every_episode = true"
+            )
+        raise Fault(
+            f"reset(seed={SEED}) twice gives two episodes ({difference}): it does not "
+            "obey the seed, so no score could be repeated"
+        )
+
+    def _find_success(self, simulator: GymnasiumSimulator, task: str) -> None:
+        """Plays on until the declared key was in `info`, at most to the end."""
+        key = self._draft.plan["success"].get("info")
+        if key is None or key in simulator.info:
+            return
+        rng = np.random.default_rng(1)
+        simulator.reset(task, SEED)
+        until = time.perf_counter() + _PLAY_ON_S
+        for _ in range(self._draft.plan["max_steps"]):
+            simulator.step(_some_action(simulator.actions, rng))
+            if key in simulator.info:
+                return
+            if simulator.over or time.perf_counter() > until:
+                break
+        offered = ", ".join(map(str, simulator.info)) or "nothing"
+        raise Fault(f"info has no key {key!r} after a step; it has {offered}")
+
+
+def _some_action(
+    actions: list[Entry], rng: np.random.Generator
+) -> dict[str, list[float]]:
+    """Within the bounds; where there are none, between -1 and 1 of what there is."""
+    chosen: dict[str, list[float]] = {}
+    for entry in actions:
+        low = np.where(np.isinf(entry.low), np.minimum(entry.high, 1) - 2, entry.low)
+        high = np.where(np.isinf(entry.high), np.maximum(low, -1) + 2, entry.high)
+        numbers = rng.uniform(low, high + 1 if entry.whole else high)
+        if entry.whole:
+            numbers = np.minimum(np.floor(numbers), high)
+        chosen[entry.name] = np.asarray(numbers, np.float64).ravel().tolist()
+    return chosen
+
+
+def _numbers(reward: float) -> dict[str, bytes]:
+    if not np.isfinite(reward):
+        raise Fault(f"the reward is {reward}")
+    return {"reward": np.float64(reward).tobytes()}
+
+
+def _difference(one: Film, other: Film) -> str | None:
+    """Where two films part first, in words."""
+    for step, (a, b) in enumerate(zip(one, other, strict=False)):
+        for name in a:
+            if a[name] != b.get(name):
+                return f"the {name} differs at step {step}"
+    return None if len(one) == len(other) else "one of them ends earlier"
+
+
+def _unbounded(entry: Entry) -> Entry:
+    nothing = np.full(entry.shape, np.inf)
+    return replace(entry, low=-nothing, high=nothing)
+
+
+def _line(error: Exception) -> str:
+    words = " ".join(str(error).split())[:300]
+    known = (Fault, environments.CannotMake, entries.UnsupportedSpace, Unsettled)
+    return words if isinstance(error, known) else f"{type(error).__name__}: {words}"
+
+
+def _lines(said: Mapping[str, list[str]]) -> list[str]:
+    """One line for each text, with the tasks that it was said of."""
+    lines = []
+    for text, tasks in said.items():
+        more = f" (and {len(tasks) - 1} more)" if len(tasks) > 1 else ""
+        lines.append(f"task {tasks[0]}{more}: {text}" if tasks[0] else text)
+    return lines
+
+
+def main() -> None:
+    """Standard input: the benchmark; standard output: lines of JSON, `doing` or
+    `found`. What the environment prints goes to the standard error."""
+    ours = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    os.dup2(2, 1)
+    request = json.load(sys.stdin)
+    benchmark = Benchmark.model_validate_json(json.dumps(request["benchmark"]))
+
+    def send(message: Json) -> None:
+        ours.write(f"{json.dumps(message)}\n")
+        ours.flush()
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        check = Check(benchmark, Path(request["folder"]), lambda t: send({"doing": t}))
+        send({"found": check.look()})
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,235 @@
+"""Makes Gymnasium environments and reads their spaces; alone in importing Gymnasium.
+
+Environments are made without Gymnasium's time limit and checker: the protocol counts
+the steps, and `check` looks for faults once instead of at every step.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import inspect
+import sys
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from types import ModuleType
+from typing import Any, TypeAlias
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+
+from reference_sim.gymnasium.entries import Entry, Structure, UnsupportedSpace
+
+Environment: TypeAlias = "gymnasium.Env[Any, Any]"
+
+RENDER_MODE = "rgb_array"
+_STEP_LIMITS = ("max_steps", "max_path_length")  # what environments call theirs
+GYMNASIUM_VERSION = gymnasium.__version__
+
+
+class CannotMake(Exception):
+    """There is no such environment here; the text says why, in one line."""
+
+
+# Making
+
+
+def make(
+    made_of: Mapping[str, Any], kwargs: Mapping[str, Any], *, draws: bool
+) -> Environment:
+    """An environment, ready to be reset. Raises CannotMake and what its maker raises.
+
+    made_of: `environment` (a registered id) or `made_by` (see find); `modules`, which
+    are imported first; `folder`, where modules and files of the user's own are found.
+    draws: whether its `render` is to return pictures.
+    """
+    folder = _admit(made_of)
+    chosen = dict(kwargs)
+    if draws:
+        chosen["render_mode"] = RENDER_MODE
+    if (environment_id := made_of["environment"]) is not None:
+        _demand_registered(environment_id)
+        return gymnasium.make(
+            environment_id, max_episode_steps=-1, disable_env_checker=True, **chosen
+        )
+    maker = find(made_of["made_by"], folder)
+    if draws and not _takes(maker, "render_mode"):
+        chosen.pop("render_mode")
+    made: Environment = maker(**chosen)
+    return made
+
+
+def _admit(made_of: Mapping[str, Any]) -> str:
+    """Imports what is to be imported first; returns the folder."""
+    folder = str(made_of["folder"])
+    for module in made_of["modules"]:
+        _import(module, folder)
+    return folder
+
+
+def _demand_registered(environment_id: str) -> None:
+    try:
+        gymnasium.spec(environment_id)
+    except gymnasium.error.Error as error:
+        raise CannotMake(
+            f"{_first_line(error)} (does a module have to be imported that registers "
+            "it?)"
+        ) from error
+
+
+def find(reference: str, folder: str) -> Callable[..., Any]:
+    """What `FILE.py:NAME` or `MODULE:NAME` names. Raises CannotMake."""
+    place, _, name = reference.rpartition(":")
+    if place.endswith(".py"):
+        module = _load(Path(folder, place))
+    else:
+        module = _import(place, folder)
+    found = getattr(module, name, None)
+    if not callable(found):
+        raise CannotMake(f"{place} has no class or function {name}")
+    return found  # type: ignore[no-any-return]
+
+
+def _import(module: str, folder: str) -> ModuleType:
+    if folder not in sys.path:
+        sys.path.append(folder)
+    try:
+        return importlib.import_module(module)
+    except ImportError as error:
+        raise CannotMake(f"cannot import {module}: {_first_line(error)}") from error
+
+
+def _load(file: Path) -> ModuleType:
+    name = f"benchmark_file_{file.stem}"
+    if name in sys.modules and sys.modules[name].__file__ == str(file):
+        return sys.modules[name]
+    if not file.is_file():
+        raise CannotMake(f"there is no file {file}")
+    found = importlib.util.spec_from_file_location(name, file)
+    assert found is not None
+    assert found.loader is not None
+    module = importlib.util.module_from_spec(found)
+    sys.modules[name] = module
+    found.loader.exec_module(module)
+    return module
+
+
+def _takes(maker: Callable[..., Any], keyword: str) -> bool:
+    try:
+        parameters = inspect.signature(maker).parameters.values()
+    except (TypeError, ValueError):  # written in C
+        return False
+    return any(p.name == keyword or p.kind is p.VAR_KEYWORD for p in parameters)
+
+
+def _first_line(error: BaseException) -> str:
+    return (str(error).strip().splitlines() or [type(error).__name__])[0]
+
+
+# What it says of itself
+
+
+def can_draw(made_of: Mapping[str, Any]) -> bool:
+    """Whether it claims to; asked before it is made. Raises as `make` does."""
+    folder = _admit(made_of)
+    if (environment_id := made_of["environment"]) is None:
+        maker: Any = find(made_of["made_by"], folder)
+    else:
+        _demand_registered(environment_id)
+        maker = gymnasium.spec(environment_id).entry_point
+        if isinstance(maker, str):
+            maker = gymnasium.envs.registration.load_env_creator(maker)
+    metadata = getattr(maker, "metadata", None)
+    if not isinstance(metadata, Mapping) or metadata is gymnasium.Env.metadata:
+        return _takes(maker, "render_mode")
+    return RENDER_MODE in (metadata.get("render_modes") or ())
+
+
+def facts(environment: Environment, environment_id: str | None) -> dict[str, Any]:
+    """What it declares: step limit, reward threshold, control rate; None if silent."""
+    registered = gymnasium.spec(environment_id) if environment_id else None
+    metadata = getattr(environment, "metadata", None) or {}
+    rate = metadata.get("render_fps")
+    if not rate and (dt_s := getattr(environment.unwrapped, "dt", None)):
+        rate = 1 / dt_s
+    declared = (getattr(environment.unwrapped, name, None) for name in _STEP_LIMITS)
+    own_limit = next((n for n in declared if isinstance(n, int) and n > 0), None)
+    return {
+        "max_steps": (registered and registered.max_episode_steps) or own_limit,
+        "reward_threshold": registered.reward_threshold if registered else None,
+        "control_rate_hz": float(rate) if rate else None,
+        "modules": [cls.__module__ for cls in type(environment.unwrapped).__mro__],
+    }
+
+
+def first_line_of_docstring(maker: object) -> str:
+    """Empty when there is none."""
+    lines = (maker.__doc__ or "").strip().splitlines() or [""]
+    return lines[0].strip()
+
+
+# Spaces
+
+
+def read_space(space: Any, root: str) -> tuple[list[Entry], Structure]:
+    """The leaves of a space, and how they are nested. Raises UnsupportedSpace.
+
+    root: the name of a space that is a leaf itself.
+    """
+    found: list[Entry] = []
+    structure = _read(space, (), root, found)
+    names = [entry.name for entry in found]
+    if twice := {name for name in names if names.count(name) > 1}:
+        raise UnsupportedSpace(f"two of its entries are called {twice.pop()!r}")
+    return found, structure
+
+
+def _read(
+    space: Any, path: tuple[str, ...], root: str, found: list[Entry]
+) -> Structure:
+    if isinstance(space, spaces.Dict):
+        return {
+            key: _read(part, (*path, str(key)), root, found)
+            for key, part in space.spaces.items()
+        }
+    if isinstance(space, spaces.Tuple):
+        return tuple(
+            _read(part, (*path, str(index)), root, found)
+            for index, part in enumerate(space.spaces)
+        )
+    name = ".".join(path) or root
+    found.append(_leaf(space, name))
+    return name
+
+
+def _leaf(space: Any, name: str) -> Entry:
+    text = _text(space)
+    match space:
+        case spaces.Box():
+            low, high = space.low, space.high
+            return _entry(name, text, space.dtype, low, high, whole=False)
+        case spaces.Discrete():
+            last = space.start + space.n - 1
+            return _entry(name, text, space.dtype, space.start, last, whole=True)
+        case spaces.MultiDiscrete():
+            last = space.start + space.nvec - 1
+            return _entry(name, text, space.dtype, space.start, last, whole=True)
+        case spaces.MultiBinary():
+            low = np.zeros(space.shape)
+            return _entry(name, text, space.dtype, low, low + 1, whole=True)
+    raise UnsupportedSpace(f"{name!r} is a {type(space).__name__}, which has no vector")
+
+
+def _entry(
+    name: str, text: str, dtype: Any, low: Any, high: Any, *, whole: bool
+) -> Entry:
+    low, high = np.asarray(low, np.float64), np.asarray(high, np.float64)
+    return Entry(name, text, low.shape, np.dtype(dtype), low, high, whole)
+
+
+def _text(space: Any) -> str:
+    """Short: the bounds of a Box stand elsewhere, and can be a page."""
+    if isinstance(space, spaces.Box):
+        return f"Box {space.shape} of {space.dtype}"
+    return str(space)

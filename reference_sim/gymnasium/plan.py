@@ -1,0 +1,269 @@
+"""Settles what a benchmark file leaves open, from what its environment says of itself.
+
+The result is the plan, which the simulator plays by, and the manifest, which holds all
+that can change a score. Both are JSON-able.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.metadata
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from reference_sim.definition import Json, image_sizes, installed_version
+from reference_sim.gymnasium import entries, environments
+from reference_sim.gymnasium.benchmark_file import Benchmark, Camera, Convention
+from reference_sim.gymnasium.entries import Entry
+from reference_sim.gymnasium.simulator import GymnasiumSimulator
+
+_SUCCESS_KEYS = ("is_success", "success")
+_MAX_STEPS = 1000
+_NO_IMAGE_SIZE = (64, 64)  # there is none, but every run records a choice
+# Results differ between the versions of these, whoever imports them.
+_ENGINES = (
+    "ale-py",
+    "box2d",
+    "box2d-py",
+    "dm-control",
+    "mujoco",
+    "numpy",
+    "pybullet",
+    "pygame",
+)
+
+
+class Unsettled(Exception):
+    """The file and the environment do not fit; the text says how, in one line."""
+
+
+class Draft:
+    """begin, ask, try_camera and settle are called in this order.
+
+    warnings: what the user should know. notes: what was taken for granted.
+    """
+
+    def __init__(self, benchmark: Benchmark, folder: Path) -> None:
+        self.benchmark = benchmark
+        self.warnings: list[str] = []
+        self.notes: list[str] = []
+        self.tasks = [task.model_dump() for task in benchmark.tasks]
+        given = benchmark.success.given() if benchmark.success else {}
+        self.plan: Json = {
+            "made_of": {
+                "environment": benchmark.environment,
+                "made_by": benchmark.made_by,
+                "modules": benchmark.modules,
+                "folder": str(folder),
+            },
+            "kwargs": benchmark.kwargs,
+            "tasks": self.tasks,
+            "camera": None,
+            "success": given,
+            "score": benchmark.model_dump()["score"],
+            "ends_on_success": False,
+            "rebuild_every_episode": benchmark.rebuild_every_episode,
+            "max_steps": benchmark.max_steps or _MAX_STEPS,
+            "images_as_tensors": [],
+        }
+
+    def begin(self) -> None:
+        """Before anything is made. Raises CannotMake, and what a module raises."""
+        wish = self.benchmark.camera
+        draws = environments.can_draw(self.plan["made_of"])
+        if isinstance(wish, Camera) and not draws:
+            raise Unsettled("camera: the environment does not draw (rgb_array)")
+        if wish is not False and draws:
+            self.plan["camera"] = (wish or Camera()).model_dump()
+        if not self.tasks:
+            self.tasks.append(self._only_task())
+
+    def _only_task(self) -> Json:
+        benchmark = self.benchmark
+        instruction = f"Collect as much reward as you can in {benchmark.source}."
+        if benchmark.made_by is not None:
+            maker = environments.find(benchmark.made_by, self.plan["made_of"]["folder"])
+            instruction = environments.first_line_of_docstring(maker) or instruction
+        name = benchmark.benchmark_id
+        return {
+            "name": name,
+            "instruction": instruction,
+            "kwargs": {},
+            "reset_options": None,
+        }
+
+    def ask(self, simulator: GymnasiumSimulator) -> None:
+        """Of an environment that has just made a step."""
+        said = environments.facts(simulator.environment, self.benchmark.environment)
+        self._modules: Sequence[str] = said["modules"]
+        steps = self.benchmark.max_steps or said["max_steps"]
+        if steps is None:
+            self.warnings.append(f"no step limit is stated: max_steps is {_MAX_STEPS}")
+        self.plan["max_steps"] = steps or _MAX_STEPS
+        self.rate_hz = self.benchmark.control_rate_hz or said["control_rate_hz"]
+        if self.rate_hz is None:
+            self.rate_hz = 1.0
+            self.notes.append("no control rate is stated: a step counts as a second")
+        self._settle_success(simulator.info, said["reward_threshold"])
+
+    def _settle_success(
+        self, info: Mapping[str, Any], reward_threshold: float | None
+    ) -> None:
+        key = next((key for key in _SUCCESS_KEYS if key in info), None)
+        if self.benchmark.success is not None:
+            pass
+        elif key is not None:
+            self.plan["success"] = {"info": key}
+            self.notes.append(f"success is info[{key!r}]")
+        elif reward_threshold is not None:
+            self.plan["success"] = {"return_at_least": float(reward_threshold)}
+            self.notes.append(f"success is a return of at least {reward_threshold:g}")
+        elif self.plan["score"] == "success":
+            self.warnings.append(
+                "nothing says what success is, so every score will be 0: write a file "
+                "with success = {...} or score = {...}"
+            )
+        else:
+            self.notes.append("nothing says what success is: there is none")
+        at_end = "return_at_least" in self.plan["success"]
+        self.success_rule = self.benchmark.success_rule or (
+            "last_step" if at_end else "any_step"
+        )
+        if at_end and self.success_rule == "any_step":
+            raise Unsettled("success is a return, which is known at the end: last_step")
+        settled = self.success_rule == "any_step" and self.plan["score"] == "success"
+        wish = self.benchmark.ends_on_success
+        self.plan["ends_on_success"] = settled if wish is None else wish
+
+    def try_camera(self, simulator: GymnasiumSimulator) -> tuple[int, int] | None:
+        """Width and height of what it draws; without its wish, failing is no fault."""
+        try:
+            height, width, _ = simulator.draw().shape
+        except Exception as error:
+            if isinstance(self.benchmark.camera, Camera):
+                raise
+            reason = " ".join(str(error).split())[:200]
+            self.warnings.append(f"no camera: {type(error).__name__}: {reason}")
+            self.plan["camera"] = None
+            return None
+        return width, height
+
+    def settle(
+        self,
+        actions: Sequence[Entry],
+        observed: Sequence[Entry],
+        frame: tuple[int, int] | None,
+    ) -> Json:
+        """`plan` and `manifest`. Raises Unsettled and UnsupportedSpace.
+
+        The manifest is that of Definition.describe, without max_chunk.
+        """
+        images = [entry for entry in observed if entry.kind == "images"]
+        sizes = self._sizes(images, frame)
+        if not self.benchmark.image_sizes:
+            self.plan["images_as_tensors"] = [
+                e.name for e in images if (e.shape[1], e.shape[0]) != sizes[0]
+            ]
+        tensors = self.plan["images_as_tensors"]
+        space = entries.observation_space(
+            [replace(entry, as_tensor=entry.name in tensors) for entry in observed]
+        )
+        if (camera := self.plan["camera"]) is not None:
+            if camera["name"] in space["images"]:
+                raise Unsettled(f"camera: {camera['name']!r} is in the observation too")
+            text = "What the environment draws, RGB"
+            space["images"][camera["name"]] = {"channels": 3, "description": text}
+        codecs: list[str] = list(self.benchmark.image_codecs)
+        if not space["images"]:
+            sizes, codecs = [_NO_IMAGE_SIZE], codecs[:1]
+        acted = entries.action_space(actions)
+        _declare(acted, self.benchmark.action, "action")
+        _declare(space["state"], self.benchmark.state, "state")
+        manifest = {
+            **self._head(),
+            "action_space": acted,
+            "observation_space": space,
+            "image_sizes": image_sizes(*sizes),
+            "image_codecs": codecs,
+            "simulator": self._simulator(),
+        }
+        return {"plan": self.plan, "manifest": manifest}
+
+    def _sizes(
+        self, images: Sequence[Entry], frame: tuple[int, int] | None
+    ) -> list[tuple[int, int]]:
+        """What may be chosen. A camera follows the images of the observation, which
+        are what a policy was trained on."""
+        if self.benchmark.image_sizes:
+            return [(size.width, size.height) for size in self.benchmark.image_sizes]
+        if images:
+            return [(images[0].shape[1], images[0].shape[0])]
+        return [frame or _NO_IMAGE_SIZE]
+
+    def _head(self) -> Json:
+        benchmark = self.benchmark
+        tasks = [task["name"] for task in self.tasks]
+        episodes = benchmark.episodes(tasks)
+        used = {episode["split"] for episode in episodes}
+        return {
+            "benchmark_id": benchmark.benchmark_id,
+            "version": benchmark.version,
+            "title": benchmark.title or benchmark.source,
+            "description": benchmark.description
+            or f"{benchmark.source}, a Gymnasium environment.",
+            "episodes_total": len(episodes),
+            "episodes": episodes,
+            "tasks": tasks,
+            "splits": [s.name for s in benchmark.splits if s.name in used],
+            "control_rate_hz": float(self.rate_hz or 1.0),
+            "max_steps": self.plan["max_steps"],
+            "max_attempts": 3,
+            "max_faults": 3,
+            "success_rule": self.success_rule,
+        }
+
+    def _simulator(self) -> Json:
+        """Versions, and every choice that the manifest has no other place for."""
+        made_of = self.plan["made_of"]
+        sources = {"modules": made_of["modules"]} if made_of["modules"] else {}
+        if made_of["made_by"] is not None:
+            file = Path(made_of["folder"], made_of["made_by"].rpartition(":")[0])
+            if file.is_file():
+                sources["sha256"] = hashlib.sha256(file.read_bytes()).hexdigest()
+        chosen = ("kwargs", "camera", "success", "score", "ends_on_success")
+        return {
+            "name": "gymnasium",
+            "version": environments.GYMNASIUM_VERSION,
+            "environment": self.benchmark.source,
+            **sources,
+            "packages": _versions(self._modules),
+            **{name: self.plan[name] for name in chosen},
+            "rebuild_every_episode": self.plan["rebuild_every_episode"],
+            "tasks": self.tasks,
+        }
+
+
+def _declare(space: Json, said: Mapping[str, Convention], where: str) -> None:
+    """Conventions of the file, written over what the environment's space says."""
+    for name, convention in said.items():
+        if name not in space:
+            there = ", ".join(space) or "nothing"
+            raise Unsettled(
+                f"{where}.{name}: the environment has no such; it has {there}"
+            )
+        space[name] |= convention.members()
+
+
+def _versions(modules: Sequence[str]) -> dict[str, str]:
+    """Of the distributions that the environment's classes come from, and of engines."""
+    tops = {module.partition(".")[0] for module in modules}
+    owners = importlib.metadata.packages_distributions()
+    found = {owner for top in tops for owner in owners.get(top, ())}
+    loaded = {owner for top in sys.modules for owner in owners.get(top, ())}
+    found |= {
+        engine for engine in _ENGINES if engine in {one.lower() for one in loaded}
+    }
+    return {name: installed_version(name) for name in sorted(found)}

@@ -1,0 +1,174 @@
+"""From a reference to a benchmark on offer: read, check in a process, describe.
+
+Imports neither Gymnasium nor an environment: those live in the check's process and in
+the simulator processes, and may end them.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
+from pathlib import Path
+from queue import Empty, SimpleQueue
+from typing import IO, Any
+
+from reference_sim.definition import Definition, Json
+from reference_sim.gymnasium import BadBenchmark
+from reference_sim.gymnasium.benchmark_file import READY, Benchmark, read
+from reference_sim.interface import Simulator
+from reference_sim.mujoco import rendering
+
+SILENCE_S_MAX = 120.0  # importing some simulators takes a minute
+_SLOW_S = 3.0  # from here on, and that often, people hear what is being done
+_REPEAT_S = 10.0  # of the same
+_FAREWELL_S = 5.0
+_COMMAND = "python -m reference_sim.gymnasium check"
+_CHECK = "reference_sim.gymnasium.check"
+
+Say = Callable[[str], None]
+
+
+def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, Definition]]:
+    """Every benchmark that a reference names, by id, checked.
+
+    say: is given a line for people, now and then. Raises BadBenchmark.
+    """
+    for benchmark, folder in read(reference):
+        found = examine(benchmark, folder, say)
+        if found["faults"]:
+            others = len(found["faults"]) - 1
+            more = f" (and {others} more: {_COMMAND} {reference})" if others else ""
+            name = f"{benchmark.benchmark_id} ({reference})"
+            cure = f"; try: make serve BENCHMARK={reference}"
+            raise BadBenchmark(
+                f"{name}: {found['faults'][0]}{more}{cure * (reference in READY)}"
+            )
+        for warning in found["warnings"]:
+            say(f"{benchmark.benchmark_id}: {warning}")
+        yield benchmark.benchmark_id, _definition(found["plan"], found["manifest"])
+
+
+def _definition(plan: Json, manifest: Json) -> Definition:
+    def describe(_options: Mapping[str, Any], max_chunk: int) -> Json:
+        return {**manifest, "max_chunk": max_chunk}
+
+    def settings(images: Mapping[str, Any]) -> Json:
+        scored = manifest["tasks"] if plan["score"] == "success" else []
+        return {
+            **images,
+            "adapter": "gymnasium",  # the simulator's process has no other catalog
+            "plan": plan,
+            "success_scored_tasks": scored,
+        }
+
+    return Definition(describe, settings, make)
+
+
+def make(settings: Mapping[str, Any]) -> Simulator:
+    """The simulator, in the process that is to run it."""
+    from reference_sim.gymnasium import simulator
+
+    return simulator.make(settings)
+
+
+# The check's process
+
+
+def examine(benchmark: Benchmark, folder: Path, say: Say) -> Json:
+    """What Check.look found. A process that dies or hangs is a fault like another."""
+    if benchmark.camera is not False:
+        with suppress(rendering.RenderingUnavailable):
+            rendering.find_backend()  # MuJoCo asks while it is being imported
+    request = {"benchmark": benchmark.model_dump(mode="json"), "folder": str(folder)}
+    with tempfile.TemporaryFile() as words:
+        process = _start(words)
+        doing = "starting"
+        try:
+            assert process.stdin is not None
+            with suppress(BrokenPipeError), process.stdin:
+                process.stdin.write(json.dumps(request).encode())
+            for message in _messages(process, benchmark.benchmark_id, say):
+                if "found" in message:
+                    found: Json = message["found"]
+                    return found
+                doing = message["doing"]
+            with suppress(subprocess.TimeoutExpired):
+                process.wait(_FAREWELL_S)
+        finally:
+            _end(process)
+        code = process.returncode
+        why = _last_line(words) if code >= 0 else signal.Signals(-code).name
+    return {"faults": [f"{doing}: its process ended: {why}"], "warnings": []}
+
+
+def _start(words: IO[bytes]) -> subprocess.Popen[bytes]:
+    root = str(Path(__file__).parents[2])
+    paths = [root, *filter(None, [os.environ.get("PYTHONPATH")])]
+    return subprocess.Popen(
+        [sys.executable, "-P", "-m", _CHECK],
+        env={
+            **os.environ,
+            "PYTHONPATH": os.pathsep.join(paths),
+            "OPENBLAS_NUM_THREADS": "1",
+        },
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=words,
+        process_group=0,  # what it starts ends with it
+    )
+
+
+def _messages(
+    process: subprocess.Popen[bytes], benchmark_id: str, say: Say
+) -> Iterator[Json]:
+    """Until the process ends or is silent for too long, which is a message too."""
+    assert process.stdout is not None
+    lines: SimpleQueue[bytes] = SimpleQueue()
+    threading.Thread(target=_listen, args=(process.stdout, lines), daemon=True).start()
+    heard_at = said_at = time.monotonic()
+    doing, said = "starting", ""
+    while True:
+        try:
+            line = lines.get(timeout=_SLOW_S)
+        except Empty:
+            line = None
+        if line == b"":
+            return
+        now = time.monotonic()
+        if line is not None:
+            message: Json = json.loads(line)
+            heard_at, doing = now, message.get("doing", doing)
+            yield message
+        elif now - heard_at > SILENCE_S_MAX:
+            text = f"{doing}: no sign of life for {SILENCE_S_MAX:.0f} s"
+            yield {"found": {"faults": [text], "warnings": []}}
+        if now - said_at > (_SLOW_S if doing != said else _REPEAT_S):
+            said_at, said = now, doing
+            say(f"{benchmark_id}: checking, {doing}")
+
+
+def _listen(output: IO[bytes], lines: SimpleQueue[bytes]) -> None:
+    with output:
+        for line in output:
+            lines.put(line)
+    lines.put(b"")
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    with suppress(ProcessLookupError):
+        os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+
+
+def _last_line(words: IO[bytes]) -> str:
+    words.seek(0)
+    lines = words.read().decode(errors="replace").strip().splitlines()
+    return lines[-1][:200] if lines else "it said nothing"

@@ -1,0 +1,210 @@
+"""Plays a Gymnasium environment as a `Simulator`; in the process that is to run it.
+
+What an environment does wrong is raised, never mended: a shape that is not its space's,
+a number that is not finite. The parent calls it a fault of the simulator.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from reference_sim.gymnasium import entries, environments
+from reference_sim.gymnasium.entries import Entry
+from reference_sim.gymnasium.environments import Environment
+from reference_sim.interface import Action, Observation, StepOutcome, TaskUnplayable
+
+ACTION, OBSERVATION = "action", "observation"  # of spaces that have no names inside
+
+
+@dataclass(frozen=True, slots=True)
+class Happened:
+    """What a step did. total: the sum of rewards, with this one."""
+
+    environment: Environment
+    info: Mapping[str, Any]
+    reward: float
+    total: float
+    terminated: bool
+
+
+Judge = Callable[[Happened], bool]
+
+
+class GymnasiumSimulator:
+    """`Simulator` of a benchmark as `check` has settled it (`plan`, JSON-able).
+
+    size: width and height of the images, in pixels; None leaves them as they come.
+    """
+
+    def __init__(
+        self, plan: Mapping[str, Any], size: tuple[int, int] | None = None
+    ) -> None:
+        self._plan = plan
+        self._size = size
+        self._tasks = {task["name"]: task for task in plan["tasks"]}
+        self._judge = _judge_of(plan["success"], plan["made_of"]["folder"])
+        self._environment: Environment | None = None
+        self._made_for: Mapping[str, Any] | None = None
+
+    def reset(self, task: str, seed: int, split: str = "") -> str:
+        """Raises TaskUnplayable if the benchmark has no such task."""
+        if task not in self._tasks:
+            raise TaskUnplayable(f"the benchmark has no task {task!r}")
+        chosen = self._tasks[task]
+        kwargs = {**self._plan["kwargs"], **chosen["kwargs"]}
+        if kwargs != self._made_for or self._plan["rebuild_every_episode"]:
+            self._make(kwargs)
+        observation, info = self._playing().reset(
+            seed=seed, options=chosen["reset_options"]
+        )
+        self.info: Mapping[str, Any] = info
+        self._observation = observation
+        self._steps, self._return = 0, 0.0
+        return str(chosen["instruction"])
+
+    def _make(self, kwargs: Mapping[str, Any]) -> None:
+        self.close()
+        draws = self._plan["camera"] is not None
+        made = environments.make(self._plan["made_of"], kwargs, draws=draws)
+        self._environment, self._made_for = made, kwargs
+        self.actions, self._nesting_of_action = environments.read_space(
+            made.action_space, ACTION
+        )
+        observed, self._nesting = environments.read_space(
+            made.observation_space, OBSERVATION
+        )
+        tensors = self._plan["images_as_tensors"]
+        self.observed = [
+            replace(entry, as_tensor=entry.name in tensors) for entry in observed
+        ]
+
+    def step(self, action: Action) -> StepOutcome:
+        """Success as the plan says; it ends the episode where the plan says so."""
+        environment = self._playing()
+        values = {
+            entry.name: entries.to_environment(entry, action[entry.name])
+            for entry in self.actions
+        }
+        self._observation, reward, terminated, truncated, self.info = environment.step(
+            entries.assemble(self._nesting_of_action, values)
+        )
+        self._steps += 1
+        self.over = bool(terminated or truncated)  # as the environment sees it
+        self._return += float(reward)
+        success = self._judge(
+            Happened(
+                environment, self.info, float(reward), self._return, bool(terminated)
+            )
+        )
+        ended = bool(terminated) or (success and self._plan["ends_on_success"])
+        # Cut off at the benchmark's own limit: then the episode says so itself.
+        cut_short = bool(truncated) and self._steps < self._plan["max_steps"]
+        return StepOutcome(
+            success=success,
+            score=self._score(success),
+            terminated=ended or cut_short,
+            reward=float(reward),
+        )
+
+    def _score(self, success: bool) -> float:
+        way = self._plan["score"]
+        if way == "success":
+            return float(success)
+        start, end = way["return_from"], way["return_to"]
+        return float(min(1.0, max(0.0, (self._return - start) / (end - start))))
+
+    def observe(self) -> Observation:
+        """State, images and tensors of the space, and what `render` draws."""
+        parts = self.look()
+        if (camera := self._plan["camera"]) is not None:
+            parts["images"][camera["name"]] = self.draw(camera["upside_down"])
+        if self._size is not None:
+            for name, pixels in parts["images"].items():
+                parts["images"][name] = _sized(pixels, self._size)
+        return Observation(**parts)
+
+    def look(self) -> dict[str, dict[str, NDArray[Any]]]:
+        """What the observation space holds: `state`, `images` and `tensors`."""
+        parts: dict[str, dict[str, NDArray[Any]]]
+        parts = {"state": {}, "images": {}, "tensors": {}}
+        for entry, value in self.leaves():
+            if entry.size:
+                parts[entry.kind][entry.name] = entries.as_array(entry, value)
+        return parts
+
+    def leaves(self) -> Iterator[tuple[Entry, Any]]:
+        """The parts of the observation as the environment gave them."""
+        values = entries.take(self._nesting, self._observation)
+        return ((entry, values[entry.name]) for entry in self.observed)
+
+    def draw(self, upside_down: bool = False) -> NDArray[np.uint8]:
+        """A picture, (height, width, 3). Raises ValueError if it is none."""
+        pixels: Any = self._playing().render()
+        if not (
+            isinstance(pixels, np.ndarray)
+            and pixels.dtype == np.uint8
+            and pixels.ndim == 3
+            and pixels.shape[2] == 3
+        ):
+            raise ValueError(
+                f"render gave {_said(pixels)}, not uint8 (height, width, 3)"
+            )
+        return np.ascontiguousarray(pixels[::-1, ::-1] if upside_down else pixels)
+
+    def close(self) -> None:
+        if self._environment is not None:
+            self._environment.close()
+        self._environment = self._made_for = None
+
+    @property
+    def environment(self) -> Environment:
+        """That of the current task, for `check`."""
+        return self._playing()
+
+    def _playing(self) -> Environment:
+        if self._environment is None:
+            raise RuntimeError("reset comes before step and observe")
+        return self._environment
+
+
+def make(settings: Mapping[str, Any]) -> GymnasiumSimulator:
+    """The simulator of a world; see registration."""
+    size = (settings["width"], settings["height"])
+    return GymnasiumSimulator(settings["plan"], size)
+
+
+def _sized(pixels: NDArray[np.uint8], size: tuple[int, int]) -> NDArray[np.uint8]:
+    height, width, channels = pixels.shape
+    if (width, height) == size:
+        return pixels
+    picture = Image.fromarray(pixels[:, :, 0] if channels == 1 else pixels)
+    scaled = np.asarray(picture.resize(size, Image.Resampling.BOX), dtype=np.uint8)
+    return scaled.reshape(size[1], size[0], channels)
+
+
+def _judge_of(success: Mapping[str, Any], folder: str) -> Judge:
+    """Whether the goal condition holds after a step, as the plan says."""
+    if key := success.get("info"):
+        return lambda happened: bool(happened.info.get(key, False))
+    if (reward := success.get("reward_at_least")) is not None:
+        return lambda happened: happened.reward >= reward
+    if (total := success.get("return_at_least")) is not None:
+        return lambda happened: happened.total >= total
+    if success.get("terminated"):
+        return lambda happened: happened.terminated
+    if reference := success.get("function"):
+        asked = environments.find(reference, folder)
+        return lambda happened: bool(asked(happened.environment, happened.info))
+    return lambda happened: False  # noqa: ARG005 - nobody says what success is
+
+
+def _said(thing: object) -> str:
+    if isinstance(thing, np.ndarray):
+        return f"{thing.dtype} {thing.shape}"
+    return type(thing).__name__

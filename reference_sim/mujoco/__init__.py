@@ -1,0 +1,1 @@
+"""What MuJoCo benchmarks share: the world, cameras, kinematics."""

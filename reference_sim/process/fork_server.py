@@ -1,0 +1,94 @@
+"""The process that forks simulator processes: in milliseconds instead of tenths.
+
+Everything heavy is imported once, here. Nothing is ever simulated or drawn here, and
+there is one thread, so forking is safe. It lives as long as its parent, its children no
+longer than it. Linux only. `python -m reference_sim.process.fork_server FD`, FD being a
+socket that keeps the bounds of messages:
+
+- a message with a descriptor means: fork, and serve on that descriptor;
+- a message without is the process id of a child to kill. No stranger can have that id
+  meanwhile, because a child keeps it until it is reaped, which happens only here;
+- end-of-file is the end of the parent: all children are killed.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import gc
+import logging
+import os
+import signal
+import socket
+import sys
+from typing import Never
+
+from reference_sim.process import simulator_main
+
+_PR_SET_PDEATHSIG = 1
+_log = logging.getLogger(__name__)
+
+
+class Nursery:
+    def __init__(self, control: socket.socket) -> None:
+        self._control = control
+        self._pid = os.getpid()
+        self._children: set[int] = set()
+        self._libc = ctypes.CDLL(None)
+
+    def tend(self) -> None:
+        """Returns when the parent and all children are gone."""
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        signal.signal(signal.SIGCHLD, self._reap)
+        gc.collect()
+        gc.freeze()  # a child's collections shall not copy what it shares with us
+        while True:
+            message, descriptors, _, _ = socket.recv_fds(self._control, 64, 1)
+            if not message:
+                return self._end()
+            # No child may be reaped between being looked up and being signalled.
+            signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGCHLD})
+            if descriptors:
+                self._fork(descriptors[0])
+            elif (doomed := int(message)) in self._children:
+                os.kill(doomed, signal.SIGKILL)
+            signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGCHLD})
+
+    def _fork(self, descriptor: int) -> None:
+        child = os.fork()
+        if child == 0:
+            self._grow_up(descriptor)
+        self._children.add(child)
+        os.close(descriptor)
+
+    def _grow_up(self, descriptor: int) -> Never:
+        """Becomes a simulator process; called in the child."""
+        try:
+            self._libc.prctl(_PR_SET_PDEATHSIG, int(signal.SIGKILL), 0, 0, 0)
+            if os.getppid() == self._pid:  # else it died before we had asked
+                signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+                signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGCHLD})
+                self._control.close()
+                simulator_main.serve(socket.socket(fileno=descriptor))
+        except BaseException:  # noqa: BLE001 - nothing may return into the nursery's loop
+            _log.exception("simulator process broke")
+        os._exit(1)
+
+    def _reap(self, *_: object) -> None:
+        for child in list(self._children):
+            # This handler may interrupt itself, and then the inner one was faster.
+            with contextlib.suppress(ChildProcessError):
+                if os.waitpid(child, os.WNOHANG)[0] == child:
+                    self._children.discard(child)
+
+    def _end(self) -> None:
+        signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+        for child in self._children:
+            os.kill(child, signal.SIGKILL)
+        for child in self._children:
+            os.waitpid(child, 0)
+
+
+if __name__ == "__main__":
+    simulator_main.log_to_stderr()
+    Nursery(socket.socket(fileno=int(sys.argv[1]))).tend()

@@ -1,0 +1,232 @@
+"""Simulator processes on this machine, lent to sessions by a pool.
+
+Nothing here blocks the event loop; no lock is held while a simulator executes, except
+the one of its own process. Each process is used by one session at a time.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import logging
+import sys
+from collections.abc import Callable, Mapping, Sequence
+
+import msgspec
+
+from reference_sim.benchmark_registry import World
+from reference_sim.interface import TaskUnplayable
+from reference_sim.process import simulator_main
+from reference_sim.process.encoding import EncodedObservation
+from reference_sim.process.simulator_main import Beginning, Played, Timing
+from reference_sim.process.simulator_process import (
+    ExecStarter,
+    ForkStarter,
+    Process,
+    SimulatorFault,
+    Wanted,
+)
+
+__all__ = [
+    "Beginning",
+    "NoCapacity",
+    "Played",
+    "SimulatorFault",
+    "SimulatorHandle",
+    "SimulatorPool",
+    "TaskUnplayable",
+    "Timing",
+]
+
+IDLE_MAX = 16  # processes kept after use, beside the spares
+FORK_IS_SAFE = sys.platform == "linux"
+
+_log = logging.getLogger(__name__)
+
+
+class NoCapacity(Exception):
+    """As many simulators are in use as the pool may have."""
+
+
+class SimulatorHandle:
+    """A process lent by the pool. After a SimulatorFault it is dead and given back."""
+
+    def __init__(self, process: Process, give_back: Callable[[Process], None]) -> None:
+        self._process = process
+        self._give_back = give_back
+        self._lent = True
+
+    @property
+    def pid(self) -> int | None:
+        return self._process.pid
+
+    async def begin(
+        self,
+        task: str,
+        seed: int,
+        *,
+        split: str = "",
+        max_steps: int,
+        success_rule: str,
+    ) -> Beginning:
+        """Resets to an episode's step 0, whatever was played before."""
+        command = simulator_main.Begin(task, seed, split, max_steps, success_rule)
+        return await self._ask(command, Beginning)
+
+    async def play(
+        self, actions: Sequence[Mapping[str, Sequence[float]]], *, observe_all: bool
+    ) -> Played:
+        """Executes until the chunk or the episode ends."""
+        command = simulator_main.Play([dict(action) for action in actions], observe_all)
+        played = await self._ask(command, Played)
+        if played.observations:
+            last = played.observations[-1]
+            return msgspec.structs.replace(played, observation=last)
+        return played
+
+    async def observe(self) -> EncodedObservation:
+        """The current observation again."""
+        return (
+            await self._ask(simulator_main.Observe(), simulator_main.Seen)
+        ).observation
+
+    async def release(self) -> None:
+        """Back to the pool. Does nothing after discard or a fault."""
+        if self._lent:
+            self._lent = False
+            self._give_back(self._process)
+
+    def discard(self) -> None:
+        """Kills the process at once, also while it plays: then `play` raises."""
+        if self._lent:
+            self._lent = False
+            self._process.end("was discarded")
+
+    async def _ask(
+        self, command: simulator_main.Command, wanted: type[Wanted]
+    ) -> Wanted:
+        if not self._lent:
+            raise SimulatorFault("the simulator was released")
+        return await self._process.ask(command, wanted)
+
+
+# The pool
+
+
+class SimulatorPool:
+    """At most `size_max` simulators in use; `spares` more wait, started and unbuilt.
+
+    turn_timeout_s: the longest time without a finished step before a process is killed.
+    """
+
+    def __init__(
+        self,
+        size_max: int = 64,
+        spares: int = 2,
+        turn_timeout_s: float = 60.0,
+        *,
+        fork: bool = FORK_IS_SAFE,
+    ) -> None:
+        self._size_max = size_max
+        self._spares = spares
+        self._turn_timeout_s = turn_timeout_s
+        self._starter = ForkStarter() if fork else ExecStarter()
+        self._processes: set[Process] = set()
+        self._lent: set[Process] = set()
+        self._idle: list[Process] = []  # longest idle first
+        self._acquiring = 0
+        self._filler: asyncio.Task[None] | None = None
+        self._closed = False
+
+    @property
+    def busy(self) -> int:
+        """Simulators lent, or about to be."""
+        return len(self._lent) + self._acquiring
+
+    @property
+    def idle(self) -> int:
+        return len(self._idle)
+
+    async def start(self) -> None:
+        """Returns at once; the spares come up behind."""
+        self._fill_spares()
+
+    async def close(self) -> None:
+        """Ends every process, also those that play; returns when they are gone."""
+        self._closed = True
+        if self._filler is not None:
+            self._filler.cancel()
+            with contextlib.suppress(asyncio.CancelledError):
+                await self._filler
+        for process in list(self._processes):
+            process.end("was ended with the pool")
+        await self._starter.close()
+
+    async def acquire(self, world: World) -> SimulatorHandle:
+        """Raises NoCapacity, or SimulatorFault if the world cannot be built."""
+        if self.busy >= self._size_max:
+            raise NoCapacity(f"all {self._size_max} simulators are in use")
+        self._acquiring += 1
+        try:
+            process = await self._build(world)
+        finally:
+            self._acquiring -= 1
+        self._lent.add(process)
+        return SimulatorHandle(process, self._take_back)
+
+    async def _build(self, world: World) -> Process:
+        if (idle := self._pick_idle(world)) is not None:
+            self._fill_spares()
+            # It may have died unseen: then the failure says nothing about the world.
+            with contextlib.suppress(SimulatorFault):
+                await idle.build(world)
+                return idle
+        process = await self._start_process()
+        await process.build(world)
+        return process
+
+    def _pick_idle(self, world: World) -> Process | None:
+        """One that stands in this world, else a spare, else any."""
+        if not self._idle:
+            return None
+
+        def preference(process: Process) -> int:
+            return (process.world is None) + 2 * (process.world == world)
+
+        chosen = max(self._idle, key=preference)
+        self._idle.remove(chosen)
+        return chosen
+
+    def _take_back(self, process: Process) -> None:
+        self._lent.discard(process)
+        if self._closed or process.is_asked:
+            process.end("was released while it played")
+        if process.alive:
+            self._idle.append(process)
+        while len(self._idle) > self._spares + IDLE_MAX:
+            self._idle[0].end("was not needed")
+
+    def _forget(self, process: Process) -> None:
+        self._processes.discard(process)
+        self._lent.discard(process)
+        if process in self._idle:
+            self._idle.remove(process)
+
+    async def _start_process(self) -> Process:
+        if self._closed:
+            raise SimulatorFault("the pool of simulators is closed")
+        process = Process(self._starter, self._turn_timeout_s, self._forget)
+        self._processes.add(process)
+        await process.start()
+        return process
+
+    def _fill_spares(self) -> None:
+        if self._filler is None or self._filler.done():
+            self._filler = asyncio.create_task(self._start_spares())
+
+    async def _start_spares(self) -> None:
+        try:
+            while sum(one.world is None for one in self._idle) < self._spares:
+                self._idle.append(await self._start_process())
+        except SimulatorFault as fault:
+            _log.warning("no spare simulator: %s", fault)

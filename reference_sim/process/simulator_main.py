@@ -1,0 +1,314 @@
+"""The simulator process: obeys one parent over one socket, frame by frame.
+
+A frame is a length (4 bytes, big-endian) and that much MessagePack; nothing on this
+socket can carry code. One command is answered by one reply; while a chunk is long,
+`Busy` frames say that steps are still being made.
+
+The process never outlives its parent: a thread does nothing but wait for the other end
+to be closed, and ends the process then. It is forked by `fork_server.py`, or started
+with its socket's descriptor as `python -m reference_sim.process.simulator_main FD`.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+import select
+import signal
+import socket
+import struct
+import sys
+import threading
+import time
+from collections.abc import Sequence
+from typing import Any, Never
+
+import msgspec
+
+from reference_sim import benchmark_registry
+from reference_sim.episode import Episode
+from reference_sim.interface import Simulator, TaskUnplayable
+from reference_sim.process.encoding import EncodedObservation, encode
+from reference_sim.process.shared_frame_buffer import CANVAS, Canvas
+
+HEADER = struct.Struct(">I")
+BUSY_INTERVAL_S = 1.0
+
+_log = logging.getLogger(__name__)
+
+
+# The messages
+
+
+class Build(msgspec.Struct, tag="build"):
+    """Makes the simulator, unless the same world stands already.
+
+    environment: variables that came into the parent's environment after it started us.
+    """
+
+    benchmark_id: str
+    settings: dict[str, Any]
+    environment: dict[str, str]
+
+
+class Begin(msgspec.Struct, tag="begin"):
+    task: str
+    seed: int
+    split: str
+    max_steps: int
+    success_rule: str
+
+
+class Play(msgspec.Struct, tag="play"):
+    actions: Sequence[dict[str, Sequence[float]]]
+    observe_all: bool
+
+
+class Observe(msgspec.Struct, tag="observe"):
+    pass
+
+
+class Hello(msgspec.Struct, tag="hello", frozen=True):
+    pid: int
+
+
+class Busy(msgspec.Struct, tag="busy", frozen=True):
+    """Sent between two steps of a chunk, at most once per BUSY_INTERVAL_S."""
+
+
+class Mapped(msgspec.Struct, tag="mapped", frozen=True):
+    """New memory of the canvas, told before the reply that speaks of it."""
+
+    descriptor: int
+    size: int
+
+
+class Built(msgspec.Struct, tag="built", frozen=True):
+    pass
+
+
+class Timing(msgspec.Struct, frozen=True):
+    """Seconds. encode_s: of images and tensors."""
+
+    simulate_s: float
+    render_s: float
+    encode_s: float
+
+
+class Beginning(msgspec.Struct, tag="beginning", frozen=True):
+    """An episode at step 0."""
+
+    instruction: str
+    observation: EncodedObservation
+    timing: Timing
+
+
+class Played(msgspec.Struct, tag="played", frozen=True):
+    """What a chunk did.
+
+    steps: of the episode so far. observations: one per executed action, or None unless
+    all were wanted. observation: the last one; None if the episode ended and not all
+    were wanted, for nobody looks at it.
+    """
+
+    executed: int
+    rewards: list[float]
+    ended: bool
+    terminated: bool
+    truncated: bool
+    success: bool
+    score: float
+    steps: int
+    observation: EncodedObservation | None
+    observations: list[EncodedObservation] | None
+    timing: Timing
+
+
+class Seen(msgspec.Struct, tag="seen", frozen=True):
+    observation: EncodedObservation
+
+
+class Failed(msgspec.Struct, tag="failed", frozen=True):
+    error: str
+    unplayable: bool
+
+
+Command = Build | Begin | Play | Observe
+Reply = Hello | Busy | Mapped | Built | Beginning | Played | Seen | Failed
+
+_encoder = msgspec.msgpack.Encoder()
+_commands = msgspec.msgpack.Decoder(Command)
+
+
+def frame(message: Command | Reply) -> bytearray:
+    buffer = bytearray(HEADER.size)
+    _encoder.encode_into(message, buffer, HEADER.size)
+    HEADER.pack_into(buffer, 0, len(buffer) - HEADER.size)
+    return buffer
+
+
+# The work
+
+
+class _Clock:
+    """Adds up where the time of one command goes: each lap to one part of it."""
+
+    def __init__(self) -> None:
+        self._spent = {"simulate_s": 0.0, "render_s": 0.0, "encode_s": 0.0}
+        self._at = time.perf_counter()
+
+    def lap(self, part: str) -> None:
+        now = time.perf_counter()
+        self._spent[part] += now - self._at
+        self._at = now
+
+    def timing(self) -> Timing:
+        return Timing(**self._spent)
+
+
+class _Stage:
+    """The simulator that stands, and the episode that plays in it."""
+
+    def __init__(self, connection: socket.socket) -> None:
+        self._connection = connection
+        self._world: benchmark_registry.World | None = None
+        self._simulator: Simulator | None = None
+        self._episode: Episode | None = None
+
+    def answer(self, command: Command) -> Reply:
+        CANVAS.parent_has_read()
+        try:
+            return self._obey(command)
+        except TaskUnplayable as unplayable:
+            return Failed(str(unplayable), unplayable=True)
+        except Exception as error:  # noqa: BLE001 - a simulator may raise anything
+            _log.error("simulator failed", exc_info=True)
+            return Failed(f"{type(error).__name__}: {error}", unplayable=False)
+
+    def _obey(self, command: Command) -> Reply:
+        match command:
+            case Build():
+                return self._build(command)
+            case Begin():
+                return self._begin(command)
+            case Play():
+                return self._play(command)
+            case Observe():
+                return Seen(self._look(_Clock()))
+
+    def _build(self, command: Build) -> Built:
+        world = benchmark_registry.World(command.benchmark_id, command.settings)
+        if world != self._world:
+            if self._simulator is not None:
+                self._simulator.close()
+            self._simulator = self._world = self._episode = None
+            os.environ.update(command.environment)
+            self._simulator, self._world = benchmark_registry.make(world), world
+        return Built()
+
+    def _begin(self, command: Begin) -> Beginning:
+        simulator, world = self._standing()
+        clock = _Clock()
+        CANVAS.begin_episode()
+        self._episode = Episode(
+            simulator,
+            command.task,
+            command.seed,
+            split=command.split,
+            max_steps=command.max_steps,
+            success_rule=command.success_rule,
+            score_is_success=command.task in world.success_scored_tasks,
+        )
+        clock.lap("simulate_s")
+        observation = self._look(clock)
+        return Beginning(self._episode.instruction, observation, clock.timing())
+
+    def _play(self, command: Play) -> Played:
+        episode = self._playing()
+        clock = _Clock()
+        rewards: list[float] = []
+        observations: list[EncodedObservation] = []
+        heard_of = time.perf_counter()
+        for reward in episode.play(command.actions):
+            clock.lap("simulate_s")
+            rewards.append(reward)
+            if command.observe_all:
+                # There are more of them than the canvas has halves.
+                observations.append(self._look(clock, canvas=None))
+            if time.perf_counter() - heard_of > BUSY_INTERVAL_S:
+                heard_of = time.perf_counter()
+                self._connection.sendall(frame(Busy()))
+        clock.lap("simulate_s")
+        return Played(
+            executed=len(rewards),
+            rewards=rewards,
+            ended=episode.ended,
+            terminated=episode.terminated,
+            truncated=episode.truncated,
+            success=episode.success,
+            score=episode.score,
+            steps=episode.steps,
+            observation=None
+            if episode.ended or command.observe_all
+            else self._look(clock),
+            observations=observations if command.observe_all else None,
+            timing=clock.timing(),
+        )
+
+    def _look(
+        self, clock: _Clock, canvas: Canvas | None = CANVAS
+    ) -> EncodedObservation:
+        simulator, world = self._standing()
+        CANVAS.turn_page()
+        observation = simulator.observe()
+        clock.lap("render_s")
+        encoded = encode(observation, world.image_codec, canvas)
+        clock.lap("encode_s")
+        if news := CANVAS.news():
+            self._connection.sendall(frame(Mapped(*news)))
+        return encoded
+
+    def _standing(self) -> tuple[Simulator, benchmark_registry.World]:
+        if self._simulator is None or self._world is None:
+            raise RuntimeError("no world was built")
+        return self._simulator, self._world
+
+    def _playing(self) -> Episode:
+        if self._episode is None:
+            raise RuntimeError("no episode was begun")
+        return self._episode
+
+
+def log_to_stderr() -> None:
+    logging.basicConfig(format="%(levelname)s simulator %(process)d: %(message)s")
+
+
+def serve(connection: socket.socket) -> Never:
+    """Obeys until the parent is gone, which ends the process."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to handle
+    threading.Thread(target=_end_with, args=(connection,), daemon=True).start()
+    stage = _Stage(connection)
+    commands = connection.makefile("rb")
+    connection.sendall(frame(Hello(os.getpid())))
+    while header := commands.read(HEADER.size):
+        (length,) = HEADER.unpack(header)
+        command = _commands.decode(commands.read(length))
+        connection.sendall(frame(stage.answer(command)))
+    os._exit(0)
+
+
+def _end_with(connection: socket.socket) -> None:
+    """Ends the process when the parent hangs up, whatever the main thread is doing.
+
+    It asks for no news of data: a command wakes the thread that obeys, and no other.
+    """
+    hang_up = select.poll()
+    # Where there is no such flag, POLLHUP comes unasked.
+    hang_up.register(connection, getattr(select, "POLLRDHUP", 0))
+    hang_up.poll()
+    os._exit(0)
+
+
+if __name__ == "__main__":
+    log_to_stderr()
+    serve(socket.socket(fileno=int(sys.argv[1])))

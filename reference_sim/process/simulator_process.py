@@ -1,0 +1,367 @@
+"""One simulator process, seen from an asyncio event loop; and how it is started.
+
+On Linux a nursery (nursery.py) forks the processes: 4 ms instead of the 75 ms of a
+fresh interpreter with NumPy in it. The nursery, being the parent, can kill by process
+id without ever hitting a stranger. Elsewhere forking is not safe, and each process is
+a fresh interpreter.
+
+multiprocessing's forkserver was measured and left: it imports the caller's main module
+into every child, speaks pickle, and its children outlive a server killed by SIGKILL for
+as long as they are busy.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import os
+import socket
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Protocol, TypeVar, cast
+
+import msgspec
+
+from reference_sim.benchmark_registry import World
+from reference_sim.interface import TaskUnplayable
+from reference_sim.process import simulator_main
+from reference_sim.process.encoding import EncodedObservation
+from reference_sim.process.shared_frame_buffer import Shared, mapped
+
+# Found out by the server (which backend draws), possibly after the nursery started.
+_LATE_ENVIRONMENT = ("MUJOCO_GL", "PROCTOR_GL")
+_NURSERY, _WORKER = (
+    "reference_sim.process.fork_server",
+    "reference_sim.process.simulator_main",
+)
+_INBOX_BYTES = 2**15  # more than a turn without pictures
+_START_TIMEOUT_S = 60.0  # a machine that is out of breath is not a hung simulator
+_EXIT_TIMEOUT_S = 10
+_REPLIES = msgspec.msgpack.Decoder(simulator_main.Reply)
+_log = logging.getLogger(__name__)
+
+Wanted = TypeVar("Wanted", bound=simulator_main.Reply)
+
+
+class SimulatorFault(Exception):
+    """The process died, hung, broke the protocol, or its simulator raised."""
+
+
+# How processes come to be and end
+
+
+class Starter(Protocol):
+    def start(self, child_end: socket.socket) -> None:
+        """Starts a process that serves on the socket. Raises OSError."""
+
+    def kill(self, pid: int) -> None:
+        """At once and without waiting; harmless when it has ended."""
+
+    async def close(self) -> None:
+        """Ends every process; returns when they are gone."""
+
+
+def _spawn(module: str, connection: socket.socket) -> subprocess.Popen[bytes]:
+    """A third of a millisecond: nothing that an event loop has to be spared."""
+    root = str(Path(simulator_main.__file__).parents[2])
+    paths = [root, *filter(None, [os.environ.get("PYTHONPATH")])]
+    descriptor = connection.fileno()
+    return subprocess.Popen(
+        [sys.executable, "-P", "-m", module, str(descriptor)],
+        env={
+            **os.environ,
+            "PYTHONPATH": os.pathsep.join(paths),
+            "OPENBLAS_NUM_THREADS": "1",
+        },
+        pass_fds=[descriptor],
+        stdin=subprocess.DEVNULL,
+        process_group=0,  # a terminal's Ctrl-C is the server's to handle
+    )
+
+
+class ForkStarter:
+    """By the nursery, which is started when first needed and whenever it is gone."""
+
+    def __init__(self) -> None:
+        self._control: socket.socket | None = None
+        self._nurseries: list[subprocess.Popen[bytes]] = []  # the last one lives
+
+    @property
+    def nursery_pid(self) -> int | None:
+        return self._nurseries[-1].pid if self._control is not None else None
+
+    def start(self, child_end: socket.socket) -> None:
+        try:
+            self._fork(child_end)
+        except ConnectionError:  # the nursery was found dead
+            self._leave_nursery()
+            self._fork(child_end)
+
+    def kill(self, pid: int) -> None:
+        if self._control is None:
+            return
+        try:
+            self._control.send(str(pid).encode(), socket.MSG_DONTWAIT)
+        except OSError:  # dead, and its children with it
+            _log.warning("the nursery of simulator processes is gone")
+
+    async def close(self) -> None:
+        self._leave_nursery()
+        for nursery in self._nurseries:
+            await asyncio.to_thread(_wait_or_kill, nursery)
+        self._nurseries.clear()
+
+    def _fork(self, child_end: socket.socket) -> None:
+        if self._control is None:
+            # Messages keep their bounds; the other's end is seen as end-of-file.
+            ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+            with theirs:
+                self._nurseries.append(_spawn(_NURSERY, theirs))
+            self._control = ours
+        socket.send_fds(
+            self._control, [b"fork"], [child_end.fileno()], socket.MSG_DONTWAIT
+        )
+
+    def _leave_nursery(self) -> None:
+        """It ends its children and itself when our end of the socket is closed."""
+        if self._control is not None:
+            self._control.close()
+            self._control = None
+
+
+class ExecStarter:
+    """By a fresh interpreter each."""
+
+    def __init__(self) -> None:
+        self._processes: dict[int, subprocess.Popen[bytes]] = {}
+
+    def start(self, child_end: socket.socket) -> None:
+        process = _spawn(_WORKER, child_end)
+        self._processes[process.pid] = process
+        for ended in [
+            one for one in self._processes.values() if one.poll() is not None
+        ]:
+            del self._processes[ended.pid]
+
+    def kill(self, pid: int) -> None:
+        if process := self._processes.get(pid):
+            process.kill()
+            asyncio.get_running_loop().run_in_executor(None, process.wait)  # no zombie
+
+    async def close(self) -> None:
+        for process in self._processes.values():
+            process.kill()
+        for process in self._processes.values():
+            await asyncio.to_thread(_wait_or_kill, process)
+        self._processes.clear()
+
+
+def _wait_or_kill(process: subprocess.Popen[bytes]) -> None:
+    try:
+        process.wait(_EXIT_TIMEOUT_S)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
+
+
+# One process
+
+
+class Process(asyncio.BufferedProtocol):
+    """Asks one question at a time; frames are received into their final buffer."""
+
+    def __init__(
+        self, starter: Starter, timeout_s: float, on_end: Callable[[Process], None]
+    ) -> None:
+        self.pid: int | None = None
+        self.world: World | None = None
+        self.alive = True
+        self._starter = starter
+        self._timeout_s = timeout_s
+        self._on_end = on_end
+        self._turn = asyncio.Lock()
+        self._loop = asyncio.get_running_loop()
+        self._answer: asyncio.Future[simulator_main.Reply] = self._loop.create_future()
+        self._heard_at = self._loop.time()
+        self._transport: asyncio.Transport | None = None
+        self._inbox = bytearray(_INBOX_BYTES)
+        self._large: bytearray | None = None  # a frame that the inbox cannot hold
+        self._filled = 0  # bytes of whichever of the two is received into
+        self._canvas = memoryview(b"")
+
+    async def start(self) -> None:
+        """Returns when the process is ready. Raises SimulatorFault."""
+        ours, theirs = socket.socketpair()
+        try:
+            with theirs:
+                self._starter.start(theirs)
+            await self._loop.create_unix_connection(lambda: self, sock=ours)
+            hello = await self._await_answer(_START_TIMEOUT_S)
+        except OSError as error:
+            raise SimulatorFault(f"no simulator process: {error}") from error
+        finally:
+            if self._transport is None:
+                ours.close()
+            if not self._answer.done() or self._answer.cancelled():
+                self.end("did not start")
+        if isinstance(hello, simulator_main.Hello):
+            self.pid = hello.pid
+        else:
+            self.end("broke its protocol")
+            raise SimulatorFault("the simulator process broke its protocol")
+
+    async def build(self, world: World) -> None:
+        environment = {
+            name: os.environ[name] for name in _LATE_ENVIRONMENT if name in os.environ
+        }
+        settings = dict(world.settings)
+        self.world = None
+        command = simulator_main.Build(world.benchmark_id, settings, environment)
+        try:
+            await self.ask(command, simulator_main.Built)
+        except TaskUnplayable:
+            self.end("cannot build its world")
+            raise
+        self.world = world
+
+    @property
+    def is_asked(self) -> bool:
+        return self._turn.locked()
+
+    async def ask(
+        self, command: simulator_main.Command, wanted: type[Wanted]
+    ) -> Wanted:
+        """Raises TaskUnplayable, and SimulatorFault after which the process is dead."""
+        async with self._turn:
+            if not self.alive or self._transport is None:
+                raise SimulatorFault("the simulator process has ended")
+            self._answer = self._loop.create_future()
+            self._transport.write(simulator_main.frame(command))
+            try:
+                reply = await self._await_answer(self._timeout_s)
+            except BaseException:  # cancelled too: what it does now is not known
+                self.end("was given up")
+                raise
+        if isinstance(reply, wanted):
+            return reply
+        if isinstance(reply, simulator_main.Failed) and reply.unplayable:
+            raise TaskUnplayable(reply.error)
+        self.end("failed")
+        raise SimulatorFault(
+            reply.error if isinstance(reply, simulator_main.Failed) else "wrong answer"
+        )
+
+    def end(self, why: str) -> None:
+        """Kills the process; whoever waits for its answer gets a SimulatorFault."""
+        if not self.alive:
+            return
+        self.alive = False
+        if self.pid is not None:
+            self._starter.kill(self.pid)
+        if self._transport is not None:
+            self._transport.abort()  # a process without a known id ends by this
+        if not self._answer.done():
+            self._answer.set_exception(SimulatorFault(f"the simulator process {why}"))
+            self._answer.exception()  # seen, should nobody wait
+        self._on_end(self)
+
+    async def _await_answer(self, timeout_s: float) -> simulator_main.Reply:
+        self._heard_at = self._loop.time()
+        self._watch(timeout_s)
+        try:
+            return await self._answer
+        finally:
+            self._timer.cancel()
+
+    def _watch(self, timeout_s: float) -> None:
+        left = self._heard_at + timeout_s - self._loop.time()
+        if left <= 0:
+            self.end(f"made no step for {timeout_s:g} s and was killed")
+        else:
+            self._timer = self._loop.call_later(left, self._watch, timeout_s)
+
+    # What the event loop calls
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        # Not by isinstance: the transports of uvloop are of no such class.
+        self._transport = cast(asyncio.Transport, transport)
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        self.end("died")
+
+    def get_buffer(self, sizehint: int) -> memoryview:
+        return memoryview(self._large or self._inbox)[self._filled :]
+
+    def buffer_updated(self, nbytes: int) -> None:
+        self._filled += nbytes
+        if self._large is None:
+            self._read_inbox()
+        elif self._filled == len(self._large):
+            body, self._large, self._filled = self._large, None, 0
+            self._receive(body)
+
+    def _read_inbox(self) -> None:
+        """Take every whole frame out of it; what is left stays, at its front."""
+        inbox, head = self._inbox, simulator_main.HEADER.size
+        while self._filled >= head:
+            (length,) = simulator_main.HEADER.unpack_from(inbox)
+            if head + length > len(inbox):
+                self._large = bytearray(length)
+                self._filled -= head
+                self._large[: self._filled] = inbox[head : head + self._filled]
+                return
+            if head + length > self._filled:
+                return
+            body = inbox[head : head + length]
+            rest = inbox[head + length : self._filled]
+            inbox[: len(rest)] = rest
+            self._filled = len(rest)
+            self._receive(body)
+
+    def _receive(self, body: bytearray) -> None:
+        self._heard_at = self._loop.time()
+        try:
+            reply = _REPLIES.decode(body)
+        except msgspec.DecodeError:
+            return self.end("broke its protocol")
+        if isinstance(reply, simulator_main.Busy):
+            return None
+        if isinstance(reply, simulator_main.Mapped):
+            return self._map(reply)
+        if self._answer.done():
+            return self.end("spoke unasked")
+        try:
+            for observation in _observations_of(reply):
+                self._take_down(observation)
+        except (TypeError, ValueError):
+            return self.end("broke its protocol")
+        return self._answer.set_result(reply)
+
+    def _map(self, told: simulator_main.Mapped) -> None:
+        try:
+            assert self.pid is not None
+            self._canvas = mapped(self.pid, Shared(told.descriptor, told.size))
+        except (OSError, ValueError):
+            self.end("shared no memory")
+
+    def _take_down(self, observation: EncodedObservation) -> None:
+        """Images that stand on the canvas become views of it."""
+        for image in observation["images"].values():
+            if place := image.pop("place", None):
+                offset, length = place
+                image["data"] = self._canvas[offset : offset + length]
+                if offset < 0 or len(image["data"]) != length:
+                    raise ValueError("a place beside the canvas")
+
+
+def _observations_of(reply: simulator_main.Reply) -> Iterator[EncodedObservation]:
+    match reply:
+        case (
+            simulator_main.Beginning(observation=seen)
+            | simulator_main.Seen(observation=seen)
+        ):
+            yield seen
+        case simulator_main.Played(observation=seen) if seen is not None:
+            yield seen

@@ -1,1 +1,0 @@
-"""Where simulator processes run."""
