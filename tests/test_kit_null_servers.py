@@ -16,7 +16,9 @@ from tests import null_servers
 from tests.null_servers import Behaviour, serving
 
 ROOT = Path(__file__).parents[1]
-SCHEMA = json.loads((ROOT / "conformance" / "report.schema.json").read_text())
+SCHEMA = json.loads(
+    (ROOT / "conformance" / "reports" / "report.schema.json").read_text()
+)
 # What answers that are valid and never change may satisfy: rules on single answers,
 # and rules that something does not happen. Nothing about playing, scoring, stopping,
 # refusing, or resuming is among them. Shrinks when a check learns to look closer.

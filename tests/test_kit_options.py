@@ -22,7 +22,9 @@ from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
 
 ROOT = Path(__file__).parents[1]
-SCHEMA = json.loads((ROOT / "conformance" / "report.schema.json").read_text())
+SCHEMA = json.loads(
+    (ROOT / "conformance" / "reports" / "report.schema.json").read_text()
+)
 MUTANT = f"{sys.executable} -m tests.mutants.serve names_the_wrong_expected_seq"
 HOUSE = f"{sys.executable} -m reference_server"
 

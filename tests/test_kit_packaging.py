@@ -93,7 +93,7 @@ def test_wheel_carries_the_specification(wheel: Path) -> None:
             )
         names = set(packed.namelist())
     for name in ("report.schema.json", "report.css", "report.js"):
-        assert f"conformance/{name}" in names
+        assert f"conformance/reports/{name}" in names
 
 
 def run_installed(wheel: Path, directory: Path, program: str) -> Done:

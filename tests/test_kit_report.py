@@ -22,7 +22,9 @@ from conformance.verdicts.universal_rules import Judged, Tally
 from conformance.verdicts.verdict import Outcome, Verdict
 
 SCHEMA = json.loads(
-    (Path(__file__).parents[1] / "conformance" / "report.schema.json").read_text()
+    (
+        Path(__file__).parents[1] / "conformance" / "reports" / "report.schema.json"
+    ).read_text()
 )
 PROFILES = list(ledger.PROFILES)
 

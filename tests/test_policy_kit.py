@@ -202,7 +202,9 @@ def test_our_own_server_is_conformant(tmp_path: Path) -> None:
         code, rows = judged(url, tmp_path)
     assert (code, rows.pop("problem")) == (0, None)
     assert set(rows.values()) == {"passed"}
-    schema = json.loads((ROOT / "conformance" / "report.schema.json").read_text())
+    schema = json.loads(
+        (ROOT / "conformance" / "reports" / "report.schema.json").read_text()
+    )
     report = json.loads((tmp_path / "report.json").read_text())
     jsonschema.validate(report, schema)
     assert report["conclusion"] == "conformant"

@@ -20,18 +20,18 @@ COMMAND = ("-m", "reference_sim.mujoco.rendering")
 
 STATE_ONLY = """
 import os, sys
-from reference_sim import catalog
+from reference_sim import benchmark_registry
 from reference_sim.mujoco.rendering import RenderingUnavailable
 from reference_sim.benchmarks.tabletop.layout import HOME_RAD
 
 assert "mujoco" not in sys.modules, "reading the constants must not cost an import"
-sim = catalog.make(catalog.World("tabletop_state", {}))
+sim = benchmark_registry.make(benchmark_registry.World("tabletop_state", {}))
 sim.reset("lift_cube", 0)
 sim.step({"joint_position": HOME_RAD, "gripper": [1.0]})
 assert not sim.observe().images
 assert not {"OpenGL", "glfw"} & set(sys.modules), "graphics were touched"
 
-seeing = catalog.make(catalog.World("tabletop", {"width": 64, "height": 48}))
+seeing = benchmark_registry.make(benchmark_registry.World("tabletop", {"width": 64, "height": 48}))
 seeing.reset("lift_cube", 0)
 """
 THEN_CAMERAS = """

@@ -32,12 +32,12 @@ def expect_all_gone(pids: Sequence[int]) -> None:
 
 SERVER = """
 import asyncio, os, signal, sys
-from reference_sim import catalog
+from reference_sim import benchmark_registry
 from reference_sim.process.pool import SimulatorPool
 
 async def main():
     pool = SimulatorPool(fork=sys.argv[1] == "True")
-    world = catalog.resolve("calibration").world
+    world = benchmark_registry.resolve("calibration").world
     names = ("score", "success", "end", "fault")
     action = {name: [0.0] for name in names} | {"delay_s": [5.0]}
     action |= {"vector": [0.0] * 8, "clipped": [0.0] * 2}

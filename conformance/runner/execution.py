@@ -129,7 +129,7 @@ def _run_pytest(
         "--assert=plain",
         "--capture=no",
         "--import-mode=importlib",
-        "-pconformance.plugin",
+        "-pconformance.runner.pytest_plugin",
         "-pno:cacheprovider",
         "-pno:faulthandler",
         "-pno:terminal",
