@@ -14,7 +14,7 @@ from pydantic_settings import CliSettingsSource, SettingsError
 
 from reference_server.app import build
 from reference_server.http.auth import BadTokens, Tokens
-from reference_server.push.key_encryption import Sealer
+from reference_server.push.key_encryption import KeyEncryption
 from reference_server.settings import Settings
 from reference_server.storage.store import Store, StoreFailed
 from reference_sim import benchmark_registry
@@ -25,19 +25,22 @@ class Server(uvicorn.Server):
     """uvicorn, which says that it serves only when it does, and when it ends."""
 
     def __init__(
-        self, config: uvicorn.Config, greeting: str, end: Callable[[], None]
+        self,
+        config: uvicorn.Config,
+        startup_message: str,
+        on_shutdown: Callable[[], None],
     ) -> None:
         super().__init__(config)
-        self._greeting = greeting
-        self._end = end
+        self._startup_message = startup_message
+        self._on_shutdown = on_shutdown
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
         await super().startup(sockets)
         if self.started:
-            print(self._greeting, flush=True)
+            print(self._startup_message, flush=True)
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
-        self._end()
+        self._on_shutdown()
         await super().shutdown(sockets)
 
 
@@ -52,12 +55,12 @@ def main() -> int:
         if settings.tokens:
             tokens = Tokens.parse(settings.tokens)
         else:
-            tokens, secret = Tokens.fresh()
+            tokens, secret = Tokens.generate()
     except (ValidationError, SettingsError, BadTokens) as error:
         print(f"proctor: bad settings: {_one_line(error)}", file=sys.stderr)
         return 2
     try:
-        benchmark_registry.add(settings.benchmarks, _say)
+        benchmark_registry.add(settings.benchmarks, _print_line)
     except BadBenchmark as error:
         print(f"proctor: {error}", file=sys.stderr)
         return 2
@@ -70,7 +73,7 @@ def main() -> int:
         return _serve(listener, settings, tokens, secret)
 
 
-def _say(line: str) -> None:
+def _print_line(line: str) -> None:
     print(f"proctor: {line}", file=sys.stderr, flush=True)
 
 
@@ -90,7 +93,7 @@ def _serve(
     try:
         app = build(settings, tokens)
         runner = asyncio.Runner()
-        runner.run(_try_store(settings.database_url))
+        runner.run(_check_store(settings.database_url))
         runner.close()  # not on failure: the driver's thread may have a last word
     except StoreFailed as error:
         print(
@@ -100,7 +103,7 @@ def _serve(
         )
         return 2
     try:
-        Sealer(settings.sealing_key_path).open()
+        KeyEncryption(settings.sealing_key_path).open()
     except (OSError, ValueError) as error:
         print(
             f"proctor: cannot use the key in {settings.sealing_key_path} ({error}); "
@@ -117,14 +120,16 @@ def _serve(
         timeout_keep_alive=75,  # a policy may think for longer than the usual 5 s
     )
     port = listener.getsockname()[1]
-    server = Server(config, _greeting(settings.host, port, secret), app.end)
+    server = Server(
+        config, _startup_message(settings.host, port, secret), app.on_shutdown
+    )
     # uvicorn ends in order and then raises Ctrl-C again.
     with contextlib.suppress(KeyboardInterrupt):
         server.run(sockets=[listener])
     return 0 if server.started else 1
 
 
-async def _try_store(url: str) -> None:
+async def _check_store(url: str) -> None:
     store = Store(url)
     try:
         await store.open()
@@ -132,7 +137,7 @@ async def _try_store(url: str) -> None:
         await store.close()
 
 
-def _greeting(host: str, port: int, secret: str | None) -> str:
+def _startup_message(host: str, port: int, secret: str | None) -> str:
     name = f"[{host}]" if ":" in host else host
     url = f"http://{name}:{port}"
     lines = [f"Proctor serves at {url}"]

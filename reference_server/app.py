@@ -14,17 +14,17 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import VERSION, Operation, perform
-from reference_server.http.handlers import Routes
+from reference_server.http.handlers import Handlers
 from reference_server.http.problems import Refused, problem_response
-from reference_server.profiles import tables
+from reference_server.profiles import profile_tables
 from reference_server.push.driver import Driver
-from reference_server.push.egress import Gate
-from reference_server.push.key_encryption import Sealer
+from reference_server.push.egress import EgressPolicy
+from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_protocols import PROTOCOLS
-from reference_server.push.policy_server_config import OrderDesk
+from reference_server.push.policy_server_config import PolicyServerValidator
 from reference_server.runs.benchmarks import Benchmarks
-from reference_server.runs.registry import RunBook
-from reference_server.runs.session_executor import Stage
+from reference_server.runs.registry import RunRegistry
+from reference_server.runs.session_executor import SessionExecutor
 from reference_server.settings import Settings
 from reference_server.storage.store import Store
 from reference_sim.process.pool import SimulatorPool
@@ -34,46 +34,54 @@ log = logging.getLogger("proctor.app")
 _VERSION_HEADER = (b"proctor-version", VERSION.encode())
 
 
-def build(settings: Settings, tokens: Tokens) -> Served:
+def build(settings: Settings, tokens: Tokens) -> Application:
     """One server: its parts, put together. Nothing runs before the lifespan begins."""
     store = Store(settings.database_url)
     pool = SimulatorPool(
         settings.max_simulators, settings.spare_simulators, settings.turn_timeout_s
     )
-    book = RunBook(store, settings.max_active_runs)
-    stage = Stage(book, pool)
-    gate = Gate(settings.allow_private_policies)
-    sealer = Sealer(settings.sealing_key_path)
-    driver = Driver(book, stage, gate, sealer, settings.max_body_bytes)
-    orders = OrderDesk(gate, sealer, tuple(PROTOCOLS))
-    routes = Routes(settings, Benchmarks(settings.max_chunk), book, stage, orders)
+    registry = RunRegistry(store, settings.max_active_runs)
+    executor = SessionExecutor(registry, pool)
+    egress = EgressPolicy(settings.allow_private_policies)
+    key_encryption = KeyEncryption(settings.sealing_key_path)
+    driver = Driver(registry, executor, egress, key_encryption, settings.max_body_bytes)
+    policy_server_validator = PolicyServerValidator(
+        egress, key_encryption, tuple(PROTOCOLS)
+    )
+    routes = Handlers(
+        settings,
+        Benchmarks(settings.max_chunk),
+        registry,
+        executor,
+        policy_server_validator,
+    )
 
     @asynccontextmanager
     async def lifespan(_app: Any) -> AsyncIterator[None]:
         await store.open()
-        sealer.open()
-        await book.open()
+        key_encryption.open()
+        await registry.open()
         await pool.start()
         driver.open()
         try:
             yield
         finally:
             await driver.close()
-            await stage.close()
-            await book.close()
+            await executor.close()
+            await registry.close()
             await pool.close()
             await store.close()
 
     router = Router(
         routes=[
             Route(path, _Endpoint(operations, tokens, settings.max_body_bytes))
-            for path, operations in (routes.table() | tables(routes)).items()
+            for path, operations in (routes.table() | profile_tables(routes)).items()
         ],
         default=_not_found,
         redirect_slashes=False,
         lifespan=lifespan,
     )
-    return Served(router, book.end)
+    return Application(router, registry.release_waiters)
 
 
 class _Endpoint:
@@ -106,36 +114,38 @@ async def _not_found(scope: Scope, receive: Receive, send: Send) -> None:
     await problem_response(refused)(scope, receive, send)
 
 
-class Served:
+class Application:
     """What holds for every answer: its version, and that a defect is a problem too.
 
     One layer around the router, not a framework's stack of them: a turn passes every
     layer three times.
 
-    end: to be called when the server begins to end; answers those who wait.
+    on_shutdown: to be called when the server begins to end; answers those who wait.
     """
 
-    def __init__(self, app: ASGIApp, end: Callable[[], None]) -> None:
+    def __init__(self, app: ASGIApp, on_shutdown: Callable[[], None]) -> None:
         self._app = app
-        self.end = end
+        self.on_shutdown = on_shutdown
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] != "http":
             await self._app(scope, receive, send)
             return
-        begun = False
+        response_started = False
 
         async def send_versioned(message: Message) -> None:
-            nonlocal begun
+            nonlocal response_started
             if message["type"] == "http.response.start":
-                begun = True
+                response_started = True
                 message["headers"].append(_VERSION_HEADER)  # VER-001
             await send(message)
 
         try:
             await self._app(scope, receive, send_versioned)
         except Exception:
-            if begun:  # nothing can be said any more; the connection is closed
+            if (
+                response_started
+            ):  # nothing can be said any more; the connection is closed
                 raise
             log.exception("a request failed")
             refused = Refused("internal_error", "The server has a defect.")

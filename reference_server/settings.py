@@ -12,7 +12,7 @@ from typing import Literal
 from pydantic import Field, field_validator
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
-from reference_server.push.egress import Gate
+from reference_server.push.egress import EgressPolicy
 
 
 class Settings(BaseSettings):
@@ -107,7 +107,7 @@ class Settings(BaseSettings):
     )
 
     @property
-    def more_profiles(self) -> list[Literal["ebench", "flageval"]]:
+    def enabled_profiles(self) -> list[Literal["ebench", "flageval"]]:
         """`profiles` one by one, none twice."""
         known: tuple[Literal["ebench", "flageval"], ...] = ("ebench", "flageval")
         chosen = self.profiles.split(",")
@@ -115,8 +115,8 @@ class Settings(BaseSettings):
 
     @field_validator("allow_private_policies")
     @classmethod
-    def _are_networks(cls, text: str) -> str:
-        Gate(text).close()
+    def _check_networks(cls, text: str) -> str:
+        EgressPolicy(text).close()
         return text
 
     @property

@@ -19,8 +19,8 @@ from reference_server.rules import effects
 from reference_server.rules.lifecycle import Predict
 from reference_server.rules.run import Episode, Result, Run
 from reference_server.runs.benchmarks import digest
-from reference_server.runs.registry import RunBook
-from reference_server.runs.session_executor import Stage
+from reference_server.runs.registry import RunRegistry
+from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.store import Store
 from reference_sim import benchmark_registry
 from reference_sim.process.pool import SimulatorPool
@@ -69,9 +69,9 @@ class Parts:
 
     path: Path
     store: Store
-    book: RunBook
+    registry: RunRegistry
     pool: SimulatorPool
-    stage: Stage
+    executor: SessionExecutor
 
     @contextmanager
     def unwritable(self) -> Iterator[None]:
@@ -91,15 +91,15 @@ class Parts:
 @asynccontextmanager
 async def server(path: Path, active_max: int = 10) -> AsyncIterator[Parts]:
     store = Store(f"sqlite+aiosqlite:///{path}")
-    book, pool = RunBook(store, active_max), SimulatorPool(4, 0, PATIENCE_S)
-    parts = Parts(path, store, book, pool, Stage(book, pool))
+    registry, pool = RunRegistry(store, active_max), SimulatorPool(4, 0, PATIENCE_S)
+    parts = Parts(path, store, registry, pool, SessionExecutor(registry, pool))
     await store.open()
-    await book.open()
+    await registry.open()
     try:
         yield parts
     finally:
-        await parts.stage.close()
-        await book.close()
+        await parts.executor.close()
+        await registry.close()
         await pool.close()
         await store.close()
 
@@ -144,7 +144,7 @@ RESULT = Result("success", 1.0, 1, 1, True, False, 0.0, 1e9)
 
 
 def score(run: Run, index: int) -> None:
-    run.keep_result(run.episodes[index], RESULT)
+    run.record_result(run.episodes[index], RESULT)
 
 
 def failing(
@@ -187,7 +187,7 @@ def rows(path: Path, table: str) -> int:
 
 def stop(parts: Parts, run: Run, mode: str = "abort") -> None:
     """As the control plane does it, but for the store."""
-    parts.stage.let_go(effects.stop(run, mode, time.time()))
+    parts.executor.release_sessions(effects.stop(run, mode, time.time()))
 
 
 def begun(work: Coroutine[Any, Any, Any]) -> asyncio.Task[Any]:
@@ -196,9 +196,9 @@ def begun(work: Coroutine[Any, Any, Any]) -> asyncio.Task[Any]:
 
 async def nothing_is_held(parts: Parts) -> None:
     """No simulator is lent and no session is kept that has ended."""
-    await parts.book.close()
+    await parts.registry.close()
     assert parts.pool.busy == 0
-    assert len(parts.stage._scenes) == 0
+    assert len(parts.executor._resources) == 0
 
 
 def no_defect(caplog: pytest.LogCaptureFixture) -> None:

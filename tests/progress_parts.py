@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from reference_server.rules import effects
 from reference_server.rules import run as run_state
-from reference_server.rules.effects import Outcome
+from reference_server.rules.effects import ChunkResult
 from reference_server.rules.lifecycle import (
     Attach,
     Predict,
@@ -19,22 +19,22 @@ WALL = 5000.0
 Draw = Callable[[st.SearchStrategy[Any]], Any]
 
 
-def played(executed: int = 1, *, ended: bool = False, **changes: Any) -> Outcome:
+def played(executed: int = 1, *, ended: bool = False, **changes: Any) -> ChunkResult:
     facts = {"terminated": ended, "truncated": False, "success": False, "score": 0.5}
-    return Outcome(executed, ended, **facts | changes)
+    return ChunkResult(executed, ended, **facts | changes)
 
 
 def opened(run: Run, worker_id: str = "w", now: float = NOW) -> Session:
     session = effects.open_session(run, Attach(worker_id, "key"), "s", now)
-    effects.answer(session, {"seq": 0}, now)
+    effects.store_answer(session, {"seq": 0}, now)
     return session
 
 
 def play(
-    run: Run, session: Session, outcome: Outcome, now: float = NOW
+    run: Run, session: Session, outcome: ChunkResult, now: float = NOW
 ) -> run_state.Episode | None:
     command = Predict(session.worker_id, session.session_id, session.seq + 1, [ACTION])
     effects.begin_turn(session, command, now)
     ended = effects.end_turn(run, session, outcome, WALL)
-    effects.answer(session, {"seq": session.seq}, now)
+    effects.store_answer(session, {"seq": session.seq}, now)
     return ended

@@ -11,7 +11,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from reference_server.http.codec import JSON, LARGE_BYTES, MSGPACK, encoded, in_parts
+from reference_server.http.codec import (
+    JSON,
+    LARGE_BYTES,
+    MSGPACK,
+    encode_response,
+    encode_segments,
+)
 from reference_sim import benchmark_registry
 from reference_sim.process.encoding import EncodedObservation, encode_image
 from reference_sim.process.pool import SimulatorPool
@@ -179,7 +185,7 @@ TURN = {
 
 
 def test_large_images_leave_as_they_are() -> None:
-    parts = in_parts(TURN)
+    parts = encode_segments(TURN)
     assert sum(part is PIXELS for part in parts) == 1
     assert b"".join(parts) == msgspec.msgpack.encode(TURN)
 
@@ -189,14 +195,14 @@ def test_large_images_leave_as_they_are() -> None:
     [(MSGPACK, msgspec.msgpack.encode), (JSON, msgspec.json.encode)],
 )
 def test_an_answer_in_parts_is_that_in_one(media_type: str, encode: Any) -> None:
-    parts = in_parts(TURN, media_type)
+    parts = encode_segments(TURN, media_type)
     assert len(parts) == 5
     assert b"".join(parts) == encode(TURN)
-    answer = encoded(TURN, media_type)
+    answer = encode_response(TURN, media_type)
     assert answer.media_type == media_type
     assert int(answer.headers["content-length"]) == len(encode(TURN))
 
 
 @pytest.mark.parametrize("content", [{"observation": {}}, {"observation": 1}, [1], {}])
 def test_what_is_no_turn_is_one_part(content: Any) -> None:
-    assert in_parts(content, JSON) == [msgspec.json.encode(content)]
+    assert encode_segments(content, JSON) == [msgspec.json.encode(content)]

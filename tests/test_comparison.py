@@ -16,7 +16,7 @@ from reference_server.http.dispatch import QUERY_RANGES
 from reference_server.rules import comparison
 from reference_server.rules.comparison import TOLERANCE, compare, is_within, mcnemar
 from reference_server.rules.run import Outcome
-from reference_server.rules.scoring import Scored
+from reference_server.rules.scoring import ScoredEpisode
 from tests.test_scoring import EXACTNESS, assert_same
 from tests.test_spec import DOCUMENT, SCHEMAS
 
@@ -25,15 +25,15 @@ VECTORS = sorted((SPEC / "vectors" / "comparison").glob("*.json"))
 
 
 @st.composite
-def pairs(draw: st.DrawFn) -> tuple[Scored, Scored]:
+def pairs(draw: st.DrawFn) -> tuple[ScoredEpisode, ScoredEpisode]:
     task = draw(st.sampled_from("abc"))
 
-    def one() -> Scored:
+    def one() -> ScoredEpisode:
         outcome: Outcome | None = draw(
             st.sampled_from([None, "success", "failure", "abandoned"])
         )
         # What an abandoned episode carries is of no account.
-        return Scored(task, "x", outcome, draw(st.floats(0, 1)))
+        return ScoredEpisode(task, "x", outcome, draw(st.floats(0, 1)))
 
     return one(), one()
 
@@ -41,7 +41,9 @@ def pairs(draw: st.DrawFn) -> tuple[Scored, Scored]:
 runs = st.lists(pairs(), min_size=1, max_size=40)
 
 
-def sides(drawn: list[tuple[Scored, Scored]]) -> tuple[list[Scored], list[Scored]]:
+def sides(
+    drawn: list[tuple[ScoredEpisode, ScoredEpisode]],
+) -> tuple[list[ScoredEpisode], list[ScoredEpisode]]:
     return [base for base, _ in drawn], [run for _, run in drawn]
 
 
@@ -54,7 +56,7 @@ def test_a_vector_is_compared_as_it_says(path: Path) -> None:
     vector = json.loads(path.read_text())
     base, run = (
         [
-            Scored(e["task"], e["split"], e["outcome"], e["score"] or 0.0)
+            ScoredEpisode(e["task"], e["split"], e["outcome"], e["score"] or 0.0)
             for e in vector[side]
         ]
         for side in ("baseline", "run")

@@ -17,9 +17,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from reference_server.http.handlers import Routes
-from reference_server.profiles import tables
-from reference_server.profiles.ebench.handlers import Ebench
+from reference_server.http.handlers import Handlers
+from reference_server.profiles import profile_tables
+from reference_server.profiles.ebench.handlers import EbenchHandlers
 from reference_server.settings import Settings
 from tests.conftest import PATIENCE_S, House
 from tests.ebench_client import (
@@ -50,11 +50,11 @@ def fuzzed(house: House) -> Iterator[EbenchClient]:
 def test_the_profile_is_off_unless_asked_for() -> None:
     nothing: Any = None
     quiet, asked = (
-        Routes(Settings(profiles=chosen), nothing, nothing, nothing)
+        Handlers(Settings(profiles=chosen), nothing, nothing, nothing)
         for chosen in (Settings().profiles, "ebench")
     )
-    assert tables(quiet) == {}
-    assert set(tables(asked)) == set(Ebench(asked).table())
+    assert profile_tables(quiet) == {}
+    assert set(profile_tables(asked)) == set(EbenchHandlers(asked).table())
 
 
 def test_a_task_is_a_run(http: httpx.Client) -> None:

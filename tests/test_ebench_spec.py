@@ -13,14 +13,14 @@ import pytest
 import yaml
 
 from conformance.specification.ledger import load_ledger
-from reference_server.http.handlers import Routes
-from reference_server.profiles.ebench.handlers import Ebench
+from reference_server.http.handlers import Handlers
+from reference_server.profiles.ebench.handlers import EbenchHandlers
 from reference_server.settings import Settings
 
 SPEC = Path(__file__).resolve().parent.parent / "spec"
 DOCUMENT: dict[str, Any] = yaml.safe_load((SPEC / "profiles/ebench.yaml").read_text())
 NOTHING: Any = None
-TABLE = Ebench(Routes(Settings(), NOTHING, NOTHING, NOTHING)).table()
+TABLE = EbenchHandlers(Handlers(Settings(), NOTHING, NOTHING, NOTHING)).table()
 DESCRIBED = {
     (path, method.upper()): described
     for path, item in DOCUMENT["paths"].items()
@@ -113,7 +113,7 @@ def test_a_route_takes_what_is_described(at: tuple[str, str]) -> None:
     ]
     assert tuple(media) == route.writes
     # The control plane tells in its envelope what went wrong, all others in a problem.
-    assert (route.refusal is not None) == (described["tags"] == ["control"])
+    assert (route.refusal_response is not None) == (described["tags"] == ["control"])
 
 
 def test_the_page_names_every_operation() -> None:

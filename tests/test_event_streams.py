@@ -16,7 +16,7 @@ from starlette.responses import StreamingResponse
 
 from conformance.client.event_reader import Event, Parser
 from reference_server.http import event_streams, views
-from reference_server.http.event_streams import EPISODES_AT_ONCE, Reader
+from reference_server.http.event_streams import EPISODES_PER_BATCH, EventStream
 from reference_server.rules import effects as rules
 from reference_server.rules.run import Run, RunHead
 from reference_server.storage.store import StoreFailed
@@ -31,8 +31,10 @@ def view(run: RunHead) -> dict[str, Any]:
     return views.run_view(run, "http://here", None)
 
 
-def a_reader(parts: Parts, run_id: str = "run_1", account: str = "alice") -> Reader:
-    return Reader(parts.book, run_id, account, view)
+def a_reader(
+    parts: Parts, run_id: str = "run_1", account: str = "alice"
+) -> EventStream:
+    return EventStream(parts.registry, run_id, account, view)
 
 
 class Stream:
@@ -42,7 +44,7 @@ class Stream:
         self._parts, self._parser = parts, Parser()
 
     @classmethod
-    async def open(cls, reader: Reader, last_id: str | None = None) -> Stream:
+    async def open(cls, reader: EventStream, last_id: str | None = None) -> Stream:
         answer = await reader.answer(last_id)
         assert isinstance(answer, StreamingResponse)
         return cls(aiter(answer.body_iterator))
@@ -72,22 +74,22 @@ def indices(events: list[Event]) -> list[int]:
 
 
 async def stored(parts: Parts, *tasks: str, **changes: Any) -> Run:
-    run = await parts.book.add(calibration(*tasks, **changes), None, "")
-    await parts.book.is_stored(run)
+    run = await parts.registry.add(calibration(*tasks, **changes), None, "")
+    await parts.registry.is_stored(run)
     return run
 
 
 async def scored(parts: Parts, run: Run, *order: int) -> None:
     for index in order:
         score(run, index)
-    await parts.book.commit(run)
+    await parts.registry.commit(run)
 
 
 async def complete(parts: Parts, run: Run) -> None:
-    rules.move(run, "attach_worker")
+    rules.apply_event(run, "attach_worker")
     await scored(parts, run, *[e.index for e in run.episodes if e.result is None])
-    rules.move(run, "all_scored")
-    await parts.book.commit(run)
+    rules.apply_event(run, "all_scored")
+    await parts.registry.commit(run)
 
 
 # --- news ---
@@ -123,14 +125,14 @@ def test_what_is_not_stored_is_not_told(
         assert kinds(await stream.events()) == ["run"]
         gate = Gate(monkeypatch, parts.store, "save")
         score(run, 0)
-        parts.book.commit_later(run)
+        parts.registry.commit_later(run)
         await gate.reached()
-        parts.book.notify(run)  # whatever wakes the stream
-        telling = asyncio.ensure_future(stream.events())
-        done, _ = await asyncio.wait([telling], timeout=2 * event_streams.PAUSE_S)
+        parts.registry.notify(run)  # whatever wakes the stream
+        batch = asyncio.ensure_future(stream.events())
+        done, _ = await asyncio.wait([batch], timeout=2 * event_streams.PAUSE_S)
         assert done == set()
         gate.open()
-        assert indices(await telling) == [0]
+        assert indices(await batch) == [0]
 
     tell(tmp_path, story)
 
@@ -139,7 +141,7 @@ def test_a_run_that_is_always_busy_is_not_silent(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It is looked at again and again, and nothing of it has changed."""
-    monkeypatch.setattr(event_streams, "SILENCE_S", 0.2)
+    monkeypatch.setattr(event_streams, "KEEPALIVE_S", 0.2)
     monkeypatch.setattr(event_streams, "PAUSE_S", 0.0)
 
     async def story(parts: Parts) -> None:
@@ -149,7 +151,7 @@ def test_a_run_that_is_always_busy_is_not_silent(
 
         async def keep_busy() -> None:
             while True:
-                parts.book.notify(run)
+                parts.registry.notify(run)
                 await asyncio.sleep(0.01)
 
         busy = asyncio.ensure_future(keep_busy())
@@ -182,7 +184,7 @@ def test_a_wrong_count_keeps_nobody_busy(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A run that says that more is scored than there is: the rest is waited for."""
-    monkeypatch.setattr(event_streams, "SILENCE_S", 0.1)
+    monkeypatch.setattr(event_streams, "KEEPALIVE_S", 0.1)
 
     async def story(parts: Parts) -> None:
         run = await stored(parts, *["score"] * 3)
@@ -200,13 +202,13 @@ def test_a_slow_reader_makes_nothing_pile_up(
 ) -> None:
     """Nothing is looked at while it takes nothing; then it is told all at once."""
     looks = []
-    right = Reader._look
+    right = EventStream._read_batch
 
-    async def counted(self: Reader, cursor: Any) -> Any:
+    async def counted(self: EventStream, cursor: Any) -> Any:
         looks.append(cursor)
         return await right(self, cursor)
 
-    monkeypatch.setattr(Reader, "_look", counted)
+    monkeypatch.setattr(EventStream, "_read_batch", counted)
 
     async def story(parts: Parts) -> None:
         run = await stored(parts, *["score"] * 250)
@@ -236,17 +238,17 @@ def test_a_finished_run_is_told_in_parts_and_kept_nowhere(tmp_path: Path) -> Non
         for first in range(0, MANY, 250):
             await scored(parts, run, *order[first : first + 250])
         run.state = "completed"
-        await parts.book.commit(run)
+        await parts.registry.commit(run)
 
     async def read(parts: Parts) -> None:
         stream = await Stream.open(a_reader(parts))
         events = await stream.events()
-        assert len(events) == EPISODES_AT_ONCE
+        assert len(events) == EPISODES_PER_BATCH
         events += await stream.rest()
         assert (indices(events), kinds(events)[-1]) == (order, "run")
         middle = await Stream.open(a_reader(parts), events[499].id)
         assert indices(await middle.rest()) == order[500:]
-        assert len(parts.book._known) == 0
+        assert len(parts.registry._in_memory) == 0
 
     tell(tmp_path, play, read)
 
@@ -255,14 +257,14 @@ def test_who_waits_keeps_no_run_in_memory(tmp_path: Path) -> None:
     async def wait(parts: Parts) -> None:
         stream = await Stream.open(a_reader(parts))
         assert kinds(await stream.events()) == ["run"]
-        telling = asyncio.ensure_future(stream.events())
+        batch = asyncio.ensure_future(stream.events())
         await asyncio.sleep(0)
         gc.collect()
-        assert len(parts.book._known) == 0
-        run = await parts.book.get("run_1")
+        assert len(parts.registry._in_memory) == 0
+        run = await parts.registry.get("run_1")
         rules.stop(run, "abort", time.time())
-        await parts.book.commit(run)
-        (event,) = await telling
+        await parts.registry.commit(run)
+        (event,) = await batch
         assert event.body["state"] == "stopped"
 
     async def make(parts: Parts) -> None:
@@ -288,12 +290,12 @@ def test_who_hangs_up_leaves_nothing(tmp_path: Path) -> None:
         scope = {"type": "http", "asgi": {"spec_version": "2.3"}}
         sending = asyncio.ensure_future(answer(scope, receive, send))
         await heard.wait()
-        assert len(parts.book._news) == 1
+        assert len(parts.registry._change_events) == 1
         gone.set()
         await sending
         del answer, sending
         gc.collect()
-        assert len(parts.book._news) == 0
+        assert len(parts.registry._change_events) == 0
 
     tell(tmp_path, story)
 
@@ -337,8 +339,8 @@ def test_a_stream_ends_when_the_store_fails(
         async def fail(*_: object, **__: object) -> None:
             raise StoreFailed("gone")
 
-        monkeypatch.setattr(parts.book, "look", fail)
-        parts.book.notify(run)
+        monkeypatch.setattr(parts.registry, "read_view", fail)
+        parts.registry.notify(run)
         assert await stream.rest() == []
 
     tell(tmp_path, story)
@@ -355,16 +357,16 @@ def test_results_of_before_there_were_places_come_first(tmp_path: Path) -> None:
             database.execute("ALTER TABLE episodes DROP COLUMN place")
 
     async def after(parts: Parts) -> None:
-        found = await parts.store.glance("run_1", 0, 9, scored=True)
+        found = await parts.store.read_window("run_1", 0, 9, scored=True)
         assert found is not None
         assert [episode.index for episode in found[1]] == [1, 3]
-        run = await parts.book.get("run_1")
+        run = await parts.registry.get("run_1")
         await scored(parts, run, 4, 0)
 
     async def read(parts: Parts) -> None:
         stream = await Stream.open(a_reader(parts))
         assert indices(await stream.events()) == [1, 3, 4, 0]
-        run = await parts.book.get("run_1")
+        run = await parts.registry.get("run_1")
         assert run.scored_order == [1, 3, 4, 0]
 
     tell(tmp_path, before, after, read)

@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from conformance.client.event_reader import Event, Parser
-from reference_server.rules.events import Cursor, Telling, is_final, news
+from reference_server.rules.events import Cursor, EventBatch, is_final, next_batch
 from reference_server.rules.lifecycle import Event as Happening
 from reference_server.rules.lifecycle import legal
 from reference_server.rules.run import Run, State
@@ -29,20 +29,20 @@ def shown(run: Run) -> bytes:
     return json.dumps({"state": run.state, "scored": run.scored}).encode()
 
 
-def told(run: Run, cursor: Cursor) -> Telling:
-    window = run.window(cursor.told, cursor.told + AT_ONCE, scored=True)
+def results_sent(run: Run, cursor: Cursor) -> EventBatch:
+    window = run.window(cursor.results_sent, cursor.results_sent + AT_ONCE, scored=True)
     entries = [json.dumps(episode.index).encode() for episode in window]
-    return news(cursor, run, shown(run), entries, shown(run))
+    return next_batch(cursor, run, shown(run), entries, shown(run))
 
 
 def caught_up(run: Run, cursor: Cursor) -> tuple[list[Event], Cursor]:
     """All that there is to tell behind a cursor, and the place behind that."""
     parser, events = Parser(), []
     while True:
-        telling = told(run, cursor)
-        events += parser.feed(telling.text)
-        cursor = telling.cursor
-        if not telling.is_behind:
+        batch = results_sent(run, cursor)
+        events += parser.feed(batch.text)
+        cursor = batch.cursor
+        if not batch.is_behind:
             return events, cursor
 
 
@@ -53,22 +53,27 @@ def episodes(events: list[Event]) -> list[int]:
 # --- ids ---
 
 
-@given(told=st.integers(0, 10**9 - 1), seen=st.sampled_from(["none", "0" * 16]))
-def test_an_id_is_its_place_in_its_run_and_in_no_other(told: int, seen: str) -> None:
-    cursor = Cursor(told, seen)
-    assert Cursor.of(cursor.id_in("run_1"), "run_1") == cursor
-    assert Cursor.of(cursor.id_in("run_1"), "run_2") is None
+@given(
+    results_sent=st.integers(0, 10**9 - 1),
+    run_digest=st.sampled_from(["none", "0" * 16]),
+)
+def test_an_id_is_its_place_in_its_run_and_in_no_other(
+    results_sent: int, run_digest: str
+) -> None:
+    cursor = Cursor(results_sent, run_digest)
+    assert Cursor.parse(cursor.event_id("run_1"), "run_1") == cursor
+    assert Cursor.parse(cursor.event_id("run_1"), "run_2") is None
 
 
 @pytest.mark.parametrize("wrong", ["", "x", "1", "1-none", "1-none-00000000", "-1"])
 def test_what_is_no_id_is_no_place(wrong: str) -> None:
-    assert Cursor.of(wrong, "run_1") is None
+    assert Cursor.parse(wrong, "run_1") is None
 
 
 def test_a_place_is_written_in_one_way() -> None:
-    id_ = Cursor(7).id_in("run_1")
-    assert Cursor.of(f"0{id_}", "run_1") is None
-    assert Cursor.of(id_.replace("7", "8", 1), "run_1") is None
+    id_ = Cursor(7).event_id("run_1")
+    assert Cursor.parse(f"0{id_}", "run_1") is None
+    assert Cursor.parse(id_.replace("7", "8", 1), "run_1") is None
 
 
 # --- what is told ---
@@ -78,7 +83,9 @@ def test_the_run_is_told_at_first_and_not_again() -> None:
     run = a_run()
     events, cursor = caught_up(run, Cursor())
     assert [event.kind for event in events] == ["run"]
-    assert told(run, cursor) == Telling(b"", cursor, is_behind=False, is_last=False)
+    assert results_sent(run, cursor) == EventBatch(
+        b"", cursor, is_behind=False, is_last=False
+    )
     run.state = "stopped"
     again, _ = caught_up(run, cursor)
     assert [json.loads(event.data[0])["state"] for event in again] == ["stopped"]
@@ -88,13 +95,13 @@ def test_the_run_is_told_when_all_that_it_counts_is() -> None:
     run = a_run(LENGTH)
     for index in (4, 0, 2):
         score(run, index)
-    first = told(run, Cursor())
+    first = results_sent(run, Cursor())
     assert first.is_behind
     assert first.cursor == Cursor(AT_ONCE, "none")
     events, cursor = caught_up(run, Cursor())
     assert [event.kind for event in events] == ["episode"] * 3 + ["run"]
     assert episodes(events) == [4, 0, 2]
-    assert [Cursor.of(str(e.id), run.run_id) for e in events][-1] == cursor
+    assert [Cursor.parse(str(e.id), run.run_id) for e in events][-1] == cursor
 
 
 def test_the_last_is_the_run_that_can_change_no_more() -> None:
@@ -102,11 +109,11 @@ def test_the_last_is_the_run_that_can_change_no_more() -> None:
     for episode in run.episodes:
         score(run, episode.index)
     run.state = "completed"
-    first = told(run, Cursor())
+    first = results_sent(run, Cursor())
     assert (first.is_behind, first.is_last) == (True, False)
-    last = told(run, first.cursor)
+    last = results_sent(run, first.cursor)
     assert (last.is_behind, last.is_last) == (False, True)
-    assert told(run, last.cursor) == replace(last, text=b"")
+    assert results_sent(run, last.cursor) == replace(last, text=b"")
 
 
 @pytest.mark.parametrize("retryable", [True, False, None])
@@ -157,13 +164,13 @@ def test_a_reader_may_break_off_behind_any_event(
     scored = [change for change in order if isinstance(change, int)]
     assert episodes(heard) == scored
     for number, event in enumerate(heard):
-        place = Cursor.of(str(event.id), run.run_id)
+        place = Cursor.parse(str(event.id), run.run_id)
         assert place is not None
         again, _ = caught_up(run, place)
-        assert episodes(again) == scored[place.told :]
-        assert place.told == len(episodes(heard[: number + 1]))
+        assert episodes(again) == scored[place.results_sent :]
+        assert place.results_sent == len(episodes(heard[: number + 1]))
         if event.kind == "run":
-            assert json.loads(event.data[0])["scored"] == place.told
+            assert json.loads(event.data[0])["scored"] == place.results_sent
 
 
 # --- the order of results ---

@@ -11,8 +11,8 @@ import httpx
 import pytest
 
 from conformance.policy.chat import Request, ScriptedChat
-from reference_server.http.handlers import Routes
-from reference_server.profiles import tables
+from reference_server.http.handlers import Handlers
+from reference_server.profiles import profile_tables
 from reference_server.profiles.flageval.responses import TOLERANCE, status_of
 from reference_server.rules.run import Episode
 from reference_server.settings import Settings
@@ -285,8 +285,8 @@ def test_the_profile_is_offered_where_it_is_announced(house: House) -> None:
         assert client.get("/evaldiffs?request_id=none").json()["err_code"] == 1
     nothing: Any = None
     for asked, paths in (("", 0), ("flageval", 6)):
-        routes = Routes(Settings(profiles=asked), nothing, nothing, nothing)
-        assert len(tables(routes)) == paths
+        routes = Handlers(Settings(profiles=asked), nothing, nothing, nothing)
+        assert len(profile_tables(routes)) == paths
 
 
 # --- docs/flageval.md ---

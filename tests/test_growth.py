@@ -8,7 +8,7 @@ from benchmarks.growth import SHELVES, told
 from benchmarks.stock import READY_RUNS, Shelf, fill
 from reference_server.http import views
 from reference_server.rules.run import Episode, RunHead
-from reference_server.runs.registry import RunBook
+from reference_server.runs.registry import RunRegistry
 from reference_server.storage.store import Store
 from tests.parts import rows
 
@@ -27,14 +27,14 @@ def test_a_shelf_is_full_of_runs_that_are_real(tmp_path: Path) -> None:
     async def look() -> None:
         store = Store(f"sqlite+aiosqlite:///{path}")
         await store.open()
-        book = RunBook(store, active_max=1000)
+        registry = RunRegistry(store, active_max=1000)
         for number in range(3):
             run_id = f"completed_{number}"
-            found = await book.look(run_id, "bench", view, end=None)
+            found = await registry.read_view(run_id, "bench", view, end=None)
             assert found == ("completed", 8, True)
-        waiting = await book.look("ready_0", "bench", view, end=None)
+        waiting = await registry.read_view("ready_0", "bench", view, end=None)
         assert waiting == ("ready", 0, False)
-        newest = await book.page("bench", 13, 9, lambda run: run.run_id)
+        newest = await registry.page("bench", 13, 9, lambda run: run.run_id)
         assert newest == ["completed_2", "completed_1", "completed_0"]
         await store.close()
 

@@ -18,9 +18,9 @@ from reference_server.http.codec import (
     DRAIN_FACTOR,
     JSON,
     MSGPACK,
-    acceptable,
+    negotiate_media_type,
     decode,
-    encoded,
+    encode_response,
     media_type_of,
     pointer,
     read_body,
@@ -298,20 +298,20 @@ def test_the_answer_is_what_is_wanted_most(
 ) -> None:
     asked = request(accept=accept)
     if answer is None:
-        refused(lambda: acceptable(asked, [JSON, MSGPACK]), "not_acceptable")
+        refused(lambda: negotiate_media_type(asked, [JSON, MSGPACK]), "not_acceptable")
     else:
-        assert acceptable(asked, [JSON, MSGPACK]) == answer
+        assert negotiate_media_type(asked, [JSON, MSGPACK]) == answer
 
 
 def test_who_accepts_nothing_in_particular_gets_json() -> None:
-    assert acceptable(request(), [JSON, MSGPACK]) == JSON
+    assert negotiate_media_type(request(), [JSON, MSGPACK]) == JSON
 
 
 def test_blobs_are_base64_in_json_and_bytes_in_msgpack() -> None:
     turn = {"data": b"\x00\xff"}
-    plain = encoded(turn)
+    plain = encode_response(turn)
     assert (plain.body, plain.status_code) == (b'{"data":"AP8="}', 200)
-    packed = encoded(turn, MSGPACK, 201)
+    packed = encode_response(turn, MSGPACK, 201)
     assert msgspec.msgpack.decode(bytes(packed.body)) == turn
     assert (packed.media_type, packed.status_code) == (MSGPACK, 201)
 

@@ -15,7 +15,7 @@ def test_a_problem_says_what_happened_and_what_to_do() -> None:
         (("/seq", "is 9"),),
         {"expected_seq": 4},
     )
-    answer = problem_response(Refused.by(verdict))
+    answer = problem_response(Refused.from_verdict(verdict))
     body = msgspec.json.decode(bytes(answer.body))
     assert (answer.status_code, answer.media_type) == (409, "application/problem+json")
     assert body["detail"] == "Turn 9 was asked for. Send `expected_seq`."

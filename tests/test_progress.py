@@ -24,7 +24,7 @@ def test_attach_takes_the_first_episode_and_a_slot() -> None:
     assert session.busy == "opening"
     assert session.episode is run.episodes[0]
     assert run.episodes[0].in_progress
-    assert run.live == [session]
+    assert run.live_sessions == [session]
     assert session.expires_at == NOW + run.idle_timeout_s
 
 
@@ -45,7 +45,7 @@ def test_a_takeover_goes_on_where_the_old_session_stood() -> None:
     new = effects.open_session(run, Attach("w", "another", True), "s2", NOW + 3)
     assert new.episode is run.episodes[0]
     assert (new.steps, new.think_s, new.instruction) == (3, 2.0, "Lift.")
-    assert run.live == [new]
+    assert run.live_sessions == [new]
     assert run.episodes[0].attempt == 1
 
 
@@ -81,7 +81,7 @@ def test_an_answer_is_kept_and_begins_the_lease_anew() -> None:
 def test_a_heartbeat_extends_the_lease_and_hides_no_thinking() -> None:
     run = a_run()
     session = opened(run)
-    effects.touch(session, NOW + 5)
+    effects.extend_lease(session, NOW + 5)
     assert session.expires_at == NOW + 5 + run.idle_timeout_s
     play(run, session, played(), NOW + 7)
     assert session.think_s == 7.0
@@ -89,21 +89,21 @@ def test_a_heartbeat_extends_the_lease_and_hides_no_thinking() -> None:
 
 def test_a_turn_is_unheard_until_its_own_answer_has_left() -> None:
     session = opened(a_run())
-    effects.heard(session, 0)  # nothing was asked
-    effects.await_hearing(session, Predict("w", "s", 1, [ACTION]), "asked")
-    effects.heard(session, 2)
-    assert session.unheard == (1, "asked")
-    effects.heard(session, 1)
-    assert session.unheard is None
+    effects.confirm_delivery(session, 0)  # nothing was asked
+    effects.await_confirmation(session, Predict("w", "s", 1, [ACTION]), "asked")
+    effects.confirm_delivery(session, 2)
+    assert session.unconfirmed_turn == (1, "asked")
+    effects.confirm_delivery(session, 1)
+    assert session.unconfirmed_turn is None
 
 
 def test_a_turn_in_play_stays_the_one_that_is_awaited() -> None:
     session = opened(a_run())
     first, next_ = (Predict("w", "s", seq, [ACTION]) for seq in (1, 2))
-    effects.await_hearing(session, first, "first")
+    effects.await_confirmation(session, first, "first")
     effects.begin_turn(session, first, 0.0)
-    effects.await_hearing(session, next_, "next")
-    assert session.unheard == (1, "first")
+    effects.await_confirmation(session, next_, "next")
+    assert session.unconfirmed_turn == (1, "first")
 
 
 # --- episodes ---
@@ -141,7 +141,7 @@ def test_the_last_episode_completes_the_run() -> None:
     play(run, session, played(1, ended=True))
     assert (run.state, run.scored) == ("completed", 1)
     assert session.done
-    assert run.live == []
+    assert run.live_sessions == []
 
 
 def test_who_finds_nothing_left_lets_the_others_play_on() -> None:
@@ -237,7 +237,7 @@ def test_leases_end_together_or_not_at_all() -> None:
     effects.begin_turn(busy, Predict("c", "s", 1, [ACTION]), NOW)
     assert effects.expire(run, NOW + 10.5, WALL) == [early]
     assert early.ended_by == "lease_ended"
-    assert run.live == [late, busy]
+    assert run.live_sessions == [late, busy]
 
 
 def test_a_session_that_is_done_ends_without_being_told_of() -> None:
@@ -301,7 +301,10 @@ def test_a_fault_costs_no_attempt() -> None:
     run = a_run()
     session = opened(run)
     play(run, session, played(2))
-    assert effects.fault(run, session, "died", unplayable=False, now_wall=WALL) == []
+    assert (
+        effects.record_fault(run, session, "died", unplayable=False, now_wall=WALL)
+        == []
+    )
     assert run.state == "running"
     assert (session.steps, run.episodes[0].attempt, run.episodes[0].faults) == (0, 1, 1)
     assert session.episode is run.episodes[0]
@@ -314,7 +317,9 @@ def test_a_fault_too_many_fails_the_run(unplayable: bool, faults: int) -> None:
     a, b = opened(run, "a"), opened(run, "b")
     play(run, b, played())
     for _ in range(faults):
-        ended = effects.fault(run, a, "died", unplayable=unplayable, now_wall=WALL)
+        ended = effects.record_fault(
+            run, a, "died", unplayable=unplayable, now_wall=WALL
+        )
     assert ended == [a, b]
     assert (run.state, run.retryable) == ("failed", not unplayable)
     assert "e0000" in (run.reason or "")
@@ -330,7 +335,10 @@ def test_forgiven_faults_do_not_fail_the_run_again() -> None:
     run = a_run()
     run.episodes[0].faults = run.episodes[0].faults_forgiven = 5
     session = opened(run)
-    assert effects.fault(run, session, "died", unplayable=False, now_wall=WALL) == []
+    assert (
+        effects.record_fault(run, session, "died", unplayable=False, now_wall=WALL)
+        == []
+    )
     assert run.state == "running"
 
 
@@ -348,14 +356,14 @@ def test_the_oldest_are_admitted_first_while_there_is_room() -> None:
 
 def test_an_event_without_a_row_changes_nothing() -> None:
     run = a_run(state="completed", reason="because")
-    effects.move(run, "stop_abort", "other")
+    effects.apply_event(run, "stop_abort", "other")
     assert (run.state, run.reason) == ("completed", "because")
 
 
 def test_only_so_many_ends_are_remembered() -> None:
     run = a_run()
-    for number in range(run_state.ENDED_KEPT + 1):
-        run.remember_end(Session(f"s{number}", "w", "k", 1.0, 1, NOW), "detached")
-    assert len(run.ended) == run_state.ENDED_KEPT
+    for number in range(run_state.ENDED_SESSIONS_MAX + 1):
+        run.record_end(Session(f"s{number}", "w", "k", 1.0, 1, NOW), "detached")
+    assert len(run.ended) == run_state.ENDED_SESSIONS_MAX
     assert "s0" not in run.ended
     assert "s1" in run.ended

@@ -20,7 +20,7 @@ from reference_server.rules.lifecycle import (
     Command,
     Detach,
     Heartbeat,
-    Nothing,
+    NoChange,
     Predict,
     Refuse,
     Replay,
@@ -134,7 +134,7 @@ class AnyOrder(RuleBasedStateMachine):
             executed, ended = draw(st.integers(1, 3)), draw(st.booleans())
             effects.end_turn(self.run, session, played(executed, ended=ended), WALL)
             return None
-        return effects.answer(session, {"seq": session.seq}, self.now)
+        return effects.store_answer(session, {"seq": session.seq}, self.now)
 
     def predict(self, session: Session, seq: int) -> None:
         command = Predict(session.worker_id, session.session_id, seq, [ACTION])
@@ -164,7 +164,7 @@ class AnyOrder(RuleBasedStateMachine):
         session, unplayable = self.breakable(draw), draw(st.booleans())
         if session is not None:
             session.busy = "turning"
-            effects.fault(
+            effects.record_fault(
                 self.run, session, "died", unplayable=unplayable, now_wall=WALL
             )
 
@@ -180,7 +180,7 @@ class AnyOrder(RuleBasedStateMachine):
         if session is not None:
             command = Heartbeat(session.worker_id, session.session_id)
             if self.ask(command) == Accept():
-                effects.touch(session, self.now)
+                effects.extend_lease(session, self.now)
 
     def detach(self, draw: Draw) -> None:
         session = self.any_session(draw)
@@ -189,7 +189,7 @@ class AnyOrder(RuleBasedStateMachine):
         verdict = self.ask(Detach(session.worker_id, session.session_id))
         if verdict == Accept():
             effects.close_session(self.run, session, "detached", WALL)
-        assert (verdict == Nothing()) <= (session not in self.run.workers.values())
+        assert (verdict == NoChange()) <= (session not in self.run.workers.values())
 
     def stop(self, draw: Draw) -> None:
         mode: Any = draw(st.sampled_from(["abort", "drain"]))
@@ -230,8 +230,8 @@ class AnyOrder(RuleBasedStateMachine):
     def the_state_follows_from_the_rest(self) -> None:
         run = self.run
         assert (run.state == "completed") == (run.scored == len(run.episodes))
-        assert (run.state in ("running", "stopping")) == bool(run.live)
-        assert len(run.live) <= run.max_workers
+        assert (run.state in ("running", "stopping")) == bool(run.live_sessions)
+        assert len(run.live_sessions) <= run.max_workers
         assert all((s.episode is None) == s.done for s in run.workers.values())
         assert (run.retryable is None) == (run.state != "failed")
         assert run.reason or run.state != "failed"
@@ -246,7 +246,7 @@ class AnyOrder(RuleBasedStateMachine):
         self.resume(None)
         while run.scored < len(run.episodes):
             session = self.open(Attach("a", "last", takeover=True))
-            effects.answer(session, {}, self.now)
+            effects.store_answer(session, {}, self.now)
             play(run, session, played(1, ended=True), self.now)
         self.every_episode_is_in_one_place()
         self.results_are_written_once()

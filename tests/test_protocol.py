@@ -16,7 +16,7 @@ from reference_server.rules.lifecycle import (
     Detach,
     Event,
     Heartbeat,
-    Nothing,
+    NoChange,
     Predict,
     Refuse,
     Replay,
@@ -195,7 +195,7 @@ def test_a_live_session_can_do_everything() -> None:
 def ended(run: Run, session_id: str = "session-of-w", now: float = NOW) -> list[str]:
     """`ended_by` as predict and heartbeat tell it; detach finds nothing to do."""
     play, beat, detach = session_commands(session_id)
-    assert decide(run, detach, now) == Nothing()  # DET-002
+    assert decide(run, detach, now) == NoChange()  # DET-002
     refused = [refusal(run, play, now), refusal(run, beat, now)]
     assert {one.code for one in refused} == {"session_ended"}
     return [one.members["ended_by"] for one in refused]
@@ -204,7 +204,7 @@ def ended(run: Run, session_id: str = "session-of-w", now: float = NOW) -> list[
 def test_an_ended_session_is_told_why() -> None:
     run = a_run()
     assert ended(run) == ["unknown", "unknown"]
-    run.remember_end(attached(run), "run_stopped")
+    run.record_end(attached(run), "run_stopped")
     run.workers.clear()
     assert ended(run) == ["run_stopped", "run_stopped"]
     attached(run, session_id="successor")
@@ -288,23 +288,30 @@ def test_an_action_must_fit() -> None:
 def test_the_last_turn_is_asked_for_again_if_its_answer_was_not_heard() -> None:
     """EBE-013, EBE-014: the same question, and nobody heard the answer."""
     run = a_run()
-    session = attached(run, unheard=(3, "asked"))
-    again = lifecycle.repeated(session, "asked")
+    session = attached(run, unconfirmed_turn=(3, "asked"))
+    again = lifecycle.find_repeated_turn(session, "asked")
     assert again == predict(3)
     assert isinstance(decide(run, again, NOW), Replay)
-    assert lifecycle.repeated(session, "asked otherwise") is None
+    assert lifecycle.find_repeated_turn(session, "asked otherwise") is None
     session.seq = 4  # by a client that counts
-    assert lifecycle.repeated(session, "asked") is None
+    assert lifecycle.find_repeated_turn(session, "asked") is None
 
 
-@pytest.mark.parametrize("unheard", [None, (2, "asked"), (4, "asked")])
-def test_any_other_turn_is_a_turn_of_its_own(unheard: tuple[int, str] | None) -> None:
-    assert lifecycle.repeated(attached(a_run(), unheard=unheard), "asked") is None
+@pytest.mark.parametrize("unconfirmed_turn", [None, (2, "asked"), (4, "asked")])
+def test_any_other_turn_is_a_turn_of_its_own(
+    unconfirmed_turn: tuple[int, str] | None,
+) -> None:
+    assert (
+        lifecycle.find_repeated_turn(
+            attached(a_run(), unconfirmed_turn=unconfirmed_turn), "asked"
+        )
+        is None
+    )
 
 
 def test_nothing_was_asked_before_the_first_turn() -> None:
-    session = attached(a_run(), seq=0, request=None, unheard=(0, "asked"))
-    assert lifecycle.repeated(session, "asked") is None
+    session = attached(a_run(), seq=0, request=None, unconfirmed_turn=(0, "asked"))
+    assert lifecycle.find_repeated_turn(session, "asked") is None
 
 
 # --- all together ---

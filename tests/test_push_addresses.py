@@ -15,8 +15,12 @@ import pytest
 
 from conformance.policy.scripted import Call, Reply, ScriptedPolicy
 from reference_server.push import egress
-from reference_server.push.egress import Gate, NotAllowed, Unresolved
-from reference_server.push.http_calls import Bounds, Calls, PolicyFault
+from reference_server.push.egress import (
+    EgressPolicy,
+    AddressNotAllowed,
+    HostNotResolved,
+)
+from reference_server.push.http_calls import CallLimits, HttpCalls, PolicyFault
 from tests.certificates import certified
 from tests.conftest import House
 from tests.push_parts import LOOPBACK, played, submission
@@ -59,28 +63,28 @@ NOT_PUBLIC = [
 
 @pytest.mark.parametrize("text", PUBLIC)
 def test_public_addresses_are_admitted(text: str) -> None:
-    assert Gate().admits(ip_address(text))
+    assert EgressPolicy().allows(ip_address(text))
 
 
 @pytest.mark.parametrize("text", NOT_PUBLIC)
 def test_others_are_not_unless_allowed(text: str) -> None:
-    assert not Gate().admits(ip_address(text))
-    assert not Gate("203.0.113.0/24").admits(ip_address(text))
-    assert Gate("all").admits(ip_address(text))
+    assert not EgressPolicy().allows(ip_address(text))
+    assert not EgressPolicy("203.0.113.0/24").allows(ip_address(text))
+    assert EgressPolicy("all").allows(ip_address(text))
 
 
 def test_a_network_admits_what_it_holds_and_no_more() -> None:
-    gate = Gate("10.0.0.0/8, 127.0.0.1, fd00::/8")
+    egress = EgressPolicy("10.0.0.0/8, 127.0.0.1, fd00::/8")
     for text in ("10.9.9.9", "127.0.0.1", "::ffff:127.0.0.1", "fd00::5"):
-        assert gate.admits(ip_address(text)), text
+        assert egress.allows(ip_address(text)), text
     for text in ("127.0.0.2", "192.168.0.1", "::1", "fc00::5"):
-        assert not gate.admits(ip_address(text)), text
+        assert not egress.allows(ip_address(text)), text
 
 
 @pytest.mark.parametrize("text", ["nonsense", "10.0.0.1/8", "10.0.0.0/33", "all,x"])
 def test_what_is_no_network_is_told(text: str) -> None:
     with pytest.raises(ValueError, match=r"."):
-        Gate(text)
+        EgressPolicy(text)
 
 
 def run(work: Coroutine[Any, Any, Any]) -> Any:
@@ -91,14 +95,14 @@ def run(work: Coroutine[Any, Any, Any]) -> Any:
     "host", ["localhost", "127.1", "2130706433", "0x7f.1", "[::1]"]
 )
 def test_a_name_is_judged_by_what_it_resolves_to(host: str) -> None:
-    with pytest.raises(NotAllowed, match="does not call policies"):
-        run(Gate().addresses(host, 80))
+    with pytest.raises(AddressNotAllowed, match="does not call policies"):
+        run(EgressPolicy().resolve(host, 80))
 
 
 @pytest.mark.parametrize("host", ["nobody.invalid", "", "a" * 64 + ".example", "a..b"])
 def test_a_name_without_address_is_unresolved(host: str) -> None:
-    with pytest.raises((Unresolved, NotAllowed)):
-        run(Gate().addresses(host, 80))
+    with pytest.raises((HostNotResolved, AddressNotAllowed)):
+        run(EgressPolicy().resolve(host, 80))
 
 
 def resolving(
@@ -132,10 +136,10 @@ def test_an_address_is_judged_without_a_resolver(
     """Strangers' slow names hold up names alone."""
     asked = resolving(monkeypatch, ["9.9.9.9"])
     if connected_to is None:
-        with pytest.raises(NotAllowed):
-            run(Gate().addresses(host, 80))
+        with pytest.raises(AddressNotAllowed):
+            run(EgressPolicy().resolve(host, 80))
     else:
-        assert run(Gate().addresses(host, 80)) == [connected_to]
+        assert run(EgressPolicy().resolve(host, 80)) == [connected_to]
     assert asked == []
 
 
@@ -143,12 +147,12 @@ def test_one_private_address_among_public_ones_refuses_the_name(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     resolving(monkeypatch, ["1.1.1.1", "10.0.0.1"])
-    with pytest.raises(NotAllowed):
-        run(Gate().addresses("policy.example", 443))
+    with pytest.raises(AddressNotAllowed):
+        run(EgressPolicy().resolve("policy.example", 443))
 
 
-async def described(url: str, gate: Gate) -> Any:
-    async with Calls(url, gate, Bounds(2.0, 1, 0, 10_000), "sesame") as calls:
+async def described(url: str, egress: EgressPolicy) -> Any:
+    async with HttpCalls(url, egress, CallLimits(2.0, 1, 0, 10_000), "sesame") as calls:
         return await calls.get("/v1/policy")
 
 
@@ -164,7 +168,7 @@ def test_a_name_is_resolved_once_for_a_connection_and_connected_to_that(
     """Nothing looks at the name again between the judgement and the connection."""
     asked = resolving(monkeypatch, ["127.0.0.1"], ["10.0.0.1"])
     url = policy.url.replace("127.0.0.1", "policy.example")
-    answer = run(described(url, Gate("127.0.0.1")))
+    answer = run(described(url, EgressPolicy("127.0.0.1")))
     assert answer["name"] == "the kit's own policy"
     assert [host for host, _ in asked] == ["policy.example"]
     (call,) = policy.calls
@@ -176,11 +180,11 @@ def test_a_name_that_turns_private_is_not_connected_to(
 ) -> None:
     """Rebinding: public when it was looked at first, this machine afterwards."""
     resolving(monkeypatch, ["1.1.1.1"], ["127.0.0.1"])
-    gate = Gate()
+    egress = EgressPolicy()
     url = policy.url.replace("127.0.0.1", "policy.example")
-    assert run(gate.addresses("policy.example", 80)) == ["1.1.1.1"]
+    assert run(egress.resolve("policy.example", 80)) == ["1.1.1.1"]
     with pytest.raises(PolicyFault, match=r"is not called: policy\.example is in a"):
-        run(described(url, gate))
+        run(described(url, egress))
     assert policy.calls == []
 
 
@@ -189,13 +193,13 @@ def test_the_next_address_is_tried(
 ) -> None:
     resolving(monkeypatch, ["127.0.0.9", "127.0.0.1"])
     url = policy.url.replace("127.0.0.1", "policy.example")
-    assert run(described(url, Gate("all")))["max_sessions"] == 16
+    assert run(described(url, EgressPolicy("all")))["max_sessions"] == 16
 
 
 def test_a_secure_server_is_held_to_its_name(policy: ScriptedPolicy) -> None:
     """TLS to a server that speaks none: told, and nothing of the key is sent."""
     with pytest.raises(PolicyFault, match=r"is not reached|broke off"):
-        run(described(policy.url.replace("http:", "https:"), Gate("all")))
+        run(described(policy.url.replace("http:", "https:"), EgressPolicy("all")))
     assert policy.calls == []
 
 
@@ -225,10 +229,10 @@ def test_a_certificate_is_held_to_the_name_and_not_to_the_address(
     with policy:
         url = policy.url.replace("http://127.0.0.1", f"https://{name}")
         if reached:
-            assert run(described(url, Gate("all")))["max_sessions"] == 16
+            assert run(described(url, EgressPolicy("all")))["max_sessions"] == 16
         else:
             with pytest.raises(PolicyFault, match="is not reached"):
-                run(described(url, Gate("all")))
+                run(described(url, EgressPolicy("all")))
     assert len(policy.calls) == reached
 
 

@@ -14,12 +14,12 @@ from reference_server.generated import models
 from reference_server.http.problems import PROBLEM_JSON, Refused
 from reference_server.push import driver
 from reference_server.push.driver import Driver
-from reference_server.push.egress import Gate
-from reference_server.push.http_calls import Bounds, Calls, Pauses, PolicyFault
-from reference_server.push.key_encryption import Sealer
-from reference_server.push.policy_calls import Description, ProctorPolicy, misfit
+from reference_server.push.egress import EgressPolicy
+from reference_server.push.http_calls import CallLimits, HttpCalls, Backoff, PolicyFault
+from reference_server.push.key_encryption import KeyEncryption
+from reference_server.push.policy_calls import Description, ProctorPolicy, answer_fault
 from reference_server.push.policy_protocols import PROTOCOLS
-from reference_server.push.policy_server_config import Order
+from reference_server.push.policy_server_config import PolicyServerConfig
 from reference_server.rules.lifecycle import Attach
 from reference_server.rules.run import Run
 from reference_server.storage.store import StoreFailed
@@ -68,29 +68,34 @@ def push_run() -> Run:
 
 
 def driving(parts: Parts) -> Driver:
-    return Driver(parts.book, parts.stage, Gate("all"), Sealer(), 65536)
+    return Driver(
+        parts.registry, parts.executor, EgressPolicy("all"), KeyEncryption(), 65536
+    )
 
 
 async def completed(parts: Parts) -> Run:
     while True:
-        news, run = parts.book.news("run_1"), await parts.book.get("run_1")
+        news, run = (
+            parts.registry.change_event("run_1"),
+            await parts.registry.get("run_1"),
+        )
         if run.state in ("completed", "failed"):
             assert run.state == "completed", run.reason
             return run
-        await parts.book.changed(news, 10)
+        await parts.registry.wait_for_change(news, 10)
 
 
 @pytest.fixture
-def pauses(monkeypatch: pytest.MonkeyPatch) -> list[float]:
+def backoff(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """How long workers wanted to pause; none of them does."""
     asked: list[float] = []
-    right = Pauses.next_s
+    right = Backoff.next_s
 
-    def next_s(self: Pauses) -> float:
+    def next_s(self: Backoff) -> float:
         asked.append(right(self))
         return 0.0
 
-    monkeypatch.setattr(Pauses, "next_s", next_s)
+    monkeypatch.setattr(Backoff, "next_s", next_s)
     return asked
 
 
@@ -101,14 +106,14 @@ def grow(asked: list[float], *due: float) -> bool:
 
 
 def test_a_worker_waits_ever_longer_for_a_simulator(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, pauses: list[float]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, backoff: list[float]
 ) -> None:
     """And begins anew with short pauses after a turn."""
     monkeypatch.setitem(PROTOCOLS, "proctor", Scripted())
     right, refused = SimulatorPool.acquire, 7
 
     async def acquire(self: SimulatorPool, *given: Any, **named: Any) -> Any:
-        if len(pauses) < refused:
+        if len(backoff) < refused:
             raise NoCapacity("All simulators are busy.")
         return await right(self, *given, **named)
 
@@ -116,34 +121,34 @@ def test_a_worker_waits_ever_longer_for_a_simulator(
 
     async def story(parts: Parts) -> None:
         playing = driving(parts)
-        await parts.book.add(push_run(), None, "")
+        await parts.registry.add(push_run(), None, "")
         run = await completed(parts)
         assert [e.attempt for e in run.episodes] == [1]
         await playing.close()
 
     tell(tmp_path, story)
-    assert grow(pauses, 0.2, 0.4, 0.8, 1.6, 3.2, 5.0, 5.0), pauses
+    assert grow(backoff, 0.2, 0.4, 0.8, 1.6, 3.2, 5.0, 5.0), backoff
 
 
 def test_a_worker_pauses_after_a_fault_of_its_policy(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, pauses: list[float]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, backoff: list[float]
 ) -> None:
     monkeypatch.setitem(PROTOCOLS, "proctor", Scripted(faults=2))
 
     async def story(parts: Parts) -> None:
         playing = driving(parts)
-        await parts.book.add(push_run(), None, "")
+        await parts.registry.add(push_run(), None, "")
         await completed(parts)
         await playing.close()
 
     tell(tmp_path, story)
-    assert grow(pauses, 0.2, 0.4), pauses
+    assert grow(backoff, 0.2, 0.4), backoff
 
 
 def test_pauses_begin_anew() -> None:
-    one = Pauses(0.2, 5.0)
+    one = Backoff(0.2, 5.0)
     assert grow([one.next_s(), one.next_s()], 0.2, 0.4)
-    one.begin()
+    one.reset()
     assert grow([one.next_s()], 0.2)
 
 
@@ -158,8 +163,8 @@ def test_a_session_without_a_simulator_is_not_stored(
     monkeypatch.setattr(SimulatorPool, "acquire", acquire)
 
     async def story(parts: Parts) -> None:
-        run = await parts.book.add(calibration("score"), None, "")
-        assert await parts.book.is_stored(run)
+        run = await parts.registry.add(calibration("score"), None, "")
+        assert await parts.registry.is_stored(run)
         saved: list[str] = []
 
         async def save(run: Run) -> None:
@@ -167,8 +172,8 @@ def test_a_session_without_a_simulator_is_not_stored(
 
         monkeypatch.setattr(parts.store, "save", save)
         with refusal("no_capacity"):
-            await parts.stage.attach(run, Attach("w", "key"))
-        await parts.book.close()
+            await parts.executor.attach(run, Attach("w", "key"))
+        await parts.registry.close()
         assert (run.state, run.workers, saved) == ("ready", {}, [])
 
     tell(tmp_path, story)
@@ -182,7 +187,7 @@ def test_a_run_that_could_not_be_loaded_is_looked_at_again(
     monkeypatch.setattr(driver, "RELOAD_S", 0.001, raising=False)
 
     async def before(parts: Parts) -> None:
-        await parts.book.add(push_run(), None, "")
+        await parts.registry.add(push_run(), None, "")
 
     async def story(parts: Parts) -> None:
         right, failed, scored = parts.store.load, 0, asyncio.Event()
@@ -222,10 +227,10 @@ def told(policy: ScriptedPolicy, key: str, operation: str = "describe") -> str:
     """What a run's submitter is told when the policy server is asked."""
 
     async def ask() -> Any:
-        bounds = Bounds(2.0, 1, 0, 65536)
-        async with Calls(policy.url, Gate("all"), bounds, key) as calls:
+        limits = CallLimits(2.0, 1, 0, 65536)
+        async with HttpCalls(policy.url, EgressPolicy("all"), limits, key) as calls:
             run = push_run()
-            asked = ProctorPolicy(run, Order.of(run), calls)
+            asked = ProctorPolicy(run, PolicyServerConfig.from_run(run), calls)
             if operation == "describe":
                 return await asked.describe()
             return await asked.predict({"session_id": "s", "seq": 0, "episode": {}})
@@ -271,10 +276,10 @@ def test_a_key_as_a_name_is_not_told(policy: ScriptedPolicy, length: int) -> Non
 
 
 def test_a_key_as_a_name_that_a_benchmark_refuses_is_not_told() -> None:
-    calls = Calls("http://x", Gate(), Bounds(1.0, 1, 0, 1), SLASHED)
+    calls = HttpCalls("http://x", EgressPolicy(), CallLimits(1.0, 1, 0, 1), SLASHED)
     at = "/actions/0/values/ab~1cd~0ef~1gh"
     refused = Refused("invalid_request", "No.", errors=[(at, "is no name")])
-    assert str(misfit(refused, calls)) == (
+    assert str(answer_fault(refused, calls)) == (
         "The policy's answer to predict was refused: "
         "/actions/0/values/(its API key) is no name."
     )
@@ -290,12 +295,14 @@ def test_a_key_among_the_assumptions_is_not_told(
     monkeypatch.setitem(PROTOCOLS, "proctor", Assuming())
 
     async def story(parts: Parts) -> None:
-        sealer = Sealer()
-        playing = Driver(parts.book, parts.stage, Gate("all"), sealer, 65536)
+        key_encryption = KeyEncryption()
+        playing = Driver(
+            parts.registry, parts.executor, EgressPolicy("all"), key_encryption, 65536
+        )
         run = push_run()
-        asked = ORDER | {"sealed_key": sealer.seal(SLASHED)}
+        asked = ORDER | {"sealed_key": key_encryption.encrypt(SLASHED)}
         run.submission = {**run.submission, "policy_server": asked}
-        await parts.book.add(run, None, "")
+        await parts.registry.add(run, None, "")
         with pytest.raises(AssertionError, match=r"/assumes/action/\(its API key\)"):
             await completed(parts)
         await playing.close()

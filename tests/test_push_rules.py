@@ -66,7 +66,7 @@ def test_who_knows_a_session_of_the_server_can_do_nothing_with_it() -> None:
 
 
 @pytest.mark.parametrize(
-    ("by_server", "lease_s"), [(False, 10.0), (True, effects.OWN_LEASE_S)]
+    ("by_server", "lease_s"), [(False, 10.0), (True, effects.SERVER_LEASE_S)]
 )
 def test_a_worker_of_the_server_needs_no_heartbeat(
     by_server: bool, lease_s: float
@@ -108,7 +108,7 @@ def test_a_policy_that_cannot_be_called_fails_the_run(state: State) -> None:
     session = playing(run, steps=1)
     other = playing(run, "v")
     run.state = state
-    assert effects.give_up(run, "It is gone.", NOW) == [session, other]
+    assert effects.fail_run(run, "It is gone.", NOW) == [session, other]
     assert (run.state, run.reason, run.retryable) == ("failed", "It is gone.", True)
     assert [e.attempt for e in run.episodes] == [2, 1, 1]
     assert set(run.ended.values()) == {"run_failed"}
@@ -116,7 +116,7 @@ def test_a_policy_that_cannot_be_called_fails_the_run(state: State) -> None:
 
 def test_a_run_fails_for_good_when_no_resume_can_help() -> None:
     run = push_run()
-    effects.give_up(run, "Its key is lost.", NOW, retryable=False)
+    effects.fail_run(run, "Its key is lost.", NOW, retryable=False)
     assert (run.state, run.retryable) == ("failed", False)
 
 
@@ -124,7 +124,7 @@ def test_a_run_fails_for_good_when_no_resume_can_help() -> None:
 def test_a_run_that_has_ended_does_not_fail_once_more(state: State) -> None:
     run = push_run(state)
     run.reason, run.retryable = "before", False
-    assert effects.give_up(run, "It is gone.", NOW) == []
+    assert effects.fail_run(run, "It is gone.", NOW) == []
     assert (run.state, run.reason, run.retryable) == (state, "before", False)
 
 
@@ -133,7 +133,7 @@ def test_the_last_attempt_of_the_last_episode_completes_the_run() -> None:
     run = push_run(length=1)
     playing(run, steps=1).episode = run.episodes[0]
     run.episodes[0].attempt = 2
-    effects.give_up(run, "It is gone.", NOW)
+    effects.fail_run(run, "It is gone.", NOW)
     result = run.episodes[0].result
     assert result is not None
     assert (run.state, result.outcome) == ("completed", "abandoned")

@@ -6,28 +6,28 @@ from pathlib import Path
 
 import pytest
 
-from reference_server.push.key_encryption import SealBroken, Sealer
+from reference_server.push.key_encryption import DecryptionFailed, KeyEncryption
 
 
-def opened(path: Path | None) -> Sealer:
-    sealer = Sealer(path)
-    sealer.open()
-    return sealer
+def opened(path: Path | None) -> KeyEncryption:
+    key_encryption = KeyEncryption(path)
+    key_encryption.open()
+    return key_encryption
 
 
 def test_what_is_sealed_is_read_with_the_same_file_alone(tmp_path: Path) -> None:
     path = tmp_path / "var" / "x.key"
-    sealed = opened(path).seal("sesame")
+    sealed = opened(path).encrypt("sesame")
     assert "sesame" not in sealed
-    assert opened(path).unseal(sealed) == "sesame"
+    assert opened(path).decrypt(sealed) == "sesame"
     for other in (tmp_path / "y.key", None):
-        with pytest.raises(SealBroken):
-            opened(other).unseal(sealed)
+        with pytest.raises(DecryptionFailed):
+            opened(other).decrypt(sealed)
 
 
 def test_without_a_file_it_is_read_until_the_process_ends() -> None:
-    sealer = opened(None)
-    assert sealer.unseal(sealer.seal("sesame")) == "sesame"
+    key_encryption = opened(None)
+    assert key_encryption.decrypt(key_encryption.encrypt("sesame")) == "sesame"
 
 
 def test_the_file_is_its_owners_alone_and_the_only_one(tmp_path: Path) -> None:

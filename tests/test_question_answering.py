@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from reference_server.rules.action_space import misfits
+from reference_server.rules.action_space import action_errors
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.question_answering import benchmark
 from reference_sim.benchmarks.question_answering.arrangement import (
@@ -233,9 +233,9 @@ def test_questions_say_how_to_answer(items: list[Item]) -> None:
 
 def test_every_truth_fits_the_action_space(items: list[Item]) -> None:
     for item in items:
-        assert misfits([item.truth], MANIFEST) == []
-    assert misfits([action()], MANIFEST) == []
-    assert misfits([action(choice=4)], MANIFEST) != []
+        assert action_errors([item.truth], MANIFEST) == []
+    assert action_errors([action()], MANIFEST) == []
+    assert action_errors([action(choice=4)], MANIFEST) != []
 
 
 def test_pictures_have_one_shape() -> None:

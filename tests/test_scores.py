@@ -11,7 +11,7 @@ from reference_server.http import views
 from reference_server.rules import effects
 from reference_server.rules.run import Run
 from reference_server.runs import scores
-from reference_server.runs.scores import Scores
+from reference_server.runs.scores import ScoreCache
 from reference_server.storage.store import StoreFailed
 from tests.parts import (
     RESULT,
@@ -41,14 +41,14 @@ def counted(patch: pytest.MonkeyPatch) -> list[str]:
 
 async def put_down(parts: Parts, run: Run) -> None:
     """The run is stored and leaves memory as soon as nobody holds it."""
-    await parts.book.commit(run)
-    parts.book._recent.clear()
+    await parts.registry.commit(run)
+    parts.registry._recent.clear()
 
 
 async def at_rest(parts: Parts, run_id: str, count: int) -> None:
     """A stopped run with three episodes and `count` results, in nobody's memory."""
     run = calibration("score", "score", "score", run_id=run_id, state="stopped")
-    await parts.book.add(run, None, "")
+    await parts.registry.add(run, None, "")
     for index in range(count):
         score(run, index)
     await put_down(parts, run)
@@ -63,10 +63,10 @@ def test_the_score_of_a_run_at_rest_is_computed_once(
         await at_rest(parts, "run_1", 1)
         await at_rest(parts, "run_2", 2)
         gc.collect()
-        told = Scores()
+        told = ScoreCache()
         for _ in range(3):
-            first = await told.of(parts.book, "run_1", "alice")
-            second = await told.of(parts.book, "run_2", "alice")
+            first = await told.get(parts.registry, "run_1", "alice")
+            second = await told.get(parts.registry, "run_2", "alice")
         assert [s["counts"]["success"] for s in (first, second)] == [1, 2]
         assert [s["run_id"] for s in (first, second)] == computed == ["run_1", "run_2"]
 
@@ -81,16 +81,16 @@ def test_it_is_computed_anew_when_the_run_has_changed(
     async def story(parts: Parts) -> None:
         await at_rest(parts, "run_1", 1)
         gc.collect()
-        told = Scores()
-        before = await told.of(parts.book, "run_1", "alice")
+        told = ScoreCache()
+        before = await told.get(parts.registry, "run_1", "alice")
         assert (before["state"], before["counts"]["unscored"]) == ("stopped", 2)
-        run = await parts.book.get("run_1")
+        run = await parts.registry.get("run_1")
         effects.resume(run, 1e11)
-        await parts.book.commit(run)
-        queued = await told.of(parts.book, "run_1", "alice")
+        await parts.registry.commit(run)
+        queued = await told.get(parts.registry, "run_1", "alice")
         assert queued == before | {"state": "queued"}
         score(run, 1)
-        playing = await told.of(parts.book, "run_1", "alice")
+        playing = await told.get(parts.registry, "run_1", "alice")
         assert playing["counts"]["unscored"] == 1
         effects.stop(run, "abort", 0.0)
         await put_down(parts, run)
@@ -98,7 +98,7 @@ def test_it_is_computed_anew_when_the_run_has_changed(
         gc.collect()
         del computed[:]
         for _ in range(2):
-            after = await told.of(parts.book, "run_1", "alice")
+            after = await told.get(parts.registry, "run_1", "alice")
             assert after == playing | {"state": "stopped"}
         assert computed == ["run_1"]
 
@@ -112,29 +112,29 @@ def test_what_was_lost_is_not_kept(
     computed = counted(monkeypatch)
 
     async def story(parts: Parts) -> None:
-        told, broken = Scores(), {"run_1"}
-        run = await parts.book.add(calibration("score", state="ready"), None, "")
+        told, broken = ScoreCache(), {"run_1"}
+        run = await parts.registry.add(calibration("score", state="ready"), None, "")
         failing(monkeypatch, parts, broken, StoreFailed("full"))
         gate = Gate(monkeypatch, parts.store, "save")
-        looked = Gate(monkeypatch, parts.book, "is_stored")
+        looked = Gate(monkeypatch, parts.registry, "is_stored")
         score(run, 0)
-        parts.book.commit_later(run)
-        leaving = begun(told.of(parts.book, "run_1", "alice"))
+        parts.registry.commit_later(run)
+        leaving = begun(told.get(parts.registry, "run_1", "alice"))
         await looked.reached()
         assert computed == ["run_1"]
         leaving.cancel()
         looked.open()
         gate.open()
-        assert not await parts.book.is_stored(run)
+        assert not await parts.registry.is_stored(run)
         broken.clear()
-        run = await parts.book.get("run_1")
+        run = await parts.registry.get("run_1")
         score(run, 0)
         run.episodes[0].result = replace(RESULT, score=0.25)
         await put_down(parts, run)
         del run
         gc.collect()
         for _ in range(2):
-            assert (await told.of(parts.book, "run_1", "alice"))["mean"] == 0.25
+            assert (await told.get(parts.registry, "run_1", "alice"))["mean"] == 0.25
 
     tell(tmp_path, story)
 
@@ -143,11 +143,11 @@ def test_a_kept_score_is_no_strangers_business(tmp_path: Path) -> None:
     async def story(parts: Parts) -> None:
         await at_rest(parts, "run_1", 1)
         gc.collect()
-        told = Scores()
+        told = ScoreCache()
         for _ in range(2):
-            await told.of(parts.book, "run_1", "alice")
+            await told.get(parts.registry, "run_1", "alice")
             with refusal("not_found"):
-                await told.of(parts.book, "run_1", "bob")
+                await told.get(parts.registry, "run_1", "bob")
 
     tell(tmp_path, story)
 
@@ -155,16 +155,16 @@ def test_a_kept_score_is_no_strangers_business(tmp_path: Path) -> None:
 def test_so_many_are_kept_and_no_more(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(scores, "SCORES_KEPT", 2)
+    monkeypatch.setattr(scores, "CACHED_SCORES_MAX", 2)
     computed = counted(monkeypatch)
 
     async def story(parts: Parts) -> None:
         for number in range(3):
             await at_rest(parts, f"run_{number}", 1)
         gc.collect()
-        told = Scores()
+        told = ScoreCache()
         for number in (0, 1, 2, 2, 1, 0):
-            await told.of(parts.book, f"run_{number}", "alice")
+            await told.get(parts.registry, f"run_{number}", "alice")
         assert computed == ["run_0", "run_1", "run_2", "run_0"]
 
     tell(tmp_path, story)

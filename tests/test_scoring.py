@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from reference_server.generated import models
 from reference_server.rules.run import Outcome
-from reference_server.rules.scoring import Z_95, Scored, score_of, wilson
+from reference_server.rules.scoring import Z_95, ScoredEpisode, score_of, wilson
 
 VECTORS = sorted(
     (Path(__file__).resolve().parent.parent / "spec" / "vectors" / "scoring").glob(
@@ -24,14 +24,14 @@ EXACTNESS = 1e-12
 
 
 @st.composite
-def scored_episodes(draw: st.DrawFn) -> Scored:
+def scored_episodes(draw: st.DrawFn) -> ScoredEpisode:
     outcome: Outcome | None = draw(
         st.sampled_from([None, "success", "failure", "abandoned"])
     )
     score = 0.0
     if outcome in ("success", "failure"):
         score = draw(st.floats(0, 1))
-    return Scored(
+    return ScoredEpisode(
         draw(st.sampled_from("abc")), draw(st.sampled_from("xy")), outcome, score
     )
 
@@ -39,7 +39,7 @@ def scored_episodes(draw: st.DrawFn) -> Scored:
 runs = st.lists(scored_episodes(), min_size=1, max_size=60)
 
 
-def by_hand(episodes: Sequence[Scored]) -> tuple[Fraction, int, int]:
+def by_hand(episodes: Sequence[ScoredEpisode]) -> tuple[Fraction, int, int]:
     """The exact sum of scores, how many are scored, how many successes."""
     scored = [e for e in episodes if e.outcome is not None]
     total = sum((Fraction(e.score) for e in scored), Fraction(0))
@@ -65,7 +65,7 @@ def test_there_are_vectors() -> None:
 def test_a_vector_is_scored_as_it_says(path: Path) -> None:
     vector = json.loads(path.read_text())
     episodes = [
-        Scored(e["task"], e["split"], e["outcome"], e.get("score") or 0.0)
+        ScoredEpisode(e["task"], e["split"], e["outcome"], e.get("score") or 0.0)
         for e in vector["episodes"]
     ]
     assert_same(score_of(episodes), vector["score"])
@@ -123,7 +123,7 @@ def test_more_trials_never_tell_less(rate: float, n: int) -> None:
 
 
 @given(runs)
-def test_sums_are_exact(episodes: list[Scored]) -> None:
+def test_sums_are_exact(episodes: list[ScoredEpisode]) -> None:
     total, scored, successes = by_hand(episodes)
     found, number = score_of(episodes), len(episodes)
 
@@ -145,7 +145,7 @@ def test_sums_are_exact(episodes: list[Scored]) -> None:
 
 
 @given(runs)
-def test_counts_add_up(episodes: list[Scored]) -> None:
+def test_counts_add_up(episodes: list[ScoredEpisode]) -> None:
     found = score_of(episodes)
     groups = [found, *found["by_task"].values(), *found["by_split"].values()]
     for counts in (group["counts"] for group in groups):
@@ -160,14 +160,14 @@ def test_counts_add_up(episodes: list[Scored]) -> None:
 
 
 @given(runs)
-def test_the_truth_lies_within_the_bounds(episodes: list[Scored]) -> None:
+def test_the_truth_lies_within_the_bounds(episodes: list[ScoredEpisode]) -> None:
     found = score_of(episodes)
     assert 0 <= found["score_low"] <= found["score_high"] <= 1
     for rate in ("mean", "success_rate"):
         assert found[rate] is None or 0 <= found[rate] <= 1
     for score in (0.0, 1.0):
         rest = [
-            e if e.outcome else Scored(e.task, e.split, "failure", score)
+            e if e.outcome else ScoredEpisode(e.task, e.split, "failure", score)
             for e in episodes
         ]
         final = score_of(rest)["score"]
@@ -177,7 +177,7 @@ def test_the_truth_lies_within_the_bounds(episodes: list[Scored]) -> None:
 
 @given(runs, st.randoms(use_true_random=False))
 def test_the_order_of_episodes_does_not_matter(
-    episodes: list[Scored], chance: random.Random
+    episodes: list[ScoredEpisode], chance: random.Random
 ) -> None:
     mixed = list(episodes)
     chance.shuffle(mixed)
@@ -185,7 +185,7 @@ def test_the_order_of_episodes_does_not_matter(
 
 
 @given(runs)
-def test_a_group_is_scored_like_a_run(episodes: list[Scored]) -> None:
+def test_a_group_is_scored_like_a_run(episodes: list[ScoredEpisode]) -> None:
     for task, group in score_of(episodes)["by_task"].items():
         alone = score_of([e for e in episodes if e.task == task])
         assert group == {key: alone[key] for key in group}
@@ -196,13 +196,16 @@ def test_a_group_is_scored_like_a_run(episodes: list[Scored]) -> None:
 
 def test_an_abandoned_episode_scores_nothing_whatever_it_carries() -> None:
     found = score_of(
-        [Scored("a", "x", "abandoned", 1.0), Scored("a", "x", "success", 1.0)]
+        [
+            ScoredEpisode("a", "x", "abandoned", 1.0),
+            ScoredEpisode("a", "x", "success", 1.0),
+        ]
     )
     assert (found["score"], found["success_rate"]) == (0.5, 0.5)
 
 
 @given(runs)
-def test_a_score_fits_its_schema(episodes: list[Scored]) -> None:
+def test_a_score_fits_its_schema(episodes: list[ScoredEpisode]) -> None:
     names = {"run_id": "r", "benchmark_id": "b", "state": "running"}
     models.Score.model_validate(
         names | {"manifest_sha256": "0" * 64} | score_of(episodes), strict=True

@@ -154,7 +154,7 @@ def test_a_database_is_a_path_or_a_url(database: str, url: str) -> None:
 def caller(tokens: Tokens, header: str | None, scope: str = "read") -> str:
     """The account that a header stands for, or the code of the refusal."""
     try:
-        return tokens.caller(header, scope).account
+        return tokens.authenticate(header, scope).account
     except Refused as refused:
         return refused.code
 
@@ -185,9 +185,9 @@ def test_a_token_may_be_given_as_its_hash() -> None:
 
 
 def test_a_fresh_token_can_do_everything_and_is_new_each_time() -> None:
-    tokens, secret = Tokens.fresh()
+    tokens, secret = Tokens.generate()
     assert caller(tokens, f"Bearer {secret}", "run") == "local"
-    assert Tokens.fresh()[1] != secret
+    assert Tokens.generate()[1] != secret
 
 
 def test_secrets_are_not_kept() -> None:

@@ -11,13 +11,13 @@ from tests.conftest import ACTION, a_run
 MANIFEST = a_run().manifest
 
 
-def pointers(breaches: action_space.Breaches) -> list[str]:
+def pointers(breaches: action_space.SpaceErrors) -> list[str]:
     assert all(text for _, text in breaches)
     return [pointer for pointer, _ in breaches]
 
 
-def misfits(*actions: dict[str, list[float]]) -> list[str]:
-    return pointers(action_space.misfits(actions, MANIFEST))
+def action_errors(*actions: dict[str, list[float]]) -> list[str]:
+    return pointers(action_space.action_errors(actions, MANIFEST))
 
 
 def without(name: str) -> dict[str, list[float]]:
@@ -43,14 +43,14 @@ def without(name: str) -> dict[str, list[float]]:
     ],
 )
 def test_an_action_must_fit(action: dict[str, list[float]], pointer: str) -> None:
-    assert misfits(action) == [f"/actions/0/values/{pointer}"]
+    assert action_errors(action) == [f"/actions/0/values/{pointer}"]
     # PRED-019: where it stands does not help it.
-    assert misfits(ACTION, action) == [f"/actions/1/values/{pointer}"]
+    assert action_errors(ACTION, action) == [f"/actions/1/values/{pointer}"]
 
 
 def test_every_misfit_is_named() -> None:
     first = {"z": [0.0], "grip": [2.0], "a": [0.0]}
-    assert misfits(first, ACTION, {"arm": [], "grip": [0.0], "head": [0.0]}) == [
+    assert action_errors(first, ACTION, {"arm": [], "grip": [0.0], "head": [0.0]}) == [
         "/actions/0/values/z",
         "/actions/0/values/a",
         "/actions/0/values/arm",
@@ -62,18 +62,18 @@ def test_every_misfit_is_named() -> None:
 
 @pytest.mark.parametrize("value", [0.0, 1.0, -0.0, 5e-324])
 def test_the_ends_of_a_range_belong_to_it(value: float) -> None:
-    assert misfits(ACTION | {"grip": [value]}) == []
+    assert action_errors(ACTION | {"grip": [value]}) == []
 
 
 def test_only_a_range_that_refuses_has_an_outside() -> None:
-    assert misfits(ACTION | {"head": [-1e300]}) == []
-    assert misfits(ACTION | {"arm": [1e300, -1e300]}) == []
+    assert action_errors(ACTION | {"head": [-1e300]}) == []
+    assert action_errors(ACTION | {"arm": [1e300, -1e300]}) == []
 
 
 def test_a_chunk_has_a_longest_length() -> None:
-    assert misfits(*[ACTION] * 4) == []
-    assert misfits(*[ACTION] * 5) == ["/actions"]
-    assert misfits(*[without("arm")] * 5) == ["/actions"]
+    assert action_errors(*[ACTION] * 4) == []
+    assert action_errors(*[ACTION] * 5) == ["/actions"]
+    assert action_errors(*[without("arm")] * 5) == ["/actions"]
 
 
 # --- clipping ---
@@ -81,14 +81,14 @@ def test_a_chunk_has_a_longest_length() -> None:
 
 def test_values_are_clipped_only_where_that_is_declared() -> None:
     action = {"arm": [9.0, -9.0], "grip": [0.5], "head": [1.5]}
-    clipped = action_space.clipped([action, ACTION | {"head": [-1e300]}], MANIFEST)
+    clipped = action_space.clip_actions([action, ACTION | {"head": [-1e300]}], MANIFEST)
     assert clipped[0] == {"arm": [9.0, -9.0], "grip": [0.5], "head": [1.0]}
     assert clipped[1] == ACTION | {"head": [0.0]}
 
 
 @pytest.mark.parametrize("value", [0.0, -0.0, 5e-324, 0.1, 1.0])
 def test_what_is_inside_is_not_touched(value: float) -> None:
-    (clipped,) = action_space.clipped([ACTION | {"head": [value]}], MANIFEST)
+    (clipped,) = action_space.clip_actions([ACTION | {"head": [value]}], MANIFEST)
     assert math.copysign(1.0, clipped["head"][0]) == math.copysign(1.0, value)
     assert clipped["head"] == [value]
 
@@ -102,10 +102,10 @@ def test_can_confirm_conventions() -> None:
         "action": {"arm": {"size": 2, "rotation": "none"}},
         "state": {"joints": {"unit": "rad"}},
     }
-    assert action_space.mismatches(assumes, MANIFEST) == []
+    assert action_space.convention_errors(assumes, MANIFEST) == []
     nothing: dict[str, Any] = {"control_rate_hz": None, "action": None, "state": {}}
-    assert action_space.mismatches(nothing, MANIFEST) == []
-    assert action_space.mismatches({}, MANIFEST) == []
+    assert action_space.convention_errors(nothing, MANIFEST) == []
+    assert action_space.convention_errors({}, MANIFEST) == []
 
 
 @pytest.mark.parametrize(
@@ -126,5 +126,5 @@ def test_can_confirm_conventions() -> None:
 def test_cannot_assume_other_conventions(
     assumes: dict[str, Any], wrong: list[str]
 ) -> None:
-    found = pointers(action_space.mismatches(assumes, MANIFEST))
+    found = pointers(action_space.convention_errors(assumes, MANIFEST))
     assert found == [f"/assumes/{where}" for where in wrong]

@@ -22,7 +22,7 @@ from reference_server.http.dispatch import (
     PATH_PATTERNS,
     QUERY_PATTERNS,
 )
-from reference_server.http.handlers import Routes
+from reference_server.http.handlers import Handlers
 from reference_server.settings import Settings
 
 SPEC = Path(__file__).resolve().parent.parent / "spec"
@@ -318,7 +318,7 @@ def test_ids_are_of_a_kind() -> None:
 # --- the routes ---
 
 NOTHING: Any = None
-TABLE = Routes(Settings(), NOTHING, NOTHING, NOTHING).table()
+TABLE = Handlers(Settings(), NOTHING, NOTHING, NOTHING).table()
 DESCRIBED = {
     (path, method.upper()): described
     for path, method, described in operations(DOCUMENT)

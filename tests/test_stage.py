@@ -32,13 +32,15 @@ def test_a_successor_goes_on_where_the_turn_ends(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     async def story(parts: Parts) -> None:
-        run = await parts.book.add(calibration("count"), None, "")
-        turn = await parts.stage.attach(run, Attach("w", "key"))
-        before = parts.stage._scenes.of(run.workers["w"])
+        run = await parts.registry.add(calibration("count"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        before = parts.executor._resources.find(run.workers["w"])
         gate = Gate(monkeypatch, SimulatorHandle, "play")
-        played = begun(parts.stage.predict(run, predict(turn)))
+        played = begun(parts.executor.predict(run, predict(turn)))
         await gate.reached()
-        taking = begun(parts.stage.attach(run, Attach("w", "another", takeover=True)))
+        taking = begun(
+            parts.executor.attach(run, Attach("w", "another", takeover=True))
+        )
         await asyncio.sleep(0)
         gate.open()
         assert (await played)["executed_steps"] == 1
@@ -46,11 +48,11 @@ def test_a_successor_goes_on_where_the_turn_ends(
         assert successor["episode"]["step"] == 1
         assert successor["observation"]["state"]["count"] == [1.0]
         with refusal("session_superseded"):
-            await parts.stage.predict(run, predict(await played))
+            await parts.executor.predict(run, predict(await played))
         assert before is not None
         assert before.timer is not None
         assert before.timer.cancelled()
-        assert parts.pool.busy == len(parts.stage._scenes) == 1
+        assert parts.pool.busy == len(parts.executor._resources) == 1
 
     tell(tmp_path, story)
 
@@ -59,10 +61,10 @@ def test_successors_come_one_after_another(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     async def story(parts: Parts) -> None:
-        run = await parts.book.add(calibration("count"), None, "")
+        run = await parts.registry.add(calibration("count"), None, "")
         gate = Gate(monkeypatch, SimulatorHandle, "begin")
         attachments = [
-            begun(parts.stage.attach(run, Attach("w", key, takeover=True)))
+            begun(parts.executor.attach(run, Attach("w", key, takeover=True)))
             for key in ("first", "second", "third")
         ]
         await gate.reached()
@@ -70,10 +72,10 @@ def test_successors_come_one_after_another(
         *before, last = [await task for task in attachments]
         for turn in before:
             with refusal("session_superseded"):
-                parts.stage.heartbeat(run, Heartbeat("w", turn["session_id"]))
-        parts.stage.heartbeat(run, Heartbeat("w", last["session_id"]))
+                parts.executor.heartbeat(run, Heartbeat("w", turn["session_id"]))
+        parts.executor.heartbeat(run, Heartbeat("w", last["session_id"]))
         assert run.episodes[0].attempt == 1
-        assert parts.pool.busy == len(parts.stage._scenes) == 1
+        assert parts.pool.busy == len(parts.executor._resources) == 1
 
     tell(tmp_path, story)
 
@@ -82,14 +84,16 @@ def test_a_successor_finds_that_the_run_has_failed_meanwhile(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     async def story(parts: Parts) -> None:
-        run = await parts.book.add(calibration("fault", "count"), None, "")
-        turn = await parts.stage.attach(run, Attach("w", "key"))
-        other = await parts.stage.attach(run, Attach("other", "key"))
+        run = await parts.registry.add(calibration("fault", "count"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        other = await parts.executor.attach(run, Attach("other", "key"))
         # What the other one's simulator answers is held up until all is over.
         gate = Gate(monkeypatch, SimulatorHandle, "play", after=True)
-        dying = begun(parts.stage.predict(run, predict(turn, fault=2)))
-        beside = begun(parts.stage.predict(run, predict(other, "other")))
-        taking = begun(parts.stage.attach(run, Attach("w", "another", takeover=True)))
+        dying = begun(parts.executor.predict(run, predict(turn, fault=2)))
+        beside = begun(parts.executor.predict(run, predict(other, "other")))
+        taking = begun(
+            parts.executor.attach(run, Attach("w", "another", takeover=True))
+        )
         await asyncio.wait([taking])
         gate.open()
         for task in (dying, beside):
@@ -114,15 +118,17 @@ def test_a_successor_finds_a_dead_simulator(
     """The fault is recorded; while it is stored anything may happen to the run."""
 
     async def story(parts: Parts) -> None:
-        run = await parts.book.add(calibration("count"), None, "")
+        run = await parts.registry.add(calibration("count"), None, "")
         if then == "fails":
             run.manifest = {**run.manifest, "max_faults": 1}
-        turn = await parts.stage.attach(run, Attach("w", "key"))
-        await parts.stage.predict(run, predict(turn))
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        await parts.executor.predict(run, predict(turn))
         for process in list(parts.pool._processes):
             process.end("was killed by the test")
         gate = Gate(monkeypatch, parts.store, "save")
-        taking = begun(parts.stage.attach(run, Attach("w", "another", takeover=True)))
+        taking = begun(
+            parts.executor.attach(run, Attach("w", "another", takeover=True))
+        )
         await gate.reached()
         if then == "is stopped":
             stop(parts, run)
@@ -146,14 +152,14 @@ def test_a_successor_finds_a_dead_simulator(
 
 def test_who_waits_for_a_turn_that_is_lost_is_told(tmp_path: Path) -> None:
     async def story(parts: Parts) -> None:
-        run = await parts.book.add(calibration("delay"), None, "")
-        turn = await parts.stage.attach(run, Attach("w", "key"))
+        run = await parts.registry.add(calibration("delay"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
         command = predict(turn, delay_s=0.2, end=1)
         with parts.unwritable():
             work = [
-                parts.stage.predict(run, command),
-                parts.stage.predict(run, command),
-                parts.stage.attach(run, Attach("w", "another", takeover=True)),
+                parts.executor.predict(run, command),
+                parts.executor.predict(run, command),
+                parts.executor.attach(run, Attach("w", "another", takeover=True)),
             ]
             tasks = [asyncio.create_task(one) for one in work]
             await asyncio.wait(tasks)
@@ -163,7 +169,7 @@ def test_who_waits_for_a_turn_that_is_lost_is_told(tmp_path: Path) -> None:
             await tasks[1]
         # The successor plays the run as it is stored, not the one that was lost.
         successor = await tasks[2]
-        found = await parts.book.get(run.run_id)
+        found = await parts.registry.get(run.run_id)
         assert found is not run
         assert list(found.workers) == ["w"]
         assert successor["episode"]["step"] == 0
@@ -175,14 +181,14 @@ def test_who_comes_with_a_run_that_was_lost_is_told(tmp_path: Path) -> None:
     """Its caller found the run, awaited something else, and another's write failed."""
 
     async def story(parts: Parts) -> None:
-        run = await parts.book.add(calibration("count", "count"), None, "")
-        one = await parts.stage.attach(run, Attach("one", "key"))
-        other = await parts.stage.attach(run, Attach("other", "key"))
+        run = await parts.registry.add(calibration("count", "count"), None, "")
+        one = await parts.executor.attach(run, Attach("one", "key"))
+        other = await parts.executor.attach(run, Attach("other", "key"))
         with parts.unwritable(), refusal("unavailable"):
-            await parts.stage.predict(run, predict(one, "one", end=1))
+            await parts.executor.predict(run, predict(one, "one", end=1))
         with refusal("session_ended", ended_by="unknown"):
-            await parts.stage.predict(run, predict(other, "other"))
-        assert await parts.book.get(run.run_id) is not run
+            await parts.executor.predict(run, predict(other, "other"))
+        assert await parts.registry.get(run.run_id) is not run
 
     tell(tmp_path, story)
 
@@ -191,9 +197,9 @@ def test_the_last_turn_is_answered_although_a_successor_is_there(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     async def story(parts: Parts) -> None:
-        run = await parts.book.add(calibration("score", "score"), None, "")
-        await parts.stage.attach(run, Attach("other", "key"))
-        turn = await parts.stage.attach(run, Attach("w", "key"))
+        run = await parts.registry.add(calibration("score", "score"), None, "")
+        await parts.executor.attach(run, Attach("other", "key"))
+        turn = await parts.executor.attach(run, Attach("w", "key"))
         saving, release, save = asyncio.Event(), asyncio.Event(), parts.store.save
 
         async def slow_save(run: Run) -> None:
@@ -203,10 +209,12 @@ def test_the_last_turn_is_answered_although_a_successor_is_there(
 
         monkeypatch.setattr(parts.store, "save", slow_save)
         last = asyncio.create_task(
-            parts.stage.predict(run, predict(turn, score=1, end=1))
+            parts.executor.predict(run, predict(turn, score=1, end=1))
         )
         await saving.wait()
-        successor = asyncio.create_task(parts.stage.attach(run, Attach("w", "another")))
+        successor = asyncio.create_task(
+            parts.executor.attach(run, Attach("w", "another"))
+        )
         await asyncio.sleep(0)
         release.set()
         assert (await last)["done"]
@@ -221,9 +229,9 @@ def test_a_lease_ends_at_one_moment_for_all(
     """Between two looks at the clock a lease ended: then it ended for both or none."""
 
     async def story(parts: Parts) -> None:
-        run = await parts.book.add(calibration("count", "count"), None, "")
-        turn = await parts.stage.attach(run, Attach("w", "key"))
-        await parts.stage.predict(run, predict(turn))
+        run = await parts.registry.add(calibration("count", "count"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        await parts.executor.predict(run, predict(turn))
         expires_at = run.workers["w"].expires_at
         moments = iter([expires_at])  # the first look; all others are too late
 
@@ -234,11 +242,11 @@ def test_a_lease_ends_at_one_moment_for_all(
         clock.monotonic = monotonic
         monkeypatch.setattr(stage_module, "time", clock)
         with refusal("worker_busy"):
-            await parts.stage.attach(run, Attach("w", "another"))
-        turn = await parts.stage.attach(run, Attach("w", "another"))
+            await parts.executor.attach(run, Attach("w", "another"))
+        turn = await parts.executor.attach(run, Attach("w", "another"))
         assert turn["episode"]["attempt"] == 2
         assert parts.pool.busy == 1
         monkeypatch.undo()
-        parts.stage.heartbeat(run, Heartbeat("w", turn["session_id"]))
+        parts.executor.heartbeat(run, Heartbeat("w", turn["session_id"]))
 
     tell(tmp_path, story)

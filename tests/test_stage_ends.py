@@ -39,9 +39,9 @@ def test_a_run_is_not_played_on_another_benchmark(
     """A score is of one manifest. Nothing is counted, and the run stays as it is."""
 
     async def story(parts: Parts) -> None:
-        run = await parts.book.add(calibration("count", **change), None, "")
+        run = await parts.registry.add(calibration("count", **change), None, "")
         with refusal("benchmark_unavailable") as refused:
-            await parts.stage.attach(run, Attach("w", "key"))
+            await parts.executor.attach(run, Attach("w", "key"))
         assert what in refused.value.detail
         await nothing_is_held(parts)
         assert (run.state, run.episodes[0].attempt) == ("ready", 1)
@@ -57,15 +57,15 @@ def test_a_stop_before_the_work_begins(
     tmp_path: Path, caplog: pytest.LogCaptureFixture, who: str
 ) -> None:
     async def story(parts: Parts) -> None:
-        run = await parts.book.add(calibration("count"), None, "")
+        run = await parts.registry.add(calibration("count"), None, "")
         if who == "a new session":
-            work = parts.stage.attach(run, Attach("w", "key"))
+            work = parts.executor.attach(run, Attach("w", "key"))
         else:
-            turn = await parts.stage.attach(run, Attach("w", "key"))
-            work = parts.stage.predict(run, predict(turn))
+            turn = await parts.executor.attach(run, Attach("w", "key"))
+            work = parts.executor.predict(run, predict(turn))
         if who == "a successor":
             work.close()
-            work = parts.stage.attach(run, Attach("w", "another", takeover=True))
+            work = parts.executor.attach(run, Attach("w", "another", takeover=True))
         task = begun(work)
         await asyncio.sleep(0)  # the session is open; its work waits for its turn
         stop(parts, run)
@@ -91,9 +91,9 @@ def test_a_stop_while_a_session_opens(
     method: str,
 ) -> None:
     async def story(parts: Parts) -> None:
-        run = await parts.book.add(calibration("count"), None, "")
+        run = await parts.registry.add(calibration("count"), None, "")
         gate = Gate(monkeypatch, owner, method)
-        opening = begun(parts.stage.attach(run, Attach("w", "key")))
+        opening = begun(parts.executor.attach(run, Attach("w", "key")))
         await gate.reached()
         stop(parts, run)
         gate.open()
@@ -102,8 +102,8 @@ def test_a_stop_while_a_session_opens(
         await nothing_is_held(parts)
         assert (run.episodes[0].attempt, run.episodes[0].faults) == (1, 0)
         effects.resume(run, 0.0)
-        effects.move(run, "capacity")
-        turn = await parts.stage.attach(run, Attach("w", "key"))
+        effects.apply_event(run, "capacity")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
         assert turn["episode"]["attempt"] == 1
 
     tell(tmp_path, story)
@@ -123,16 +123,16 @@ def test_a_stop_when_the_simulator_has_just_answered(
     """The answer comes too late: it is not told, and what it says is not scored."""
 
     async def story(parts: Parts) -> None:
-        run = await parts.book.add(calibration("count"), None, "")
+        run = await parts.registry.add(calibration("count"), None, "")
         if method != "begin":
-            turn = await parts.stage.attach(run, Attach("w", "key"))
+            turn = await parts.executor.attach(run, Attach("w", "key"))
         if method == "observe":
-            await parts.stage.predict(run, predict(turn))
+            await parts.executor.predict(run, predict(turn))
         gate = Gate(monkeypatch, SimulatorHandle, method, after=True)
         work = (
-            parts.stage.predict(run, predict(turn, end=1))
+            parts.executor.predict(run, predict(turn, end=1))
             if method == "play"
-            else parts.stage.attach(run, Attach("w", "another", takeover=True))
+            else parts.executor.attach(run, Attach("w", "another", takeover=True))
         )
         task = begun(work)
         await gate.reached()
@@ -154,16 +154,16 @@ def test_a_stop_after_the_last_action_and_before_the_result_is_stored(
     """The result stands, although the turn that brought it is not answered."""
 
     async def story(parts: Parts) -> None:
-        run = await parts.book.add(calibration("score", "score"), None, "")
-        turn = await parts.stage.attach(run, Attach("w", "key"))
+        run = await parts.registry.add(calibration("score", "score"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
         gate = Gate(monkeypatch, parts.store, "save")
-        last = begun(parts.stage.predict(run, predict(turn, score=1, end=1)))
+        last = begun(parts.executor.predict(run, predict(turn, score=1, end=1)))
         await gate.reached()
         stop(parts, run)
         gate.open()
         with refusal("session_ended", ended_by="run_stopped"):
             await last
-        await parts.book.commit(run)
+        await parts.registry.commit(run)
         stored = await parts.store.load(run.run_id)
         assert stored is not None
         assert (stored.state, stored.scored) == ("stopped", 1)
@@ -179,12 +179,12 @@ def test_a_detach_ends_a_turn_in_the_middle(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     async def story(parts: Parts) -> None:
-        run = await parts.book.add(calibration("count"), None, "")
-        turn = await parts.stage.attach(run, Attach("w", "key"))
+        run = await parts.registry.add(calibration("count"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
         gate = Gate(monkeypatch, SimulatorHandle, "play")
-        playing = begun(parts.stage.predict(run, predict(turn)))
+        playing = begun(parts.executor.predict(run, predict(turn)))
         await gate.reached()
-        await parts.stage.detach(run, Detach("w", turn["session_id"]))
+        await parts.executor.detach(run, Detach("w", turn["session_id"]))
         gate.open()
         with refusal("session_ended", ended_by="detached"):
             await playing
@@ -215,24 +215,24 @@ def test_the_end_of_the_server_is_no_defect(
     work: list[asyncio.Task[Any]] = []
 
     async def story(parts: Parts) -> None:
-        run = await parts.book.add(calibration("score", "score"), None, "")
+        run = await parts.registry.add(calibration("score", "score"), None, "")
         if method in ("acquire", "begin"):
             gate = Gate(monkeypatch, owner, method)
-            work.append(begun(parts.stage.attach(run, Attach("w", "key"))))
+            work.append(begun(parts.executor.attach(run, Attach("w", "key"))))
         else:
-            turn = await parts.stage.attach(run, Attach("w", "key"))
+            turn = await parts.executor.attach(run, Attach("w", "key"))
             gate = Gate(monkeypatch, owner, method)
             command = predict(turn, score=1, end=1)
-            work.append(begun(parts.stage.predict(run, command)))
+            work.append(begun(parts.executor.predict(run, command)))
         await gate.reached()
-        await parts.stage.close()
+        await parts.executor.close()
         gate.open()
         with refusal("session_ended", ended_by="unknown"):
             await work[0]
         await nothing_is_held(parts)
 
     async def after(parts: Parts) -> None:
-        run = await parts.book.get("run_1")
+        run = await parts.registry.get("run_1")
         assert (run.state, [e.attempt for e in run.episodes]) == ("ready", [1, 1])
         assert run.scored == (method == "save")
 

@@ -104,7 +104,7 @@ def test_a_glance_is_a_part_of_the_run(tmp_path: Path) -> None:
         run = await parts.store.load("run_1")
         assert run is not None
         for start, end in ((0, 0), (0, None), (1, 2), (2, 9), (3, 9), (7, None)):
-            found = await parts.store.glance("run_1", start, end)
+            found = await parts.store.read_window("run_1", start, end)
             assert found is not None
             head, episodes = found
             assert episodes == run.episodes[start:end]
@@ -113,7 +113,7 @@ def test_a_glance_is_a_part_of_the_run(tmp_path: Path) -> None:
         heads = await parts.store.heads(["run_2", "run_3", "run_1"])
         assert {i: head.scored for i, head in heads.items()} == {"run_1": 1, "run_2": 1}
         assert heads["run_1"].manifest is run.manifest, "it is decoded once for all"
-        assert await parts.store.glance("run_3", 0, None) is None
+        assert await parts.store.read_window("run_3", 0, None) is None
         assert await parts.store.heads([]) == {}
 
     tell(tmp_path, story)
@@ -122,7 +122,7 @@ def test_a_glance_is_a_part_of_the_run(tmp_path: Path) -> None:
 def test_manifests_are_not_kept_for_ever(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(store_module, "MANIFESTS_KEPT", 2)
+    monkeypatch.setattr(store_module, "CACHED_MANIFESTS_MAX", 2)
 
     async def story(parts: Parts) -> None:
         for length in range(1, 6):
@@ -131,7 +131,7 @@ def test_manifests_are_not_kept_for_ever(
         for length in (1, 2, 3, 4, 5, 1):
             heads = await parts.store.heads([f"run_{length}"])
             assert heads[f"run_{length}"].total == length
-            assert len(parts.store._decoded) <= 2
+            assert len(parts.store._manifest_cache) <= 2
 
     tell(tmp_path, story)
 
@@ -144,7 +144,7 @@ def test_a_database_of_before_a_column_is_read_as_it_is(tmp_path: Path) -> None:
             database.execute("ALTER TABLE episodes DROP COLUMN policy_fault")
 
     async def after(parts: Parts) -> None:
-        found = await parts.store.glance("run_1", 1, 2)
+        found = await parts.store.read_window("run_1", 1, 2)
         assert found is not None
         assert (found[0].scored, found[1][0].result) == (1, RESULT)
         run = await parts.store.load("run_1")
@@ -152,7 +152,7 @@ def test_a_database_of_before_a_column_is_read_as_it_is(tmp_path: Path) -> None:
         run.episodes[2].policy_fault = "it hung up"
         score(run, 2)
         await parts.store.save(run)
-        again = await parts.store.glance("run_1", 2, 3)
+        again = await parts.store.read_window("run_1", 2, 3)
         assert again is not None
         assert (again[0].scored, again[1][0].policy_fault) == (2, "it hung up")
 
@@ -263,7 +263,7 @@ def test_a_database_that_is_gone_is_said_to_be_so(tmp_path: Path) -> None:
         await parts.store.insert(run, None, "")
         engine, parts.store._engine = parts.store._engine, cast(Any, Gone())
         # As over a network: not a file, which has a way of its own to be read.
-        reader, parts.store._reader = parts.store._reader, None
+        reader, parts.store._read_engine = parts.store._read_engine, None
         run.changed = {0}
         for work in (
             parts.store.heads(["run_1"]),
@@ -274,7 +274,7 @@ def test_a_database_that_is_gone_is_said_to_be_so(tmp_path: Path) -> None:
             with pytest.raises(StoreFailed, match=r"^nobody$"):
                 await work
         assert run.changed == {0}
-        parts.store._engine, parts.store._reader = engine, reader
+        parts.store._engine, parts.store._read_engine = engine, reader
 
     tell(tmp_path, story)
 

@@ -61,7 +61,7 @@ def execute(media_type: str, body: bytes) -> None:
     """What the server does with a predict before it looks at a session."""
     message = codec.validate(models.Predict, codec.decode(body, media_type))
     actions = [action.values for action in message.actions]
-    if breaches := action_space.misfits(actions, UNBOUNDED):
+    if breaches := action_space.action_errors(actions, UNBOUNDED):
         raise Refused("invalid_request", "Misfits.", errors=list(breaches))
 
 
@@ -88,7 +88,7 @@ def test_our_models_and_encoder_give_it_back(vector: dict[str, Any]) -> None:
     again = model.model_validate(structure).model_dump(exclude_unset=True)
     assert same(in_json(again), in_json(structure))
     for media_type in (codec.JSON, codec.MSGPACK):
-        body = codec.encoded(again, media_type).body
+        body = codec.encode_response(again, media_type).body
         assert same(in_json(codec.decode(bytes(body), media_type)), in_json(again))
 
 

@@ -246,26 +246,26 @@ def generated(root: Path) -> set[Path]:
     return found
 
 
-def differences(fresh: Path) -> list[str]:
-    wanted, present = generated(fresh), generated(ROOT)
+def differences(generate: Path) -> list[str]:
+    wanted, present = generated(generate), generated(ROOT)
     lines = [f"missing: {path}" for path in sorted(wanted - present)]
     lines.extend(f"stale: {path}" for path in sorted(present - wanted))
     for path in sorted(wanted & present):
-        if filecmp.cmp(fresh / path, ROOT / path, shallow=False):
+        if filecmp.cmp(generate / path, ROOT / path, shallow=False):
             continue
         old = (ROOT / path).read_text().splitlines()
-        new = (fresh / path).read_text().splitlines()
+        new = (generate / path).read_text().splitlines()
         diff = list(difflib.unified_diff(old, new, lineterm="", n=0))[2:]
         lines += [f"differs: {path}", *(f"    {line}" for line in diff[:6])]
     return lines
 
 
-def replace(fresh: Path) -> None:
-    for path in generated(ROOT) - generated(fresh):
+def replace(generate: Path) -> None:
+    for path in generated(ROOT) - generated(generate):
         (ROOT / path).unlink()
-    for path in sorted(generated(fresh)):
+    for path in sorted(generated(generate)):
         (ROOT / path).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(fresh / path, ROOT / path)
+        shutil.copyfile(generate / path, ROOT / path)
 
 
 def main() -> int:
@@ -273,15 +273,15 @@ def main() -> int:
     arguments.add_argument("--check", action="store_true", help="write nothing")
     check = arguments.parse_args().check
     with tempfile.TemporaryDirectory() as scratch:
-        fresh = Path(scratch)
+        generate = Path(scratch)
         try:
-            write_all(fresh)
+            write_all(generate)
         except GenerationError as error:
             print(f"generate: {error}", file=sys.stderr)
             return 1
-        lines = differences(fresh)
+        lines = differences(generate)
         if not check:
-            replace(fresh)
+            replace(generate)
     files = sum(not line.startswith(" ") for line in lines)
     if check and lines:
         print("\n".join(lines[:60]))

@@ -53,12 +53,12 @@ class Tokens:
         return cls(by_hash)
 
     @classmethod
-    def fresh(cls) -> tuple[Tokens, str]:
+    def generate(cls) -> tuple[Tokens, str]:
         """One new token with every scope for the account `local`, and its secret."""
         secret = f"proctor_{secrets.token_urlsafe(24)}"
         return cls({_hash(secret): Caller("local", SCOPES)}), secret
 
-    def caller(self, authorization: str | None, scope: str) -> Caller:
+    def authenticate(self, authorization: str | None, scope: str) -> Caller:
         """Who an Authorization header stands for (AUTH-001, AUTH-005)."""
         scheme, _, secret = (authorization or "").partition(" ")
         # A look-up by hash takes the same time for every wrong secret.

@@ -64,7 +64,7 @@ def decode(body: bytes, media_type: str) -> Any:
     """The structure in a body; refused when malformed (ERR-002, ERR-013)."""
     try:
         if media_type == MSGPACK:
-            return msgspec.msgpack.decode(body, ext_hook=_no_extensions)
+            return msgspec.msgpack.decode(body, ext_hook=_reject_extension)
         return _from_json(body)
     except RecursionError as error:
         raise Refused("malformed_body", "The body is nested too deeply.") from error
@@ -76,11 +76,11 @@ def _from_json(body: bytes) -> Any:
     structure = msgspec.json.decode(body)
     if _MINUS_ZERO.search(body):
         # ENC-003: `-0` is a double with a sign, which msgspec's integer 0 has lost.
-        return json.loads(body, parse_int=_with_sign)
+        return json.loads(body, parse_int=_parse_signed_zero)
     return structure
 
 
-def _with_sign(digits: str) -> float:
+def _parse_signed_zero(digits: str) -> float:
     return -0.0 if digits == "-0" else int(digits)
 
 
@@ -92,7 +92,7 @@ def validate(model: type[Model], data: Any) -> Model:
         faults = error.errors(include_url=False, include_context=False)
         if _accept_whole_numbers(data, faults):
             return validate(model, data)
-        if _holds_time(data):
+        if _contains_timestamp(data):
             # ENC-008: the one extension that msgspec knows by itself.
             raise Refused("malformed_body", "Extension types are not read.") from error
         raise Refused(
@@ -121,7 +121,7 @@ def media_type_of(request: Request, readable: Sequence[str]) -> str:
     return media_type
 
 
-def acceptable(request: Request, writable: Sequence[str]) -> str:
+def negotiate_media_type(request: Request, writable: Sequence[str]) -> str:
     """The media type to answer in; of equals the first, which is JSON (ENC-001)."""
     header = ",".join(request.headers.getlist("accept")) or "*/*"
     best = _best(header, tuple(writable))
@@ -144,15 +144,17 @@ def _best(accept: str, writable: Sequence[str]) -> str:
     return best
 
 
-def encoded(content: Any, media_type: str = JSON, status: int = 200) -> Response:
+def encode_response(
+    content: Any, media_type: str = JSON, status: int = 200
+) -> Response:
     """An answer. Blobs are Base64 in JSON and `bin` in MessagePack (ENC-002)."""
-    first, *others = in_parts(content, media_type)
+    first, *others = encode_segments(content, media_type)
     if others:
-        return InParts([first, *others], status, media_type)
+        return SegmentedResponse([first, *others], status, media_type)
     return Response(first, status_code=status, media_type=media_type)
 
 
-class InParts(Response):
+class SegmentedResponse(Response):
     """An answer whose large images are sent from where they are."""
 
     def __init__(
@@ -172,7 +174,9 @@ class InParts(Response):
             await send({"type": "http.response.body", **more})
 
 
-def in_parts(content: Any, media_type: str = MSGPACK) -> Sequence[bytes | memoryview]:
+def encode_segments(
+    content: Any, media_type: str = MSGPACK
+) -> Sequence[bytes | memoryview]:
     """The encoded content, in parts to be sent one after another.
 
     Large images are parts of their own: uncopied in MessagePack, and in JSON Base64 by
@@ -181,21 +185,23 @@ def in_parts(content: Any, media_type: str = MSGPACK) -> Sequence[bytes | memory
     encoder of ours is needed for that.
     """
     if media_type == MSGPACK:
-        encode, framed = msgspec.msgpack.encode, _in_msgpack
+        encode, frame = msgspec.msgpack.encode, _in_msgpack
     else:
-        encode, framed = msgspec.json.encode, _in_json
+        encode, frame = msgspec.json.encode, _in_json
     large = _large_images(content)
     if not large:
         return [encode(content)]
-    mark, blobs, marked = secrets.token_bytes(16), [], {}
+    placeholder, blobs, images_with_placeholder = secrets.token_bytes(16), [], {}
     for name, image in large.items():
-        before, blob, after = framed(image["data"])
+        before, blob, after = frame(image["data"])
         blobs.append(blob)
-        marked[name] = image | {"data": msgspec.Raw(before + mark + after)}
+        images_with_placeholder[name] = image | {
+            "data": msgspec.Raw(before + placeholder + after)
+        }
     observation = content["observation"]
-    images = observation["images"] | marked
+    images = observation["images"] | images_with_placeholder
     turn = content | {"observation": observation | {"images": images}}
-    first, *others = encode(turn).split(mark)
+    first, *others = encode(turn).split(placeholder)
     parts: list[bytes | memoryview] = [first]
     for blob, around in zip(blobs, others, strict=True):
         parts += [blob, around]
@@ -246,11 +252,11 @@ def _weight(media_type: str, ranges: Sequence[tuple[str, float]]) -> float:
     return 0.0
 
 
-def _no_extensions(code: int, _data: memoryview) -> Any:
+def _reject_extension(code: int, _data: memoryview) -> Any:
     raise ValueError(f"extension type {code}")
 
 
-def _holds_time(data: Any) -> bool:
+def _contains_timestamp(data: Any) -> bool:
     """Whether a timestamp stands anywhere, however deep the sender put it."""
     rest = [data]
     while rest:
@@ -269,16 +275,16 @@ def _accept_whole_numbers(data: Any, faults: Sequence[Any]) -> bool:
 
     Returns whether anything was mended. Runs only after a failed validation.
     """
-    mended = False
+    corrected = False
     for fault in faults:
         number = fault["input"]
         whole = isinstance(number, float) and number.is_integer()
         if fault["type"] != "int_type" or not whole or not fault["loc"]:
             continue
         *path, last = fault["loc"]
-        holder = data
+        container = data
         for step in path:
-            holder = holder[step]
-        holder[last] = int(number)
-        mended = True
-    return mended
+            container = container[step]
+        container[last] = int(number)
+        corrected = True
+    return corrected

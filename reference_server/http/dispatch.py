@@ -70,7 +70,7 @@ class Operation:
     query, headers: names that it takes. refusal: how it says no; a problem without.
     """
 
-    handler: Callable[[Call], Awaitable[Response]]
+    handler: Callable[[OperationCall], Awaitable[Response]]
     scope: str | None = "read"
     body: type[BaseModel] | None = None
     reads: tuple[str, ...] = (codec.JSON,)
@@ -78,11 +78,11 @@ class Operation:
     query: tuple[str, ...] = ()
     required_query: tuple[str, ...] = ()
     headers: tuple[str, ...] = ()
-    refusal: Callable[[Refused], Response] | None = None
+    refusal_response: Callable[[Refused], Response] | None = None
 
 
 @dataclass(slots=True)
-class Call:
+class OperationCall:
     """One request, checked: every member fits the spec."""
 
     request: Request
@@ -100,7 +100,7 @@ class Call:
         return self.caller.account
 
     def answer(self, content: Any, status: int = 200) -> Response:
-        return codec.encoded(content, self.media_type, status)
+        return codec.encode_response(content, self.media_type, status)
 
 
 async def perform(
@@ -108,7 +108,7 @@ async def perform(
 ) -> Response:
     """Check a request in the fixed order and carry it out; refusals become problems."""
     try:
-        call = await _checked(request, operation, tokens, max_body_bytes)
+        call = await _check_request(request, operation, tokens, max_body_bytes)
         return await operation.handler(call)
     except Refused as error:
         refused = error
@@ -118,23 +118,25 @@ async def perform(
     except asyncio.CancelledError:
         # By the server alone, which ends and has waited long enough.
         refused = Refused("unavailable", "The server is ending.")
-    return (operation.refusal or problem_response)(refused)
+    return (operation.refusal_response or problem_response)(refused)
 
 
-async def _checked(
+async def _check_request(
     request: Request, operation: Operation, tokens: Tokens, max_body_bytes: int
-) -> Call:
+) -> OperationCall:
     check_version(request)
     caller = None
     if operation.scope is not None:
         authorization = request.headers.get("authorization")
-        caller = tokens.caller(authorization, operation.scope)
-    call = Call(
+        caller = tokens.authenticate(authorization, operation.scope)
+    call = OperationCall(
         request,
         _path(request),
         _query(request, operation),
         _headers(request, operation),
-        codec.acceptable(request, operation.writes) if operation.writes else "",
+        codec.negotiate_media_type(request, operation.writes)
+        if operation.writes
+        else "",
         caller,
     )
     if operation.body is not None:
@@ -148,7 +150,7 @@ async def _checked(
 def check_version(request: Request) -> None:
     """VER-002."""
     wanted = request.headers.get("proctor-version")
-    if wanted is not None and not _is_spoken(wanted):
+    if wanted is not None and not _is_supported(wanted):
         raise Refused(
             "unsupported_version",
             f"Version {wanted[:20]} was asked for; {VERSION_MIN} to {VERSION_MAX} are "
@@ -158,7 +160,7 @@ def check_version(request: Request) -> None:
 
 
 @lru_cache(maxsize=64)
-def _is_spoken(version: str) -> bool:
+def _is_supported(version: str) -> bool:
     if not re.fullmatch(r"[0-9]{1,4}\.[0-9]{1,4}", version):
         return False
     return _pair(VERSION_MIN) <= _pair(version) <= _pair(VERSION_MAX)

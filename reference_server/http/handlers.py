@@ -20,13 +20,13 @@ from reference_server.http.codec import JSON, MSGPACK
 from reference_server.http.dispatch import (
     VERSION_MAX,
     VERSION_MIN,
-    Call,
+    OperationCall,
     Operation,
 )
-from reference_server.http.event_streams import EVENT_STREAM, Reader
+from reference_server.http.event_streams import EVENT_STREAM, EventStream
 from reference_server.http.problems import Refused
 from reference_server.http.turn_view import lease_view
-from reference_server.push.policy_server_config import OrderDesk
+from reference_server.push.policy_server_config import PolicyServerValidator
 from reference_server.rules import comparison, effects
 from reference_server.rules.lifecycle import (
     Attach,
@@ -40,9 +40,9 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.runs.benchmarks import Benchmarks
-from reference_server.runs.registry import RunBook
-from reference_server.runs.scores import Scores
-from reference_server.runs.session_executor import Stage
+from reference_server.runs.registry import RunRegistry
+from reference_server.runs.scores import ScoreCache
+from reference_server.runs.session_executor import SessionExecutor
 from reference_server.settings import Settings
 
 SOFTWARE_VERSION = "0.1.0"
@@ -52,15 +52,17 @@ PROFILES: tuple[models.Profile, ...] = ("core", "msgpack", "compare", "events", 
 
 
 @dataclass(frozen=True, slots=True)
-class Routes:
+class Handlers:
     """The operations over one server's parts."""
 
     settings: Settings
     benchmarks: Benchmarks
-    book: RunBook
-    stage: Stage
-    orders: OrderDesk = field(default_factory=OrderDesk)
-    scores: Scores = field(default_factory=Scores)
+    registry: RunRegistry
+    executor: SessionExecutor
+    policy_server_validator: PolicyServerValidator = field(
+        default_factory=PolicyServerValidator
+    )
+    scores: ScoreCache = field(default_factory=ScoreCache)
 
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation; the same as the spec's, as a test proves."""
@@ -122,13 +124,13 @@ class Routes:
 
     # --- control plane ---
 
-    async def describe_service(self, call: Call) -> Response:
+    async def describe_service(self, call: OperationCall) -> Response:
         settings = self.settings
         service = models.Service(
             name="Proctor reference server",
             version=SOFTWARE_VERSION,
             protocol=models.ProtocolRange(min=VERSION_MIN, max=VERSION_MAX),
-            profiles=[*PROFILES, *settings.more_profiles],
+            profiles=[*PROFILES, *settings.enabled_profiles],
             limits=models.Limits(
                 max_body_bytes=settings.max_body_bytes,
                 max_workers=settings.max_workers,
@@ -143,24 +145,24 @@ class Routes:
         )
         return call.answer(service.model_dump())
 
-    async def list_benchmarks(self, call: Call) -> Response:
+    async def list_benchmarks(self, call: OperationCall) -> Response:
         return call.answer({"benchmarks": self.benchmarks.summaries()})
 
-    async def get_benchmark(self, call: Call) -> Response:
+    async def get_benchmark(self, call: OperationCall) -> Response:
         return call.answer(await self.benchmarks.view(call.path["benchmark_id"]))
 
-    async def submit_run(self, call: Call) -> Response:
+    async def submit_run(self, call: OperationCall) -> Response:
         submission = call.body.model_dump()
         key = call.headers.get("idempotency-key")
         # Equal JSON values are the same body, however they were written.
         canonical = msgspec.json.encode(submission, order="deterministic")
         body_sha256 = hashlib.sha256(canonical).hexdigest()
-        run = await self.submitted(call.account, submission, key, body_sha256)
-        response = call.answer(await self._shown(call, run), 201)
+        run = await self.create_run(call.account, submission, key, body_sha256)
+        response = call.answer(await self._render_stored(call, run), 201)
         response.headers["Location"] = f"/v1/runs/{run.run_id}"
         return response
 
-    async def submitted(
+    async def create_run(
         self,
         account: str,
         submission: dict[str, Any],
@@ -168,13 +170,13 @@ class Routes:
         body_sha256: str = "",
     ) -> Run:
         """A new run, whichever door it comes by; submission: schema SubmitRun."""
-        run = await self.new_run(account, submission)
-        return await self.book.add(run, key, body_sha256)
+        run = await self.prepare_run(account, submission)
+        return await self.registry.add(run, key, body_sha256)
 
-    async def new_run(self, account: str, submission: dict[str, Any]) -> Run:
+    async def prepare_run(self, account: str, submission: dict[str, Any]) -> Run:
         """What the submission asks for, not stored yet. Raises Refused."""
         settings = self.settings
-        submission = await self.orders.kept(submission)
+        submission = await self.policy_server_validator.validate_and_encrypt(submission)
         resolved = await self.benchmarks.resolve(submission)
         max_workers = submission.get("max_workers", settings.max_workers)
         idle = submission.get("idle_timeout_s", settings.idle_timeout_s_max)
@@ -212,14 +214,14 @@ class Routes:
             ],
         )
 
-    async def list_runs(self, call: Call) -> Response:
+    async def list_runs(self, call: OperationCall) -> Response:
         limit = int(call.query.get("limit", PAGE))
         before = _number(call.query.get("cursor"))
 
         def view(run: RunHead) -> tuple[int, dict[str, Any]]:
             return run.number, self._view(call, run)
 
-        found = await self.book.page(call.account, before, limit + 1, view)
+        found = await self.registry.page(call.account, before, limit + 1, view)
         more = len(found) > limit
         return call.answer(
             {
@@ -228,15 +230,17 @@ class Routes:
             }
         )
 
-    async def get_run(self, call: Call) -> Response:
+    async def get_run(self, call: OperationCall) -> Response:
         wanted = call.headers.get("if-none-match")
         wait_s = float(call.headers.get("prefer", "wait=0").removeprefix("wait="))
         deadline = time.monotonic() + min(wait_s, self.settings.wait_s_max)
-        run_id, view = call.path["run_id"], partial(self._swept, call)
+        run_id, view = call.path["run_id"], partial(self._sweep_and_view, call)
         while True:
             # Before the look; and whoever waits keeps no run in memory.
-            news = self.book.news(run_id)
-            response = call.answer(await self.book.look(run_id, call.account, view))
+            change = self.registry.change_event(run_id)
+            response = call.answer(
+                await self.registry.read_view(run_id, call.account, view)
+            )
             etag = f'"{hashlib.sha256(bytes(response.body)).hexdigest()[:32]}"'
             response.headers["ETag"] = etag
             if wanted is None or not _matches(wanted, etag):
@@ -244,29 +248,33 @@ class Routes:
             left_s = deadline - time.monotonic()
             if left_s <= 0:
                 return Response(status_code=304, headers={"ETag": etag})
-            await self.book.changed(news, left_s)
+            await self.registry.wait_for_change(change, left_s)
 
-    async def stop_run(self, call: Call) -> Response:
+    async def stop_run(self, call: OperationCall) -> Response:
         stop = Stop(call.body.model_dump().get("mode", "abort"))
-        return call.answer(await self._shown(call, await self.stopped(call, stop)))
+        return call.answer(
+            await self._render_stored(call, await self.apply_stop(call, stop))
+        )
 
-    async def stopped(self, call: Call, stop: Stop) -> Run:
-        run = await self._permitted(call, stop)
-        self.stage.let_go(effects.stop(run, stop.mode, time.time()))
-        await self.book.commit(run)
+    async def apply_stop(self, call: OperationCall, stop: Stop) -> Run:
+        run = await self._run_accepting(call, stop)
+        self.executor.release_sessions(effects.stop(run, stop.mode, time.time()))
+        await self.registry.commit(run)
         return run
 
-    async def resume_run(self, call: Call) -> Response:
-        return call.answer(await self._shown(call, await self.resumed(call)))
+    async def resume_run(self, call: OperationCall) -> Response:
+        return call.answer(
+            await self._render_stored(call, await self.apply_resume(call))
+        )
 
-    async def resumed(self, call: Call) -> Run:
-        run = await self._permitted(call, Resume())
+    async def apply_resume(self, call: OperationCall) -> Run:
+        run = await self._run_accepting(call, Resume())
         if run.state in ("stopped", "failed"):
             effects.resume(run, time.time() + _queue_s(run.submission))
-            await self.book.commit(run)
+            await self.registry.commit(run)
         return run
 
-    async def list_episodes(self, call: Call) -> Response:
+    async def list_episodes(self, call: OperationCall) -> Response:
         limit = int(call.query.get("limit", PAGE))
         start = _number(call.query.get("cursor")) or 0
         end = start + limit
@@ -278,27 +286,31 @@ class Routes:
             }
 
         run_id = call.path["run_id"]
-        return call.answer(await self.book.look(run_id, call.account, view, start, end))
+        return call.answer(
+            await self.registry.read_view(run_id, call.account, view, start, end)
+        )
 
-    async def stream_events(self, call: Call) -> Response:
-        view = partial(self._swept, call)
-        reader = Reader(self.book, call.path["run_id"], call.account, view)
-        return await reader.answer(call.headers.get("last-event-id"))
+    async def stream_events(self, call: OperationCall) -> Response:
+        view = partial(self._sweep_and_view, call)
+        stream = EventStream(self.registry, call.path["run_id"], call.account, view)
+        return await stream.answer(call.headers.get("last-event-id"))
 
-    async def get_score(self, call: Call) -> Response:
+    async def get_score(self, call: OperationCall) -> Response:
         run_id = call.path["run_id"]
-        return call.answer(await self.scores.of(self.book, run_id, call.account))
+        return call.answer(await self.scores.get(self.registry, run_id, call.account))
 
-    async def compare_runs(self, call: Call) -> Response:
+    async def compare_runs(self, call: OperationCall) -> Response:
         tolerance = float(call.query.get("tolerance", comparison.TOLERANCE))
         ids = [call.query["baseline"], *call.query["runs"].split(",")]
         runs, scored = [], []
         for run_id in ids:
-            look = partial(self.book.look, run_id, call.account, end=None)
-            run, episodes = await look(lambda run, all_: (run, views.scored(all_)))
+            look = partial(self.registry.read_view, run_id, call.account, end=None)
+            run, episodes = await look(
+                lambda run, all_: (run, views.scored_episodes(all_))
+            )
             runs.append(run)
             scored.append(episodes)
-        _pair_up(*runs)
+        _check_same_manifest(*runs)
         entries = [
             {"run_id": run_id} | comparison.compare(scored[0], episodes, tolerance)
             for run_id, episodes in zip(ids[1:], scored[1:], strict=True)
@@ -307,7 +319,7 @@ class Routes:
 
     # --- data plane ---
 
-    async def attach_worker(self, call: Call) -> Response:
+    async def attach_worker(self, call: OperationCall) -> Response:
         body = call.body.model_dump()
         command = Attach(
             call.path["worker_id"],
@@ -315,9 +327,9 @@ class Routes:
             body.get("takeover", False),
             body.get("assumes"),
         )
-        return call.answer(await self.stage.attach(await self._run(call), command))
+        return call.answer(await self.executor.attach(await self._run(call), command))
 
-    async def predict(self, call: Call) -> Response:
+    async def predict(self, call: OperationCall) -> Response:
         body = call.body
         command = Predict(
             call.path["worker_id"],
@@ -326,44 +338,50 @@ class Routes:
             [action.values for action in body.actions],
             "all" if body.observe == "all" else "last",
         )
-        return call.answer(await self.stage.predict(await self._run(call), command))
+        return call.answer(await self.executor.predict(await self._run(call), command))
 
-    async def heartbeat(self, call: Call) -> Response:
+    async def heartbeat(self, call: OperationCall) -> Response:
         command = Heartbeat(call.path["worker_id"], call.body.session_id)
-        session = self.stage.heartbeat(await self._run(call), command)
+        session = self.executor.heartbeat(await self._run(call), command)
         return call.answer(lease_view(session))
 
-    async def detach_worker(self, call: Call) -> Response:
+    async def detach_worker(self, call: OperationCall) -> Response:
         command = Detach(call.path["worker_id"], call.query["session_id"])
-        await self.stage.detach(await self._run(call), command)
+        await self.executor.detach(await self._run(call), command)
         return Response(status_code=204)
 
-    async def _run(self, call: Call) -> Run:
-        return await self.book.get(call.path["run_id"], call.account)
+    async def _run(self, call: OperationCall) -> Run:
+        return await self.registry.get(call.path["run_id"], call.account)
 
-    async def _permitted(self, call: Call, command: Stop | Resume) -> Run:
+    async def _run_accepting(self, call: OperationCall, command: Stop | Resume) -> Run:
         """The run, for which the protocol accepts the command now."""
         while True:
             run = await self._run(call)
-            verdict = decide(run, command, self.stage.sweep(run))
+            verdict = decide(run, command, self.executor.sweep(run))
             if not isinstance(verdict, Refuse):
                 return run
             # The state that forbids it is told as well: it may not be lost then.
-            if await self.book.is_stored(run):
-                raise Refused.by(verdict)
+            if await self.registry.is_stored(run):
+                raise Refused.from_verdict(verdict)
 
-    async def _shown(self, call: Call, run: Run) -> dict[str, Any]:
-        return await self.book.shown(run, lambda run: self._view(call, run))
+    async def _render_stored(self, call: OperationCall, run: Run) -> dict[str, Any]:
+        return await self.registry.render_when_stored(
+            run, lambda run: self._view(call, run)
+        )
 
-    def _view(self, call: Call, run: RunHead) -> dict[str, Any]:
-        return views.run_view(run, self.base_url(call), self.book.queue_position(run))
+    def _view(self, call: OperationCall, run: RunHead) -> dict[str, Any]:
+        return views.run_view(
+            run, self.base_url(call), self.registry.queue_position(run)
+        )
 
-    def _swept(self, call: Call, run: RunHead, *_: object) -> dict[str, Any]:
+    def _sweep_and_view(
+        self, call: OperationCall, run: RunHead, *_: object
+    ) -> dict[str, Any]:
         if isinstance(run, Run):  # else nobody plays it
-            self.stage.sweep(run)
+            self.executor.sweep(run)
         return self._view(call, run)
 
-    def base_url(self, call: Call) -> str:
+    def base_url(self, call: OperationCall) -> str:
         """Where the caller reaches this server; without a slash at the end."""
         base = self.settings.public_url or str(call.request.base_url)
         return base.rstrip("/")
@@ -373,10 +391,10 @@ def _queue_s(submission: Mapping[str, Any]) -> float:
     return float(submission.get("options", {}).get("queue_s", 0.0))
 
 
-def _pair_up(base: RunHead, *runs: RunHead) -> None:
-    strangers = [r.run_id for r in runs if r.manifest_sha256 != base.manifest_sha256]
-    if strangers:
-        text = f"{', '.join(strangers)}: another manifest than {base.run_id}"
+def _check_same_manifest(base: RunHead, *runs: RunHead) -> None:
+    mismatched = [r.run_id for r in runs if r.manifest_sha256 != base.manifest_sha256]
+    if mismatched:
+        text = f"{', '.join(mismatched)}: another manifest than {base.run_id}"
         raise Refused(
             "not_comparable",
             "Episodes pair only within one manifest.",

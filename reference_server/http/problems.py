@@ -46,7 +46,7 @@ class Refused(Exception):
         self.headers = dict(headers or {})
 
     @classmethod
-    def by(cls, verdict: Refuse) -> Refused:
+    def from_verdict(cls, verdict: Refuse) -> Refused:
         """The refusal that the protocol decided."""
         return cls(
             verdict.code,

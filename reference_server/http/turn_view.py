@@ -15,7 +15,7 @@ from reference_server.rules.run import Episode, Session
 from reference_sim.process.pool import Played, Timing
 
 
-def turn(
+def turn_view(
     session: Session,
     *,
     observation: Any,
@@ -26,7 +26,7 @@ def turn(
     fault: Mapping[str, Any] | None = None,
     spent: Mapping[str, float] | None = None,
 ) -> dict[str, Any]:
-    """The turn that a session gets now; `finish` adds lease and total time.
+    """The turn that a session gets now; `add_lease_and_total` adds lease and total time.
 
     left: actions of the chunk that were not executed. ended: the episode that this
     turn ended; the session has the next one already.
@@ -55,7 +55,7 @@ def turn(
     return body
 
 
-def finish(body: dict[str, Any], session: Session, total_s: float) -> None:
+def add_lease_and_total(body: dict[str, Any], session: Session, total_s: float) -> None:
     """Add what is only known when the turn leaves."""
     body["lease"] = lease_view(session)
     body["timing"]["total_s"] = total_s

@@ -8,27 +8,27 @@ from functools import lru_cache
 from typing import Any
 
 from reference_server.generated import models
-from reference_server.push.policy_server_config import Order
+from reference_server.push.policy_server_config import PolicyServerConfig
 from reference_server.rules.run import Episode, RunHead
-from reference_server.rules.scoring import Scored, score_of
+from reference_server.rules.scoring import ScoredEpisode, score_of
 
 
 def timestamp(at_wall: float) -> str:
     """RFC 3339 in UTC, to the millisecond, of seconds since 1970."""
     second, milliseconds = divmod(int(at_wall * 1000), 1000)
-    return f"{_second(second)}.{milliseconds:03d}Z"
+    return f"{_format_second(second)}.{milliseconds:03d}Z"
 
 
 @lru_cache(maxsize=64)
-def _second(at_wall: int) -> str:
+def _format_second(at_wall: int) -> str:
     """Every turn tells a time, and most of them one within few seconds."""
     return datetime.fromtimestamp(at_wall, UTC).replace(tzinfo=None).isoformat()
 
 
 def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> dict[str, Any]:
     """Schema Run."""
-    in_progress = sum(1 for s in run.live if s.episode is not None)
-    shown = models.Run(
+    in_progress = sum(1 for s in run.live_sessions if s.episode is not None)
+    view = models.Run(
         run_id=run.run_id,
         state=run.state,
         reason=run.reason,
@@ -43,7 +43,7 @@ def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> dict[st
         images=models.ImageChoice(**run.images),
         endpoint=endpoint,
         queue_position=queue_position,
-        live_workers=len(run.live),
+        live_workers=len(run.live_sessions),
         progress=models.Progress(
             episodes_total=run.total,
             episodes_scored=run.scored,
@@ -54,8 +54,8 @@ def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> dict[st
         updated_at=timestamp(run.updated_at_wall),
     )
     if run.is_push:
-        shown.policy_server = Order.of(run).view()
-    return shown.model_dump()
+        view.policy_server = PolicyServerConfig.from_run(run).view()
+    return view.model_dump()
 
 
 def result_view(episode: Episode) -> dict[str, Any]:
@@ -116,12 +116,12 @@ def comparison_view(
     }
 
 
-def scored(episodes: Sequence[Episode]) -> list[Scored]:
+def scored_episodes(episodes: Sequence[Episode]) -> list[ScoredEpisode]:
     """What scoring needs of a run's episodes, in manifest order."""
     return [
-        Scored(e.task, e.split, e.result.outcome, e.result.score)
+        ScoredEpisode(e.task, e.split, e.result.outcome, e.result.score)
         if e.result
-        else Scored(e.task, e.split, None)
+        else ScoredEpisode(e.task, e.split, None)
         for e in episodes
     ]
 
@@ -133,5 +133,5 @@ def score_view(run: RunHead, episodes: Sequence[Episode]) -> dict[str, Any]:
         "benchmark_id": run.manifest["benchmark_id"],
         "manifest_sha256": run.manifest_sha256,
         "state": run.state,
-        **score_of(scored(episodes)),
+        **score_of(scored_episodes(episodes)),
     }

@@ -9,16 +9,16 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from reference_server.http.dispatch import Operation
-from reference_server.http.handlers import Routes
-from reference_server.profiles.ebench.handlers import Ebench
-from reference_server.profiles.flageval.handlers import Flageval
+from reference_server.http.handlers import Handlers
+from reference_server.profiles.ebench.handlers import EbenchHandlers
+from reference_server.profiles.flageval.handlers import FlagevalHandlers
 
 
-def tables(routes: Routes) -> dict[str, dict[str, Operation]]:
+def profile_tables(handlers: Handlers) -> dict[str, dict[str, Operation]]:
     """path → method → operation, of every profile that the settings ask for."""
-    doors: dict[str, Callable[[Routes], Ebench | Flageval]]
-    doors = {"ebench": Ebench, "flageval": Flageval}
+    adapters: dict[str, Callable[[Handlers], EbenchHandlers | FlagevalHandlers]]
+    adapters = {"ebench": EbenchHandlers, "flageval": FlagevalHandlers}
     table: dict[str, dict[str, Operation]] = {}
-    for name in routes.settings.more_profiles:
-        table |= doors[name](routes).table()
+    for name in handlers.settings.enabled_profiles:
+        table |= adapters[name](handlers).table()
     return table

@@ -15,19 +15,21 @@ from collections.abc import Mapping
 from typing import Any
 
 from reference_server.generated import models
-from reference_server.push.http_calls import Calls, PolicyFault
+from reference_server.push.http_calls import HttpCalls, PolicyFault
 from reference_server.push.policy_calls import Description, Turn
-from reference_server.push.policy_server_config import Order
+from reference_server.push.policy_server_config import PolicyServerConfig
 from reference_server.rules.run import Run
 
 NO_ANSWER = -1.0
 ANSWER_SIZES = {"choice": 1, "number": 1, "point": 2}
 MEDIA_TYPES = {"png": "image/png", "jpeg": "image/jpeg"}
-_NOT_SHOWN = "A chat model is shown png or jpeg; submit the run with one of these."
+_UNSUPPORTED_CODEC = (
+    "A chat model is shown png or jpeg; submit the run with one of these."
+)
 
-_THOUGHT_END = "</think>"
+_REASONING_END = "</think>"
 _LABEL = re.compile(r"answer\s*:\s*", re.IGNORECASE)
-_AROUND = "*` \t"
+_DECORATION = "*` \t"
 _CHOICE = re.compile(r"\(([A-Za-z])\)|([A-Za-z])\)?")
 _DECIMAL = r"[0-9]{1,6}(?:\.[0-9]{1,9})?"
 _NUMBER = re.compile(_DECIMAL)
@@ -37,9 +39,9 @@ _POINT = re.compile(rf"[(\[]?\s*({_DECIMAL})(?:\s*,\s*|\s+)({_DECIMAL})\s*[)\]]?
 class ChatPolicy:
     """One run's. It has no memory: each turn is a conversation of its own."""
 
-    def __init__(self, run: Run, order: Order, calls: Calls) -> None:
+    def __init__(self, run: Run, config: PolicyServerConfig, calls: HttpCalls) -> None:
         self._run = run
-        self._order = order
+        self._config = config
         self._calls = calls
 
     async def describe(self) -> Description:
@@ -50,8 +52,8 @@ class ChatPolicy:
                 "chat model plays benchmarks such as question_answering."
             )
         if not self._is_calibration and self._run.images["codec"] not in MEDIA_TYPES:
-            raise PolicyFault(_NOT_SHOWN)
-        return Description(self._order.max_concurrent)
+            raise PolicyFault(_UNSUPPORTED_CODEC)
+        return Description(self._config.max_concurrent)
 
     @property
     def _is_calibration(self) -> bool:
@@ -84,15 +86,17 @@ class ChatPolicy:
 
     def _question(self, turn: Turn) -> dict[str, Any]:
         """The request: our members win over what the submitter asks to be sent."""
-        pictures = [_shown(image) for image in turn["observation"]["images"].values()]
+        pictures = [
+            _image_part(image) for image in turn["observation"]["images"].values()
+        ]
         text = {"type": "text", "text": turn["episode"]["instruction"]}
         body: dict[str, Any] = {
             # A number of tokens is a whole one, and so it is written.
             name: int(value) if value == int(value) else value
-            for name, value in self._order.generation.items()
+            for name, value in self._config.generation.items()
         }
-        if self._order.model is not None:
-            body["model"] = self._order.model
+        if self._config.model is not None:
+            body["model"] = self._config.model
         return body | {"messages": [{"role": "user", "content": [*pictures, text]}]}
 
 
@@ -106,11 +110,13 @@ def is_answered_in_words(manifest: Mapping[str, Any]) -> bool:
 def read_answer(text: str) -> dict[str, list[float]]:
     """The action that a model's words are: at most one of its entries is an answer."""
     values = {name: [NO_ANSWER] * size for name, size in ANSWER_SIZES.items()}
-    said = text.rpartition(_THOUGHT_END)[2].strip()
-    line = said.splitlines()[-1].strip().strip(_AROUND) if said else ""
+    answer_text = text.rpartition(_REASONING_END)[2].strip()
+    line = (
+        answer_text.splitlines()[-1].strip().strip(_DECORATION) if answer_text else ""
+    )
     line = _LABEL.sub("", line, count=1) if _LABEL.match(line) else line
     # The one full stop may stand inside of what is around the answer, or behind it.
-    line = line.strip(_AROUND).removesuffix(".").strip(_AROUND)
+    line = line.strip(_DECORATION).removesuffix(".").strip(_DECORATION)
     if choice := _CHOICE.fullmatch(line):
         letter = (choice[1] or choice[2]).upper()
         values["choice"] = [float(ord(letter) - ord("A"))]
@@ -122,9 +128,9 @@ def read_answer(text: str) -> dict[str, list[float]]:
     return values
 
 
-def _shown(image: Mapping[str, Any]) -> dict[str, Any]:
+def _image_part(image: Mapping[str, Any]) -> dict[str, Any]:
     if image["codec"] not in MEDIA_TYPES:
-        raise PolicyFault(_NOT_SHOWN)
+        raise PolicyFault(_UNSUPPORTED_CODEC)
     data = base64.b64encode(image["data"]).decode()
     url = f"data:{MEDIA_TYPES[image['codec']]};base64,{data}"
     return {"type": "image_url", "image_url": {"url": url}}

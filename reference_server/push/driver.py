@@ -18,17 +18,17 @@ from dataclasses import dataclass
 from typing import Any
 
 from reference_server.http.problems import Refused
-from reference_server.push.egress import Gate
-from reference_server.push.http_calls import Bounds, Calls, Pauses, PolicyFault
-from reference_server.push.key_encryption import SealBroken, Sealer
-from reference_server.push.policy_calls import Description, Policy, misfit
+from reference_server.push.egress import EgressPolicy
+from reference_server.push.http_calls import CallLimits, HttpCalls, Backoff, PolicyFault
+from reference_server.push.key_encryption import DecryptionFailed, KeyEncryption
+from reference_server.push.policy_calls import Description, PolicyAdapter, answer_fault
 from reference_server.push.policy_protocols import PROTOCOLS
-from reference_server.push.policy_server_config import Order
+from reference_server.push.policy_server_config import PolicyServerConfig
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Attach, Predict
 from reference_server.rules.run import Run
-from reference_server.runs.registry import RELOAD_S, RunBook
-from reference_server.runs.session_executor import Stage
+from reference_server.runs.registry import RELOAD_S, RunRegistry
+from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.store import StoreFailed
 
 log = logging.getLogger("proctor.push")
@@ -39,19 +39,19 @@ log = logging.getLogger("proctor.push")
 PAUSE_S = 0.2
 PAUSE_MOST_S = 5.0
 REFUSALS_MOST = 50
-_NO_HURRY = ("no_capacity", "worker_limit")
-_PLAYED = ("ready", "running")
+_CAPACITY_CODES = ("no_capacity", "worker_limit")
+_PLAYABLE_STATES = ("ready", "running")
 
 
-class _GivenUp(Exception):
+class _RunCannotContinue(Exception):
     """The run cannot go on now; the message is its reason.
 
     for_good: nor will it after a resume.
     """
 
-    def __init__(self, reason: str, *, for_good: bool = False) -> None:
+    def __init__(self, reason: str, *, permanent: bool = False) -> None:
         super().__init__(reason)
-        self.for_good = for_good
+        self.permanent = permanent
 
 
 @dataclass(slots=True)
@@ -59,9 +59,9 @@ class _Drive:
     """One run in play. faults: of the policy since a turn was last executed."""
 
     run_id: str
-    policy: Policy
-    described: Description
-    calls: Calls
+    policy: PolicyAdapter
+    description: Description
+    calls: HttpCalls
     faults: int = 0
 
 
@@ -71,28 +71,33 @@ class _Worker:
 
     worker_id: str
     drive: _Drive
-    pauses: Pauses
+    backoff: Backoff
 
 
 class Driver:
     """Every push run of this server that has capacity."""
 
     def __init__(
-        self, book: RunBook, stage: Stage, gate: Gate, sealer: Sealer, max_bytes: int
+        self,
+        registry: RunRegistry,
+        executor: SessionExecutor,
+        egress: EgressPolicy,
+        key_encryption: KeyEncryption,
+        max_bytes: int,
     ) -> None:
-        self._book = book
-        self._stage = stage
-        self._gate = gate
-        self._sealer = sealer
+        self._registry = registry
+        self._executor = executor
+        self._egress = egress
+        self._key_encryption = key_encryption
         self._max_bytes = max_bytes
         self._drives: dict[str, asyncio.Task[None]] = {}
         self._closed = False
-        book.seen = self.look
+        registry.on_change = self.on_run_changed
 
     def open(self) -> None:
         """Go on with the runs that the last process left."""
-        for run_id in self._book.active():
-            self._book.begin(self._look_at(run_id))
+        for run_id in self._registry.active():
+            self._registry.run_in_background(self._check_run(run_id))
 
     async def close(self) -> None:
         """End every call and drive; their runs are found ready again."""
@@ -102,126 +107,130 @@ class Driver:
             drive.cancel()
         if drives:
             await asyncio.wait(drives)
-        self._gate.close()
+        self._egress.close()
 
-    def look(self, run: Run) -> None:
+    def on_run_changed(self, run: Run) -> None:
         """Something of the run has changed: begin to play it, or end that."""
         if not run.is_push or self._closed:
             return
         drive = self._drives.get(run.run_id)
-        if drive is None and run.state in _PLAYED:
+        if drive is None and run.state in _PLAYABLE_STATES:
             drive = asyncio.ensure_future(self._drive(run))
             self._drives[run.run_id] = drive
-            drive.add_done_callback(lambda _: self._over(run.run_id))
-        elif drive is not None and run.state not in (*_PLAYED, "stopping"):
+            drive.add_done_callback(lambda _: self._on_drive_done(run.run_id))
+        elif drive is not None and run.state not in (*_PLAYABLE_STATES, "stopping"):
             drive.cancel()  # PUSH-014
 
-    def _over(self, run_id: str) -> None:
+    def _on_drive_done(self, run_id: str) -> None:
         """A run that was stopped and resumed meanwhile is played on."""
         del self._drives[run_id]
-        self._look_again(run_id)
+        self._schedule_check(run_id)
 
-    async def _look_at(self, run_id: str) -> None:
+    async def _check_run(self, run_id: str) -> None:
         """Now or when it can be loaded: nobody else may ever do that (PUSH-017)."""
         try:
-            self.look(await self._book.get(run_id))
+            self.on_run_changed(await self._registry.get(run_id))
         except StoreFailed:
             log.exception("run %s could not be loaded", run_id)
             loop = asyncio.get_running_loop()
-            loop.call_later(RELOAD_S, self._look_again, run_id)
+            loop.call_later(RELOAD_S, self._schedule_check, run_id)
 
-    def _look_again(self, run_id: str) -> None:
+    def _schedule_check(self, run_id: str) -> None:
         if not self._closed:
-            self._book.begin(self._look_at(run_id))
+            self._registry.run_in_background(self._check_run(run_id))
 
     async def _drive(self, run: Run) -> None:
-        order = Order.of(run)
+        config = PolicyServerConfig.from_run(run)
         try:
-            async with self._calls(order, self._key(order)) as calls:
-                policy = PROTOCOLS[order.protocol](run, order, calls)
+            async with self._calls(config, self._decrypt_key(config)) as calls:
+                policy = PROTOCOLS[config.protocol](run, config, calls)
                 drive = _Drive(run.run_id, policy, await policy.describe(), calls)
-                await self._play_all(drive, order, len(run.pending))
+                await self._play_all(drive, config, len(run.pending))
         except PolicyFault as error:
-            await self._give_up(run.run_id, str(error))
-        except _GivenUp as error:
-            await self._give_up(run.run_id, str(error), retryable=not error.for_good)
+            await self._fail_run(run.run_id, str(error))
+        except _RunCannotContinue as error:
+            await self._fail_run(run.run_id, str(error), retryable=not error.permanent)
         except Exception:
             log.exception("run %s could not be played", run.run_id)
-            await self._give_up(run.run_id, "The server has a defect; see its log.")
+            await self._fail_run(run.run_id, "The server has a defect; see its log.")
 
-    def _key(self, order: Order) -> str | None:
-        if order.sealed_key is None:
+    def _decrypt_key(self, config: PolicyServerConfig) -> str | None:
+        if config.sealed_key is None:
             return None
         try:
-            return self._sealer.unseal(order.sealed_key)
-        except SealBroken as error:
-            raise _GivenUp(
+            return self._key_encryption.decrypt(config.sealed_key)
+        except DecryptionFailed as error:
+            raise _RunCannotContinue(
                 "The API key of the policy server cannot be read any more: this server "
                 "has lost the key that sealed it. Submit the run anew.",
-                for_good=True,
+                permanent=True,
             ) from error
 
-    def _calls(self, order: Order, key: str | None) -> Calls:
-        bounds = Bounds(
-            order.call_timeout_s,
-            order.max_concurrent,
-            order.max_retries,
+    def _calls(self, config: PolicyServerConfig, key: str | None) -> HttpCalls:
+        limits = CallLimits(
+            config.call_timeout_s,
+            config.max_concurrent,
+            config.max_retries,
             self._max_bytes,
         )
-        return Calls(order.url, self._gate, bounds, key)
+        return HttpCalls(config.url, self._egress, limits, key)
 
-    async def _play_all(self, drive: _Drive, order: Order, left: int) -> None:
-        workers = min(order.max_concurrent, drive.described.max_sessions, left)
+    async def _play_all(
+        self, drive: _Drive, config: PolicyServerConfig, left: int
+    ) -> None:
+        workers = min(config.max_concurrent, drive.description.max_sessions, left)
         try:
             async with asyncio.TaskGroup() as group:
                 for number in range(1, workers + 1):
-                    pauses = Pauses(PAUSE_S, PAUSE_MOST_S)
-                    worker = _Worker(f"push-{number}", drive, pauses)
-                    group.create_task(self._work(worker))
-        except* (PolicyFault, _GivenUp) as errors:
+                    backoff = Backoff(PAUSE_S, PAUSE_MOST_S)
+                    worker = _Worker(f"push-{number}", drive, backoff)
+                    group.create_task(self._run_worker(worker))
+        except* (PolicyFault, _RunCannotContinue) as errors:
             reason = str(errors.exceptions[0])
-            raise _GivenUp(reason) from errors
+            raise _RunCannotContinue(reason) from errors
 
-    async def _work(self, worker: _Worker) -> None:
+    async def _run_worker(self, worker: _Worker) -> None:
         """Play one session after another, until there is nothing left for it."""
         refusals = 0
         while True:
             try:
-                run = await self._book.get(worker.drive.run_id)
-                if run.state not in _PLAYED or not run.pending:
+                run = await self._registry.get(worker.drive.run_id)
+                if run.state not in _PLAYABLE_STATES or not run.pending:
                     return
-                went_well = await self._session(worker, run)
+                succeeded = await self._play_session(worker, run)
                 refusals = 0
             except (Refused, StoreFailed) as error:
-                refused, went_well = _refusal(error), False
-                refusals += refused.code not in _NO_HURRY
-                self._turned_away(worker.drive, refused, refusals)
-            if not went_well:
-                await asyncio.sleep(worker.pauses.next_s())
+                refused, succeeded = _as_refused(error), False
+                refusals += refused.code not in _CAPACITY_CODES
+                self._handle_refusal(worker.drive, refused, refusals)
+            if not succeeded:
+                await asyncio.sleep(worker.backoff.next_s())
 
-    def _turned_away(self, drive: _Drive, refused: Refused, refusals: int) -> None:
+    def _handle_refusal(self, drive: _Drive, refused: Refused, refusals: int) -> None:
         """The server refused its own worker: raises unless that will pass."""
         if refused.code in ("convention_mismatch", "benchmark_unavailable"):
-            said = "; ".join(f"{at} {text}" for at, text in refused.errors)
-            told = drive.calls.without_key(said)
-            raise _GivenUp(f"{refused.detail} {told}".strip())
+            details = "; ".join(f"{at} {text}" for at, text in refused.errors)
+            redacted = drive.calls.redact_key(details)
+            raise _RunCannotContinue(f"{refused.detail} {redacted}".strip())
         if refusals > REFUSALS_MOST:
-            raise _GivenUp(f"The server refused its own worker: {refused.detail}")
+            raise _RunCannotContinue(
+                f"The server refused its own worker: {refused.detail}"
+            )
 
-    async def _session(self, worker: _Worker, run: Run) -> bool:
+    async def _play_session(self, worker: _Worker, run: Run) -> bool:
         """Whether it came to its end without a fault of the policy."""
         command = Attach(
             worker.worker_id,
             secrets.token_urlsafe(16),
-            assumes=worker.drive.described.assumes,
+            assumes=worker.drive.description.assumes,
             by_server=True,
         )
-        turn = await self._stage.attach(run, command)
+        turn = await self._executor.attach(run, command)
         session_id = turn["session_id"]
         try:
             await self._play(worker, run, turn)
         except PolicyFault as fault:
-            await self._fault(worker, run, session_id, fault)
+            await self._handle_policy_fault(worker, run, session_id, fault)
             return False
         return True
 
@@ -240,15 +249,15 @@ class Driver:
                 by_server=True,
             )
             try:
-                turn = await self._stage.predict(run, command)
+                turn = await self._executor.predict(run, command)
             except Refused as refused:
                 if refused.code == "invalid_request":
-                    raise misfit(refused, drive.calls) from refused
+                    raise answer_fault(refused, drive.calls) from refused
                 raise
             drive.faults = 0
-            worker.pauses.begin()
+            worker.backoff.reset()
 
-    async def _fault(
+    async def _handle_policy_fault(
         self, worker: _Worker, run: Run, session_id: str, fault: PolicyFault
     ) -> None:
         """End the attempt; then see whether the policy is still there."""
@@ -257,26 +266,26 @@ class Driver:
         if session is None or session.session_id != session_id:
             return  # stopped, or lost, meanwhile
         effects.end_by_policy(run, session, str(fault), time.time())
-        self._stage.let_go([session])
-        await self._book.commit(run)
+        self._executor.release_sessions([session])
+        await self._registry.commit(run)
         drive.faults += 1
         if drive.faults >= run.manifest["max_faults"]:
             raise fault
         await drive.policy.describe()
 
-    async def _give_up(
+    async def _fail_run(
         self, run_id: str, reason: str, *, retryable: bool = True
     ) -> None:
         """PUSH-012: the run fails, and can be resumed if that helps."""
         # What cannot be stored is forgotten; the run is played on when it is loaded.
         with contextlib.suppress(Refused, StoreFailed):
-            run = await self._book.get(run_id)
-            ended = effects.give_up(run, reason, time.time(), retryable=retryable)
-            self._stage.let_go(ended)
-            await self._book.commit(run)
+            run = await self._registry.get(run_id)
+            ended = effects.fail_run(run, reason, time.time(), retryable=retryable)
+            self._executor.release_sessions(ended)
+            await self._registry.commit(run)
 
 
-def _refusal(error: Refused | StoreFailed) -> Refused:
+def _as_refused(error: Refused | StoreFailed) -> Refused:
     if isinstance(error, Refused):
         return error
     return Refused("unavailable", "The store does not answer.")

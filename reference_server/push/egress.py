@@ -26,7 +26,7 @@ import httpcore
 Address: TypeAlias = IPv4Address | IPv6Address
 Network: TypeAlias = IPv4Network | IPv6Network
 
-EVERYWHERE = "all"
+ALL_NETWORKS = "all"
 # A translator would carry what follows these 96 bits into its IPv4 network.
 _NAT64 = IPv6Network("64:ff9b::/96")
 # All that is given out for use in public. Elsewhere are other forms of IPv4 addresses
@@ -34,15 +34,15 @@ _NAT64 = IPv6Network("64:ff9b::/96")
 _PUBLIC_6 = IPv6Network("2000::/3")
 
 
-class NotAllowed(Exception):
+class AddressNotAllowed(Exception):
     """The address is not public, and the operator has not named its network."""
 
 
-class Unresolved(Exception):
+class HostNotResolved(Exception):
     """The name has no address."""
 
 
-class Gate:
+class EgressPolicy:
     """Says which addresses are connected to.
 
     allowed: networks, comma-separated (`10.0.0.0/8, 127.0.0.1`), that are admitted
@@ -51,29 +51,31 @@ class Gate:
 
     def __init__(self, allowed: str = "") -> None:
         names = [name.strip() for name in allowed.split(",") if name.strip()]
-        self._open = EVERYWHERE in names
-        self._networks = [ip_network(n) for n in names if n != EVERYWHERE]
+        self._allows_all = ALL_NETWORKS in names
+        self._networks = [ip_network(n) for n in names if n != ALL_NETWORKS]
         # Resolvers block, and a stranger's may take its time: threads of their own.
         self._threads = ThreadPoolExecutor(4, thread_name_prefix="resolve")
 
     def close(self) -> None:
         self._threads.shutdown(wait=False, cancel_futures=True)
 
-    def admits(self, address: Address) -> bool:
-        meant = _meant(address)
-        if self._open or any(_holds(n, {address, meant}) for n in self._networks):
+    def allows(self, address: Address) -> bool:
+        effective = _effective_address(address)
+        if self._allows_all or any(
+            _network_has_any(n, {address, effective}) for n in self._networks
+        ):
             return True
-        given_out = meant.version == 4 or meant in _PUBLIC_6
-        return given_out and meant.is_global and not meant.is_multicast
+        is_assigned = effective.version == 4 or effective in _PUBLIC_6
+        return is_assigned and effective.is_global and not effective.is_multicast
 
-    async def addresses(self, host: str, port: int) -> list[str]:
+    async def resolve(self, host: str, port: int) -> list[str]:
         """All addresses of a host, each of them admitted.
 
         Raises NotAllowed when any is not, and Unresolved.
         """
-        found = _literal(host) or await self._resolved(host, port)
-        if not all(self.admits(address) for address in found):
-            raise NotAllowed(
+        found = _literal_address(host) or await self._resolved(host, port)
+        if not all(self.allows(address) for address in found):
+            raise AddressNotAllowed(
                 f"{host} is in a network that this server does not call policies in"
             )
         return [str(address) for address in found]
@@ -83,14 +85,14 @@ class Gate:
         try:
             return await loop.run_in_executor(self._threads, _resolve, host, port)
         except (OSError, UnicodeError) as error:
-            raise Unresolved(f"{host} has no address") from error
+            raise HostNotResolved(f"{host} has no address") from error
 
 
 class CheckedBackend(httpcore.AsyncNetworkBackend):
     """Makes httpcore's connections, to addresses that the gate admits."""
 
-    def __init__(self, gate: Gate) -> None:
-        self._gate = gate
+    def __init__(self, egress: EgressPolicy) -> None:
+        self._egress = egress
         self._backend = httpcore.AnyIOBackend()
 
     async def connect_tcp(
@@ -103,20 +105,20 @@ class CheckedBackend(httpcore.AsyncNetworkBackend):
     ) -> httpcore.AsyncNetworkStream:
         """Raises NotAllowed, Unresolved and httpcore.ConnectError."""
         failed: Exception | None = None
-        for address in await self._gate.addresses(host, port):
+        for address in await self._egress.resolve(host, port):
             try:
                 return await self._backend.connect_tcp(
                     address, port, timeout, local_address, socket_options
                 )
             except (httpcore.ConnectError, httpcore.ConnectTimeout) as error:
                 failed = error
-        raise failed or Unresolved(f"{host} has no address")
+        raise failed or HostNotResolved(f"{host} has no address")
 
     async def sleep(self, seconds: float) -> None:
         await self._backend.sleep(seconds)
 
 
-def _literal(host: str) -> list[Address]:
+def _literal_address(host: str) -> list[Address]:
     """The address that a host is written as: it needs no resolver."""
     try:
         return [_address(host.removeprefix("[").removesuffix("]"))]
@@ -134,7 +136,7 @@ def _address(text: str) -> Address:
     return ip_address(str(ip_address(text)).partition("%")[0])
 
 
-def _meant(address: Address) -> Address:
+def _effective_address(address: Address) -> Address:
     """The IPv4 address that an IPv6 address stands for, if it does."""
     if isinstance(address, IPv4Address):
         return address
@@ -143,5 +145,5 @@ def _meant(address: Address) -> Address:
     return address.ipv4_mapped or address.sixtofour or address
 
 
-def _holds(network: Network, addresses: set[Address]) -> bool:
+def _network_has_any(network: Network, addresses: set[Address]) -> bool:
     return any(a.version == network.version and a in network for a in addresses)

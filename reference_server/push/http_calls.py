@@ -21,14 +21,14 @@ from reference_server.http.codec import JSON, decode, pointer
 from reference_server.http.problems import PROBLEM_JSON, Refused
 from reference_server.push.egress import (
     CheckedBackend,
-    Gate,
-    NotAllowed,
-    Unresolved,
+    EgressPolicy,
+    AddressNotAllowed,
+    HostNotResolved,
 )
 
 PAUSE_S = 0.5
 PAUSE_MOST_S = 30.0
-_TOLD_CHARACTERS = 200
+_PROBLEM_TEXT_MAX = 200
 
 
 class PolicyFault(Exception):
@@ -38,13 +38,15 @@ class PolicyFault(Exception):
     not before `after_s` seconds.
     """
 
-    def __init__(self, text: str, *, again: bool = False, after_s: float = 0.0) -> None:
+    def __init__(
+        self, text: str, *, retryable: bool = False, after_s: float = 0.0
+    ) -> None:
         super().__init__(text)
-        self.again = again
+        self.retryable = retryable
         self.after_s = after_s
 
 
-class Pauses:
+class Backoff:
     """Ever longer ones: many that were turned away together come back one by one."""
 
     def __init__(self, first_s: float, most_s: float) -> None:
@@ -56,13 +58,13 @@ class Pauses:
         self._next_s = min(2 * self._next_s, self._most_s)
         return pause_s
 
-    def begin(self) -> None:
+    def reset(self) -> None:
         """From the first one again."""
         self._next_s = self._first_s
 
 
 @dataclass(frozen=True, slots=True)
-class Bounds:
+class CallLimits:
     """What a call may cost; `max_bytes` is of an answer."""
 
     timeout_s: float
@@ -71,17 +73,19 @@ class Bounds:
     max_bytes: int
 
 
-class Calls:
+class HttpCalls:
     """Calls to the server at `url`, over connections that are kept."""
 
-    def __init__(self, url: str, gate: Gate, bounds: Bounds, key: str | None) -> None:
+    def __init__(
+        self, url: str, egress: EgressPolicy, limits: CallLimits, key: str | None
+    ) -> None:
         self._url = url
-        self._bounds = bounds
+        self._limits = limits
         self._key = key
-        self._slots = asyncio.Semaphore(bounds.max_concurrent)
+        self._slots = asyncio.Semaphore(limits.max_concurrent)
         self._pool = httpcore.AsyncConnectionPool(
-            max_connections=bounds.max_concurrent,
-            network_backend=CheckedBackend(gate),
+            max_connections=limits.max_concurrent,
+            network_backend=CheckedBackend(egress),
         )
 
     async def __aenter__(self) -> Self:
@@ -92,57 +96,61 @@ class Calls:
 
     async def get(self, path: str) -> Any:
         """The JSON at a path. Raises PolicyFault."""
-        return await self._patiently("GET", path, None)
+        return await self._call_with_retries("GET", path, None)
 
     async def post(self, path: str, body: Mapping[str, Any]) -> Any:
         """The JSON that answers a body. Raises PolicyFault."""
-        return await self._patiently("POST", path, msgspec.json.encode(body))
+        return await self._call_with_retries("POST", path, msgspec.json.encode(body))
 
-    def without_key(self, text: str) -> str:
+    def redact_key(self, text: str) -> str:
         """A text of the policy server's for its submitter, before anything is cut off.
 
         It may say the key (PUSH-005), also in a JSON pointer.
         """
         if self._key is None:
             return text
-        for said in (self._key, pointer([self._key]).removeprefix("/")):
-            text = text.replace(said, "(its API key)")
+        for reported in (self._key, pointer([self._key]).removeprefix("/")):
+            text = text.replace(reported, "(its API key)")
         return text
 
-    async def _patiently(self, method: str, path: str, content: bytes | None) -> Any:
-        left = self._bounds.max_retries
-        pauses = Pauses(PAUSE_S, PAUSE_MOST_S)
+    async def _call_with_retries(
+        self, method: str, path: str, content: bytes | None
+    ) -> Any:
+        left = self._limits.max_retries
+        backoff = Backoff(PAUSE_S, PAUSE_MOST_S)
         while True:
             try:
                 async with self._slots:
-                    return await self._in_time(method, path, content)
+                    return await self._call_with_deadline(method, path, content)
             except PolicyFault as fault:
-                if not fault.again or left == 0:
-                    tries = self._bounds.max_retries - left + 1
-                    raise _told(self._url, path, fault, tries) from fault
+                if not fault.retryable or left == 0:
+                    tries = self._limits.max_retries - left + 1
+                    raise _with_context(self._url, path, fault, tries) from fault
                 after_s = fault.after_s
             left -= 1
-            await asyncio.sleep(max(after_s, pauses.next_s()))
+            await asyncio.sleep(max(after_s, backoff.next_s()))
 
-    async def _in_time(self, method: str, path: str, content: bytes | None) -> Any:
-        timeout_s = self._bounds.timeout_s
+    async def _call_with_deadline(
+        self, method: str, path: str, content: bytes | None
+    ) -> Any:
+        timeout_s = self._limits.timeout_s
         try:
             async with asyncio.timeout(timeout_s):
-                return await self._once(method, path, content)
+                return await self._send_once(method, path, content)
         except TimeoutError as error:
             text = f"gave no whole answer within {timeout_s:g} s"
-            raise PolicyFault(text, again=True) from error
-        except NotAllowed as error:
+            raise PolicyFault(text, retryable=True) from error
+        except AddressNotAllowed as error:
             raise PolicyFault(f"is not called: {error}") from error
-        except Unresolved as error:
-            raise PolicyFault(f"is not found: {error}", again=True) from error
+        except HostNotResolved as error:
+            raise PolicyFault(f"is not found: {error}", retryable=True) from error
         except (httpcore.NetworkError, httpcore.TimeoutException, OSError) as error:
-            raise PolicyFault("is not reached", again=True) from error
+            raise PolicyFault("is not reached", retryable=True) from error
         except httpcore.RemoteProtocolError as error:
             text = "broke off, or does not speak HTTP"
-            raise PolicyFault(text, again=True) from error
+            raise PolicyFault(text, retryable=True) from error
 
-    async def _once(self, method: str, path: str, content: bytes | None) -> Any:
+    async def _send_once(self, method: str, path: str, content: bytes | None) -> Any:
         headers = [("Accept", JSON), ("Accept-Encoding", "identity")]
         if content is not None:
             headers.append(("Content-Type", JSON))
@@ -162,24 +170,24 @@ class Calls:
         size = 0
         async for part in answer.aiter_stream():
             size += len(part)
-            if size > self._bounds.max_bytes:
-                raise PolicyFault(f"answered more than {self._bounds.max_bytes} bytes")
+            if size > self._limits.max_bytes:
+                raise PolicyFault(f"answered more than {self._limits.max_bytes} bytes")
             parts.append(part)
         return b"".join(parts)
 
     def _read(self, status: int, headers: Mapping[str, str], body: bytes) -> Any:
         if status == 429 or status >= 500:
             text = f"answered with status {status}{self._reason(headers, body)}"
-            raise PolicyFault(text, again=True, after_s=_retry_after_s(headers))
+            raise PolicyFault(text, retryable=True, after_s=_retry_after_s(headers))
         if status != 200:
             text = f"answered with status {status}{self._reason(headers, body)}"
             raise PolicyFault(text)
         if headers.get("content-encoding", "identity") != "identity":
             raise PolicyFault("compressed its answer, which was not asked for")
         if _media_type(headers) != JSON:
-            said = self.without_key(headers.get("content-type", ""))
-            shown = _printable(said.partition(";")[0].strip()[:60])
-            raise PolicyFault(f"answered with {shown or 'no media type'}")
+            reported = self.redact_key(headers.get("content-type", ""))
+            printable = _printable(reported.partition(";")[0].strip()[:60])
+            raise PolicyFault(f"answered with {printable or 'no media type'}")
         try:
             return decode(body, JSON)
         except Refused as error:
@@ -193,10 +201,12 @@ class Calls:
             problem = decode(body, JSON)
         except Refused:
             return ""
-        said = [problem.get(n) for n in ("code", "detail")] if _is_map(problem) else []
-        text = ": ".join(part for part in said if isinstance(part, str))
-        shown = _printable(self.without_key(text)[:_TOLD_CHARACTERS])
-        return f" ({shown})" if shown else ""
+        reported = (
+            [problem.get(n) for n in ("code", "detail")] if _is_map(problem) else []
+        )
+        text = ": ".join(part for part in reported if isinstance(part, str))
+        printable = _printable(self.redact_key(text)[:_PROBLEM_TEXT_MAX])
+        return f" ({printable})" if printable else ""
 
 
 def _media_type(headers: Mapping[str, str]) -> str:
@@ -213,13 +223,13 @@ def _is_map(value: object) -> bool:
 
 def _retry_after_s(headers: Mapping[str, str]) -> float:
     text = headers.get("retry-after", "")
-    asked = text.isascii() and text.isdigit() and len(text) < 6
-    return min(float(text), PAUSE_MOST_S) if asked else 0.0
+    is_seconds = text.isascii() and text.isdigit() and len(text) < 6
+    return min(float(text), PAUSE_MOST_S) if is_seconds else 0.0
 
 
-def _told(url: str, path: str, fault: PolicyFault, tries: int) -> PolicyFault:
+def _with_context(url: str, path: str, fault: PolicyFault, tries: int) -> PolicyFault:
     often = f", {tries} times" if tries > 1 else ""
     return PolicyFault(
         f"The policy server at {url} {fault} ({path.rpartition('/')[2]}{often}).",
-        again=fault.again,
+        retryable=fault.retryable,
     )

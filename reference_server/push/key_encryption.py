@@ -13,11 +13,11 @@ from pathlib import Path
 from cryptography.fernet import Fernet, InvalidToken
 
 
-class SealBroken(Exception):
+class DecryptionFailed(Exception):
     """The text was sealed with another key, or is none of ours."""
 
 
-class Sealer:
+class KeyEncryption:
     """Seals texts with the key in a file; without a file, until the process ends."""
 
     def __init__(self, path: Path | None = None) -> None:
@@ -29,28 +29,28 @@ class Sealer:
         if self._path is not None:
             self._fernet = Fernet(_key(self._path))
 
-    def seal(self, secret: str) -> str:
+    def encrypt(self, secret: str) -> str:
         return self._fernet.encrypt(secret.encode()).decode()
 
-    def unseal(self, sealed: str) -> str:
+    def decrypt(self, encrypted: str) -> str:
         """Raises SealBroken."""
         try:
-            return self._fernet.decrypt(sealed.encode()).decode()
+            return self._fernet.decrypt(encrypted.encode()).decode()
         except InvalidToken as error:
-            raise SealBroken from error
+            raise DecryptionFailed from error
 
 
 def _key(path: Path) -> bytes:
     """The key in the file, made with it; two servers that start at once agree."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    own = path.with_name(f"{path.name}.{os.getpid()}")
-    own.touch(mode=0o600)
+    temporary = path.with_name(f"{path.name}.{os.getpid()}")
+    temporary.touch(mode=0o600)
     try:
-        own.write_bytes(Fernet.generate_key())
+        temporary.write_bytes(Fernet.generate_key())
         # Appears whole or not at all, and never in place of one that is there.
-        os.link(own, path)
+        os.link(temporary, path)
     except FileExistsError:
         pass
     finally:
-        own.unlink()
+        temporary.unlink()
     return path.read_bytes().strip()

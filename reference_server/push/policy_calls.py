@@ -17,13 +17,13 @@ from reference_server.generated import models
 from reference_server.http.codec import pointer, validate
 from reference_server.http.dispatch import VERSION
 from reference_server.http.problems import Refused
-from reference_server.push.http_calls import Calls, PolicyFault
-from reference_server.push.policy_server_config import Order
+from reference_server.push.http_calls import HttpCalls, PolicyFault
+from reference_server.push.policy_server_config import PolicyServerConfig
 from reference_server.rules.run import Run
 
 Turn = Mapping[str, Any]
-Answered = TypeVar("Answered", bound=BaseModel)
-_FAULTS_TOLD = 3
+Answer = TypeVar("Answer", bound=BaseModel)
+_ERRORS_SHOWN_MAX = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +34,7 @@ class Description:
     assumes: Mapping[str, Any] | None = None
 
 
-class Policy(Protocol):
+class PolicyAdapter(Protocol):
     """One run's. Every method raises PolicyFault, and none takes longer than the run's
     order allows. Sessions are told apart by the `session_id` of their turns."""
 
@@ -51,21 +51,21 @@ class Policy(Protocol):
 class ProctorPolicy:
     """A policy server of policy.yaml."""
 
-    def __init__(self, run: Run, _order: Order, calls: Calls) -> None:
+    def __init__(self, run: Run, _config: PolicyServerConfig, calls: HttpCalls) -> None:
         self._run = run
         self._calls = calls
 
     async def describe(self) -> Description:
         answer = await self._calls.get("/v1/policy")
-        told = self._read(models.PolicyDescription, answer, "describe_policy")
-        spoken = told.protocol
-        if not _number(spoken.min) <= _number(VERSION) <= _number(spoken.max):
-            least, most = map(self._calls.without_key, (spoken.min, spoken.max))
+        received = self._read(models.PolicyDescription, answer, "describe_policy")
+        supported = received.protocol
+        if not _number(supported.min) <= _number(VERSION) <= _number(supported.max):
+            least, most = map(self._calls.redact_key, (supported.min, supported.max))
             raise PolicyFault(
                 f"The policy server speaks {least[:20]} to {most[:20]}, not {VERSION}."
             )
-        assumes = told.model_dump().get("assumes")
-        return Description(told.max_sessions, assumes)
+        assumes = received.model_dump().get("assumes")
+        return Description(received.max_sessions, assumes)
 
     async def reset(self, turn: Turn) -> None:
         run, episode = self._run, turn["episode"]
@@ -79,8 +79,8 @@ class ProctorPolicy:
         }
         answer = await self._calls.post("/v1/policy/reset", body)
         ready = self._read(models.PolicyReset, answer, "reset")
-        told = (ready.session_id, ready.episode_id, ready.attempt)
-        if told != (turn["session_id"], episode["episode_id"], episode["attempt"]):
+        received = (ready.session_id, ready.episode_id, ready.attempt)
+        if received != (turn["session_id"], episode["episode_id"], episode["attempt"]):
             raise PolicyFault("The policy acknowledged another reset than it was sent.")
 
     async def predict(self, turn: Turn) -> models.Predict:
@@ -88,34 +88,34 @@ class ProctorPolicy:
         try:
             predict = validate(models.Predict, answer)
         except Refused as refused:
-            raise misfit(refused, self._calls) from refused
+            raise answer_fault(refused, self._calls) from refused
         if (predict.session_id, predict.seq) != (turn["session_id"], turn["seq"] + 1):
             raise PolicyFault("The policy answered another turn than it was asked for.")
         return predict
 
-    def _read(self, model: type[Answered], answer: Any, operation: str) -> Answered:
+    def _read(self, model: type[Answer], answer: Any, operation: str) -> Answer:
         """An answer by its schema, with what the schema does not know passed over."""
         try:
             return model.model_validate(answer, strict=True, extra="ignore")
         except ValidationError as error:
             faults = error.errors(include_url=False, include_context=False)
             errors = [(pointer(f["loc"]), f["msg"]) for f in faults]
-            said = _listed(errors, self._calls)
+            details = _format_errors(errors, self._calls)
             raise PolicyFault(
                 f"The policy's answer to {operation} is not as policy.yaml says: "
-                f"{said}."
+                f"{details}."
             ) from error
 
 
-def misfit(refused: Refused, calls: Calls) -> PolicyFault:
+def answer_fault(refused: Refused, calls: HttpCalls) -> PolicyFault:
     """An answer of predict that the schema or the benchmark refuses (PUSH-010)."""
-    said = _listed(refused.errors, calls) or refused.detail
-    return PolicyFault(f"The policy's answer to predict was refused: {said}.")
+    details = _format_errors(refused.errors, calls) or refused.detail
+    return PolicyFault(f"The policy's answer to predict was refused: {details}.")
 
 
-def _listed(errors: Any, calls: Calls) -> str:
-    told = [f"{at or '/'} {text}" for at, text in list(errors)[:_FAULTS_TOLD]]
-    text = calls.without_key("; ".join(told))[:500]
+def _format_errors(errors: Any, calls: HttpCalls) -> str:
+    received = [f"{at or '/'} {text}" for at, text in list(errors)[:_ERRORS_SHOWN_MAX]]
+    text = calls.redact_key("; ".join(received))[:500]
     return "".join(c if c.isprintable() else " " for c in text)
 
 

@@ -15,17 +15,21 @@ import httpcore
 
 from reference_server.generated import models
 from reference_server.http.problems import Refused
-from reference_server.push.egress import Gate, NotAllowed, Unresolved
-from reference_server.push.key_encryption import Sealer
+from reference_server.push.egress import (
+    EgressPolicy,
+    AddressNotAllowed,
+    HostNotResolved,
+)
+from reference_server.push.key_encryption import KeyEncryption
 from reference_server.rules.run import RunHead
 
 CALL_TIMEOUT_S = 30.0
 MAX_RETRIES = 3
-_LOOK_S = 2.0
+_RESOLVE_TIMEOUT_S = 2.0
 
 
 @dataclass(frozen=True, slots=True)
-class Order:
+class PolicyServerConfig:
     """Schema PolicyServer, complete; `sealed_key` instead of its `api_key`."""
 
     url: str
@@ -38,25 +42,25 @@ class Order:
     generation: Mapping[str, float]
 
     @classmethod
-    def of(cls, run: RunHead) -> Order:
+    def from_run(cls, run: RunHead) -> PolicyServerConfig:
         """That of a run with mode `push`."""
-        asked = run.submission["policy_server"]
+        requested = run.submission["policy_server"]
         return cls(
-            url=asked["url"].rstrip("/"),
-            protocol=asked["protocol"],
-            sealed_key=asked.get("sealed_key"),
-            model=asked.get("model"),
-            call_timeout_s=asked.get("call_timeout_s", CALL_TIMEOUT_S),
+            url=requested["url"].rstrip("/"),
+            protocol=requested["protocol"],
+            sealed_key=requested.get("sealed_key"),
+            model=requested.get("model"),
+            call_timeout_s=requested.get("call_timeout_s", CALL_TIMEOUT_S),
             max_concurrent=min(
-                asked.get("max_concurrent", run.max_workers), run.max_workers
+                requested.get("max_concurrent", run.max_workers), run.max_workers
             ),
-            max_retries=asked.get("max_retries", MAX_RETRIES),
-            generation=asked.get("generation", {}),
+            max_retries=requested.get("max_retries", MAX_RETRIES),
+            generation=requested.get("generation", {}),
         )
 
     def view(self) -> models.PolicyServerView:
         """What the submitter is shown."""
-        shown = models.PolicyServerView(
+        view = models.PolicyServerView(
             url=self.url,
             protocol=self.protocol,
             has_api_key=self.sealed_key is not None,
@@ -65,13 +69,13 @@ class Order:
             max_retries=self.max_retries,
         )
         if self.model is not None:
-            shown.model = self.model
+            view.model = self.model
         if self.generation:
-            shown.generation = dict(self.generation)
-        return shown
+            view.generation = dict(self.generation)
+        return view
 
 
-class OrderDesk:
+class PolicyServerValidator:
     """Takes the orders of submissions: refuses what cannot be meant, seals the key.
 
     protocols: those that a policy can be asked in here.
@@ -79,59 +83,63 @@ class OrderDesk:
 
     def __init__(
         self,
-        gate: Gate | None = None,
-        sealer: Sealer | None = None,
+        egress: EgressPolicy | None = None,
+        key_encryption: KeyEncryption | None = None,
         protocols: Collection[str] = (),
     ) -> None:
-        self._gate = gate or Gate()
-        self._sealer = sealer or Sealer()
+        self._egress = egress or EgressPolicy()
+        self._key_encryption = key_encryption or KeyEncryption()
         self._protocols = protocols
 
-    async def kept(self, submission: dict[str, Any]) -> dict[str, Any]:
+    async def validate_and_encrypt(self, submission: dict[str, Any]) -> dict[str, Any]:
         """The submission as it is stored: no key in it can be read (PUSH-016)."""
-        asked = submission.get("policy_server")
-        errors = list(_faults(submission))
-        if asked is not None and asked["protocol"] not in self._protocols:
-            spoken = " and ".join(self._protocols) or "no protocol"
-            errors.append(("/policy_server/protocol", f"{spoken} is spoken here"))
-        if asked is not None and not errors:
-            errors += await self._address_faults(asked["url"])
+        requested = submission.get("policy_server")
+        errors = list(_errors(submission))
+        if requested is not None and requested["protocol"] not in self._protocols:
+            supported = " and ".join(self._protocols) or "no protocol"
+            errors.append(("/policy_server/protocol", f"{supported} is spoken here"))
+        if requested is not None and not errors:
+            errors += await self._address_errors(requested["url"])
         if errors:
             raise Refused(
                 "invalid_request",
                 "The policy server cannot be called like that.",
                 errors=errors,
             )
-        if asked is None or "api_key" not in asked:
+        if requested is None or "api_key" not in requested:
             return submission
-        kept = {name: value for name, value in asked.items() if name != "api_key"}
-        kept["sealed_key"] = self._sealer.seal(asked["api_key"])
-        return submission | {"policy_server": kept}
+        stored = {name: value for name, value in requested.items() if name != "api_key"}
+        stored["sealed_key"] = self._key_encryption.encrypt(requested["api_key"])
+        return submission | {"policy_server": stored}
 
-    async def _address_faults(self, url: str) -> list[tuple[str, str]]:
+    async def _address_errors(self, url: str) -> list[tuple[str, str]]:
         """Told at once where it can be; what counts is looked at with every call."""
         at = "/policy_server/url"
         try:
             target = httpcore.URL(url)
             port = target.port or (443 if target.scheme == b"https" else 80)
-            async with asyncio.timeout(_LOOK_S):
-                await self._gate.addresses(target.host.decode(), port)
-        except NotAllowed as error:
+            async with asyncio.timeout(_RESOLVE_TIMEOUT_S):
+                await self._egress.resolve(target.host.decode(), port)
+        except AddressNotAllowed as error:
             return [(at, str(error))]
         except ValueError:
             return [(at, "is no URL")]
-        except (Unresolved, TimeoutError):
+        except (HostNotResolved, TimeoutError):
             pass  # its name may be there when the run is played
         return []
 
 
-def _faults(submission: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+def _errors(submission: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
     """(pointer, text) of what cannot be meant (PUSH-002)."""
     is_push = submission.get("mode") == "push"
-    asked = submission.get("policy_server")
-    if is_push and asked is None:
+    requested = submission.get("policy_server")
+    if is_push and requested is None:
         yield "/policy_server", "is missing: with mode push the server calls a policy"
-    elif asked is not None and not is_push:
+    elif requested is not None and not is_push:
         yield "/policy_server", "is for mode push; without it workers attach"
-    elif asked and asked["protocol"] != "openai_chat" and "generation" in asked:
+    elif (
+        requested
+        and requested["protocol"] != "openai_chat"
+        and "generation" in requested
+    ):
         yield "/policy_server/generation", "is for the protocol openai_chat"

@@ -12,10 +12,12 @@ from collections.abc import Mapping, Sequence
 from typing import Any, TypeAlias
 
 Values: TypeAlias = Mapping[str, Sequence[float]]
-Breaches: TypeAlias = list[tuple[str, str]]
+SpaceErrors: TypeAlias = list[tuple[str, str]]
 
 
-def misfits(actions: Sequence[Values], manifest: Mapping[str, Any]) -> Breaches:
+def action_errors(
+    actions: Sequence[Values], manifest: Mapping[str, Any]
+) -> SpaceErrors:
     """Every breach of the action space, in the order of the chunk; none if it fits.
 
     PRED-013 to PRED-017. A chunk that is too long is not looked into.
@@ -23,23 +25,23 @@ def misfits(actions: Sequence[Values], manifest: Mapping[str, Any]) -> Breaches:
     if len(actions) > manifest["max_chunk"]:
         return [("/actions", f"a chunk holds at most {manifest['max_chunk']} actions")]
     space = manifest["action_space"]
-    breaches: Breaches = []
+    errors: SpaceErrors = []
     for i, values in enumerate(actions):
         at = f"/actions/{i}/values"
-        breaches += [
+        errors += [
             (f"{at}/{_escape(name)}", "the action space has no such name")
             for name in values
             if name not in space
         ]
         for name, entry in space.items():
             if name in values:
-                breaches += _vector_misfits(f"{at}/{name}", values[name], entry)
+                errors += _vector_errors(f"{at}/{name}", values[name], entry)
             else:
-                breaches.append((f"{at}/{name}", "missing; every name is sent"))
-    return breaches
+                errors.append((f"{at}/{name}", "missing; every name is sent"))
+    return errors
 
 
-def clipped(
+def clip_actions(
     actions: Sequence[Values], manifest: Mapping[str, Any]
 ) -> list[dict[str, Sequence[float]]]:
     """PRED-018: values outside a range declared `clip` become the nearest inside."""
@@ -54,12 +56,14 @@ def clipped(
     ]
 
 
-def mismatches(assumes: Mapping[str, Any], manifest: Mapping[str, Any]) -> Breaches:
+def convention_errors(
+    assumes: Mapping[str, Any], manifest: Mapping[str, Any]
+) -> SpaceErrors:
     """Every assumption that the benchmark contradicts (ATT-010)."""
-    breaches: Breaches = []
+    errors: SpaceErrors = []
     rate = assumes.get("control_rate_hz")
     if rate is not None and rate != manifest["control_rate_hz"]:
-        breaches.append(
+        errors.append(
             ("/assumes/control_rate_hz", f"it is {manifest['control_rate_hz']}")
         )
     spaces = {
@@ -70,19 +74,19 @@ def mismatches(assumes: Mapping[str, Any], manifest: Mapping[str, Any]) -> Breac
         for name, assumption in (assumes.get(part) or {}).items():
             at = f"/assumes/{part}/{_escape(name)}"
             if name not in space:
-                breaches.append((at, "the benchmark has no such name"))
+                errors.append((at, "the benchmark has no such name"))
                 continue
-            breaches += [
+            errors += [
                 (f"{at}/{member}", f"it is {space[name].get(member)!r}")
                 for member, value in assumption.items()
                 if value != space[name].get(member)
             ]
-    return breaches
+    return errors
 
 
-def _vector_misfits(
+def _vector_errors(
     at: str, vector: Sequence[float], entry: Mapping[str, Any]
-) -> Breaches:
+) -> SpaceErrors:
     if len(vector) != entry["size"]:
         return [(at, f"has {len(vector)} numbers, must have {entry['size']}")]
     if not all(map(math.isfinite, vector)):

@@ -10,16 +10,16 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from reference_server.rules.scoring import Scored
+from reference_server.rules.scoring import ScoredEpisode
 
 TOLERANCE = 0.05  # CMP-008: when none is given
 ROUNDING = 1e-9  # CMP-008: so that no rounding decides
 
-Pair = tuple[Scored, Scored]
+Pair = tuple[ScoredEpisode, ScoredEpisode]
 
 
 def compare(
-    baseline: Sequence[Scored], run: Sequence[Scored], tolerance: float
+    baseline: Sequence[ScoredEpisode], run: Sequence[ScoredEpisode], tolerance: float
 ) -> dict[str, Any]:
     """The computed members of schema ComparedRun, for two runs of one manifest."""
     by_task: dict[str, list[Pair]] = {episode.task: [] for episode in run}
@@ -59,13 +59,15 @@ def is_within(groups: Sequence[dict[str, Any]], tolerance: float) -> bool:
     return all(abs(g["difference"]) <= tolerance + ROUNDING for g in groups)
 
 
-def _pairs(baseline: Sequence[Scored], run: Sequence[Scored]) -> Iterator[Pair]:
+def _pairs(
+    baseline: Sequence[ScoredEpisode], run: Sequence[ScoredEpisode]
+) -> Iterator[Pair]:
     for pair in zip(baseline, run, strict=True):
         if all(episode.outcome is not None for episode in pair):
             yield pair
 
 
-def _succeeds(episode: Scored) -> bool:
+def _succeeds(episode: ScoredEpisode) -> bool:
     return episode.outcome == "success"
 
 
@@ -81,7 +83,7 @@ def _group(pairs: Sequence[Pair]) -> dict[str, Any]:
     }
 
 
-def _mean(episodes: Sequence[Scored]) -> float | None:
+def _mean(episodes: Sequence[ScoredEpisode]) -> float | None:
     # SCORE-004: abandoned is 0, whatever was reached. fsum rounds once.
     earned = (0.0 if e.outcome == "abandoned" else e.score for e in episodes)
     return math.fsum(earned) / len(episodes) if episodes else None

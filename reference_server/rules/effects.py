@@ -23,11 +23,11 @@ from reference_server.rules.run import Episode, Result, Run, Session, SessionEnd
 
 # A lease is for a client that may vanish. A worker of the server's own cannot, and its
 # calls have their own bounds: this is longer than all of them together.
-OWN_LEASE_S = 86_400.0
+SERVER_LEASE_S = 86_400.0
 
 
 @dataclass(frozen=True, slots=True)
-class Outcome:
+class ChunkResult:
     """What the simulator says after a chunk; see `reference_sim`."""
 
     executed: int
@@ -38,7 +38,7 @@ class Outcome:
     score: float
 
 
-def move(run: Run, event: Event, reason: str | None = None) -> None:
+def apply_event(run: Run, event: Event, reason: str | None = None) -> None:
     """Change the state as the table says; an event without a row changes nothing."""
     if not legal(run, event):
         return
@@ -58,7 +58,7 @@ def open_session(run: Run, command: Attach, session_id: str, now: float) -> Sess
     (ATT-004). The session is busy until `answer` is called.
     """
     old = run.workers.pop(command.worker_id, None)
-    idle_timeout_s = OWN_LEASE_S if command.by_server else run.idle_timeout_s
+    idle_timeout_s = SERVER_LEASE_S if command.by_server else run.idle_timeout_s
     session = Session(
         session_id=session_id,
         worker_id=command.worker_id,
@@ -75,7 +75,7 @@ def open_session(run: Run, command: Attach, session_id: str, now: float) -> Sess
         session.episode = run.take_pending()
     session.done = session.episode is None  # ATT-012
     run.workers[command.worker_id] = session
-    move(run, "attach_worker")
+    apply_event(run, "attach_worker")
     if session.done:
         _after_session_end(run)
     return session
@@ -90,23 +90,23 @@ def begin_turn(session: Session, command: Predict, now: float) -> None:
     session.think_s += max(0.0, now - session.answered_at)
 
 
-def await_hearing(session: Session, command: Predict, asked: str) -> None:
+def await_confirmation(session: Session, command: Predict, request_digest: str) -> None:
     """A client that counts no turns asked for this one; see `protocol.repeated`.
 
     While a turn is played, its own answer is the one that may be lost.
     """
     if not session.busy or command.seq == session.seq:
-        session.unheard = (command.seq, asked)
+        session.unconfirmed_turn = (command.seq, request_digest)
 
 
-def heard(session: Session, seq: int) -> None:
+def confirm_delivery(session: Session, seq: int) -> None:
     """The answer has left, and its client was still there to take it."""
-    if session.unheard is not None and session.unheard[0] == seq:
-        session.unheard = None
+    if session.unconfirmed_turn is not None and session.unconfirmed_turn[0] == seq:
+        session.unconfirmed_turn = None
 
 
 def end_turn(
-    run: Run, session: Session, played: Outcome, now_wall: float
+    run: Run, session: Session, played: ChunkResult, now_wall: float
 ) -> Episode | None:
     """Account for an executed chunk. Returns the episode it ended, if it did.
 
@@ -117,7 +117,7 @@ def end_turn(
     if not played.ended:
         return None
     episode = _episode_of(session)
-    _score(
+    _record_result(
         run,
         episode,
         Result(
@@ -140,15 +140,15 @@ def end_turn(
     return episode
 
 
-def answer(session: Session, turn: dict[str, Any], now: float) -> None:
+def store_answer(session: Session, turn: dict[str, Any], now: float) -> None:
     """The turn is about to leave: it is kept for a repeat and the lease starts anew."""
     session.turn = turn
     session.busy = None
     session.answered_at = now
-    touch(session, now)
+    extend_lease(session, now)
 
 
-def touch(session: Session, now: float) -> None:
+def extend_lease(session: Session, now: float) -> None:
     """LEASE-003, LEASE-004: an answered request extends the lease."""
     session.expires_at = now + session.idle_timeout_s
 
@@ -159,7 +159,7 @@ def close_session(
     """End a session; its attempt is closed unscored (EPI-002, EPI-003, EPI-004)."""
     if run.workers.get(session.worker_id) is session:
         del run.workers[session.worker_id]
-    run.remember_end(session, ended_by)
+    run.record_end(session, ended_by)
     _close_attempt(run, session, now_wall, counted=ended_by != "run_failed")
     if not session.done:
         session.done = True
@@ -175,7 +175,7 @@ def end_by_policy(run: Run, session: Session, fault: str, now_wall: float) -> No
     close_session(run, session, "detached", now_wall)
 
 
-def give_up(
+def fail_run(
     run: Run, reason: str, now_wall: float, *, retryable: bool = True
 ) -> list[Session]:
     """The policy cannot be called (PUSH-012). Returns the sessions that ended.
@@ -184,9 +184,9 @@ def give_up(
     retryable: whether a resume can help.
     """
     sessions = list(run.workers.values())
-    _end_all(run, sessions, "run_failed", now_wall, counted=True)
+    _end_sessions(run, sessions, "run_failed", now_wall, counted=True)
     if legal(run, "fault"):
-        move(run, "fault", reason)
+        apply_event(run, "fault", reason)
         run.retryable = retryable
     return sessions
 
@@ -194,18 +194,18 @@ def give_up(
 def expire(run: Run, now: float, now_wall: float) -> list[Session]:
     """Close every session whose lease is over; returns those that held a slot."""
     over = [s for s in run.workers.values() if lease_over(s, now)]
-    live = [s for s in over if not s.done]
+    live_sessions = [s for s in over if not s.done]
     for session in over:
         close_session(run, session, "lease_ended", now_wall)
-    return live
+    return live_sessions
 
 
 def stop(run: Run, mode: str, now_wall: float) -> list[Session]:
     """Returns the sessions that the stop ended (STOP-001, STOP-002)."""
     sessions = list(run.workers.values()) if mode == "abort" else []
     reason = f"Stopped by its submitter ({mode})."
-    _end_all(run, sessions, "run_stopped", now_wall, counted=True)
-    move(run, "stop_abort" if mode == "abort" else "stop_drain", reason)
+    _end_sessions(run, sessions, "run_stopped", now_wall, counted=True)
+    apply_event(run, "stop_abort" if mode == "abort" else "stop_drain", reason)
     return sessions
 
 
@@ -218,13 +218,13 @@ def resume(run: Run, queue_until_wall: float) -> None:
             episode.faults_forgiven = episode.faults
             run.changed.add(episode.index)
     run.queue_until_wall = queue_until_wall
-    move(run, "resume_run")
+    apply_event(run, "resume_run")
 
 
 # --- events ---
 
 
-def fault(
+def record_fault(
     run: Run, session: Session, detail: str, *, unplayable: bool, now_wall: float
 ) -> list[Session]:
     """The simulator broke under a session.
@@ -243,8 +243,8 @@ def fault(
             return []
     verb = "cannot be played" if unplayable else f"faulted {episode.faults} times"
     sessions = list(run.workers.values())
-    _end_all(run, sessions, "run_failed", now_wall, counted=False)
-    move(run, "fault", f"Episode {episode.episode_id} {verb}: {detail}")
+    _end_sessions(run, sessions, "run_failed", now_wall, counted=False)
+    apply_event(run, "fault", f"Episode {episode.episode_id} {verb}: {detail}")
     run.retryable = not unplayable
     return sessions
 
@@ -258,7 +258,7 @@ def admit(
         if active + len(admitted) >= active_max:
             break
         if run.queue_until_wall <= now_wall:
-            move(run, "capacity")
+            apply_event(run, "capacity")
             admitted.append(run)
     return admitted
 
@@ -268,14 +268,14 @@ def _episode_of(session: Session) -> Episode:
     return session.episode
 
 
-def _score(run: Run, episode: Episode, result: Result) -> None:
-    run.keep_result(episode, result)
+def _record_result(run: Run, episode: Episode, result: Result) -> None:
+    run.record_result(episode, result)
     episode.in_progress = False
     if run.scored == len(run.episodes):
-        move(run, "all_scored")
+        apply_event(run, "all_scored")
 
 
-def _end_all(
+def _end_sessions(
     run: Run,
     sessions: Sequence[Session],
     ended_by: SessionEnd,
@@ -288,7 +288,7 @@ def _end_all(
         _close_attempt(run, session, now_wall, counted=counted)
         session.done = True
         run.workers.pop(session.worker_id, None)
-        run.remember_end(session, ended_by)
+        run.record_end(session, ended_by)
 
 
 def _close_attempt(
@@ -299,12 +299,12 @@ def _close_attempt(
         return
     begun = session.steps > 0 or session.busy == "playing"
     if not (counted and begun):
-        run.give_back(episode)
+        run.return_to_pending(episode)
         return
     run.changed.add(episode.index)
     if episode.attempt < run.manifest["max_attempts"]:
         episode.attempt += 1
-        run.give_back(episode)
+        run.return_to_pending(episode)
         return
     abandoned = Result(
         outcome="abandoned",
@@ -316,10 +316,10 @@ def _close_attempt(
         think_s=session.think_s,
         finished_at_wall=now_wall,
     )
-    _score(run, episode, abandoned)
+    _record_result(run, episode, abandoned)
 
 
 def _after_session_end(run: Run) -> None:
-    if not run.live:
+    if not run.live_sessions:
         reason = "Drained." if run.state == "stopping" else None
-        move(run, "last_lease_ends", reason)
+        apply_event(run, "last_lease_ends", reason)

@@ -26,26 +26,26 @@ class Cursor:
     the run as it was told last.
     """
 
-    told: int = 0
-    seen: str = "none"
+    results_sent: int = 0
+    run_digest: str = "none"
 
-    def id_in(self, run_id: str) -> str:
+    def event_id(self, run_id: str) -> str:
         """The place as text, with a sum that makes it useless in another run."""
-        place = f"{self.told}-{self.seen}"
+        place = f"{self.results_sent}-{self.run_digest}"
         return f"{place}-{_digest(f'{run_id}/{place}'.encode(), 8)}"
 
     @classmethod
-    def of(cls, id_: str, run_id: str) -> Cursor | None:
+    def parse(cls, id_: str, run_id: str) -> Cursor | None:
         """The place that an id of this run stands for; None of anything else."""
         parts = _ID.fullmatch(id_)
         if parts is None:
             return None
         cursor = cls(int(parts[1]), parts[2])
-        return cursor if cursor.id_in(run_id) == id_ else None
+        return cursor if cursor.event_id(run_id) == id_ else None
 
 
 @dataclass(frozen=True, slots=True)
-class Telling:
+class EventBatch:
     """What to tell next.
 
     text: the events, as they are sent; maybe none. cursor: the place behind them.
@@ -58,13 +58,13 @@ class Telling:
     is_last: bool
 
 
-def news(
+def next_batch(
     cursor: Cursor,
     run: RunHead,
-    shown: bytes,
+    run_body: bytes,
     scored: Sequence[bytes],
-    same: bytes,
-) -> Telling:
+    common_body: bytes,
+) -> EventBatch:
     """What a reader at the cursor has not been told yet.
 
     shown: the run as get_run shows it. same: what of that is the same for every reader.
@@ -74,15 +74,15 @@ def news(
     """
     events = []
     for episode in scored:
-        cursor = Cursor(cursor.told + 1, cursor.seen)
+        cursor = Cursor(cursor.results_sent + 1, cursor.run_digest)
         events.append(_event(b"episode", cursor, run, episode))
-    is_behind = cursor.told < run.scored
-    seen = _digest(same, 16)
-    if not is_behind and seen != cursor.seen:
-        cursor = Cursor(cursor.told, seen)
-        events.append(_event(b"run", cursor, run, shown))
+    is_behind = cursor.results_sent < run.scored
+    run_digest = _digest(common_body, 16)
+    if not is_behind and run_digest != cursor.run_digest:
+        cursor = Cursor(cursor.results_sent, run_digest)
+        events.append(_event(b"run", cursor, run, run_body))
     is_last = not is_behind and is_final(run)
-    return Telling(b"".join(events), cursor, is_behind, is_last)
+    return EventBatch(b"".join(events), cursor, is_behind, is_last)
 
 
 def is_final(run: RunHead) -> bool:
@@ -91,7 +91,7 @@ def is_final(run: RunHead) -> bool:
 
 
 def _event(kind: bytes, cursor: Cursor, run: RunHead, data: bytes) -> bytes:
-    id_ = cursor.id_in(run.run_id).encode()
+    id_ = cursor.event_id(run.run_id).encode()
     return b"event: %b\nid: %b\ndata: %b\n\n" % (kind, id_, data)
 
 

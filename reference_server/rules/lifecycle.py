@@ -129,7 +129,7 @@ class Wait:
 
 
 @dataclass(frozen=True, slots=True)
-class Nothing:
+class NoChange:
     """The command is already true; answer success and change nothing."""
 
 
@@ -144,7 +144,7 @@ class Refuse:
     members: Mapping[str, Any] = field(default_factory=dict)
 
 
-Verdict: TypeAlias = Accept | Replay | Wait | Nothing | Refuse
+Verdict: TypeAlias = Accept | Replay | Wait | NoChange | Refuse
 
 
 def legal(run: Run, event: Event) -> bool:
@@ -171,14 +171,17 @@ def lease_over(session: Session, now: float) -> bool:
     return not session.busy and now > session.expires_at
 
 
-def repeated(session: Session, asked: str) -> Predict | None:
+def find_repeated_turn(session: Session, request_digest: str) -> Predict | None:
     """The last turn once more, if a client that counts none means that (EBE-013).
 
     asked: a digest of what the client sent. It means the last turn when it sends the
     same again and the answer did not reach it; anything else is a turn of its own, as
     is what a policy chooses again after it has heard (EBE-014).
     """
-    if session.request is None or session.unheard != (session.seq, asked):
+    if session.request is None or session.unconfirmed_turn != (
+        session.seq,
+        request_digest,
+    ):
         return None
     return Predict(session.worker_id, session.session_id, session.seq, *session.request)
 
@@ -200,7 +203,7 @@ def _event_is_legal(run: Run, command: Command, _now: float) -> Verdict | None:
     )
 
 
-def _played_by_whom_it_is_for(
+def _mode_allows_caller(
     run: Run, command: Attach | Predict | Heartbeat | Detach, _now: float
 ) -> Verdict | None:
     if run.is_push == command.by_server:
@@ -256,7 +259,7 @@ def _below_worker_limit(run: Run, command: Attach, now: float) -> Verdict | None
 
 
 def _conventions_agree(run: Run, command: Attach, _now: float) -> Verdict | None:
-    errors = tuple(action_space.mismatches(command.assumes or {}, run.manifest))
+    errors = tuple(action_space.convention_errors(command.assumes or {}, run.manifest))
     if not errors:
         return None
     return Refuse(
@@ -290,13 +293,13 @@ def _session_is_live(
     )
 
 
-def _detach_has_an_object(run: Run, command: Detach, now: float) -> Verdict | None:
+def _detach_target_exists(run: Run, command: Detach, now: float) -> Verdict | None:
     """DET-002: what has ended already is detached already."""
     verdict = _session_is_live(
         run, Heartbeat(command.worker_id, command.session_id), now
     )
     if isinstance(verdict, Refuse) and verdict.code == "session_ended":
-        return Nothing()
+        return NoChange()
     return verdict
 
 
@@ -337,7 +340,7 @@ def _has_an_episode(run: Run, command: Predict, _now: float) -> Verdict | None:
 
 def _actions_fit(run: Run, command: Predict, _now: float) -> Verdict | None:
     """PRED-013 to PRED-017, PRED-019: one bad value refuses the whole chunk."""
-    errors = tuple(action_space.misfits(command.actions, run.manifest))
+    errors = tuple(action_space.action_errors(command.actions, run.manifest))
     if not errors:
         return None
     return Refuse(
@@ -361,7 +364,7 @@ def _event_of(command: Command) -> Event:
 # anything else is asked, so a lost answer never turns into a refusal.
 GUARDS: dict[type[Command], tuple[Callable[[Run, Any, float], Verdict | None], ...]] = {
     Attach: (
-        _played_by_whom_it_is_for,
+        _mode_allows_caller,
         _same_attach_key,
         _event_is_legal,
         _conventions_agree,
@@ -369,15 +372,15 @@ GUARDS: dict[type[Command], tuple[Callable[[Run, Any, float], Verdict | None], .
         _below_worker_limit,
     ),
     Predict: (
-        _played_by_whom_it_is_for,
+        _mode_allows_caller,
         _session_is_live,
         _repeated_seq,
         _expected_seq,
         _has_an_episode,
         _actions_fit,
     ),
-    Heartbeat: (_played_by_whom_it_is_for, _session_is_live),
-    Detach: (_played_by_whom_it_is_for, _detach_has_an_object),
+    Heartbeat: (_mode_allows_caller, _session_is_live),
+    Detach: (_mode_allows_caller, _detach_target_exists),
     Stop: (_event_is_legal,),
     Resume: (_event_is_legal,),
 }

@@ -23,7 +23,7 @@ Observe: TypeAlias = Literal["last", "all"]
 Busy: TypeAlias = Literal["opening", "playing", "turning"]
 
 # How many ended sessions a run remembers, to say why they ended.
-ENDED_KEPT = 256
+ENDED_SESSIONS_MAX = 256
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +93,7 @@ class Session:
     seq: int = 0
     request: tuple[Sequence[Mapping[str, Sequence[float]]], Observe] | None = None
     turn: dict[str, Any] | None = None
-    unheard: tuple[int, str] | None = None
+    unconfirmed_turn: tuple[int, str] | None = None
     busy: Busy | None = None
     done: bool = False
     ended_by: SessionEnd | None = None
@@ -132,7 +132,7 @@ class RunHead:
         return self.submission.get("mode") == "push"
 
     @property
-    def live(self) -> list[Session]:
+    def live_sessions(self) -> list[Session]:
         """Sessions that hold a slot: those not yet told that they are done."""
         return []
 
@@ -165,7 +165,7 @@ class Run(RunHead):
         self.pending = [e.index for e in self.episodes if e.result is None]
 
     @property
-    def live(self) -> list[Session]:
+    def live_sessions(self) -> list[Session]:
         return [s for s in self.workers.values() if not s.done]
 
     def window(self, start: int, end: int | None, scored: bool) -> list[Episode]:
@@ -174,7 +174,7 @@ class Run(RunHead):
             return [self.episodes[i] for i in self.scored_order[start:end]]
         return self.episodes[start:end]
 
-    def keep_result(self, episode: Episode, result: Result) -> None:
+    def record_result(self, episode: Episode, result: Result) -> None:
         """EPI-005: a result is written once."""
         assert episode.result is None, "an episode is scored once"
         episode.result = result
@@ -191,13 +191,13 @@ class Run(RunHead):
         episode.in_progress = True
         return episode
 
-    def give_back(self, episode: Episode) -> None:
+    def return_to_pending(self, episode: Episode) -> None:
         """The episode waits again, at its place in manifest order."""
         episode.in_progress = False
         heapq.heappush(self.pending, episode.index)
 
-    def remember_end(self, session: Session, ended_by: SessionEnd) -> None:
+    def record_end(self, session: Session, ended_by: SessionEnd) -> None:
         session.ended_by = ended_by
         self.ended[session.session_id] = ended_by
-        if len(self.ended) > ENDED_KEPT:
+        if len(self.ended) > ENDED_SESSIONS_MAX:
             self.ended.popitem(last=False)

@@ -12,7 +12,7 @@ from reference_server.rules.run import Outcome
 Z_95 = 1.959963984540054  # the 97.5 % point of the normal distribution
 
 
-class Scored(NamedTuple):
+class ScoredEpisode(NamedTuple):
     """What scoring needs of an episode; outcome None while it is unscored."""
 
     task: str
@@ -32,7 +32,7 @@ def wilson(rate: float | None, n: int) -> dict[str, float]:
     return {"low": max(0.0, centre - half), "high": min(1.0, centre + half)}
 
 
-def score_of(episodes: Sequence[Scored]) -> dict[str, Any]:
+def score_of(episodes: Sequence[ScoredEpisode]) -> dict[str, Any]:
     """The computed members of schema Score, for one run's episodes (at least one)."""
     total = len(episodes)
     group = _group(episodes)
@@ -52,19 +52,19 @@ def score_of(episodes: Sequence[Scored]) -> dict[str, Any]:
     }
 
 
-def _sum(episodes: Iterable[Scored]) -> float:
+def _sum(episodes: Iterable[ScoredEpisode]) -> float:
     # fsum is exact before its one rounding: 1e-12 holds for any number of episodes.
     # SCORE-004: an abandoned episode has score 0 and stays in every denominator.
     return math.fsum(e.score for e in episodes if e.outcome in ("success", "failure"))
 
 
-def _counts(episodes: Sequence[Scored]) -> dict[str, int]:
+def _counts(episodes: Sequence[ScoredEpisode]) -> dict[str, int]:
     outcomes = [episode.outcome for episode in episodes]
     counts = {name: outcomes.count(name) for name in get_args(Outcome)}
     return {"total": len(outcomes), **counts, "unscored": outcomes.count(None)}
 
 
-def _group(episodes: Sequence[Scored]) -> dict[str, Any]:
+def _group(episodes: Sequence[ScoredEpisode]) -> dict[str, Any]:
     counts = _counts(episodes)
     scored = counts["total"] - counts["unscored"]
     return {
@@ -75,9 +75,9 @@ def _group(episodes: Sequence[Scored]) -> dict[str, Any]:
 
 
 def _by(
-    episodes: Sequence[Scored], key: Callable[[Scored], str]
+    episodes: Sequence[ScoredEpisode], key: Callable[[ScoredEpisode], str]
 ) -> dict[str, dict[str, Any]]:
-    groups: dict[str, list[Scored]] = {}
+    groups: dict[str, list[ScoredEpisode]] = {}
     for episode in episodes:
         groups.setdefault(key(episode), []).append(episode)
     return {name: _group(members) for name, members in groups.items()}

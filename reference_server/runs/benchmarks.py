@@ -51,9 +51,9 @@ class Benchmarks:
         if benchmark_id not in benchmark_registry.benchmark_ids():
             raise Refused("not_found", f"There is no benchmark {benchmark_id}.")
         resolved = self._resolved(benchmark_id, None, None)
-        shown = {k: v for k, v in resolved.manifest.items() if k != "episodes"}
+        members = {k: v for k, v in resolved.manifest.items() if k != "episodes"}
         # Not through the schema's model: a simulator may add members of its own.
-        return shown | {
+        return members | {
             "manifest_sha256": resolved.manifest_sha256,
             "unavailable_reason": await _unavailable(benchmark_id),
         }

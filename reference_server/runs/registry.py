@@ -5,7 +5,7 @@ same state. Carries out what the protocol decides for the control plane, wakes w
 waits for a change, and lets queued runs in when there is capacity.
 
 Memory may be ahead of the disk while a write is on its way. Nobody is told of that:
-what is shown was taken from memory and then found stored (`shown`). A failed write
+what is shown was taken from memory and then found stored (`rendered`). A failed write
 drops the run from memory, for the store has the truth, and its sessions end as in a
 restart.
 """
@@ -30,23 +30,23 @@ from reference_server.storage.store import Store, StoreFailed
 log = logging.getLogger("proctor.runs")
 
 # Runs kept in memory although nobody uses them at the moment.
-RUNS_KEPT = 256
-ACTIVE = ("ready", "running", "stopping")
+CACHED_RUNS_MAX = 256
+ACTIVE_STATES = ("ready", "running", "stopping")
 # What a stored run in one of these was when it left memory, it still is.
-AT_REST = ("ready", "stopped", "failed", "completed")
+STABLE_STATES = ("ready", "stopped", "failed", "completed")
 # How long after a failed write its run is loaded again, when nobody asks for it.
 RELOAD_S = 1.0
 
-Shown = TypeVar("Shown")
+Rendered = TypeVar("Rendered")
 
 
-class RunBook:
+class RunRegistry:
     """All runs of this server, by id."""
 
     def __init__(self, store: Store, active_max: int) -> None:
         self._store = store
         self._active_max = active_max
-        self._known: WeakValueDictionary[str, Run] = WeakValueDictionary()
+        self._in_memory: WeakValueDictionary[str, Run] = WeakValueDictionary()
         self._recent: OrderedDict[str, Run] = OrderedDict()
         self._queued: dict[str, Run] = {}
         self._queue: list[int] = []  # their numbers, the next one first
@@ -54,31 +54,33 @@ class RunBook:
         self._loading: dict[str, asyncio.Task[Run | None]] = {}
         self._saving: dict[str, asyncio.Task[bool]] = {}  # the last one of each run
         # Only who waits for news holds them.
-        self._news: WeakValueDictionary[str, asyncio.Event] = WeakValueDictionary()
-        self._admission: asyncio.TimerHandle | None = None
-        self._reloads: dict[str, asyncio.TimerHandle] = {}
+        self._change_events: WeakValueDictionary[str, asyncio.Event] = (
+            WeakValueDictionary()
+        )
+        self._admission_timer: asyncio.TimerHandle | None = None
+        self._reload_timers: dict[str, asyncio.TimerHandle] = {}
         self._tasks: set[asyncio.Future[object]] = set()
         self._ending = self._closed = False
         # Set by the data plane: what to do with the sessions of a run that was lost.
-        self.forget: Callable[[Run], None] = lambda _run: None
+        self.on_run_lost: Callable[[Run], None] = lambda _run: None
         # Set by who plays the push runs: looks at a run whose state may have changed.
-        self.seen: Callable[[Run], None] = lambda _run: None
+        self.on_change: Callable[[Run], None] = lambda _run: None
 
     async def open(self) -> None:
-        self._active = set(await self._store.in_states(*ACTIVE))
+        self._active = set(await self._store.in_states(*ACTIVE_STATES))
         for run_id in await self._store.in_states("queued"):
             await self.get(run_id)
 
-    def end(self) -> None:
+    def release_waiters(self) -> None:
         """The server will end: nobody needs to wait for a change any more."""
         self._ending = True
-        for run_id in list(self._news):
+        for run_id in list(self._change_events):
             self._wake(run_id)
 
     async def close(self) -> None:
         """Wait until everything that was begun is stored; then nothing begins."""
         self._closed = True
-        for timer in (self._admission, *self._reloads.values()):
+        for timer in (self._admission_timer, *self._reload_timers.values()):
             if timer is not None:
                 timer.cancel()
         while self._tasks:  # one may begin another
@@ -86,49 +88,49 @@ class RunBook:
 
     async def get(self, run_id: str, account: str | None = None) -> Run:
         """The run, if the account may see it (AUTH-003, RUN-010)."""
-        run = self._known.get(run_id) or await self._load(run_id)
+        run = self._in_memory.get(run_id) or await self._load(run_id)
         if run is None or account not in (None, run.account):
             raise _no_run(run_id)
-        self._keep(run)
+        self._cache(run)
         return run
 
-    async def look(
+    async def read_view(
         self,
         run_id: str,
         account: str,
-        view: Callable[[RunHead, Sequence[Episode]], Shown],
+        view: Callable[[RunHead, Sequence[Episode]], Rendered],
         start: int = 0,
         end: int | None = 0,
         *,
         scored: bool = False,
-    ) -> Shown:
+    ) -> Rendered:
         """What `view` makes of the run and of its episodes from start to end.
 
         scored: of those that have a result, in the order in which they were scored.
         A run that is not in memory stays out of it, and no more of it is read than is
         shown, so that nobody pays for the size or the number of finished runs.
         """
-        if run_id not in self._known:
-            found = await self._store.glance(run_id, start, end, scored)
-            if found is not None and self._is_at_rest(found[0]):
+        if run_id not in self._in_memory:
+            found = await self._store.read_window(run_id, start, end, scored)
+            if found is not None and self._is_current(found[0]):
                 if found[0].account != account:
                     raise _no_run(run_id)
                 return view(*found)
         run = await self.get(run_id, account)
         window = partial(Run.window, start=start, end=end, scored=scored)
-        return await self.shown(run, lambda run: view(run, window(run)))
+        return await self.render_when_stored(run, lambda run: view(run, window(run)))
 
-    def _is_at_rest(self, head: RunHead) -> bool:
+    def _is_current(self, head: RunHead) -> bool:
         """Whether the run is as it was just read: nobody has taken it up meanwhile."""
-        return head.state in AT_REST and head.run_id not in self._known
+        return head.state in STABLE_STATES and head.run_id not in self._in_memory
 
     async def add(self, run: Run, key: str | None, body_sha256: str) -> Run:
         """Store a new run; or the run that this Idempotency-Key made (RUN-003)."""
         # Whoever finds it in the store, even before we hear of that, finds this object.
-        self._known[run.run_id] = run
+        self._in_memory[run.run_id] = run
         if await self._store.insert(run, key, body_sha256):
-            self._keep(run)
-            self._place(run, run.state)
+            self._cache(run)
+            self._index_by_state(run, run.state)
             self._admit()
             return run
         assert key is not None
@@ -142,7 +144,7 @@ class RunBook:
             )
         return await self.get(found[1])
 
-    async def made_by(self, account: str, key: str) -> tuple[str, str] | None:
+    async def find_by_key(self, account: str, key: str) -> tuple[str, str] | None:
         """(body_sha256, run_id) of what an Idempotency-Key of the account made."""
         return await self._store.find_key(account, key)
 
@@ -151,26 +153,30 @@ class RunBook:
         account: str,
         before: int | None,
         limit: int,
-        view: Callable[[RunHead], Shown],
-    ) -> list[Shown]:
+        view: Callable[[RunHead], Rendered],
+    ) -> list[Rendered]:
         """Views of up to `limit` runs of the account, newest first."""
         ids = [run_id for _, run_id in await self._store.page(account, before, limit)]
-        heads = await self._store.heads([i for i in ids if i not in self._known])
+        heads = await self._store.heads([i for i in ids if i not in self._in_memory])
         found = []
         for run_id in ids:
             head = heads.get(run_id)
-            if head is not None and self._is_at_rest(head):
+            if head is not None and self._is_current(head):
                 found.append(view(head))
             else:
-                found.append(await self.shown(await self.get(run_id), view))
+                found.append(
+                    await self.render_when_stored(await self.get(run_id), view)
+                )
         return found
 
-    async def shown(self, run: Run, view: Callable[[Run], Shown]) -> Shown:
+    async def render_when_stored(
+        self, run: Run, view: Callable[[Run], Rendered]
+    ) -> Rendered:
         """What `view` makes of the run, once all of that is stored."""
         while True:
-            shown = view(run)
+            rendered = view(run)
             if await self.is_stored(run):
-                return shown
+                return rendered
             run = await self.get(run.run_id)
 
     async def is_stored(self, run: Run) -> bool:
@@ -199,18 +205,18 @@ class RunBook:
         run.updated_at_wall = time.time()
         saving = asyncio.ensure_future(self._save(run))
         self._saving[run.run_id] = saving
-        self.begin(saving)
+        self.run_in_background(saving)
         return saving
 
-    def news(self, run_id: str) -> asyncio.Event:
+    def change_event(self, run_id: str) -> asyncio.Event:
         """The next change of what get_run shows; take it before you look."""
-        return self._news.setdefault(run_id, asyncio.Event())
+        return self._change_events.setdefault(run_id, asyncio.Event())
 
-    async def changed(self, news: asyncio.Event, timeout_s: float) -> bool:
+    async def wait_for_change(self, change: asyncio.Event, timeout_s: float) -> bool:
         """Wait for a change; whether there was one in time."""
         try:
             if not self._ending:
-                await asyncio.wait_for(news.wait(), timeout_s)
+                await asyncio.wait_for(change.wait(), timeout_s)
         except TimeoutError:
             return False
         if self._ending:
@@ -220,7 +226,7 @@ class RunBook:
     def notify(self, run: Run) -> None:
         """Something that get_run shows has changed."""
         if not run.lost:
-            self._place(run, run.state)
+            self._index_by_state(run, run.state)
         self._wake(run.run_id)
         self._admit()
 
@@ -234,9 +240,9 @@ class RunBook:
             return None
         return 1 + bisect_left(self._queue, run.number)
 
-    def _place(self, run: Run, state: State | None) -> None:
+    def _index_by_state(self, run: Run, state: State | None) -> None:
         """Among the active, in the queue, or nowhere, as the state says."""
-        if state in ACTIVE:
+        if state in ACTIVE_STATES:
             self._active.add(run.run_id)
         else:
             self._active.discard(run.run_id)
@@ -244,23 +250,25 @@ class RunBook:
         if state == "queued":
             self._queued[run.run_id] = run
         if was_queued != (state == "queued"):
-            self._move_up(run.number, was_queued)
+            self._update_queue(run.number, was_queued)
         if state is not None:
-            self.seen(run)
+            self.on_change(run)
 
-    def _move_up(self, number: int, has_left: bool) -> None:
+    def _update_queue(self, number: int, has_left: bool) -> None:
         """A run has left the queue or come into it: those behind it have moved."""
         if has_left:
             del self._queue[bisect_left(self._queue, number)]
         else:
             insort(self._queue, number)
-        for run_id in list(self._news):  # rarely as many as there are in the queue
+        for run_id in list(
+            self._change_events
+        ):  # rarely as many as there are in the queue
             waiting = self._queued.get(run_id)
             if waiting is not None and waiting.number > number:
                 self._wake(run_id)
 
     def _wake(self, run_id: str) -> None:
-        event = self._news.pop(run_id, None)
+        event = self._change_events.pop(run_id, None)
         if event is not None:
             event.set()
 
@@ -274,23 +282,23 @@ class RunBook:
         now = time.time()
         admitted = effects.admit(queued, len(self._active), self._active_max, now)
         for run in admitted:
-            self._place(run, run.state)
+            self._index_by_state(run, run.state)
             self.commit_later(run)
-        self._admit_again(now)
+        self._schedule_admission(now)
 
-    def _admit_again(self, now: float) -> None:
+    def _schedule_admission(self, now: float) -> None:
         """Look again when the next hold in the queue ends."""
         holds = [r.queue_until_wall for r in self._queued.values()]
         later = [until for until in holds if until > now]
-        if self._admission is not None:
-            self._admission.cancel()
-            self._admission = None
+        if self._admission_timer is not None:
+            self._admission_timer.cancel()
+            self._admission_timer = None
         if later:
             loop = asyncio.get_running_loop()
             wait_s = max(0.001, min(later) - now)
-            self._admission = loop.call_later(wait_s, self._admit)
+            self._admission_timer = loop.call_later(wait_s, self._admit)
 
-    def begin(self, work: Awaitable[object]) -> None:
+    def run_in_background(self, work: Awaitable[object]) -> None:
         """Do work that no request waits for, before the server ends."""
         task = asyncio.ensure_future(work)
         self._tasks.add(task)
@@ -301,7 +309,7 @@ class RunBook:
             await self._store.save(run)
         except Exception:  # whatever it was: memory is ahead of the disk now
             log.exception("run %s could not be stored", run.run_id)
-            self._drop(run)
+            self._evict(run)
             return False
         else:
             return True
@@ -327,30 +335,30 @@ class RunBook:
     def _adopt(self, loaded: Run | None) -> Run | None:
         """A run just loaded: nobody held it, so no session of it lives."""
         if loaded is not None:
-            effects.move(loaded, "last_lease_ends", "Its sessions were lost.")
-            self._known[loaded.run_id] = loaded
-            self._place(loaded, loaded.state)
+            effects.apply_event(loaded, "last_lease_ends", "Its sessions were lost.")
+            self._in_memory[loaded.run_id] = loaded
+            self._index_by_state(loaded, loaded.state)
             self._admit()
         return loaded
 
-    def _keep(self, run: Run) -> None:
-        self._known[run.run_id] = run
+    def _cache(self, run: Run) -> None:
+        self._in_memory[run.run_id] = run
         self._recent[run.run_id] = run
         self._recent.move_to_end(run.run_id)
-        if len(self._recent) > RUNS_KEPT:
+        if len(self._recent) > CACHED_RUNS_MAX:
             self._recent.popitem(last=False)
 
-    def _drop(self, run: Run) -> None:
+    def _evict(self, run: Run) -> None:
         """From now on the run is what the store has, and loaded when it is wanted."""
         if run.lost:
             return
         run.lost = True
-        self._known.pop(run.run_id, None)
+        self._in_memory.pop(run.run_id, None)
         self._recent.pop(run.run_id, None)
-        self._place(run, None)
+        self._index_by_state(run, None)
         # Until it is known what the store has, the run may be active and keeps a place.
         self._active.add(run.run_id)
-        self.forget(run)
+        self.on_run_lost(run)
         self._reload_later(run.run_id)
 
     def _reload_later(self, run_id: str) -> None:
@@ -358,13 +366,13 @@ class RunBook:
         if not self._closed:
             loop = asyncio.get_running_loop()
             timer = loop.call_later(RELOAD_S, self._reload, run_id)
-            self._reloads[run_id] = timer
+            self._reload_timers[run_id] = timer
 
     def _reload(self, run_id: str) -> None:
-        del self._reloads[run_id]
-        self.begin(self._get_again(run_id))
+        del self._reload_timers[run_id]
+        self.run_in_background(self._retry_load(run_id))
 
-    async def _get_again(self, run_id: str) -> None:
+    async def _retry_load(self, run_id: str) -> None:
         try:
             await self.get(run_id)
         except StoreFailed:

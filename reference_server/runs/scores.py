@@ -11,36 +11,36 @@ from typing import Any
 
 from reference_server.http import views
 from reference_server.rules.run import Episode, Run, RunHead
-from reference_server.runs.registry import RunBook
+from reference_server.runs.registry import RunRegistry
 
-SCORES_KEPT = 256
+CACHED_SCORES_MAX = 256
 
 Json = dict[str, Any]
 
 
-class Scores:
+class ScoreCache:
     """Schema Score of each run, by its id."""
 
     def __init__(self) -> None:
         # run_id → state, results, score
-        self._kept: dict[str, tuple[str, int, Json]] = {}
+        self._cache: dict[str, tuple[str, int, Json]] = {}
 
-    async def of(self, book: RunBook, run_id: str, account: str) -> Json:
+    async def get(self, registry: RunRegistry, run_id: str, account: str) -> Json:
         """The score of the account's run. Raises Refused like `RunBook.get`."""
-        if run_id in self._kept:
-            again = await book.look(run_id, account, self._again)
+        if run_id in self._cache:
+            again = await registry.read_view(run_id, account, self._cached_score)
             if again is not None:
                 return again
-        return await book.look(run_id, account, self._anew, end=None)
+        return await registry.read_view(run_id, account, self._compute_score, end=None)
 
-    def _again(self, run: RunHead, _: object) -> Json | None:
-        state, scored, score = self._kept.get(run.run_id, (None, 0, {}))
+    def _cached_score(self, run: RunHead, _: object) -> Json | None:
+        state, scored, score = self._cache.get(run.run_id, (None, 0, {}))
         return score if (state, scored) == (run.state, run.scored) else None
 
-    def _anew(self, run: RunHead, episodes: Sequence[Episode]) -> Json:
+    def _compute_score(self, run: RunHead, episodes: Sequence[Episode]) -> Json:
         score = views.score_view(run, episodes)
         if not isinstance(run, Run):  # what only memory has may yet be lost
-            self._kept[run.run_id] = run.state, run.scored, score
-            if len(self._kept) > SCORES_KEPT:
-                del self._kept[next(iter(self._kept))]
+            self._cache[run.run_id] = run.state, run.scored, score
+            if len(self._cache) > CACHED_SCORES_MAX:
+                del self._cache[next(iter(self._cache))]
         return score

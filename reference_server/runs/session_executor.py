@@ -5,7 +5,7 @@ It asks `protocol` what may happen, lets a simulator process execute, and tells
 has one task at most, and whoever repeats its request waits for that task. What a
 session holds meanwhile is in `scenes.py`.
 
-While work awaits anything, its session may end: then `_still` ends the work, and what
+While work awaits anything, its session may end: then `_ensure_live` ends the work, and what
 the session held is already freed.
 """
 
@@ -25,7 +25,7 @@ from reference_server.rules.lifecycle import (
     Attach,
     Detach,
     Heartbeat,
-    Nothing,
+    NoChange,
     Predict,
     Refuse,
     Replay,
@@ -34,8 +34,8 @@ from reference_server.rules.lifecycle import (
     lease_over,
 )
 from reference_server.rules.run import Run, Session
-from reference_server.runs.registry import RunBook
-from reference_server.runs.session_resources import Scene, Scenes
+from reference_server.runs.registry import RunRegistry
+from reference_server.runs.session_resources import SessionResources, ResourceManager
 from reference_sim.process.pool import (
     Beginning,
     NoCapacity,
@@ -47,62 +47,62 @@ from reference_sim.process.pool import (
 log = logging.getLogger("proctor.stage")
 
 
-class Stage:
+class SessionExecutor:
     """Every session of this process."""
 
-    def __init__(self, book: RunBook, pool: SimulatorPool) -> None:
-        self._book = book
-        self._scenes = Scenes(pool, book.begin, self.sweep)
-        book.forget = self._scenes.forget
+    def __init__(self, registry: RunRegistry, pool: SimulatorPool) -> None:
+        self._registry = registry
+        self._resources = ResourceManager(pool, registry.run_in_background, self.sweep)
+        registry.on_run_lost = self._resources.discard_sessions
 
     # --- operations of the data plane ---
 
     async def attach(self, run: Run, command: Attach) -> dict[str, Any]:
         """The session's latest turn; turn 0 for a new session."""
-        run, again = await self._decided(run, command)
+        run, again = await self._decide_or_replay(run, command)
         if again is not None:
             return again
         old = run.workers.get(command.worker_id)
         session_id = secrets.token_urlsafe(24)  # ATT-009
         session = effects.open_session(run, command, session_id, time.monotonic())
-        scene = self._scenes.open(run, session, old)
-        self._book.notify(run)
-        return await self._execute(scene, self._open(scene))
+        resources = self._resources.open(run, session, old)
+        self._registry.notify(run)
+        return await self._execute(resources, self._open(resources))
 
     async def predict(self, run: Run, command: Predict) -> dict[str, Any]:
         """The turn; executed once, however often it is asked for."""
-        run, again = await self._decided(run, command)
+        run, again = await self._decide_or_replay(run, command)
         if again is not None:
             return again
         session = run.workers[command.worker_id]
-        scene = self._scenes.of(session)
-        assert scene is not None, "a session that has not ended has its scene"
+        resources = self._resources.find(session)
+        assert resources is not None, "a session that has not ended has its scene"
         effects.begin_turn(session, command, time.monotonic())
-        return await self._execute(scene, self._play(scene, command))
+        return await self._execute(resources, self._play(resources, command))
 
     def heartbeat(self, run: Run, command: Heartbeat) -> Session:
         """Extends the lease; returns the session."""
         verdict = decide(run, command, self.sweep(run))
         if isinstance(verdict, Refuse):
-            raise Refused.by(verdict)
+            raise Refused.from_verdict(verdict)
         session = run.workers[command.worker_id]
-        effects.touch(session, time.monotonic())
+        effects.extend_lease(session, time.monotonic())
         return session
 
     async def detach(self, run: Run, command: Detach) -> None:
         verdict = decide(run, command, self.sweep(run))
         if isinstance(verdict, Refuse):
-            raise Refused.by(verdict)
-        if isinstance(verdict, Nothing):
+            raise Refused.from_verdict(verdict)
+        if isinstance(verdict, NoChange):
             return
         session = run.workers[command.worker_id]
         was_live = not session.done
         effects.close_session(run, session, "detached", time.time())
-        self.let_go([session])
+        self.release_sessions([session])
         if was_live or run.changed:  # else nothing that anybody is shown
-            await self._book.commit(run)
+            await self._registry.commit(run)
 
-    async def _decided(
+    async def _decide_or_replay(
         self, run: Run, command: Attach | Predict
     ) -> tuple[Run, dict[str, Any] | None]:
         """The run, and the turn to show again if the command was carried out before.
@@ -112,15 +112,15 @@ class Stage:
         """
         while True:
             if run.lost:  # while its caller awaited something else
-                run = await self._book.get(run.run_id)
+                run = await self._registry.get(run.run_id)
             verdict = decide(run, command, self.sweep(run))
             match verdict:
                 case Refuse():
-                    raise Refused.by(verdict)
+                    raise Refused.from_verdict(verdict)
                 case Wait(session):
-                    run = await self._after(run, session)
+                    run = await self._wait_for_turn(run, session)
                 case Replay(session):
-                    return run, self._again(session)
+                    return run, self._replay_turn(session)
                 case _:
                     return run, None
 
@@ -131,54 +131,56 @@ class Stage:
         now = time.monotonic()
         over = [s for s in run.workers.values() if lease_over(s, now)]
         live = effects.expire(run, now, time.time())
-        self.let_go(over)
+        self.release_sessions(over)
         if live:
-            self._book.commit_later(run)
+            self._registry.commit_later(run)
         return now
 
-    def let_go(self, sessions: list[Session]) -> None:
+    def release_sessions(self, sessions: list[Session]) -> None:
         """Free what ended sessions hold; a simulator in execution is killed."""
-        self._scenes.let_go(sessions)
+        self._resources.release_sessions(sessions)
 
     async def close(self) -> None:
         """End every session without counting anything."""
-        self._scenes.forget()
+        self._resources.discard_sessions()
 
     # --- playing ---
 
-    async def _open(self, scene: Scene) -> dict[str, Any]:
+    async def _open(self, resources: SessionResources) -> dict[str, Any]:
         started = time.perf_counter()
-        self._still(scene)  # a stop may come before its work begins
-        if scene.session.done:
-            turn = turn_view.turn(scene.session, observation=None)
-            return self._answer(scene, turn, started)
-        if scene.handle is None:
-            return await self._begin_turn(scene, started)
+        self._ensure_live(resources)  # a stop may come before its work begins
+        if resources.session.done:
+            turn = turn_view.turn_view(resources.session, observation=None)
+            return self._answer(resources, turn, started)
+        if resources.handle is None:
+            return await self._begin_turn(resources, started)
         try:
-            observation = await scene.handle.observe()
+            observation = await resources.handle.observe()
         except SimulatorFault as error:  # it died between two turns
-            await self._fault(scene, error)
-            return await self._begin_turn(scene, started)
-        self._still(scene)
-        turn = turn_view.turn(scene.session, observation=observation)
-        return self._answer(scene, turn, started)
+            await self._fault(resources, error)
+            return await self._begin_turn(resources, started)
+        self._ensure_live(resources)
+        turn = turn_view.turn_view(resources.session, observation=observation)
+        return self._answer(resources, turn, started)
 
-    async def _play(self, scene: Scene, command: Predict) -> dict[str, Any]:
+    async def _play(
+        self, resources: SessionResources, command: Predict
+    ) -> dict[str, Any]:
         started = time.perf_counter()
-        self._still(scene)  # a stop may come before its work begins
-        run, session = scene.run, scene.session
-        assert scene.handle is not None, "a session with an episode has a simulator"
-        scene.fault = None
-        actions = action_space.clipped(command.actions, run.manifest)
+        self._ensure_live(resources)  # a stop may come before its work begins
+        run, session = resources.run, resources.session
+        assert resources.handle is not None, "a session with an episode has a simulator"
+        resources.fault = None
+        actions = action_space.clip_actions(command.actions, run.manifest)
         try:
-            played = await scene.handle.play(
+            played = await resources.handle.play(
                 actions, observe_all=command.observe == "all"
             )
         except (SimulatorFault, TaskUnplayable) as error:
-            await self._fault(scene, error)
-            return await self._begin_turn(scene, started)
-        self._still(scene)
-        outcome = effects.Outcome(
+            await self._fault(resources, error)
+            return await self._begin_turn(resources, started)
+        self._ensure_live(resources)
+        outcome = effects.ChunkResult(
             played.executed,
             played.ended,
             played.terminated,
@@ -190,52 +192,54 @@ class Stage:
         observation, spent = played.observation, turn_view.timing(0.0, played.timing)
         if ended is not None:
             # The result is on disk before anybody hears of it.
-            await self._book.commit(run)
-            self._still(scene)
+            await self._registry.commit(run)
+            self._ensure_live(resources)
             observation = None
             if session.episode is not None:
-                beginning, queue_s = await self._begin(scene)
+                beginning, queue_s = await self._begin(resources)
                 observation = beginning.observation
                 spent = turn_view.timing(queue_s, played.timing, beginning.timing)
             else:  # its simulator serves others, its last turn stays
-                self._scenes.free(scene, kill=False)
-        turn = turn_view.turn(
+                self._resources.return_simulator(resources, kill=False)
+        turn = turn_view.turn_view(
             session,
             observation=observation,
             observations=played.observations if command.observe == "all" else None,
             played=played,
             left=len(actions) - played.executed,
             ended=ended,
-            fault=scene.fault,
+            fault=resources.fault,
             spent=spent,
         )
-        return self._answer(scene, turn, started)
+        return self._answer(resources, turn, started)
 
-    async def _begin_turn(self, scene: Scene, started: float) -> dict[str, Any]:
+    async def _begin_turn(
+        self, resources: SessionResources, started: float
+    ) -> dict[str, Any]:
         """The turn that shows step 0, at first and after a fault (FAULT-001)."""
-        beginning, queue_s = await self._begin(scene)
-        turn = turn_view.turn(
-            scene.session,
+        beginning, queue_s = await self._begin(resources)
+        turn = turn_view.turn_view(
+            resources.session,
             observation=beginning.observation,
-            fault=scene.fault,
+            fault=resources.fault,
             spent=turn_view.timing(queue_s, beginning.timing),
         )
-        return self._answer(scene, turn, started)
+        return self._answer(resources, turn, started)
 
-    async def _begin(self, scene: Scene) -> tuple[Beginning, float]:
+    async def _begin(self, resources: SessionResources) -> tuple[Beginning, float]:
         """Begin the session's episode, anew after each fault, until it fails the run.
 
         Returns the beginning and the seconds spent waiting for a simulator.
         """
-        run, queue_s = scene.run, 0.0
+        run, queue_s = resources.run, 0.0
         while True:
-            episode = scene.session.episode
+            episode = resources.session.episode
             assert episode is not None
             try:
-                queue_s += await self._scenes.lend(scene)
-                self._still(scene)
-                assert scene.handle is not None
-                beginning = await scene.handle.begin(
+                queue_s += await self._resources.acquire_simulator(resources)
+                self._ensure_live(resources)
+                assert resources.handle is not None
+                beginning = await resources.handle.begin(
                     episode.task,
                     episode.seed,
                     split=episode.split,
@@ -243,31 +247,35 @@ class Stage:
                     success_rule=run.manifest["success_rule"],
                 )
             except (SimulatorFault, TaskUnplayable) as error:
-                await self._fault(scene, error)
+                await self._fault(resources, error)
                 continue
-            self._still(scene)
-            scene.session.instruction = beginning.instruction
+            self._ensure_live(resources)
+            resources.session.instruction = beginning.instruction
             return beginning, queue_s
 
-    async def _fault(self, scene: Scene, error: Exception) -> None:
+    async def _fault(self, resources: SessionResources, error: Exception) -> None:
         """Record a fault; returns when the episode may begin again."""
-        self._still(scene)
-        self._scenes.free(scene, kill=True)
-        run, session, episode = scene.run, scene.session, scene.session.episode
+        self._ensure_live(resources)
+        self._resources.return_simulator(resources, kill=True)
+        run, session, episode = (
+            resources.run,
+            resources.session,
+            resources.session.episode,
+        )
         assert episode is not None
         log.warning("run %s, %s: %s", run.run_id, episode.episode_id, error)
         session.busy = "turning"
-        ended = effects.fault(
+        ended = effects.record_fault(
             run,
             session,
             str(error),
             unplayable=isinstance(error, TaskUnplayable),
             now_wall=time.time(),
         )
-        self.let_go(ended)
-        await self._book.commit(run)
-        self._still(scene)
-        scene.fault = {
+        self.release_sessions(ended)
+        await self._registry.commit(run)
+        self._ensure_live(resources)
+        resources.fault = {
             "episode_id": episode.episode_id,
             "faults": episode.faults,
             "detail": str(error),
@@ -276,69 +284,73 @@ class Stage:
     # --- the work of a session ---
 
     async def _execute(
-        self, scene: Scene, work: Awaitable[dict[str, Any]]
+        self, resources: SessionResources, work: Awaitable[dict[str, Any]]
     ) -> dict[str, Any]:
         """Run a session's work as its one task, which outlives a caller that leaves."""
-        scene.task = asyncio.create_task(self._guarded(scene, work))
+        resources.task = asyncio.create_task(self._run_guarded(resources, work))
         # What it fails with is looked at, also when its caller has left.
-        scene.task.add_done_callback(lambda task: task.cancelled() or task.exception())
-        return await asyncio.shield(scene.task)
+        resources.task.add_done_callback(
+            lambda task: task.cancelled() or task.exception()
+        )
+        return await asyncio.shield(resources.task)
 
-    async def _guarded(
-        self, scene: Scene, work: Awaitable[dict[str, Any]]
+    async def _run_guarded(
+        self, resources: SessionResources, work: Awaitable[dict[str, Any]]
     ) -> dict[str, Any]:
         """Whatever goes wrong, no session stays busy for ever."""
         try:
             return await work
         except NoCapacity as error:
-            self._abort(scene)
+            self._abort(resources)
             raise Refused("no_capacity", str(error)) from error
         except Refused:
-            self._abort(scene)
+            self._abort(resources)
             raise
         except Exception as error:
-            log.exception("a turn of run %s failed", scene.run.run_id)
-            self._abort(scene)
+            log.exception("a turn of run %s failed", resources.run.run_id)
+            self._abort(resources)
             raise Refused(
                 "internal_error", "The turn could not be carried out."
             ) from error
 
-    def _abort(self, scene: Scene) -> None:
+    def _abort(self, resources: SessionResources) -> None:
         """End a session by no fault of its policy: no attempt is counted."""
-        session = scene.session
+        session = resources.session
         if session.ended_by is None:
             session.busy, session.steps = "turning", 0
-            effects.close_session(scene.run, session, "unknown", time.time())
-            self.let_go([session])
-            if scene.run.changed or scene.run.state not in ("ready", "running"):
-                self._book.commit_later(scene.run)
+            effects.close_session(resources.run, session, "unknown", time.time())
+            self.release_sessions([session])
+            if resources.run.changed or resources.run.state not in ("ready", "running"):
+                self._registry.commit_later(resources.run)
             else:  # a run in play is found ready again, and nothing else has changed
-                self._book.notify(scene.run)
+                self._registry.notify(resources.run)
 
-    async def _after(self, run: Run, session: Session) -> Run:
+    async def _wait_for_turn(self, run: Run, session: Session) -> Run:
         """The run when the session's task is over; the caller decides again then."""
-        scene = self._scenes.of(session)
-        if scene is not None and scene.task is not None:
-            await asyncio.wait([scene.task])
+        resources = self._resources.find(session)
+        if resources is not None and resources.task is not None:
+            await asyncio.wait([resources.task])
         else:
             await asyncio.sleep(0)
-        return await self._book.get(run.run_id)
+        return await self._registry.get(run.run_id)
 
-    def _again(self, session: Session) -> dict[str, Any]:
-        effects.touch(session, time.monotonic())
+    def _replay_turn(self, session: Session) -> dict[str, Any]:
+        effects.extend_lease(session, time.monotonic())
         assert session.turn is not None, "a session that is not busy has its turn"
         return session.turn
 
     def _answer(
-        self, scene: Scene, turn: dict[str, Any], started: float
+        self, resources: SessionResources, turn: dict[str, Any], started: float
     ) -> dict[str, Any]:
-        effects.answer(scene.session, turn, time.monotonic())
-        turn_view.finish(turn, scene.session, time.perf_counter() - started)
+        effects.store_answer(resources.session, turn, time.monotonic())
+        turn_view.add_lease_and_total(
+            turn, resources.session, time.perf_counter() - started
+        )
         return turn
 
-    def _still(self, scene: Scene) -> None:
+    def _ensure_live(self, resources: SessionResources) -> None:
         """After an await: is the session still the one to answer?"""
-        ended_by = scene.session.ended_by
+        ended_by = resources.session.ended_by
         if ended_by is not None:
             raise Refused(
                 "session_ended",

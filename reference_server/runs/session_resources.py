@@ -19,7 +19,7 @@ from reference_sim.process.pool import SimulatorHandle, SimulatorPool
 
 
 @dataclass(slots=True, eq=False)
-class Scene:
+class SessionResources:
     """One session's; keeps its run in memory.
 
     handle: its simulator, while it plays an episode. task: the work in execution, or
@@ -34,7 +34,7 @@ class Scene:
     fault: dict[str, Any] | None = None
 
 
-class Scenes:
+class ResourceManager:
     """The scene of every session that has not ended; without one nothing is held.
 
     begin: does work that nobody waits for.
@@ -44,86 +44,90 @@ class Scenes:
     def __init__(
         self,
         pool: SimulatorPool,
-        begin: Callable[[Awaitable[None]], object],
-        over: Callable[[Run], object],
+        run_in_background: Callable[[Awaitable[None]], object],
+        on_lease_over: Callable[[Run], object],
     ) -> None:
         self._pool = pool
-        self._begin = begin
-        self._over = over
-        self._scenes: dict[Session, Scene] = {}
+        self._run_in_background = run_in_background
+        self._on_lease_over = on_lease_over
+        self._by_session: dict[Session, SessionResources] = {}
 
     def __len__(self) -> int:
-        return len(self._scenes)
+        return len(self._by_session)
 
-    def of(self, session: Session) -> Scene | None:
-        return self._scenes.get(session)
+    def find(self, session: Session) -> SessionResources | None:
+        return self._by_session.get(session)
 
-    def open(self, run: Run, session: Session, before: Session | None) -> Scene:
+    def open(
+        self, run: Run, session: Session, before: Session | None
+    ) -> SessionResources:
         """The scene of a new session; the simulator of the one before goes over."""
-        scene = Scene(run, session)
-        left = None if before is None else self._leave(before)
+        resources = SessionResources(run, session)
+        left = None if before is None else self._remove(before)
         if left is not None:
-            scene.handle = left.handle
-        self._scenes[session] = scene
-        self._watch(scene)
-        return scene
+            resources.handle = left.handle
+        self._by_session[session] = resources
+        self._schedule_lease_check(resources)
+        return resources
 
-    def let_go(self, sessions: Iterable[Session]) -> None:
+    def release_sessions(self, sessions: Iterable[Session]) -> None:
         """Free what ended sessions hold; a simulator in execution is killed."""
         for session in sessions:
-            scene = self._leave(session)
-            if scene is not None:
-                self.free(scene, kill=session.busy is not None)
+            resources = self._remove(session)
+            if resources is not None:
+                self.return_simulator(resources, kill=session.busy is not None)
 
-    def forget(self, run: Run | None = None) -> None:
+    def discard_sessions(self, run: Run | None = None) -> None:
         """End the sessions of a run, or all, without counting anything."""
         sessions = [
             session
-            for session, scene in self._scenes.items()
-            if run is None or scene.run is run
+            for session, resources in self._by_session.items()
+            if run is None or resources.run is run
         ]
         for session in sessions:
-            self._scenes[session].run.remember_end(session, "unknown")
-        self.let_go(sessions)
+            self._by_session[session].run.record_end(session, "unknown")
+        self.release_sessions(sessions)
 
-    async def lend(self, scene: Scene) -> float:
+    async def acquire_simulator(self, resources: SessionResources) -> float:
         """Give the scene a simulator for its run, unless it has one.
 
         Returns the seconds that this took. Its session may have ended meanwhile; then
         it has none. Raises NoCapacity, SimulatorFault and TaskUnplayable.
         """
-        if scene.handle is not None:
+        if resources.handle is not None:
             return 0.0
         started = time.perf_counter()
-        scene.handle = await self._pool.acquire(world_of(scene.run))
-        if scene.session.ended_by is not None:
-            self.free(scene, kill=False)
+        resources.handle = await self._pool.acquire(world_of(resources.run))
+        if resources.session.ended_by is not None:
+            self.return_simulator(resources, kill=False)
         return time.perf_counter() - started
 
-    def free(self, scene: Scene, *, kill: bool) -> None:
+    def return_simulator(self, resources: SessionResources, *, kill: bool) -> None:
         """Take back the simulator, if there is one: to serve others, or to be ended."""
-        handle, scene.handle = scene.handle, None
+        handle, resources.handle = resources.handle, None
         if handle is None:
             return
         if kill:
             handle.discard()
         else:
-            self._begin(handle.release())
+            self._run_in_background(handle.release())
 
-    def _leave(self, session: Session) -> Scene | None:
-        scene = self._scenes.pop(session, None)
-        if scene is not None and scene.timer is not None:
-            scene.timer.cancel()
-        return scene
+    def _remove(self, session: Session) -> SessionResources | None:
+        resources = self._by_session.pop(session, None)
+        if resources is not None and resources.timer is not None:
+            resources.timer.cancel()
+        return resources
 
-    def _watch(self, scene: Scene) -> None:
+    def _schedule_lease_check(self, resources: SessionResources) -> None:
         """Look at the lease when it could be over; one timer per session."""
         now = time.monotonic()
-        if lease_over(scene.session, now):
-            self._over(scene.run)
+        if lease_over(resources.session, now):
+            self._on_lease_over(resources.run)
             return
-        wait_s = scene.session.expires_at - now
+        wait_s = resources.session.expires_at - now
         if wait_s <= 0:  # busy beyond its lease, or at its very end
             wait_s = 0.05
         loop = asyncio.get_running_loop()
-        scene.timer = loop.call_later(wait_s + 0.001, self._watch, scene)
+        resources.timer = loop.call_later(
+            wait_s + 0.001, self._schedule_lease_check, resources
+        )

@@ -15,14 +15,14 @@ from reference_server.rules.run import Episode, Result, Run, RunHead
 
 Row = Mapping[str, Any]
 # What is stored of an episode, and in which types.
-TOUCHED = (
+EPISODE_COLUMNS = (
     *("index", "attempt", "faults", "faults_forgiven"),
     *("policy_fault", "place", "result"),
 )
-Touched = tuple[int, int, int, int, str | None, int | None, bytes | None]
+EpisodeRow = tuple[int, int, int, int, str | None, int | None, bytes | None]
 
 # What an object takes from its row as it stands there.
-_PLAIN = (
+_COPIED_COLUMNS = (
     "run_id",
     "number",
     "account",
@@ -87,27 +87,27 @@ def episode_rows(run: Run, changed: set[int]) -> list[dict[str, Any]]:
 
 
 def episodes_of(
-    plans: Sequence[Mapping[str, Any]], start: int, touched: Iterable[Touched]
+    plans: Sequence[Mapping[str, Any]], start: int, stored: Iterable[EpisodeRow]
 ) -> list[Episode]:
     """Episodes from `start`, by their plans and what has happened to them."""
-    episodes = [_planned(index, plan) for index, plan in enumerate(plans, start)]
-    for row in touched:
-        _touch(episodes[row[0] - start], row)
+    episodes = [_from_plan(index, plan) for index, plan in enumerate(plans, start)]
+    for row in stored:
+        _apply_row(episodes[row[0] - start], row)
     return episodes
 
 
-def episode_of(plans: Sequence[Mapping[str, Any]], row: Touched) -> Episode:
+def episode_of(plans: Sequence[Mapping[str, Any]], row: EpisodeRow) -> Episode:
     """One episode by the plans of all and what has happened to it."""
-    episode = _planned(row[0], plans[row[0]])
-    _touch(episode, row)
+    episode = _from_plan(row[0], plans[row[0]])
+    _apply_row(episode, row)
     return episode
 
 
-def _planned(index: int, plan: Mapping[str, Any]) -> Episode:
+def _from_plan(index: int, plan: Mapping[str, Any]) -> Episode:
     return Episode(index, plan["task"], plan["split"], plan["seed"])
 
 
-def _touch(episode: Episode, row: Touched) -> None:
+def _apply_row(episode: Episode, row: EpisodeRow) -> None:
     _, attempt, faults, faults_forgiven, policy_fault, place, result = row
     episode.attempt = attempt
     episode.faults, episode.faults_forgiven = faults, faults_forgiven
@@ -123,7 +123,7 @@ def _columns_of(row: Row, manifest: Mapping[str, Any]) -> dict[str, Any]:
         "submission": msgspec.json.decode(row["submission"]),
         "images": msgspec.json.decode(row["images"]),
     }
-    return {name: row[name] for name in _PLAIN} | decoded
+    return {name: row[name] for name in _COPIED_COLUMNS} | decoded
 
 
 def head_of(row: Row, manifest: Mapping[str, Any]) -> RunHead:
@@ -133,7 +133,7 @@ def head_of(row: Row, manifest: Mapping[str, Any]) -> RunHead:
     return RunHead(**columns, total=total, scored=row["scored"])
 
 
-def run_of(row: Row, manifest: Mapping[str, Any], touched: Iterable[Touched]) -> Run:
-    """The run with all its episodes, of which `touched` differ from their plans."""
-    episodes = episodes_of(manifest["episodes"], 0, touched)
+def run_of(row: Row, manifest: Mapping[str, Any], stored: Iterable[EpisodeRow]) -> Run:
+    """The run with all its episodes, of which `stored` differ from their plans."""
+    episodes = episodes_of(manifest["episodes"], 0, stored)
     return Run(**_columns_of(row, manifest), episodes=episodes)

@@ -25,9 +25,9 @@ from reference_server.storage import rows
 Found = TypeVar("Found")
 
 # Looks at a file that go on at once.
-READERS = 4
+READER_THREADS = 4
 # Decoded manifests kept, for all the runs that share them.
-MANIFESTS_KEPT = 64
+CACHED_MANIFESTS_MAX = 64
 
 _tables = sa.MetaData()
 
@@ -82,25 +82,27 @@ _keys = sa.Table(
     sa.Column("run_id", sa.String(64), nullable=False),
 )
 
-_counted = (
+_COUNT_SCORED = (
     sa.select(sa.func.count(_episodes.c.result))
     .where(_episodes.c.number == _runs.c.number)
     .scalar_subquery()
 )
 _HEADS = sa.select(
     *(column for column in _runs.c if column is not _runs.c.scored),
-    sa.func.coalesce(_runs.c.scored, _counted).label("scored"),
+    sa.func.coalesce(_runs.c.scored, _COUNT_SCORED).label("scored"),
 ).where(_runs.c.run_id.in_(sa.bindparam("run_ids", expanding=True)))
 _MANIFEST = sa.select(_manifests.c.manifest).where(
     _manifests.c.manifest_sha256 == sa.bindparam("manifest_sha256")
 )
-_OF_RUN = sa.select(*(_episodes.c[name] for name in rows.TOUCHED)).where(
+_OF_RUN = sa.select(*(_episodes.c[name] for name in rows.EPISODE_COLUMNS)).where(
     _episodes.c.number == sa.bindparam("number")
 )
 _start, _end = (sa.bindparam(name, type_=sa.Integer) for name in ("start", "end"))
-_TOUCHED = _OF_RUN.where(_episodes.c.index >= _start, _episodes.c.index < _end)
+_EPISODES_IN_RANGE = _OF_RUN.where(
+    _episodes.c.index >= _start, _episodes.c.index < _end
+)
 # One after another as they were scored, like Run.scored_order.
-_SCORED = (
+_EPISODES_SCORED = (
     _OF_RUN.where(_episodes.c.result.is_not(None))
     .order_by(sa.func.coalesce(_episodes.c.place, 0), _episodes.c.index)
     .offset(_start)
@@ -121,22 +123,22 @@ class Store:
             self._engine: AsyncEngine = create_async_engine(self._url)
         except (sa.exc.SQLAlchemyError, ImportError) as error:
             raise StoreFailed(_one_line(error)) from error
-        self._writing = asyncio.Lock()
+        self._write_lock = asyncio.Lock()
         # A database in memory is one connection, and so one transaction at a time.
         shared = isinstance(self._engine.pool, sa.StaticPool)
-        self._alone = asyncio.Lock() if shared else contextlib.nullcontext()
+        self._exclusive = asyncio.Lock() if shared else contextlib.nullcontext()
         if self._url.get_backend_name() == "sqlite":
             sa.event.listen(self._engine.sync_engine, "connect", _tune_sqlite)
         # The async driver goes to its thread and back for each step of a query. To read
         # a file one way there and back is enough, for all the queries of one look.
-        self._reader: sa.Engine | None = None
+        self._read_engine: sa.Engine | None = None
         # Not the loop's own threads: a slow look-up of a name may hold those.
-        self._readers = ThreadPoolExecutor(READERS, "store")
+        self._reader_threads = ThreadPoolExecutor(READER_THREADS, "store")
         if self._url.get_backend_name() == "sqlite" and not shared:
-            self._reader = sa.create_engine(self._url.set(drivername="sqlite"))
-            sa.event.listen(self._reader, "connect", _only_read)
-            sa.event.listen(self._reader, "begin", _begin)
-        self._decoded: dict[str, Mapping[str, Any]] = {}
+            self._read_engine = sa.create_engine(self._url.set(drivername="sqlite"))
+            sa.event.listen(self._read_engine, "connect", _set_query_only)
+            sa.event.listen(self._read_engine, "begin", _begin)
+        self._manifest_cache: dict[str, Mapping[str, Any]] = {}
 
     async def open(self) -> None:
         """Make the tables and end what the last process left in play."""
@@ -147,7 +149,7 @@ class Store:
                 raise StoreFailed(_one_line(error)) from error
         async with self._transaction() as connection:
             await connection.run_sync(_tables.create_all)
-            await connection.run_sync(_add_what_is_new)
+            await connection.run_sync(_add_missing_columns)
             for before, after in (("running", "ready"), ("stopping", "stopped")):
                 await connection.execute(
                     _runs.update()
@@ -157,28 +159,28 @@ class Store:
 
     async def close(self) -> None:
         await self._engine.dispose()
-        if self._reader is not None:
-            self._readers.shutdown(wait=False)
-            self._reader.dispose()
+        if self._read_engine is not None:
+            self._reader_threads.shutdown(wait=False)
+            self._read_engine.dispose()
 
     @asynccontextmanager
     async def _transaction(self) -> AsyncIterator[AsyncConnection]:
         try:
-            async with self._alone, self._engine.begin() as connection:
+            async with self._exclusive, self._engine.begin() as connection:
                 yield connection
         except (sa.exc.SQLAlchemyError, OSError) as error:
             # A server that cannot be reached is told by its driver, not by SQLAlchemy.
             raise StoreFailed(_one_line(error)) from error
 
-    async def _read(self, look: Callable[[sa.Connection], Found]) -> Found:
-        """What `look` finds, all of it as it was at one moment."""
-        if self._reader is None:
+    async def _read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
+        """What `fetch` finds, all of it as it was at one moment."""
+        if self._read_engine is None:
             async with self._transaction() as connection:
-                return await connection.run_sync(look)
+                return await connection.run_sync(fetch)
         try:
             loop = asyncio.get_running_loop()
             return await loop.run_in_executor(
-                self._readers, _within, self._reader, look
+                self._reader_threads, _run_in_connection, self._read_engine, fetch
             )
         except (sa.exc.SQLAlchemyError, OSError) as error:
             raise StoreFailed(_one_line(error)) from error
@@ -188,7 +190,7 @@ class Store:
 
         Returns whether it was stored.
         """
-        async with self._writing, self._transaction() as connection:
+        async with self._write_lock, self._transaction() as connection:
             if key is not None and await _find_key(connection, run.account, key):
                 return False
             row = rows.new_run_row(run)
@@ -219,7 +221,7 @@ class Store:
 
     async def save(self, run: Run) -> None:
         """Commit the run's state and the episodes that changed since the last save."""
-        async with self._writing:
+        async with self._write_lock:
             # Read inside the lock and before any other await: a later save never
             # overtakes an earlier one, and state and episodes are of one moment.
             if run.lost:
@@ -244,39 +246,41 @@ class Store:
     async def load(self, run_id: str) -> Run | None:
         """The run with all its episodes."""
 
-        def look(connection: sa.Connection) -> Run | None:
+        def fetch(connection: sa.Connection) -> Run | None:
             for row, manifest in self._heads(connection, [run_id]):
-                return rows.run_of(row, manifest, _touched(connection, row["number"]))
+                return rows.run_of(
+                    row, manifest, _stored_episodes(connection, row["number"])
+                )
             return None
 
-        return await self._read(look)
+        return await self._read(fetch)
 
-    async def glance(
+    async def read_window(
         self, run_id: str, start: int, end: int | None, scored: bool = False
     ) -> tuple[RunHead, list[Episode]] | None:
         """The run as it is stored, and its episodes that `Run.window` would give."""
 
-        def look(connection: sa.Connection) -> tuple[RunHead, list[Episode]] | None:
+        def fetch(connection: sa.Connection) -> tuple[RunHead, list[Episode]] | None:
             for row, manifest in self._heads(connection, [run_id]):
                 head, plans = rows.head_of(row, manifest), manifest["episodes"]
                 window = (connection, head.number, start, start + len(plans[start:end]))
                 if scored:
-                    found = _touched(*window, _SCORED)
+                    found = _stored_episodes(*window, _EPISODES_SCORED)
                     return head, [rows.episode_of(plans, one) for one in found]
-                found = _touched(*window)
+                found = _stored_episodes(*window)
                 return head, rows.episodes_of(plans[start:end], start, found)
             return None
 
-        return await self._read(look)
+        return await self._read(fetch)
 
     async def heads(self, run_ids: Sequence[str]) -> dict[str, RunHead]:
         """Those runs by id, without their episodes."""
 
-        def look(connection: sa.Connection) -> dict[str, RunHead]:
+        def fetch(connection: sa.Connection) -> dict[str, RunHead]:
             found = (rows.head_of(*one) for one in self._heads(connection, run_ids))
             return {head.run_id: head for head in found}
 
-        return await self._read(look)
+        return await self._read(fetch)
 
     def _heads(
         self, connection: sa.Connection, run_ids: Sequence[str]
@@ -288,13 +292,13 @@ class Store:
 
     def _manifest(self, connection: sa.Connection, sha256: str) -> Mapping[str, Any]:
         """The one decoded copy of a manifest; several threads may ask at a time."""
-        manifest = self._decoded.get(sha256)
+        manifest = self._manifest_cache.get(sha256)
         if manifest is None:
             known = {"manifest_sha256": sha256}
             manifest = msgspec.json.decode(connection.scalars(_MANIFEST, known).one())
-            if len(self._decoded) >= MANIFESTS_KEPT:
-                self._decoded.clear()
-            self._decoded[sha256] = manifest
+            if len(self._manifest_cache) >= CACHED_MANIFESTS_MAX:
+                self._manifest_cache.clear()
+            self._manifest_cache[sha256] = manifest
         return manifest
 
     async def page(
@@ -308,10 +312,10 @@ class Store:
             query = query.where(_runs.c.number < before)
         query = query.order_by(_runs.c.number.desc()).limit(limit)
 
-        def look(connection: sa.Connection) -> list[tuple[int, str]]:
+        def fetch(connection: sa.Connection) -> list[tuple[int, str]]:
             return [(n, r) for n, r in connection.execute(query)]
 
-        return await self._read(look)
+        return await self._read(fetch)
 
     async def in_states(self, *states: str) -> list[str]:
         """Ids of all runs in these states, oldest first."""
@@ -320,12 +324,14 @@ class Store:
             return list(await connection.scalars(query.order_by(_runs.c.number)))
 
 
-def _within(engine: sa.Engine, look: Callable[[sa.Connection], Found]) -> Found:
+def _run_in_connection(
+    engine: sa.Engine, fetch: Callable[[sa.Connection], Found]
+) -> Found:
     with engine.connect() as connection:
-        return look(connection)
+        return fetch(connection)
 
 
-def _add_what_is_new(connection: sa.Connection) -> None:
+def _add_missing_columns(connection: sa.Connection) -> None:
     """A database of the time before a column gets it, empty."""
     for table in _tables.sorted_tables:
         columns = sa.inspect(connection).get_columns(table.name)
@@ -349,7 +355,7 @@ def _tune_sqlite(connection: Any, _record: object) -> None:
     cursor.close()
 
 
-def _only_read(connection: Any, _record: object) -> None:
+def _set_query_only(connection: Any, _record: object) -> None:
     connection.isolation_level = None  # `_begin` says when a transaction begins
     connection.execute("PRAGMA query_only=ON").close()
 
@@ -384,13 +390,13 @@ async def _replace_episodes(
     await connection.execute(_episodes.insert(), rows)
 
 
-def _touched(
+def _stored_episodes(
     connection: sa.Connection,
     number: int,
     start: int = 0,
     end: int = 2**31 - 1,
-    query: sa.Select[Any] = _TOUCHED,
-) -> list[rows.Touched]:
+    query: sa.Select[Any] = _EPISODES_IN_RANGE,
+) -> list[rows.EpisodeRow]:
     """What is stored of a run's episodes from start to end, as the query counts."""
     if start == end:
         return []

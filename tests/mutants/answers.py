@@ -14,7 +14,7 @@ from reference_server.http import auth, codec, dispatch, handlers, problems, vie
 from reference_server.http.problems import Refused
 from reference_server.rules import effects, scoring
 from reference_server.rules.run import Run
-from reference_server.runs.registry import RunBook
+from reference_server.runs.registry import RunRegistry
 from tests.mutants import mutant, put
 
 
@@ -116,48 +116,48 @@ def uses_the_normal_interval() -> None:
 @mutant("RUN-003", "RUN-004")
 def ignores_idempotency_keys() -> None:
     """A repeated submit evaluates everything twice."""
-    right = RunBook.add
+    right = RunRegistry.add
 
-    async def wrong(self: RunBook, run: Run, _key: str | None, body: str) -> Run:
+    async def wrong(self: RunRegistry, run: Run, _key: str | None, body: str) -> Run:
         return await right(self, run, None, body)
 
-    put(RunBook, "add", wrong)
+    put(RunRegistry, "add", wrong)
 
 
 @mutant("RUN-004")
 def answers_a_used_key_whatever_the_body() -> None:
     """The second of two different runs is silently not made."""
-    right = RunBook.add
+    right = RunRegistry.add
 
-    async def wrong(self: RunBook, run: Run, key: str | None, _body: str) -> Run:
+    async def wrong(self: RunRegistry, run: Run, key: str | None, _body: str) -> Run:
         return await right(self, run, key, "same")
 
-    put(RunBook, "add", wrong)
+    put(RunRegistry, "add", wrong)
 
 
 @mutant("AUTH-003", "CMP-010")
 def shows_runs_to_every_account() -> None:
     """Anybody reads and stops everybody's runs."""
-    right = RunBook.get
+    right = RunRegistry.get
 
-    async def wrong(self: RunBook, run_id: str, _account: str | None = None) -> Run:
+    async def wrong(self: RunRegistry, run_id: str, _account: str | None = None) -> Run:
         return await right(self, run_id)
 
-    put(RunBook, "get", wrong)
+    put(RunRegistry, "get", wrong)
 
 
 @mutant("AUTH-003", "CMP-010")
 def says_that_a_foreign_run_exists() -> None:
     """Run ids of other accounts can be found out by trying."""
-    right = RunBook.get
+    right = RunRegistry.get
 
-    async def wrong(self: RunBook, run_id: str, account: str | None = None) -> Run:
+    async def wrong(self: RunRegistry, run_id: str, account: str | None = None) -> Run:
         run = await right(self, run_id)
         if account not in (None, run.account):
             raise Refused("forbidden", "This run is not yours.")
         return run
 
-    put(RunBook, "get", wrong)
+    put(RunRegistry, "get", wrong)
 
 
 @mutant("AUTH-005")
@@ -184,10 +184,10 @@ def speaks_any_version() -> None:
 def does_not_name_its_version() -> None:
     """Nobody knows by which rules an answer was made."""
 
-    async def wrong(self: app.Served, scope: Any, receive: Any, send: Any) -> None:
+    async def wrong(self: app.Application, scope: Any, receive: Any, send: Any) -> None:
         await self._app(scope, receive, send)
 
-    put(app.Served, "__call__", wrong)
+    put(app.Application, "__call__", wrong)
 
 
 @mutant("ERR-003")
@@ -249,12 +249,12 @@ def sends_numbers_as_text() -> None:
 @mutant("ENC-001")
 def prefers_messagepack() -> None:
     """Generated clients get what they cannot read."""
-    right = codec.acceptable
+    right = codec.negotiate_media_type
 
     def wrong(request: Any, writable: Any) -> str:
         return right(request, tuple(reversed(writable)))
 
-    put(codec, "acceptable", wrong)
+    put(codec, "negotiate_media_type", wrong)
 
 
 @mutant("RUN-011", "RUN-012", "RUN-013")
@@ -267,11 +267,13 @@ def ignores_etags() -> None:
 def answers_long_polls_only_at_their_end() -> None:
     """Waiting for a change is no faster than asking now and then."""
 
-    async def wrong(_self: RunBook, _news: asyncio.Event, timeout_s: float) -> bool:
+    async def wrong(
+        _self: RunRegistry, _change_events: asyncio.Event, timeout_s: float
+    ) -> bool:
         await asyncio.sleep(timeout_s)
         return True
 
-    put(RunBook, "changed", wrong)
+    put(RunRegistry, "wait_for_change", wrong)
 
 
 @mutant("LIFE-801")
@@ -291,17 +293,17 @@ def forgets_runs_that_were_held_in_the_queue() -> None:
 @mutant("CRASH-001")
 def stores_results_after_it_has_told_them() -> None:
     """A crash loses what the client has seen."""
-    right = RunBook.commit
+    right = RunRegistry.commit
 
-    async def later(self: RunBook, run: Run) -> None:
+    async def later(self: RunRegistry, run: Run) -> None:
         await asyncio.sleep(0.5)
         await right(self, run)
 
-    async def wrong(self: RunBook, run: Run) -> None:
+    async def wrong(self: RunRegistry, run: Run) -> None:
         if not run.changed:
             await right(self, run)
             return
-        self.begin(later(self, run))
+        self.run_in_background(later(self, run))
         self.notify(run)
 
-    put(RunBook, "commit", wrong)
+    put(RunRegistry, "commit", wrong)

@@ -9,8 +9,8 @@ from typing import Any
 from starlette.responses import Response
 
 from reference_server.http import auth, handlers, views
-from reference_server.http.dispatch import Call
-from reference_server.http.handlers import Routes
+from reference_server.http.dispatch import OperationCall
+from reference_server.http.handlers import Handlers
 from reference_server.http.problems import Refused
 from reference_server.rules import comparison
 from tests.mutants import mutant, put
@@ -128,7 +128,7 @@ def releases_whatever_is_better() -> None:
 @mutant("CMP-009")
 def compares_different_manifests() -> None:
     """Episodes that have nothing in common are subtracted from each other."""
-    put(handlers, "_pair_up", lambda *_runs: None)
+    put(handlers, "_check_same_manifest", lambda *_runs: None)
     put(comparison, "_pairs", lambda baseline, run: list(_scored(baseline, run)))
 
 
@@ -141,26 +141,26 @@ def _scored(baseline: Any, run: Any) -> Any:
 @mutant("CMP-010")
 def compares_runs_of_any_account() -> None:
     """Who knows the ids reads the scores of others."""
-    right = Routes.compare_runs
+    right = Handlers.compare_runs
 
-    async def wrong(self: Routes, call: Call) -> Response:
-        run = await self.book.get(call.query["baseline"])
+    async def wrong(self: Handlers, call: OperationCall) -> Response:
+        run = await self.registry.get(call.query["baseline"])
         call.caller = auth.Caller(run.account, auth.SCOPES)
         return await right(self, call)
 
-    put(Routes, "compare_runs", wrong)
+    put(Handlers, "compare_runs", wrong)
 
 
 @mutant("CMP-011")
 def refuses_to_compare_what_waits() -> None:
     """A table of all runs breaks as soon as one of them is queued."""
-    right = Routes.compare_runs
+    right = Handlers.compare_runs
 
-    async def wrong(self: Routes, call: Call) -> Response:
+    async def wrong(self: Handlers, call: OperationCall) -> Response:
         for run_id in call.query["runs"].split(","):
-            run = await self.book.get(run_id, call.account)
+            run = await self.registry.get(run_id, call.account)
             if run.state == "queued" and run.submission["options"].get("queue_s"):
                 raise Refused("illegal_transition", "The run is queued.")
         return await right(self, call)
 
-    put(Routes, "compare_runs", wrong)
+    put(Handlers, "compare_runs", wrong)

@@ -19,7 +19,7 @@ from reference_server.profiles.ebench import (
     requests,
     responses,
 )
-from reference_server.profiles.ebench.handlers import Ebench
+from reference_server.profiles.ebench.handlers import EbenchHandlers
 from reference_server.rules import effects, lifecycle
 from reference_server.rules.lifecycle import Detach, Predict
 from reference_server.rules.run import Run
@@ -43,10 +43,10 @@ def refuses_a_task_without_a_word() -> None:
     """The client prints an error that says nothing."""
 
     def wrong(refused: Refused) -> Response:
-        body = json.loads(bytes(responses.refusal(refused).body))
+        body = json.loads(bytes(responses.refusal_response(refused).body))
         return responses.envelope(None, body["code"], "")
 
-    put(handlers, "refusal", wrong)
+    put(handlers, "refusal_response", wrong)
 
 
 @mutant("EBE-003")
@@ -63,38 +63,38 @@ def calls_a_queued_task_ready() -> None:
 @mutant("EBE-004")
 def gives_a_resumed_task_another_id() -> None:
     """The client looks for its progress where there is none."""
-    right = Ebench.create_task
+    right = EbenchHandlers.create_task
 
-    async def wrong(self: Ebench, call: Any) -> Response:
+    async def wrong(self: EbenchHandlers, call: Any) -> Response:
         response = await right(self, call)
         if not call.body.task_id:
             return response
         return responses.envelope({"task_id": f"{call.body.task_id}-2"})
 
-    put(Ebench, "create_task", wrong)
+    put(EbenchHandlers, "create_task", wrong)
 
 
 @mutant("EBE-005")
 def has_no_page_that_says_it_lives() -> None:
     """The client refuses to begin."""
 
-    async def wrong(_self: Ebench, _call: Any) -> Response:
+    async def wrong(_self: EbenchHandlers, _call: Any) -> Response:
         raise Refused("not_found", "There is no such page.")
 
-    put(Ebench, "docs", wrong)
+    put(EbenchHandlers, "docs", wrong)
 
 
 @mutant("EBE-018")
 def stops_in_one_place_only() -> None:
     """An older client cannot stop what it began."""
-    right = Ebench.table
+    right = EbenchHandlers.table
 
-    def wrong(self: Ebench) -> Any:
+    def wrong(self: EbenchHandlers) -> Any:
         table = right(self)
-        del table[f"{handlers.DOOR}/stop"]
+        del table[f"{handlers.RUN_PATH}/stop"]
         return table
 
-    put(Ebench, "table", wrong)
+    put(EbenchHandlers, "table", wrong)
 
 
 @mutant("EBE-019")
@@ -116,49 +116,51 @@ def counts_what_is_played_as_completed() -> None:
 @mutant("EBE-006")
 def shows_the_first_of_many_workers() -> None:
     """The client of sixteen workers cannot begin."""
-    right = Ebench._shown
+    right = EbenchHandlers._worker_views
 
-    async def wrong(self: Ebench, run: Run, turns: Mapping[str, Any]) -> Any:
+    async def wrong(self: EbenchHandlers, run: Run, turns: Mapping[str, Any]) -> Any:
         if not any(turn.get("executed_steps") for turn in turns.values()):
             turns = dict(list(turns.items())[:1])
         return await right(self, run, turns)
 
-    put(Ebench, "_shown", wrong)
+    put(EbenchHandlers, "_worker_views", wrong)
 
 
 @mutant("EBE-007")
 def begins_an_episode_anew_at_every_reset() -> None:
     """Who restarts the client when it goes badly has the better score."""
-    right = Ebench._open
+    right = EbenchHandlers._open
 
     async def wrong(
-        self: Ebench, run: Run, worker_id: str, takeover: bool = False
+        self: EbenchHandlers, run: Run, worker_id: str, takeover: bool = False
     ) -> Any:
         session = run.workers.get(worker_id)
         if takeover and session is not None:
             detach = Detach(worker_id, session.session_id)
-            await self.routes.stage.detach(run, detach)
+            await self.handlers.executor.detach(run, detach)
         return await right(self, run, worker_id, takeover)
 
-    put(Ebench, "_open", wrong)
+    put(EbenchHandlers, "_open", wrong)
 
 
 @mutant("EBE-016")
 def lets_killed_workers_live() -> None:
     """A slot is lost until the lease ends."""
 
-    async def wrong(_self: Ebench, call: Any) -> Response:
+    async def wrong(_self: EbenchHandlers, call: Any) -> Response:
         return call.answer({"data": {"success": True}})  # type: ignore[no-any-return]
 
-    put(Ebench, "kill", wrong)
+    put(EbenchHandlers, "kill", wrong)
 
 
 @mutant("EBE-017")
 def executes_what_was_meant_for_a_lost_episode() -> None:
     """A new episode begins with an action that was chosen in another one."""
-    right = Ebench._turn
+    right = EbenchHandlers._turn
 
-    def wrong(self: Ebench, run: Run, worker_id: str, chunk: Any, now: float) -> Any:
+    def wrong(
+        self: EbenchHandlers, run: Run, worker_id: str, chunk: Any, now: float
+    ) -> Any:
         if worker_id in run.workers:
             return right(self, run, worker_id, chunk, now)
 
@@ -168,24 +170,24 @@ def executes_what_was_meant_for_a_lost_episode() -> None:
                 chunk.actions, run.manifest, dict, chunk.at
             )
             command = Predict(worker_id, turn["session_id"], 1, actions)
-            return await self.routes.stage.predict(run, command)
+            return await self.handlers.executor.predict(run, command)
 
         return work
 
-    put(Ebench, "_turn", wrong)
+    put(EbenchHandlers, "_turn", wrong)
 
 
 @mutant("EBE-021")
 def opens_its_endpoint_to_every_account() -> None:
     """A stranger can play somebody else's episodes badly."""
-    right = Ebench._run
+    right = EbenchHandlers._run
 
-    async def wrong(self: Ebench, call: Any) -> Run:
-        run = await self.routes.book.get(call.path["run_id"])
+    async def wrong(self: EbenchHandlers, call: Any) -> Run:
+        run = await self.handlers.registry.get(call.path["run_id"])
         caller = dataclasses.replace(call.caller, account=run.account)
         return await right(self, dataclasses.replace(call, caller=caller))
 
-    put(Ebench, "_run", wrong)
+    put(EbenchHandlers, "_run", wrong)
 
 
 # --- steps ---
@@ -205,18 +207,18 @@ def executes_a_list_of_steps_backwards() -> None:
 @mutant("EBE-023")
 def calls_no_chunk_cut() -> None:
     """A policy believes that it is still in the episode it planned for."""
-    put(handlers, "_is_cut", lambda _turn: False)
+    put(handlers, "_is_stopped_early", lambda _turn: False)
 
 
 @mutant("EBE-009")
 def keeps_the_result_of_an_episode() -> None:
     """The client's folder of results stays empty."""
-    right = responses.shown
+    right = responses.worker_view
 
     def wrong(*arguments: Any) -> dict[str, Any]:
         return right(*arguments) | {"episode_result": None}
 
-    put(handlers, "shown", wrong)
+    put(handlers, "worker_view", wrong)
 
 
 @mutant("EBE-010")
@@ -240,9 +242,9 @@ def reads_numbers_in_single_precision() -> None:
 @mutant("EBE-012")
 def moves_the_workers_whose_actions_fit() -> None:
     """A refused step was executed by half of the workers."""
-    right = Ebench._turn
+    right = EbenchHandlers._turn
 
-    def wrong(self: Ebench, *arguments: Any) -> Any:
+    def wrong(self: EbenchHandlers, *arguments: Any) -> Any:
         try:
             return right(self, *arguments)
         except Refused as refused:
@@ -253,19 +255,19 @@ def moves_the_workers_whose_actions_fit() -> None:
 
         return work
 
-    put(Ebench, "_turn", wrong)
+    put(EbenchHandlers, "_turn", wrong)
 
 
 @mutant("EBE-013")
 def executes_a_lost_step_again() -> None:
     """A robot moves twice because an answer did not arrive."""
-    put(handlers, "repeated", lambda _session, _asked: None)
+    put(handlers, "find_repeated_turn", lambda _session, _asked: None)
 
 
 @mutant("EBE-014")
 def takes_an_equal_action_for_a_repeated_one() -> None:
     """A policy that waits in one place never sees time pass."""
-    put(effects, "heard", lambda _session, _seq: None)
+    put(effects, "confirm_delivery", lambda _session, _seq: None)
 
 
 @mutant("EBE-022")

@@ -56,7 +56,7 @@ def gives_one_episode_to_two_workers() -> None:
 
     def wrong(self: Run) -> Episode | None:
         before = last.get(self.run_id)
-        if before is not None and before.in_progress and len(self.live) == 1:
+        if before is not None and before.in_progress and len(self.live_sessions) == 1:
             return before
         episode = right(self)
         if episode is not None:
@@ -64,13 +64,13 @@ def gives_one_episode_to_two_workers() -> None:
         return episode
 
     put(Run, "take_pending", wrong)
-    score = effects._score
+    score = effects._record_result
 
     def wrong_score(run: Run, episode: Episode, result: Any) -> None:
         if episode.result is None:
             score(run, episode, result)
 
-    put(effects, "_score", wrong_score)
+    put(effects, "_record_result", wrong_score)
 
 
 @mutant("STOP-001")
@@ -104,7 +104,7 @@ def _unscore(run: Run) -> None:
     for episode in run.episodes:
         if episode.result is not None:
             episode.result = None
-            run.give_back(episode)
+            run.return_to_pending(episode)
             run.changed.add(episode.index)
     run.scored = 0
 
@@ -141,20 +141,20 @@ def hands_out_new_episodes_while_draining() -> None:
 @mutant("FAULT-001")
 def counts_a_fault_as_an_attempt() -> None:
     """The server's crash costs the policy a try."""
-    right = effects.fault
+    right = effects.record_fault
 
     def wrong(run: Run, session: Session, *rest: Any, **named: Any) -> list[Session]:
         if session.episode is not None:
             session.episode.attempt += 1
         return right(run, session, *rest, **named)
 
-    put(effects, "fault", wrong)
+    put(effects, "record_fault", wrong)
 
 
 @mutant("FAULT-005", "LIFE-605")
 def calls_an_unplayable_task_retryable() -> None:
     """A broken benchmark is resumed and fails, resumed and fails."""
-    right = effects.fault
+    right = effects.record_fault
 
     def wrong(run: Run, *rest: Any, **named: Any) -> list[Session]:
         sessions = right(run, *rest, **named)
@@ -162,13 +162,13 @@ def calls_an_unplayable_task_retryable() -> None:
             run.retryable = True
         return sessions
 
-    put(effects, "fault", wrong)
+    put(effects, "record_fault", wrong)
 
 
 @mutant("FAULT-004")
 def ends_every_session_when_one_simulator_breaks() -> None:
     """One bad episode throws all workers out."""
-    right = effects.fault
+    right = effects.record_fault
 
     def wrong(run: Run, session: Session, *rest: Any, **named: Any) -> list[Session]:
         others = [s for s in run.workers.values() if s is not session]
@@ -176,4 +176,4 @@ def ends_every_session_when_one_simulator_breaks() -> None:
             effects.close_session(run, other, "unknown", named["now_wall"])
         return others + right(run, session, *rest, **named)
 
-    put(effects, "fault", wrong)
+    put(effects, "record_fault", wrong)

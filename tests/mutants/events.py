@@ -10,11 +10,11 @@ from typing import Any
 from starlette.responses import Response
 
 from reference_server.http import event_streams, views
-from reference_server.http.event_streams import Reader
+from reference_server.http.event_streams import EventStream
 from reference_server.rules import events
-from reference_server.rules.events import Cursor, Telling
+from reference_server.rules.events import Cursor, EventBatch
 from reference_server.rules.run import Episode, Run, RunHead
-from reference_server.runs.registry import RunBook
+from reference_server.runs.registry import RunRegistry
 from reference_server.storage.store import Store
 from tests.mutants import Patch, mutant, put
 
@@ -23,7 +23,7 @@ def prompt(patch: Patch) -> Patch:
     """Let comments come soon, so that the kit need not wait for one."""
 
     def hurried() -> None:
-        put(event_streams, "SILENCE_S", 1.0)
+        put(event_streams, "KEEPALIVE_S", 1.0)
         patch()
 
     hurried.__name__, hurried.__doc__ = patch.__name__, patch.__doc__
@@ -61,65 +61,67 @@ def tells_episodes_in_manifest_order() -> None:
 def tells_the_run_first() -> None:
     """A page counts ten episodes as scored and has the results of nine."""
 
-    right = events.news
+    right = events.next_batch
 
-    def wrong(cursor: Cursor, run: RunHead, *told: Any) -> Telling:
+    def wrong(cursor: Cursor, run: RunHead, *rest: Any) -> EventBatch:
         if events.is_final(run):
-            return right(cursor, run, *told)
-        shown, scored, same = told
+            return right(cursor, run, *rest)
+        shown, scored, common_body = rest
         head = copy.copy(run)
-        head.scored = cursor.told
-        first = right(cursor, head, shown, [], same)
-        second = right(first.cursor, run, shown, scored, same)
+        head.scored = cursor.results_sent
+        first = right(cursor, head, shown, [], common_body)
+        second = right(first.cursor, run, shown, scored, common_body)
         return replace(second, text=first.text + second.text)
 
-    put(event_streams, "news", wrong)
+    put(event_streams, "next_batch", wrong)
 
 
 @mutant("EVT-004")
 @prompt
 def tells_late_of_a_stop() -> None:
     """Who follows a run lets its policy compute for nothing."""
-    right = Reader._look
+    right = EventStream._read_batch
 
-    async def wrong(self: Reader, cursor: Cursor) -> Telling:
-        telling = await right(self, cursor)
-        if b'"state":"stopped"' in telling.text:
+    async def wrong(self: EventStream, cursor: Cursor) -> EventBatch:
+        batch = await right(self, cursor)
+        if b'"state":"stopped"' in batch.text:
             await asyncio.sleep(2.0)
-        return telling
+        return batch
 
-    put(Reader, "_look", wrong)
+    put(EventStream, "_read_batch", wrong)
 
 
 @mutant("EVT-004")
 @prompt
 def tells_the_run_again_and_again() -> None:
     """A page that follows a run is drawn anew while nothing happens."""
-    right, changed = events.news, RunBook.changed
+    right, changed = events.next_batch, RunRegistry.wait_for_change
 
-    async def restless(self: RunBook, event: asyncio.Event, timeout_s: float) -> bool:
+    async def restless(
+        self: RunRegistry, event: asyncio.Event, timeout_s: float
+    ) -> bool:
         return await changed(self, event, min(timeout_s, 0.2)) or True
 
-    put(RunBook, "changed", restless)
+    put(RunRegistry, "wait_for_change", restless)
 
-    def wrong(cursor: Cursor, run: RunHead, *told: Any) -> Telling:
-        forgotten = cursor if events.is_final(run) else Cursor(cursor.told)
-        return right(forgotten, run, *told)
+    def wrong(cursor: Cursor, run: RunHead, *rest: Any) -> EventBatch:
+        forgotten = cursor if events.is_final(run) else Cursor(cursor.results_sent)
+        return right(forgotten, run, *rest)
 
-    put(event_streams, "news", wrong)
+    put(event_streams, "next_batch", wrong)
 
 
 @mutant("EVT-005")
 @prompt
 def begins_anew_for_who_comes_back() -> None:
     """Each lost connection counts the results so far once more."""
-    right = Reader.answer
+    right = EventStream.answer
 
-    async def wrong(self: Reader, last_id: str | None) -> Response:
+    async def wrong(self: EventStream, last_id: str | None) -> Response:
         answer = await right(self, last_id)
         return answer if answer.status_code == 204 else await right(self, None)
 
-    put(Reader, "answer", wrong)
+    put(EventStream, "answer", wrong)
 
 
 @mutant("EVT-006")
@@ -142,22 +144,22 @@ def takes_ids_of_other_runs() -> None:
         parts = events._ID.fullmatch(id_)
         return Cursor(int(parts[1]), parts[2]) if parts else None
 
-    put(Cursor, "of", wrong)
+    put(Cursor, "parse", wrong)
 
 
 @mutant("EVT-008")
 def says_nothing_without_news() -> None:
     """A connection that broke hours ago looks like a run in which nothing happens."""
-    put(event_streams, "SILENCE_S", 1e6)
+    put(event_streams, "KEEPALIVE_S", 1e6)
 
 
 @mutant("EVT-009")
 @prompt
 def tells_what_is_not_yet_stored() -> None:
     """After a power cut a result that was published does not exist."""
-    right, save = RunBook.commit, Store.save
+    right, save = RunRegistry.commit, Store.save
 
-    async def hasty(self: RunBook, run: Run) -> None:
+    async def hasty(self: RunRegistry, run: Run) -> None:
         self.notify(run)
         await right(self, run)
 
@@ -165,9 +167,9 @@ def tells_what_is_not_yet_stored() -> None:
         await asyncio.sleep(0.25)
         await save(self, run)
 
-    async def trusting(_self: RunBook, _run: Run) -> bool:
+    async def trusting(_self: RunRegistry, _run: Run) -> bool:
         return True
 
-    put(RunBook, "commit", hasty)
+    put(RunRegistry, "commit", hasty)
     put(Store, "save", slow)
-    put(RunBook, "is_stored", trusting)
+    put(RunRegistry, "is_stored", trusting)

@@ -12,12 +12,15 @@ from starlette.responses import Response
 
 from reference_server.http import auth
 from reference_server.http.codec import JSON
-from reference_server.http.dispatch import Call
+from reference_server.http.dispatch import OperationCall
 from reference_server.http.problems import Refused
 from reference_server.profiles.flageval import handlers, requests, responses
-from reference_server.profiles.flageval.handlers import Flageval
-from reference_server.profiles.flageval.requests import Evaluation, Named
-from reference_server.profiles.flageval.responses import Evaluated
+from reference_server.profiles.flageval.handlers import FlagevalHandlers
+from reference_server.profiles.flageval.requests import (
+    EvaluationRequest,
+    RequestReference,
+)
+from reference_server.profiles.flageval.responses import EvaluationView
 from tests.mutants import mutant, put
 
 Json = dict[str, Any]
@@ -25,27 +28,27 @@ Json = dict[str, Any]
 
 def change_result(change: Callable[[Json, Json, Any], None]) -> None:
     """Let `change(detail, group, base)` spoil each dataset of every result."""
-    right = Evaluated.result
+    right = EvaluationView.result
 
-    def wrong(self: Evaluated, base: Evaluated | None) -> Json:
+    def wrong(self: EvaluationView, base: EvaluationView | None) -> Json:
         result = right(self, base)
         for detail in result["details"]:
             change(detail, self.datasets[detail["dataset"]], base)
         return result
 
-    put(Evaluated, "result", wrong)
+    put(EvaluationView, "result", wrong)
 
 
-def change_body(operation: str, change: Callable[[Json, Call], None]) -> None:
+def change_body(operation: str, change: Callable[[Json, OperationCall], None]) -> None:
     """Let `change(body, call)` spoil the answers of one operation."""
-    right = getattr(Flageval, operation)
+    right = getattr(FlagevalHandlers, operation)
 
-    async def wrong(self: Flageval, call: Call) -> Response:
+    async def wrong(self: FlagevalHandlers, call: OperationCall) -> Response:
         body = json.loads(bytes((await right(self, call)).body))
         change(body, call)
         return Response(msgspec.json.encode(body), media_type=JSON)
 
-    put(Flageval, operation, wrong)
+    put(FlagevalHandlers, operation, wrong)
 
 
 @mutant("FLE-001")
@@ -57,26 +60,26 @@ def tells_the_evaluations_in_another_order() -> None:
 @mutant("FLE-002")
 def has_one_name_for_the_message() -> None:
     """Scripts written from the document find no reason."""
-    right = responses.refusal
+    right = responses.refusal_response
 
     def wrong(refused: Refused) -> Response:
         body = json.loads(bytes(right(refused).body))
         del body["err_message"]
         return Response(msgspec.json.encode(body), media_type=JSON)
 
-    put(handlers, "refusal", wrong)
+    put(handlers, "refusal_response", wrong)
 
 
 @mutant("FLE-003")
 def takes_a_used_name_for_a_repeat() -> None:
     """The second chip is never evaluated, and shows the numbers of the first."""
-    put(Evaluation, "digest", lambda _self, _number: "same")
+    put(EvaluationRequest, "digest", lambda _self, _number: "same")
 
 
 @mutant("FLE-004")
 def refuses_a_repeat() -> None:
     """Who lost the answer never learns the request_id."""
-    put(Evaluation, "digest", lambda self, _number: f"{id(self)}")
+    put(EvaluationRequest, "digest", lambda self, _number: f"{id(self)}")
 
 
 @mutant("FLE-005")
@@ -89,7 +92,7 @@ def forgets_how_to_generate() -> None:
 def repeats_what_it_was_asked() -> None:
     """API keys stand in the logs of everybody's scripts."""
 
-    def wrong(body: Json, call: Call) -> None:
+    def wrong(body: Json, call: OperationCall) -> None:
         body["asked"] = [info.api_key for info in call.body.eval_infos]
 
     change_body("evaluation", wrong)
@@ -106,12 +109,12 @@ def calls_the_success_rate_accuracy() -> None:
 @mutant("FLE-008")
 def reads_no_query() -> None:
     """Clients that cannot send a body with GET get no result."""
-    right = Flageval._asked
+    right = FlagevalHandlers._read_query_or_body
 
-    async def wrong(self: Flageval, call: Call, *rest: Any) -> Any:
+    async def wrong(self: FlagevalHandlers, call: OperationCall, *rest: Any) -> Any:
         return await right(self, replace(call, query={}), *rest)
 
-    put(Flageval, "_asked", wrong)
+    put(FlagevalHandlers, "_read_query_or_body", wrong)
 
 
 @mutant("FLE-009")
@@ -140,43 +143,43 @@ def subtracts_the_other_way() -> None:
 @mutant("FLE-011")
 def releases_what_was_compared_with_nothing() -> None:
     """A chip is released because its baseline was never evaluated."""
-    right = Evaluated.result
+    right = EvaluationView.result
 
-    def wrong(self: Evaluated, base: Evaluated | None) -> Json:
+    def wrong(self: EvaluationView, base: EvaluationView | None) -> Json:
         result = right(self, base)
         return result | {"release": base is None or result["release"]}
 
-    put(Evaluated, "result", wrong)
+    put(EvaluationView, "result", wrong)
 
 
 @mutant("FLE-012")
 def stops_the_first_model_alone() -> None:
     """The others go on asking a model server that is to be saved."""
-    right = Flageval.stop
+    right = FlagevalHandlers.stop
 
-    async def wrong(self: Flageval, call: Call) -> Response:
+    async def wrong(self: FlagevalHandlers, call: OperationCall) -> Response:
         first, *_ = call.body.request_id.split(".")
-        return await right(self, replace(call, body=Named(request_id=first)))
+        return await right(self, replace(call, body=RequestReference(request_id=first)))
 
-    put(Flageval, "stop", wrong)
+    put(FlagevalHandlers, "stop", wrong)
 
 
 @mutant("FLE-009", "FLE-013")
 def says_that_it_resumes() -> None:
     """A script waits for a night for what was never begun."""
 
-    async def wrong(self: Flageval, call: Call) -> Response:
+    async def wrong(self: FlagevalHandlers, call: OperationCall) -> Response:
         await self._evaluated(call, call.body.request_id)
-        return responses.answer()
+        return responses.success_response()
 
-    put(Flageval, "resume", wrong)
+    put(FlagevalHandlers, "resume", wrong)
 
 
 @mutant("FLE-014")
 def counts_models_instead_of_datasets() -> None:
     """Nobody knows how long it will take."""
 
-    def wrong(body: Json, call: Call) -> None:
+    def wrong(body: Json, call: OperationCall) -> None:
         total = len(call.body.request_id.split("."))
         done = total if body["finished"] else 0
         body["datasets_progress"] = f"{done}/{total}"
@@ -187,17 +190,19 @@ def counts_models_instead_of_datasets() -> None:
 @mutant("FLE-015")
 def answers_a_map_whatever_the_method() -> None:
     """Scripts written from the document go through a list and find none."""
-    put(Flageval, "diffs_in_a_list", Flageval.diffs_by_id)
+    put(FlagevalHandlers, "diffs_as_list", FlagevalHandlers.diffs_by_id)
 
 
 @mutant("FLE-016")
 def shows_results_to_every_account() -> None:
     """Who knows a request_id reads the results of others."""
-    right = Flageval._evaluated
+    right = FlagevalHandlers._evaluated
 
-    async def wrong(self: Flageval, call: Call, request_id: str) -> Any:
-        run = await self.routes.book.get(request_id.split(".", maxsplit=1)[0])
+    async def wrong(
+        self: FlagevalHandlers, call: OperationCall, request_id: str
+    ) -> Any:
+        run = await self.handlers.registry.get(request_id.split(".", maxsplit=1)[0])
         call = replace(call, caller=auth.Caller(run.account, auth.SCOPES))
         return await right(self, call, request_id)
 
-    put(Flageval, "_evaluated", wrong)
+    put(FlagevalHandlers, "_evaluated", wrong)

@@ -12,8 +12,8 @@ from typing import Any
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
 from reference_server.rules.run import Run, Session, SessionEnd
-from reference_server.runs.session_executor import Stage
-from reference_server.runs.session_resources import Scene
+from reference_server.runs.session_executor import SessionExecutor
+from reference_server.runs.session_resources import SessionResources
 from tests.mutants import mutant, put
 
 
@@ -45,7 +45,7 @@ def abort_forgets_the_sessions_of_a_draining_run() -> None:
 
     def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
         if (run.state, mode) == ("stopping", "abort"):
-            effects.move(run, "stop_abort", "Stopped.")
+            effects.apply_event(run, "stop_abort", "Stopped.")
             return []
         return right(run, mode, now_wall)
 
@@ -56,35 +56,41 @@ def abort_forgets_the_sessions_of_a_draining_run() -> None:
 def revives_sessions_on_resume() -> None:
     """A policy from before the stop gets old turns again, as if it were playing."""
     stopped: dict[str, Session] = {}
-    remember, heartbeat, predict = Run.remember_end, Stage.heartbeat, Stage.predict
+    remember, heartbeat, predict = (
+        Run.record_end,
+        SessionExecutor.heartbeat,
+        SessionExecutor.predict,
+    )
 
     def wrong_remember(self: Run, session: Session, ended_by: SessionEnd) -> None:
         if ended_by == "run_stopped":
             stopped[session.session_id] = session
         remember(self, session, ended_by)
 
-    def wrong_heartbeat(self: Stage, run: Run, command: Heartbeat) -> Session:
+    def wrong_heartbeat(self: SessionExecutor, run: Run, command: Heartbeat) -> Session:
         session = stopped.get(command.session_id)
         if session is None or run.state == "stopped":
             return heartbeat(self, run, command)
-        effects.touch(session, time.monotonic())
+        effects.extend_lease(session, time.monotonic())
         return session
 
-    async def wrong_predict(self: Stage, run: Run, command: Predict) -> dict[str, Any]:
+    async def wrong_predict(
+        self: SessionExecutor, run: Run, command: Predict
+    ) -> dict[str, Any]:
         session = stopped.get(command.session_id)
         if session is None or session.turn is None or run.state == "stopped":
             return await predict(self, run, command)
         return session.turn
 
-    put(Run, "remember_end", wrong_remember)
-    put(Stage, "heartbeat", wrong_heartbeat)
-    put(Stage, "predict", wrong_predict)
+    put(Run, "record_end", wrong_remember)
+    put(SessionExecutor, "heartbeat", wrong_heartbeat)
+    put(SessionExecutor, "predict", wrong_predict)
 
 
 @mutant("MODEL-002", tries=4)
 def stop_misses_a_session_that_is_opening() -> None:
     """A worker that attaches while its run is stopped plays on in a stopped run."""
-    right, begin = effects.stop, Stage._begin
+    right, begin = effects.stop, SessionExecutor._begin
 
     def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
         opening = {k: s for k, s in run.workers.items() if s.busy == "opening"}
@@ -94,28 +100,30 @@ def stop_misses_a_session_that_is_opening() -> None:
         run.workers.update(opening)
         return sessions
 
-    async def slow_begin(self: Stage, scene: Scene) -> Any:
-        if scene.session.busy == "opening":
+    async def slow_begin(self: SessionExecutor, resources: SessionResources) -> Any:
+        if resources.session.busy == "opening":
             await asyncio.sleep(0.03)
-        return await begin(self, scene)
+        return await begin(self, resources)
 
     put(effects, "stop", wrong)
-    put(Stage, "_begin", slow_begin)
+    put(SessionExecutor, "_begin", slow_begin)
 
 
 @mutant("MODEL-002", tries=4)
 def detach_misses_a_session_in_a_turn() -> None:
     """A worker that is thrown away in the middle of its turn keeps its episode."""
-    right, play = Stage.detach, Stage._play
+    right, play = SessionExecutor.detach, SessionExecutor._play
 
-    async def wrong(self: Stage, run: Run, command: Detach) -> None:
+    async def wrong(self: SessionExecutor, run: Run, command: Detach) -> None:
         session = run.workers.get(command.worker_id)
         if session is None or session.busy is None:
             await right(self, run, command)
 
-    async def slow_play(self: Stage, scene: Scene, command: Predict) -> Any:
+    async def slow_play(
+        self: SessionExecutor, resources: SessionResources, command: Predict
+    ) -> Any:
         await asyncio.sleep(0.03)
-        return await play(self, scene, command)
+        return await play(self, resources, command)
 
-    put(Stage, "detach", wrong)
-    put(Stage, "_play", slow_play)
+    put(SessionExecutor, "detach", wrong)
+    put(SessionExecutor, "_play", slow_play)

@@ -13,7 +13,7 @@ from starlette.types import Receive, Scope, Send
 
 from reference_server import app
 from reference_server.http import codec, dispatch, problems
-from reference_server.http.handlers import Routes
+from reference_server.http.handlers import Handlers
 from reference_server.http.problems import Refused
 from reference_server.rules.run import Run
 from reference_server.runs.benchmarks import Benchmarks
@@ -127,7 +127,7 @@ def reads_any_media_type_as_json() -> None:
 @mutant("ERR-008")
 def answers_in_json_whatever_is_accepted() -> None:
     """A client gets what it cannot read."""
-    right = codec.acceptable
+    right = codec.negotiate_media_type
 
     def wrong(request: Request, writable: Any) -> str:
         try:
@@ -135,7 +135,7 @@ def answers_in_json_whatever_is_accepted() -> None:
         except Refused:
             return codec.JSON
 
-    put(codec, "acceptable", wrong)
+    put(codec, "negotiate_media_type", wrong)
 
 
 @mutant("ERR-009")
@@ -162,13 +162,13 @@ def does_not_say_which_methods_are_allowed() -> None:
 @mutant("ERR-012")
 def fails_on_text_outside_latin() -> None:
     """A name in Chinese makes the server fail."""
-    right = Routes.new_run
+    right = Handlers.prepare_run
 
-    async def wrong(self: Routes, account: str, submission: dict[str, Any]) -> Run:
+    async def wrong(self: Handlers, account: str, submission: dict[str, Any]) -> Run:
         submission["policy"]["name"].encode("latin-1")
         return await right(self, account, submission)
 
-    put(Routes, "new_run", wrong)
+    put(Handlers, "prepare_run", wrong)
 
 
 @mutant("ERR-014")
@@ -208,8 +208,8 @@ def reads_messagepack_extensions() -> None:
     def wrong(code: int, data: memoryview) -> Any:
         return float(code) if len(data) else None
 
-    put(codec, "_no_extensions", wrong)
-    put(codec, "_holds_time", lambda _data: False)
+    put(codec, "_reject_extension", wrong)
+    put(codec, "_contains_timestamp", lambda _data: False)
 
 
 @mutant("CAL-001")
@@ -229,4 +229,4 @@ def offers_another_calibration() -> None:
 @mutant("ENC-003")
 def reads_minus_zero_as_an_integer() -> None:
     """A sign is lost where one language writes numbers shorter than others."""
-    put(codec, "_with_sign", int)
+    put(codec, "_parse_signed_zero", int)

@@ -10,7 +10,7 @@ import httpcore
 
 from reference_server.push import policy_calls, policy_server_config
 from reference_server.push.driver import Driver
-from reference_server.push.http_calls import Calls, PolicyFault
+from reference_server.push.http_calls import HttpCalls, PolicyFault
 from reference_server.push.policy_calls import ProctorPolicy
 from reference_server.rules import effects, lifecycle
 from reference_server.rules.run import Run, Session
@@ -34,31 +34,31 @@ def plays_only_the_first_action_of_a_chunk() -> None:
 @mutant("PUSH-002")
 def takes_an_order_without_its_mode() -> None:
     """A run waits for ever for workers, while its submitter waits for calls."""
-    put(policy_server_config, "_faults", lambda _submission: iter(()))
-    right = policy_server_config.OrderDesk.kept
+    put(policy_server_config, "_errors", lambda _submission: iter(()))
+    right = policy_server_config.PolicyServerValidator.validate_and_encrypt
 
     async def wrong(
-        self: policy_server_config.OrderDesk, submission: dict[str, Any]
+        self: policy_server_config.PolicyServerValidator, submission: dict[str, Any]
     ) -> Any:
         if submission.get("mode") == "push" and "policy_server" not in submission:
             submission = submission | {"mode": "pull"}
         return await right(self, submission)
 
-    put(policy_server_config.OrderDesk, "kept", wrong)
+    put(policy_server_config.PolicyServerValidator, "validate_and_encrypt", wrong)
 
 
 @mutant("PUSH-003")
 def lets_workers_into_a_push_run() -> None:
     """Somebody else plays episodes in the name of the policy."""
-    swap(lifecycle._played_by_whom_it_is_for, no_guard)
+    swap(lifecycle._mode_allows_caller, no_guard)
 
 
 @mutant("PUSH-004")
 def keeps_the_key_for_predict_alone() -> None:
     """A policy server that asks for its key never gets as far as a run."""
-    right = Calls._once
+    right = HttpCalls._send_once
 
-    async def wrong(self: Calls, method: str, path: str, content: Any) -> Any:
+    async def wrong(self: HttpCalls, method: str, path: str, content: Any) -> Any:
         key = self._key
         self._key = key if path.endswith("/predict") else None
         try:
@@ -66,13 +66,13 @@ def keeps_the_key_for_predict_alone() -> None:
         finally:
             self._key = key
 
-    put(Calls, "_once", wrong)
+    put(HttpCalls, "_send_once", wrong)
 
 
 @mutant("PUSH-005")
 def tells_the_key_in_a_reason() -> None:
     """Who reads the run's page reads the key of its policy server."""
-    put(Calls, "without_key", lambda _self, text: text)
+    put(HttpCalls, "redact_key", lambda _self, text: text)
 
 
 @mutant("PUSH-006")
@@ -94,45 +94,45 @@ def does_not_read_what_a_reset_answers() -> None:
 @mutant("PUSH-007")
 def calls_as_often_as_it_likes() -> None:
     """A policy on one graphics card is asked by sixteen workers and runs out of it."""
-    right = policy_server_config.Order.of
+    right = policy_server_config.PolicyServerConfig.from_run
 
     def wrong(run: Run) -> Any:
-        order = right(run)
-        changed = {name: getattr(order, name) for name in order.__slots__}
-        return policy_server_config.Order(
+        config = right(run)
+        changed = {name: getattr(config, name) for name in config.__slots__}
+        return policy_server_config.PolicyServerConfig(
             **changed | {"max_concurrent": run.max_workers}
         )
 
-    put(policy_server_config.Order, "of", wrong)
+    put(policy_server_config.PolicyServerConfig, "from_run", wrong)
 
 
 @mutant("PUSH-008")
 def asks_something_else_when_it_asks_again() -> None:
     """A policy with a memory sees the same moment twice, as two moments."""
-    right = Calls._in_time
+    right = HttpCalls._call_with_deadline
     asked: set[bytes] = set()
 
-    async def wrong(self: Calls, method: str, path: str, content: Any) -> Any:
+    async def wrong(self: HttpCalls, method: str, path: str, content: Any) -> Any:
         if content is not None and content in asked:
             content = content.replace(b'"done":false', b'"done":false,"again":true')
         elif content is not None:
             asked.add(content)
         return await right(self, method, path, content)
 
-    put(Calls, "_in_time", wrong)
+    put(HttpCalls, "_call_with_deadline", wrong)
 
 
 @mutant("PUSH-009")
 def waits_while_anything_comes() -> None:
     """One byte a second holds a worker and its simulator for days."""
 
-    async def wrong(self: Calls, method: str, path: str, content: Any) -> Any:
+    async def wrong(self: HttpCalls, method: str, path: str, content: Any) -> Any:
         try:
-            return await self._once(method, path, content)
+            return await self._send_once(method, path, content)
         except (httpcore.NetworkError, httpcore.RemoteProtocolError, OSError) as error:
-            raise PolicyFault("is not reached", again=True) from error
+            raise PolicyFault("is not reached", retryable=True) from error
 
-    put(Calls, "_in_time", wrong)
+    put(HttpCalls, "_call_with_deadline", wrong)
 
 
 @mutant("PUSH-010")
@@ -152,9 +152,9 @@ def blames_nobody_for_misfit_actions() -> None:
 @mutant("PUSH-011")
 def follows_redirects() -> None:
     """A stranger's answer decides where this server connects to next."""
-    right = Calls._once
+    right = HttpCalls._send_once
 
-    async def wrong(self: Calls, method: str, path: str, content: Any) -> Any:
+    async def wrong(self: HttpCalls, method: str, path: str, content: Any) -> Any:
         try:
             return await right(self, method, path, content)
         except PolicyFault as fault:
@@ -168,13 +168,13 @@ def follows_redirects() -> None:
         async with self._pool.stream(method, found[b"Location"]) as answer:
             raise PolicyFault(f"redirects (status {answer.status})")
 
-    put(Calls, "_once", wrong)
+    put(HttpCalls, "_send_once", wrong)
 
 
 @mutant("PUSH-012")
 def fails_for_good_without_its_policy() -> None:
     """A policy server was restarted; the hours of its run are lost."""
-    right = effects.give_up
+    right = effects.fail_run
 
     def wrong(run: Run, reason: str, now_wall: float, **more: bool) -> Any:
         sessions = right(run, reason, now_wall, **more)
@@ -182,13 +182,13 @@ def fails_for_good_without_its_policy() -> None:
             run.retryable = False
         return sessions
 
-    put(effects, "give_up", wrong)
+    put(effects, "fail_run", wrong)
 
 
 @mutant("PUSH-013")
 def never_plays_a_resumed_run() -> None:
     """A resumed run stays ready for ever."""
-    right = Driver.look
+    right = Driver.on_run_changed
     played: set[str] = set()
 
     def wrong(self: Driver, run: Run) -> None:
@@ -197,7 +197,7 @@ def never_plays_a_resumed_run() -> None:
         if run.run_id not in played or run.state == "failed":
             right(self, run)
 
-    put(Driver, "look", wrong)
+    put(Driver, "on_run_changed", wrong)
 
 
 @mutant("PUSH-017")
@@ -218,10 +218,12 @@ def goes_on_calling_after_a_stop() -> None:
             if run.state == "stopped":
                 await asyncio.sleep(0.1)
                 async with self._calls(
-                    policy_server_config.Order.of(run), None
+                    policy_server_config.PolicyServerConfig.from_run(run), None
                 ) as again:
                     await policy_calls.ProctorPolicy(
-                        run, policy_server_config.Order.of(run), again
+                        run,
+                        policy_server_config.PolicyServerConfig.from_run(run),
+                        again,
                     ).describe()
             raise
 

@@ -8,12 +8,12 @@ from typing import Any
 from starlette.responses import Response
 
 from reference_server.http import auth, codec, dispatch, handlers, problems, views
-from reference_server.http.handlers import Routes
+from reference_server.http.handlers import Handlers
 from reference_server.http.problems import Refused
 from reference_server.rules import scoring
 from reference_server.rules.run import Run
 from reference_server.runs.benchmarks import Benchmarks
-from reference_server.runs.registry import RunBook
+from reference_server.runs.registry import RunRegistry
 from reference_server.storage.store import Store
 from reference_sim import benchmark_registry
 from tests.mutants import mutant, put
@@ -24,20 +24,20 @@ from tests.mutants import mutant, put
 @mutant("SVC-001")
 def hides_the_service_behind_a_token() -> None:
     """A stranger cannot learn what this server is."""
-    right = Routes.table
+    right = Handlers.table
 
-    def wrong(self: Routes) -> Any:
+    def wrong(self: Handlers) -> Any:
         table = right(self)
         table["/v1"]["GET"] = dispatch.Operation(self.describe_service, scope="read")
         return table
 
-    put(Routes, "table", wrong)
+    put(Handlers, "table", wrong)
 
 
 @mutant("AUTH-001", "AUTH-002")
 def lets_anybody_in() -> None:
     """No token is needed."""
-    right = auth.Tokens.caller
+    right = auth.Tokens.authenticate
 
     def wrong(self: auth.Tokens, authorization: str | None, scope: str) -> auth.Caller:
         try:
@@ -47,7 +47,7 @@ def lets_anybody_in() -> None:
                 raise
             return auth.Caller("anybody", auth.SCOPES)
 
-    put(auth.Tokens, "caller", wrong)
+    put(auth.Tokens, "authenticate", wrong)
 
 
 @mutant("AUTH-002")
@@ -82,23 +82,23 @@ def lists_the_runs_of_every_account() -> None:
             return [(n, r) for n, r in await connection.execute(query)]
 
     put(Store, "page", wrong)
-    right = RunBook.page
+    right = RunRegistry.page
 
-    async def wrong_page(self: RunBook, *arguments: Any) -> list[Any]:
-        get = RunBook.get
+    async def wrong_page(self: RunRegistry, *arguments: Any) -> list[Any]:
+        get = RunRegistry.get
 
         async def anybody(
-            self: RunBook, run_id: str, _account: str | None = None
+            self: RunRegistry, run_id: str, _account: str | None = None
         ) -> Run:
             return await get(self, run_id)
 
-        put(RunBook, "get", anybody)
+        put(RunRegistry, "get", anybody)
         try:
             return await right(self, *arguments)
         finally:
-            put(RunBook, "get", get)
+            put(RunRegistry, "get", get)
 
-    put(RunBook, "page", wrong_page)
+    put(RunRegistry, "page", wrong_page)
 
 
 @mutant("BEN-001")
@@ -155,29 +155,29 @@ def spoil_run(change: Any) -> None:
 @mutant("RUN-001")
 def points_to_nowhere_after_submit() -> None:
     """A client that follows Location is lost."""
-    right = Routes.submit_run
+    right = Handlers.submit_run
 
-    async def wrong(self: Routes, call: Any) -> Response:
+    async def wrong(self: Handlers, call: Any) -> Response:
         response = await right(self, call)
         response.headers["Location"] = "/v1/runs/run_elsewhere"
         return response
 
-    put(Routes, "submit_run", wrong)
+    put(Handlers, "submit_run", wrong)
 
 
 @mutant("RUN-002")
 def calls_a_new_run_running() -> None:
     """A client believes that somebody plays already."""
-    right = Routes.submit_run
+    right = Handlers.submit_run
 
-    async def wrong(self: Routes, call: Any) -> Response:
+    async def wrong(self: Handlers, call: Any) -> Response:
         response = await right(self, call)
         body = json.loads(bytes(response.body)) | {"state": "running"}
-        answer = codec.encoded(body, status=201)
+        answer = codec.encode_response(body, status=201)
         answer.headers["Location"] = response.headers["Location"]
         return answer
 
-    put(Routes, "submit_run", wrong)
+    put(Handlers, "submit_run", wrong)
 
 
 @mutant("RUN-005")
@@ -239,7 +239,7 @@ def ignores_options_that_do_not_apply() -> None:
 @mutant("RUN-008")
 def never_tells_the_queue_position() -> None:
     """Nobody knows how long the wait will be."""
-    put(RunBook, "queue_position", lambda _self, _run: None)
+    put(RunRegistry, "queue_position", lambda _self, _run: None)
 
 
 @mutant("RUN-009")
@@ -259,15 +259,15 @@ def skips_a_run_between_pages() -> None:
 @mutant("AUTH-003", "RUN-010")
 def answers_for_unknown_runs() -> None:
     """A run that was never made seems to wait."""
-    right = Routes.get_run
+    right = Handlers.get_run
 
-    async def wrong(self: Routes, call: Any) -> Response:
+    async def wrong(self: Handlers, call: Any) -> Response:
         try:
             return await right(self, call)
         except Refused as refused:
             raise Refused("illegal_transition", refused.detail) from refused
 
-    put(Routes, "get_run", wrong)
+    put(Handlers, "get_run", wrong)
 
 
 @mutant("RUN-014")
@@ -288,9 +288,9 @@ def names_an_endpoint_without_a_host() -> None:
 
 
 def _unlimited(*names: str) -> None:
-    right = Routes.new_run
+    right = Handlers.prepare_run
 
-    async def wrong(self: Routes, account: str, submission: dict[str, Any]) -> Run:
+    async def wrong(self: Handlers, account: str, submission: dict[str, Any]) -> Run:
         wanted = {name: submission.pop(name) for name in names if name in submission}
         run = await right(self, account, submission)
         for name, value in wanted.items():
@@ -298,7 +298,7 @@ def _unlimited(*names: str) -> None:
         submission.update(wanted)
         return run
 
-    put(Routes, "new_run", wrong)
+    put(Handlers, "prepare_run", wrong)
 
 
 @mutant("RUN-015")
@@ -344,15 +344,15 @@ def repeats_an_episode_between_pages() -> None:
 @mutant("SCORE-010")
 def hides_scores_until_the_end() -> None:
     """Partial results cannot be read."""
-    right = Routes.get_score
+    right = Handlers.get_score
 
-    async def wrong(self: Routes, call: Any) -> Response:
+    async def wrong(self: Handlers, call: Any) -> Response:
         run = await self._run(call)
         if run.state == "stopped":
             raise Refused("illegal_transition", "Not while stopped.")
         return await right(self, call)
 
-    put(Routes, "get_score", wrong)
+    put(Handlers, "get_score", wrong)
 
 
 @mutant("SCORE-008")

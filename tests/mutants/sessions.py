@@ -12,8 +12,8 @@ from reference_server.rules import effects, lifecycle
 from reference_server.rules.lifecycle import GUARDS, Attach, Detach, Refuse, Verdict
 from reference_server.rules.run import Run, Session
 from reference_server.runs import session_executor, session_resources
-from reference_server.runs.session_executor import Stage
-from reference_server.runs.session_resources import Scene, Scenes
+from reference_server.runs.session_executor import SessionExecutor
+from reference_server.runs.session_resources import SessionResources, ResourceManager
 from tests.mutants import mutant, put
 from tests.mutants.turns import no_guard, swap
 
@@ -43,20 +43,20 @@ def restarts_the_episode_on_takeover() -> None:
     def wrong(run: Run, command: Attach, session_id: str, now: float) -> Session:
         old = run.workers.pop(command.worker_id, None)
         if old is not None and old.episode is not None:
-            run.give_back(old.episode)
+            run.return_to_pending(old.episode)
         return right(run, command, session_id, now)
 
     put(effects, "open_session", wrong)
-    open_scene = Scenes.open
+    open_resources = ResourceManager.open
 
     def wrong_open(
-        self: Scenes, run: Run, session: Session, before: Session | None
-    ) -> Scene:
-        scene = open_scene(self, run, session, before)
-        self.free(scene, kill=True)
-        return scene
+        self: ResourceManager, run: Run, session: Session, before: Session | None
+    ) -> SessionResources:
+        resources = open_resources(self, run, session, before)
+        self.return_simulator(resources, kill=True)
+        return resources
 
-    put(Scenes, "open", wrong_open)
+    put(ResourceManager, "open", wrong_open)
 
 
 @mutant("ATT-005")
@@ -92,11 +92,11 @@ def allows_one_worker_too_many() -> None:
 @mutant("ATT-007")
 def decides_first_and_opens_later() -> None:
     """Under load more workers get in than may: a check-then-act window."""
-    right = Stage.attach
+    right = SessionExecutor.attach
     strict = GUARDS[Attach]
     loose = tuple(g for g in strict if g is not lifecycle._below_worker_limit)
 
-    async def wrong(self: Stage, run: Run, command: Attach) -> dict[str, Any]:
+    async def wrong(self: SessionExecutor, run: Run, command: Attach) -> dict[str, Any]:
         verdict = lifecycle.decide(run, command, time.monotonic())
         if not isinstance(verdict, lifecycle.Accept):
             return await right(self, run, command)
@@ -107,7 +107,7 @@ def decides_first_and_opens_later() -> None:
         GUARDS[Attach] = strict
         return await attaching
 
-    put(Stage, "attach", wrong)
+    put(SessionExecutor, "attach", wrong)
 
 
 @mutant("ATT-010")
@@ -168,20 +168,20 @@ def ends_leases_early() -> None:
 def hears_heartbeats_and_forgets_them() -> None:
     """A policy that thinks long loses its episode although it said that it lives."""
 
-    def wrong(self: Stage, run: Run, command: Any) -> Session:
+    def wrong(self: SessionExecutor, run: Run, command: Any) -> Session:
         self.sweep(run)
         verdict = lifecycle.decide(run, command, time.monotonic())
         if isinstance(verdict, Refuse):
-            raise Refused.by(verdict)
+            raise Refused.from_verdict(verdict)
         return run.workers[command.worker_id]
 
-    put(Stage, "heartbeat", wrong)
+    put(SessionExecutor, "heartbeat", wrong)
 
 
 @mutant("LEASE-004")
 def lets_the_lease_run_from_attach() -> None:
     """A diligent policy is thrown out in the middle of its work."""
-    right = effects.answer
+    right = effects.store_answer
 
     def wrong(session: Session, turn: dict[str, Any], now: float) -> None:
         before = session.expires_at
@@ -190,7 +190,7 @@ def lets_the_lease_run_from_attach() -> None:
         if session.seq > 0 and now < before:
             session.expires_at = before
 
-    put(effects, "answer", wrong)
+    put(effects, "store_answer", wrong)
 
 
 @mutant("LEASE-005")
@@ -211,7 +211,7 @@ def extends_the_lease_on_refused_requests() -> None:
     def wrong(run: Run, command: Any, now: float) -> Verdict | None:
         verdict = right(run, command, now)
         if isinstance(verdict, Refuse):
-            effects.touch(run.workers[command.worker_id], now)
+            effects.extend_lease(run.workers[command.worker_id], now)
         return verdict
 
     swap(right, wrong)
@@ -220,11 +220,11 @@ def extends_the_lease_on_refused_requests() -> None:
 @mutant("DET-001")
 def keeps_the_slot_after_detach() -> None:
     """A polite client blocks its slot until the lease would have ended."""
-    right = Stage.detach
+    right = SessionExecutor.detach
     limit = lifecycle._below_worker_limit
     ghosts: dict[str, int] = {}
 
-    async def wrong(self: Stage, run: Run, command: Detach) -> None:
+    async def wrong(self: SessionExecutor, run: Run, command: Detach) -> None:
         ghosts[run.run_id] = ghosts.get(run.run_id, 0) + 1
         await right(self, run, command)
 
@@ -236,7 +236,7 @@ def keeps_the_slot_after_detach() -> None:
         finally:
             run.max_workers = kept
 
-    put(Stage, "detach", wrong)
+    put(SessionExecutor, "detach", wrong)
     swap(limit, wrong_limit)
 
 
@@ -248,4 +248,4 @@ def refuses_a_second_detach() -> None:
         heartbeat = lifecycle.Heartbeat(command.worker_id, command.session_id)
         return lifecycle._session_is_live(run, heartbeat, now)
 
-    swap(lifecycle._detach_has_an_object, wrong)
+    swap(lifecycle._detach_target_exists, wrong)

@@ -14,7 +14,7 @@ from reference_server.http import turn_view, views
 from reference_server.rules import action_space, effects
 from reference_server.rules.lifecycle import Heartbeat
 from reference_server.rules.run import Run, Session, SessionEnd
-from reference_server.runs.session_executor import Stage
+from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage import rows
 from reference_sim.process.pool import SimulatorHandle
 from tests.mutants import mutant, put
@@ -123,7 +123,7 @@ def shows_the_seed_to_the_policy() -> None:
 @mutant("STOP-002")
 def hears_heartbeats_of_a_stopped_run() -> None:
     """A client thinks for hours about a run that is over."""
-    right, remember = Stage.heartbeat, Run.remember_end
+    right, remember = SessionExecutor.heartbeat, Run.record_end
     stopped: dict[str, Session] = {}
 
     def wrong_remember(self: Run, session: Session, ended_by: SessionEnd) -> None:
@@ -131,17 +131,17 @@ def hears_heartbeats_of_a_stopped_run() -> None:
         if ended_by == "run_stopped":
             stopped[session.session_id] = session
 
-    def wrong(self: Stage, run: Run, command: Heartbeat) -> Session:
+    def wrong(self: SessionExecutor, run: Run, command: Heartbeat) -> Session:
         return stopped.get(command.session_id) or right(self, run, command)
 
-    put(Run, "remember_end", wrong_remember)
-    put(Stage, "heartbeat", wrong)
+    put(Run, "record_end", wrong_remember)
+    put(SessionExecutor, "heartbeat", wrong)
 
 
 @mutant("FAULT-002")
 def gives_no_reason_for_a_failure() -> None:
     """A run has failed and nobody can learn why."""
-    right = effects.fault
+    right = effects.record_fault
 
     def wrong(run: Run, *rest: Any, **named: Any) -> list[Session]:
         ended = right(run, *rest, **named)
@@ -149,7 +149,7 @@ def gives_no_reason_for_a_failure() -> None:
             run.reason = ""
         return ended
 
-    put(effects, "fault", wrong)
+    put(effects, "record_fault", wrong)
 
 
 @mutant("FAULT-003")
@@ -164,7 +164,7 @@ def forgets_scores_when_a_failed_run_resumes() -> None:
             if episode.result is not None:
                 episode.result = None
                 run.scored -= 1
-                run.give_back(episode)
+                run.return_to_pending(episode)
                 run.changed.add(episode.index)
 
     put(effects, "resume", wrong)
@@ -173,12 +173,12 @@ def forgets_scores_when_a_failed_run_resumes() -> None:
 @mutant("FAULT-006")
 def does_not_say_that_the_run_failed() -> None:
     """The client re-attaches to a run that is dead."""
-    right = Run.remember_end
+    right = Run.record_end
 
     def wrong(self: Run, session: Session, ended_by: SessionEnd) -> None:
         right(self, session, "unknown" if ended_by == "run_failed" else ended_by)
 
-    put(Run, "remember_end", wrong)
+    put(Run, "record_end", wrong)
 
 
 def _force_rule(rule: str) -> None:
@@ -299,26 +299,26 @@ def forgets_one_episode_on_resume() -> None:
 @mutant("RES-003")
 def halves_the_score_of_later_attempts() -> None:
     """Being stopped costs points."""
-    right = effects._score
+    right = effects._record_result
 
     def wrong(run: Run, episode: Any, result: Any) -> None:
         if episode.attempt > 1 and result.outcome != "abandoned":
             result = replace(result, score=result.score / 2)
         right(run, episode, result)
 
-    put(effects, "_score", wrong)
+    put(effects, "_record_result", wrong)
 
 
 @mutant("ATT-001")
 def claims_a_step_before_the_first_action() -> None:
     """A client that counts steps is one ahead."""
-    right = turn_view.turn
+    right = turn_view.turn_view
 
     def wrong(session: Session, **members: Any) -> dict[str, Any]:
         body = right(session, **members)
         return body if body["seq"] else body | {"executed_steps": 1, "rewards": [0.0]}
 
-    put(turn_view, "turn", wrong)
+    put(turn_view, "turn_view", wrong)
 
 
 @mutant("ENC-003")

@@ -18,10 +18,10 @@ from reference_server.rules.lifecycle import (
     Wait,
 )
 from reference_server.rules.run import Run, Session
-from reference_server.runs.session_executor import Stage
+from reference_server.runs.session_executor import SessionExecutor
 from tests.mutants import mutant, put
 
-Misfits = list[tuple[str, str]]
+SpaceErrors = list[tuple[str, str]]
 
 
 def swap(guard: Any, other: Any) -> None:
@@ -36,14 +36,14 @@ def no_guard(_run: Run, _command: Any, _now: float) -> Verdict | None:
 
 def change_turn(change: Any) -> None:
     """Let `change(body, session)` spoil every turn before it leaves."""
-    right = turn_view.turn
+    right = turn_view.turn_view
 
     def wrong(session: Session, **members: Any) -> dict[str, Any]:
         body = right(session, **members)
         change(body, session)
         return body
 
-    put(turn_view, "turn", wrong)
+    put(turn_view, "turn_view", wrong)
 
 
 @mutant("PRED-002", "PRED-003", "PRED-005", "PRED-010")
@@ -115,13 +115,13 @@ def refuses_a_repeat_in_flight() -> None:
 @mutant("PRED-013")
 def accepts_vectors_of_any_length() -> None:
     """A policy for another robot moves this one."""
-    right = action_space._vector_misfits
+    right = action_space._vector_errors
 
-    def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> Misfits:
+    def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> SpaceErrors:
         padded = [*vector, *[0.0] * entry["size"]][: entry["size"]]
         return right(at, padded, entry)
 
-    put(action_space, "_vector_misfits", wrong)
+    put(action_space, "_vector_errors", wrong)
     _before_playing(
         lambda values, space: {
             name: [*vector, *[0.0] * space[name]["size"]][: space[name]["size"]]
@@ -133,14 +133,14 @@ def accepts_vectors_of_any_length() -> None:
 @mutant("PRED-014")
 def ignores_unknown_names() -> None:
     """A misspelt command is silently not sent to the robot."""
-    right = action_space.misfits
+    right = action_space.action_errors
 
-    def wrong(actions: Any, manifest: Mapping[str, Any]) -> Misfits:
+    def wrong(actions: Any, manifest: Mapping[str, Any]) -> SpaceErrors:
         space = manifest["action_space"]
         known = [{k: v for k, v in a.items() if k in space} for a in actions]
         return right(known, manifest)
 
-    put(action_space, "misfits", wrong)
+    put(action_space, "action_errors", wrong)
     _before_playing(
         lambda values, space: {k: v for k, v in values.items() if k in space}
     )
@@ -149,14 +149,14 @@ def ignores_unknown_names() -> None:
 @mutant("PRED-014")
 def fills_in_missing_names() -> None:
     """A forgotten command becomes zero, whatever zero does."""
-    right = action_space.misfits
+    right = action_space.action_errors
 
-    def wrong(actions: Any, manifest: Mapping[str, Any]) -> Misfits:
+    def wrong(actions: Any, manifest: Mapping[str, Any]) -> SpaceErrors:
         space = manifest["action_space"]
         zeros = {name: [0.0] * entry["size"] for name, entry in space.items()}
         return right([{**zeros, **a} for a in actions], manifest)
 
-    put(action_space, "misfits", wrong)
+    put(action_space, "action_errors", wrong)
     _before_playing(
         lambda values, space: {
             **{name: [0.0] * entry["size"] for name, entry in space.items()},
@@ -168,23 +168,23 @@ def fills_in_missing_names() -> None:
 @mutant("PRED-015")
 def accepts_chunks_of_any_length() -> None:
     """One client can keep a simulator for ever."""
-    right = action_space.misfits
+    right = action_space.action_errors
 
-    def wrong(actions: Any, manifest: Mapping[str, Any]) -> Misfits:
+    def wrong(actions: Any, manifest: Mapping[str, Any]) -> SpaceErrors:
         return right(actions, {**manifest, "max_chunk": len(actions)})
 
-    put(action_space, "misfits", wrong)
+    put(action_space, "action_errors", wrong)
 
 
 @mutant("PRED-017")
 def clips_what_it_should_refuse() -> None:
     """A policy in the wrong unit gets a score instead of an error."""
-    right = action_space._vector_misfits
+    right = action_space._vector_errors
 
-    def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> Misfits:
+    def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> SpaceErrors:
         return right(at, vector, {**entry, "out_of_range": "clip"})
 
-    put(action_space, "_vector_misfits", wrong)
+    put(action_space, "_vector_errors", wrong)
     _before_playing(
         lambda values, space: {
             name: action_space._clip(
@@ -200,28 +200,28 @@ def clips_what_it_should_refuse() -> None:
 @mutant("PRED-018")
 def refuses_what_it_should_clip() -> None:
     """A policy that overshoots by a hair is thrown out."""
-    right = action_space._vector_misfits
+    right = action_space._vector_errors
 
-    def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> Misfits:
+    def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> SpaceErrors:
         if entry["out_of_range"] == "clip":
             return right(at, vector, {**entry, "out_of_range": "refuse"})
         return right(at, vector, entry)
 
-    put(action_space, "_vector_misfits", wrong)
+    put(action_space, "_vector_errors", wrong)
 
 
 @mutant("PRED-019")
 def checks_only_the_first_action() -> None:
     """Half a chunk is executed before the bad action is met."""
-    right = action_space.misfits
+    right = action_space.action_errors
 
-    def wrong(actions: Any, manifest: Mapping[str, Any]) -> Misfits:
+    def wrong(actions: Any, manifest: Mapping[str, Any]) -> SpaceErrors:
         found = right(actions[:1], manifest)
         if len(actions) > manifest["max_chunk"]:
             return right(actions, manifest)
         return found
 
-    put(action_space, "misfits", wrong)
+    put(action_space, "action_errors", wrong)
 
 
 @mutant("PRED-024")
@@ -261,7 +261,7 @@ def never_says_done() -> None:
 @mutant("PRED-010", "PRED-011")
 def forgets_the_session_with_its_last_turn() -> None:
     """When the last answer is lost, nobody can tell how the run ended."""
-    right = effects.answer
+    right = effects.store_answer
 
     def wrong(session: Session, turn: dict[str, Any], now: float) -> None:
         right(session, turn, now)
@@ -269,7 +269,7 @@ def forgets_the_session_with_its_last_turn() -> None:
             session.session_id += "-gone"
             session.expires_at = 0.0
 
-    put(effects, "answer", wrong)
+    put(effects, "store_answer", wrong)
 
 
 @mutant("PRED-011")
@@ -308,26 +308,26 @@ def sums_the_rewards_of_a_chunk() -> None:
 @mutant("PRED-022")
 def plays_one_worker_at_a_time() -> None:
     """Sixteen workers are as slow as one."""
-    right = Stage._play
+    right = SessionExecutor._play
     lock = asyncio.Lock()
 
-    async def wrong(self: Stage, *arguments: Any) -> dict[str, Any]:
+    async def wrong(self: SessionExecutor, *arguments: Any) -> dict[str, Any]:
         async with lock:
             return await right(self, *arguments)
 
-    put(Stage, "_play", wrong)
+    put(SessionExecutor, "_play", wrong)
 
 
 @mutant("PRED-023")
 def reports_more_time_than_passed() -> None:
     """Latency reports cannot be trusted."""
-    right = turn_view.finish
+    right = turn_view.add_lease_and_total
 
     def wrong(body: dict[str, Any], session: Session, total_s: float) -> None:
         right(body, session, total_s)
         body["timing"]["simulate_s"] = total_s * 2 + 1
 
-    put(turn_view, "finish", wrong)
+    put(turn_view, "add_lease_and_total", wrong)
 
 
 @mutant("PRED-020")
@@ -343,10 +343,10 @@ def calls_a_truncated_episode_terminated() -> None:
 
 def _before_playing(change: Any) -> None:
     """Let `change(values, action_space)` alter every action on its way."""
-    right = action_space.clipped
+    right = action_space.clip_actions
 
     def wrong(actions: Any, manifest: Mapping[str, Any]) -> Any:
         space = manifest["action_space"]
         return right([change(values, space) for values in actions], manifest)
 
-    put(action_space, "clipped", wrong)
+    put(action_space, "clip_actions", wrong)

@@ -19,7 +19,7 @@ from reference_server.http.problems import Refused
 from reference_server.rules import action_space
 
 Values: TypeAlias = dict[str, list[float]]
-Last: TypeAlias = Callable[[], Mapping[str, Sequence[float]]]
+ReadLastCommand: TypeAlias = Callable[[], Mapping[str, Sequence[float]]]
 
 NUMBERS_MAX = 4096  # in one action; more fit no robot
 LIFT2 = "lift2"
@@ -39,7 +39,10 @@ _CAMERAS = {
 
 
 def actions(
-    chunk: Sequence[Any], manifest: Mapping[str, Any], last: Last, at: Sequence[str]
+    chunk: Sequence[Any],
+    manifest: Mapping[str, Any],
+    last: ReadLastCommand,
+    at: Sequence[str],
 ) -> list[Values]:
     """A worker's actions in the names of its benchmark's action space.
 
@@ -50,12 +53,12 @@ def actions(
     made: list[Values] = []
     for action, pointer in zip(chunk, at, strict=True):
         if not isinstance(action, dict) or "action" not in action:
-            raise _misfit(pointer, "an action is a dict with a member `action`")
-        before = _before(made, last)
+            raise _invalid_action(pointer, "an action is a dict with a member `action`")
+        before = _previous_command(made, last)
         if sizes in (_JOINTS, _POSES):
-            made.append(_lift2(action, sizes == _POSES, before, pointer))
+            made.append(_lift2_action(action, sizes == _POSES, before, pointer))
         else:
-            made.append(_plain(action, sizes, pointer))
+            made.append(_plain_action(action, sizes, pointer))
     return made
 
 
@@ -64,29 +67,33 @@ def check_length(
 ) -> None:
     """Refuses a chunk that is too long before work goes into it."""
     if len(chunk) > manifest["max_chunk"]:
-        [(_, text)] = action_space.misfits(chunk, manifest)
-        raise _misfit(at[0], text)
+        [(_, text)] = action_space.action_errors(chunk, manifest)
+        raise _invalid_action(at[0], text)
 
 
-def _before(made: list[Values], last: Last) -> Last:
+def _previous_command(made: list[Values], last: ReadLastCommand) -> ReadLastCommand:
     """Relative to the action before, which may stand in the same chunk."""
     return (lambda: made[-1]) if made else last
 
 
-def _lift2(action: dict[str, Any], poses: bool, last: Last, at: str) -> Values:
+def _lift2_action(
+    action: dict[str, Any], poses: bool, last: ReadLastCommand, at: str
+) -> Values:
     wanted = "ee_pose" if poses else "joint_position"
     control = action.get("control_type", wanted)
     if type(control) is not str or control != wanted:
-        raise _misfit(
+        raise _invalid_action(
             f"{at}/control_type",
             f"is {wanted} on this benchmark; the other one is a benchmark_set of its "
             "own (mobile_bimanual, mobile_bimanual_ee)",
         )
-    if not _flag(action, "base_is_rel", True, at):
-        raise _misfit(f"{at}/base_is_rel", "only steps of the base are executed here")
+    if not _read_flag(action, "base_is_rel", True, at):
+        raise _invalid_action(
+            f"{at}/base_is_rel", "only steps of the base are executed here"
+        )
     base = _numbers(action.get("base_motion", [0.0, 0.0, 0.0]), f"{at}/base_motion", 3)
     made: Values = {"base_motion": [base[0], base[1], math.radians(base[2])]}
-    relative = _flag(action, "is_rel", False, at)
+    relative = _read_flag(action, "is_rel", False, at)
     if not poses:
         n = _numbers(action["action"], f"{at}/action", 16)
         joints, fingers = n[0:6] + n[8:14], n[6:8] + n[14:16]
@@ -95,23 +102,25 @@ def _lift2(action: dict[str, Any], poses: bool, last: Last, at: str) -> Values:
         return made | {"joint_position": joints, "gripper": fingers}
     hands = action["action"]
     if not isinstance(hands, list) or len(hands) != 2:
-        raise _misfit(f"{at}/action", "is (position, quaternion, gripper) of each hand")
+        raise _invalid_action(
+            f"{at}/action", "is (position, quaternion, gripper) of each hand"
+        )
     made["gripper"] = []
     for index, (name, hand) in enumerate(zip(_HANDS, hands, strict=True)):
         n = _numbers(hand, f"{at}/action/{index}", 9)
-        made[name] = _moved(n[:7], last()[name]) if relative else n[:7]
+        made[name] = _compose_pose(n[:7], last()[name]) if relative else n[:7]
         made["gripper"] += n[7:]
     return made
 
 
-def _flag(action: dict[str, Any], name: str, absent: bool, at: str) -> bool:
+def _read_flag(action: dict[str, Any], name: str, absent: bool, at: str) -> bool:
     flag = action.get(name, absent)
     if type(flag) not in (bool, int):
-        raise _misfit(f"{at}/{name}", "is a boolean")
+        raise _invalid_action(f"{at}/{name}", "is a boolean")
     return bool(flag)
 
 
-def _plain(action: dict[str, Any], sizes: Mapping[str, int], at: str) -> Values:
+def _plain_action(action: dict[str, Any], sizes: Mapping[str, int], at: str) -> Values:
     left = iter(_numbers(action["action"], f"{at}/action", sum(sizes.values())))
     return {name: [next(left) for _ in range(sizes[name])] for name in sorted(sizes)}
 
@@ -120,7 +129,7 @@ def _numbers(value: Any, at: str, size: int) -> list[float]:
     """A vector, flat, however its numbers are put together."""
     numbers = [float(number) for number in _flat(value, at)]
     if len(numbers) != size:
-        raise _misfit(at, f"has {len(numbers)} numbers, must have {size}")
+        raise _invalid_action(at, f"has {len(numbers)} numbers, must have {size}")
     return numbers
 
 
@@ -130,19 +139,19 @@ def _flat(value: Any, at: str) -> Iterable[float]:
             yield from _flat(item, at)
     elif isinstance(value, np.ndarray) and value.dtype.kind in "iuf":
         if value.size > NUMBERS_MAX:
-            raise _misfit(at, f"has {value.size} numbers")
+            raise _invalid_action(at, f"has {value.size} numbers")
         yield from value.ravel().tolist()
     elif type(value) in (int, float):
         yield value
     else:
-        raise _misfit(at, "is made of numbers")
+        raise _invalid_action(at, "is made of numbers")
 
 
 def _sum(one: Sequence[float], other: Sequence[float]) -> list[float]:
     return [a + b for a, b in zip(one, other, strict=True)]
 
 
-def _moved(delta: Sequence[float], pose: Sequence[float]) -> list[float]:
+def _compose_pose(delta: Sequence[float], pose: Sequence[float]) -> list[float]:
     """A pose (position, quaternion wxyz) after a motion in the frame it is told in."""
     dw, (dx, dy, dz) = delta[3], delta[4:7]
     w, (x, y, z) = pose[3], pose[4:7]
@@ -161,7 +170,7 @@ def _moved(delta: Sequence[float], pose: Sequence[float]) -> list[float]:
     return [*(point + twice + np.array(delta[:3])).tolist(), *turned]
 
 
-def _misfit(at: str, text: str) -> Refused:
+def _invalid_action(at: str, text: str) -> Refused:
     return Refused(
         "invalid_request",
         "The actions do not fit this benchmark; none was executed.",

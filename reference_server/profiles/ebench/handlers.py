@@ -18,8 +18,8 @@ from starlette.responses import HTMLResponse, Response
 
 from reference_server.generated import models
 from reference_server.http import codec
-from reference_server.http.dispatch import Call, Operation
-from reference_server.http.handlers import Routes
+from reference_server.http.dispatch import OperationCall, Operation
+from reference_server.http.handlers import Handlers
 from reference_server.http.problems import Refused
 from reference_server.profiles.ebench import (
     actions,
@@ -31,17 +31,17 @@ from reference_server.profiles.ebench.requests import (
     CreateTask,
     Ready,
     Workers,
-    misshapen,
+    schema_error,
     read_chunks,
     read_worker_ids,
 )
 from reference_server.profiles.ebench.responses import (
     PICKLE,
-    Heard,
+    ConfirmedResponse,
     envelope,
-    refusal,
+    refusal_response,
     results_of,
-    shown,
+    worker_view,
     status_of,
 )
 from reference_server.rules import effects
@@ -53,13 +53,13 @@ from reference_server.rules.lifecycle import (
     Stop,
     decide,
     legal,
-    repeated,
+    find_repeated_turn,
 )
 from reference_server.rules.run import Run, Session
 
 CONTROL = "/api/v1/benchmark/onlineEvaluation"
-DOOR = "/eval-server/{run_id}"
-ENDPOINT = f"{DOOR}/api/predict/{{benchmark_id}}"
+RUN_PATH = "/eval-server/{run_id}"
+ENDPOINT = f"{RUN_PATH}/api/predict/{{benchmark_id}}"
 # A track of theirs → ours; our own ids are benchmark sets as well.
 BENCHMARK_SETS = {
     "ebench_generalist": "mobile_bimanual",
@@ -73,23 +73,23 @@ Work: TypeAlias = Callable[[], Awaitable[Turn]]
 
 
 @dataclass(frozen=True, slots=True)
-class Ebench:
+class EbenchHandlers:
     """The operations, over the routes of this server."""
 
-    routes: Routes
+    handlers: Handlers
 
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation."""
         binary = partial(Operation, scope="run", writes=(PICKLE,), headers=("run_id",))
         plain = partial(Operation, headers=("run_id",))
-        asked = partial(Operation, refusal=refusal)
-        stop = asked(self.stop, "run", query=("run_id", "user_id"))
+        requested = partial(Operation, refusal_response=refusal_response)
+        stop = requested(self.stop, "run", query=("run_id", "user_id"))
         workers = partial(plain, scope="run", body=Workers)
         return {
             f"{CONTROL}/createTask": {
-                "POST": asked(self.create_task, "run", CreateTask)
+                "POST": requested(self.create_task, "run", CreateTask)
             },
-            f"{CONTROL}/ready": {"POST": asked(self.ready, body=Ready)},
+            f"{CONTROL}/ready": {"POST": requested(self.ready, body=Ready)},
             f"{ENDPOINT}/docs": {"GET": plain(self.docs, writes=("text/html",))},
             f"{ENDPOINT}/status": {"GET": plain(self.status, query=("run_id",))},
             f"{ENDPOINT}/create_workers": {"POST": workers(self.create_workers)},
@@ -100,31 +100,31 @@ class Ebench:
             },
             f"{ENDPOINT}/kill": {"POST": workers(self.kill)},
             f"{ENDPOINT}/stop": {"POST": stop},
-            f"{DOOR}/stop": {"POST": stop},
+            f"{RUN_PATH}/stop": {"POST": stop},
         }
 
     # --- control plane ---
 
-    async def create_task(self, call: Call) -> Response:
+    async def create_task(self, call: OperationCall) -> Response:
         """A new run; or, with the id of an old one, that run resumed."""
-        asked: CreateTask = call.body
-        if asked.task_id:
-            run = await self.routes.resumed(
-                replace(call, path={"run_id": asked.task_id})
+        requested: CreateTask = call.body
+        if requested.task_id:
+            run = await self.handlers.apply_resume(
+                replace(call, path={"run_id": requested.task_id})
             )
             return envelope({"task_id": run.run_id})
-        wanted = asked.benchmark_set or "ebench_generalist"
+        wanted = requested.benchmark_set or "ebench_generalist"
         submission = {
             "benchmark_id": BENCHMARK_SETS.get(wanted, wanted),
-            "policy": asked.policy(),
+            "policy": requested.policy(),
         }
         checked = codec.validate(models.SubmitRun, submission).model_dump()
-        run = await self.routes.submitted(call.account, checked)
+        run = await self.handlers.create_run(call.account, checked)
         return envelope({"task_id": run.run_id})
 
-    async def ready(self, call: Call) -> Response:
-        run = await self.routes.book.get(call.body.task_id, call.account)
-        run = await self.routes.book.shown(run, lambda run: run)
+    async def ready(self, call: OperationCall) -> Response:
+        run = await self.handlers.registry.get(call.body.task_id, call.account)
+        run = await self.handlers.registry.render_when_stored(run, lambda run: run)
         is_open = legal(run, "attach_worker") or run.state == "completed"
         if not is_open and run.state != "queued":
             raise Refused(
@@ -135,73 +135,81 @@ class Ebench:
         path = ENDPOINT.format(
             run_id=run.run_id, benchmark_id=run.manifest["benchmark_id"]
         )
-        endpoint = self.routes.base_url(call) + path if is_open else ""
+        endpoint = self.handlers.base_url(call) + path if is_open else ""
         return envelope({"ready": is_open, "endpoint": endpoint})
 
-    async def stop(self, call: Call) -> Response:
-        run = await self.routes.stopped(self._named(call), Stop("abort"))
+    async def stop(self, call: OperationCall) -> Response:
+        run = await self.handlers.apply_stop(self._check_run_id(call), Stop("abort"))
         return envelope({"run_id": run.run_id})
 
     # --- data plane ---
 
-    async def docs(self, call: Call) -> Response:
+    async def docs(self, call: OperationCall) -> Response:
         run = await self._run(call)
         return HTMLResponse(f"<p>EBench's wire to the run {run.run_id}.</p>")
 
-    async def status(self, call: Call) -> Response:
+    async def status(self, call: OperationCall) -> Response:
         run = await self._run(call)
-        self.routes.stage.sweep(run)
-        return call.answer({"data": await self.routes.book.shown(run, status_of)})
+        self.handlers.executor.sweep(run)
+        return call.answer(
+            {"data": await self.handlers.registry.render_when_stored(run, status_of)}
+        )
 
-    async def create_workers(self, call: Call) -> Response:
+    async def create_workers(self, call: OperationCall) -> Response:
         run = await self._run(call)
         ids = read_worker_ids(call.body.data.worker_ids, run)
-        self.routes.stage.sweep(run)
+        self.handlers.executor.sweep(run)
         new = [i for i in ids if i not in run.workers]
-        await _all({i: partial(self._open, run, i) for i in new})
+        await _gather({i: partial(self._open, run, i) for i in new})
         return call.answer({"data": {"success": True}})
 
-    async def kill(self, call: Call) -> Response:
+    async def kill(self, call: OperationCall) -> Response:
         run = await self._run(call)
         for worker_id in read_worker_ids(call.body.data.worker_ids, run):
             session = run.workers.get(worker_id)
             if session is not None:
                 command = Detach(worker_id, session.session_id)
-                await self.routes.stage.detach(run, command)
+                await self.handlers.executor.detach(run, command)
         return call.answer({"data": {"success": True}})
 
-    async def reset(self, call: Call) -> Response:
+    async def reset(self, call: OperationCall) -> Response:
         """Each worker's observation as it stands; a live session is taken over."""
         run = await self._run(call)
-        asked = await self._pickle(call)
-        if not isinstance(asked, dict) or not isinstance(asked.get("worker_ids"), list):
-            raise misshapen("/worker_ids", "is a list of worker ids")
-        ids = read_worker_ids(asked["worker_ids"], run)
-        turns = await _all({i: partial(self._open, run, i, takeover=True) for i in ids})
-        body = pickle_writer.write(await self._shown(run, turns))
+        requested = await self._pickle(call)
+        if not isinstance(requested, dict) or not isinstance(
+            requested.get("worker_ids"), list
+        ):
+            raise schema_error("/worker_ids", "is a list of worker ids")
+        ids = read_worker_ids(requested["worker_ids"], run)
+        turns = await _gather(
+            {i: partial(self._open, run, i, takeover=True) for i in ids}
+        )
+        body = pickle_writer.write(await self._worker_views(run, turns))
         return Response(body, media_type=PICKLE)
 
-    async def step(self, call: Call) -> Response:
-        run, turns = await self._stepped(call)
-        return Heard(await self._shown(run, turns), call, _hearing(run, turns))
+    async def step(self, call: OperationCall) -> Response:
+        run, turns = await self._step_all(call)
+        return ConfirmedResponse(
+            await self._worker_views(run, turns), call, _on_delivered(run, turns)
+        )
 
-    async def step_chunk(self, call: Call) -> Response:
+    async def step_chunk(self, call: OperationCall) -> Response:
         """A list of steps where EBench's own server takes it, told in its way."""
-        run, turns = await self._stepped(call)
+        run, turns = await self._step_all(call)
         body = {
-            "obs": await self._shown(run, turns),
+            "obs": await self._worker_views(run, turns),
             "executed_steps": max(t.get("executed_steps", 0) for t in turns.values()),
-            "stopped_early": any(map(_is_cut, turns.values())),
+            "stopped_early": any(map(_is_stopped_early, turns.values())),
         }
-        return Heard(body, call, _hearing(run, turns))
+        return ConfirmedResponse(body, call, _on_delivered(run, turns))
 
-    async def _stepped(self, call: Call) -> tuple[Run, dict[str, Turn]]:
+    async def _step_all(self, call: OperationCall) -> tuple[Run, dict[str, Turn]]:
         """One turn of each worker: all are accepted before any begins."""
         run = await self._run(call)
         chunks = read_chunks(await self._pickle(call), run)
-        now = self.routes.stage.sweep(run)
+        now = self.handlers.executor.sweep(run)
         turns = {i: self._turn(run, i, chunk, now) for i, chunk in chunks.items()}
-        return run, await _all(turns)
+        return run, await _gather(turns)
 
     # --- what a worker does ---
 
@@ -213,9 +221,9 @@ class Ebench:
         if not session.done:  # nothing is asked of actions that nobody will execute
             actions.check_length(chunk.actions, run.manifest, chunk.at)
         digest = chunk.digest()
-        command = repeated(session, digest)
+        command = find_repeated_turn(session, digest)
         if command is None and session.done and not session.busy:
-            return partial(self._last, session)
+            return partial(self._last_turn, session)
         if command is None:
             made = actions.actions(
                 chunk.actions, run.manifest, partial(_last_command, session), chunk.at
@@ -229,41 +237,41 @@ class Ebench:
     async def _play(
         self, run: Run, session: Session, command: Predict, digest: str
     ) -> Turn:
-        effects.await_hearing(session, command, digest)
-        return await self.routes.stage.predict(run, command)
+        effects.await_confirmation(session, command, digest)
+        return await self.handlers.executor.predict(run, command)
 
     async def _open(self, run: Run, worker_id: str, takeover: bool = False) -> Turn:
         command = Attach(worker_id, secrets.token_hex(16), takeover)
         try:
-            return await self.routes.stage.attach(run, command)
+            return await self.handlers.executor.attach(run, command)
         except Refused as refused:
             if refused.members.get("state") != "completed":
                 raise
             return {"done": True}  # there is nothing to play any more
 
-    async def _last(self, session: Session) -> Turn:
+    async def _last_turn(self, session: Session) -> Turn:
         assert session.turn is not None, "a session that is not busy has its turn"
         return session.turn
 
     # --- from requests and to answers ---
 
-    def _named(self, call: Call) -> Call:
+    def _check_run_id(self, call: OperationCall) -> OperationCall:
         """The call, which does not name one run here and another one there."""
         for named in (call.headers.get("run_id"), call.query.get("run_id")):
             if named is not None and named != call.path["run_id"]:
                 raise Refused("not_found", f"The run {named} has another endpoint.")
         return call
 
-    async def _run(self, call: Call) -> Run:
-        run_id = self._named(call).path["run_id"]
-        run = await self.routes.book.get(run_id, call.account)
+    async def _run(self, call: OperationCall) -> Run:
+        run_id = self._check_run_id(call).path["run_id"]
+        run = await self.handlers.registry.get(run_id, call.account)
         if run.manifest["benchmark_id"] != call.path["benchmark_id"]:
             raise Refused("not_found", "The run has another endpoint.")
         return run
 
-    async def _pickle(self, call: Call) -> Any:
+    async def _pickle(self, call: OperationCall) -> Any:
         codec.media_type_of(call.request, (PICKLE,))
-        limit = self.routes.settings.max_body_bytes
+        limit = self.handlers.settings.max_body_bytes
         body = await codec.read_body(call.request, limit)
         try:
             if len(body) <= PICKLE_INLINE_BYTES:
@@ -272,31 +280,35 @@ class Ebench:
         except pickle_reader.BadPickle as error:
             raise Refused("malformed_body", f"The pickle: {error}.") from error
 
-    async def _shown(self, run: Run, turns: Mapping[str, Turn]) -> dict[str, Any]:
+    async def _worker_views(
+        self, run: Run, turns: Mapping[str, Turn]
+    ) -> dict[str, Any]:
         results: dict[str, float] = {}
         if any(turn["done"] for turn in turns.values()):
-            results = await self.routes.book.shown(run, results_of)
-        return {worker: shown(run, turn, results) for worker, turn in turns.items()}
+            results = await self.handlers.registry.render_when_stored(run, results_of)
+        return {
+            worker: worker_view(run, turn, results) for worker, turn in turns.items()
+        }
 
 
-def _hearing(run: Run, turns: Mapping[str, Turn]) -> Callable[[], None]:
+def _on_delivered(run: Run, turns: Mapping[str, Turn]) -> Callable[[], None]:
     """What to do when the client was there to take the answer."""
     sessions = [(run.workers.get(i), turn.get("seq", 0)) for i, turn in turns.items()]
 
-    def hear() -> None:
+    def on_delivered() -> None:
         for session, seq in sessions:
             if session is not None:
-                effects.heard(session, seq)
+                effects.confirm_delivery(session, seq)
 
-    return hear
+    return on_delivered
 
 
-def _is_cut(turn: Turn) -> bool:
+def _is_stopped_early(turn: Turn) -> bool:
     """Whether the rest of a chunk would have been for another episode."""
     return "episode_result" in turn or bool(turn["done"] or turn.get("stopped_early"))
 
 
-async def _all(works: Mapping[str, Work]) -> dict[str, Turn]:
+async def _gather(works: Mapping[str, Work]) -> dict[str, Turn]:
     """All at the same time; what one fails with is raised when all have ended."""
     begun = (work() for work in works.values())
     ended = await asyncio.gather(*begun, return_exceptions=True)

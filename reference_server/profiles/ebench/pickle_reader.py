@@ -26,9 +26,9 @@ VALUES_MAX = 400_000
 TEXT_MAX = 2**22  # characters, each as often as it is seen
 DEPTH_MAX = 16
 DIMENSIONS_MAX = 8
-WHOLE_MAX = 2**64
+INTEGER_MAX = 2**64
 KEY_MAX = 2**31  # larger numbers as keys could be chosen to collide
-SIDE_MAX = 2**31  # of an array; the product of longer numbers takes long
+AXIS_LENGTH_MAX = 2**31  # of an array; the product of longer numbers takes long
 
 _DTYPES = {f"{kind}{size}" for kind in "iu" for size in (1, 2, 4, 8)}
 _DTYPES |= {"b1", "f2", "f4", "f8"}
@@ -76,7 +76,7 @@ class _Dtype:
         self.order = ""
 
     def get(self) -> np.dtype[Any]:
-        _need(self.order, "a dtype without a byte order")
+        _require(self.order, "a dtype without a byte order")
         return np.dtype(self.order + self.code)
 
 
@@ -108,7 +108,7 @@ class _Machine:
 
     def __init__(self, size: int) -> None:
         self.stack: list[Any] = []
-        self._below: list[list[Any]] = []
+        self._outer_stacks: list[list[Any]] = []
         self.memo: dict[int, Any] = {}
         self._bytes_left = 2 * size  # text becomes bytes once, and bytes an array once
 
@@ -125,25 +125,27 @@ class _Machine:
             handler(self, read_argument(data))
         else:
             raise BadPickle(f"more than {OPCODES_MAX} opcodes")
-        _need(len(self.stack) == 1 and not self._below, "its end is not its end")
+        _require(
+            len(self.stack) == 1 and not self._outer_stacks, "its end is not its end"
+        )
         return self.stack[0]
 
     def mark(self) -> None:
-        self._below.append(self.stack)
+        self._outer_stacks.append(self.stack)
         self.stack = []
 
     def since_mark(self) -> list[Any]:
-        items, self.stack = self.stack, self._below.pop()
+        items, self.stack = self.stack, self._outer_stacks.pop()
         return items
 
     def last(self, count: int) -> list[Any]:
-        _need(len(self.stack) >= count, "the stack runs dry")
+        _require(len(self.stack) >= count, "the stack runs dry")
         items = self.stack[-count:]
         del self.stack[-count:]
         return items
 
     def name(self, module: Any, name: Any) -> None:
-        _need(type(module) is str and type(name) is str, "a name that is no text")
+        _require(type(module) is str and type(name) is str, "a name that is no text")
         found = _NAMES.get((module, name))
         if found is None:
             raise BadPickle(
@@ -155,42 +157,47 @@ class _Machine:
     def call(self) -> None:
         """What numpy's pattern would call, and nothing else."""
         arguments, called = self.stack.pop(), self.stack.pop()
-        _need(isinstance(called, _Name), "it calls something")
-        _need(isinstance(arguments, tuple), "it calls without arguments")
+        _require(isinstance(called, _Name), "it calls something")
+        _require(isinstance(arguments, tuple), "it calls without arguments")
         self.stack.append(_CALLS[called](self, *arguments))
 
     def fill(self) -> None:
         """Complete a dtype or an array that was made before."""
         state, made = self.stack.pop(), self.stack[-1]
-        _need(isinstance(state, tuple), "a state that is none of numpy's")
+        _require(isinstance(state, tuple), "a state that is none of numpy's")
         if isinstance(made, _Dtype) and not made.order:
             version, order, *rest = state
-            _need(version == 3 and tuple(rest) == _DTYPE_STATE, "a strange dtype")
-            _need(order in ("<", ">", "|", "="), "a strange byte order")
+            _require(version == 3 and tuple(rest) == _DTYPE_STATE, "a strange dtype")
+            _require(order in ("<", ">", "|", "="), "a strange byte order")
             made.order = order
         elif isinstance(made, _Array) and made.filled is None:
             version, shape, dtype, is_fortran, data = state
-            _need(version == 1, "a strange array")
+            _require(version == 1, "a strange array")
             made.filled = self.array(data, dtype, shape, "F" if is_fortran else "C")
         else:
             raise BadPickle("it sets the state of something")
 
     def encoded(self, text: Any, codec: Any) -> bytes:
-        _need(isinstance(text, str) and codec == "latin1", "a strange encoding")
+        _require(isinstance(text, str) and codec == "latin1", "a strange encoding")
         self._spend(len(text))
         encoded: bytes = text.encode("latin-1")
         return encoded
 
     def array(self, data: Any, dtype: Any, shape: Any, order: Any) -> NDArray[Any]:
         """As numpy reads it; charged again for each time that it is made."""
-        _need(isinstance(data, bytes | bytearray), "an array without its bytes")
-        _need(isinstance(dtype, _Dtype), "an array without a dtype")
-        _need(isinstance(shape, tuple) and len(shape) <= DIMENSIONS_MAX, "a bad shape")
-        _need(all(type(n) is int and 0 <= n < SIDE_MAX for n in shape), "a bad shape")
-        _need(order in ("C", "F"), "a strange order")
+        _require(isinstance(data, bytes | bytearray), "an array without its bytes")
+        _require(isinstance(dtype, _Dtype), "an array without a dtype")
+        _require(
+            isinstance(shape, tuple) and len(shape) <= DIMENSIONS_MAX, "a bad shape"
+        )
+        _require(
+            all(type(n) is int and 0 <= n < AXIS_LENGTH_MAX for n in shape),
+            "a bad shape",
+        )
+        _require(order in ("C", "F"), "a strange order")
         kind = dtype.get()
         size = math.prod(shape) * kind.itemsize
-        _need(size == len(data), "an array of another size")
+        _require(size == len(data), "an array of another size")
         self._spend(size)
         array = np.frombuffer(data, kind).reshape(shape, order=order)
         return array.astype(kind.newbyteorder("="), copy=False)
@@ -198,22 +205,22 @@ class _Machine:
     def _spend(self, count: int) -> None:
         """Take from how many bytes may be made of those that came."""
         self._bytes_left -= count
-        _need(self._bytes_left >= 0, "it grows")
+        _require(self._bytes_left >= 0, "it grows")
 
 
-def _need(condition: object, otherwise: str) -> None:
+def _require(condition: object, otherwise: str) -> None:
     if not condition:
         raise BadPickle(otherwise)
 
 
 def _dtype(_: _Machine, code: Any, align: Any, copy: Any) -> _Dtype:
-    _need(isinstance(code, str) and code in _DTYPES, "a dtype that is no number's")
-    _need(align in (0, 1) and copy in (0, 1), "a strange dtype")
+    _require(isinstance(code, str) and code in _DTYPES, "a dtype that is no number's")
+    _require(align in (0, 1) and copy in (0, 1), "a strange dtype")
     return _Dtype(code)
 
 
 def _reconstruct(_: _Machine, kind: Any, shape: Any, code: Any) -> _Array:
-    _need(kind is _NDARRAY and shape == _EMPTY and code == b"b", "a strange array")
+    _require(kind is _NDARRAY and shape == _EMPTY and code == b"b", "a strange array")
     return _Array()
 
 
@@ -240,7 +247,7 @@ _CALLS: Mapping[_Name, Callable[..., Any]] = {
 _Handler: TypeAlias = Callable[[_Machine, Any], None]
 
 
-def _nothing(_machine: _Machine, _argument: Any) -> None:
+def _ignore(_machine: _Machine, _argument: Any) -> None:
     """PROTO and FRAME say how what follows is written."""
 
 
@@ -274,15 +281,15 @@ def _dict(machine: _Machine, _: Any) -> None:
 
 def _extend(machine: _Machine, items: list[Any]) -> None:
     target = machine.stack[-1]
-    _need(type(target) is list, "it appends to what is no list")
+    _require(type(target) is list, "it appends to what is no list")
     target += items
 
 
 def _set(target: Any, items: list[Any]) -> None:
-    _need(type(target) is dict and len(items) % 2 == 0, "it sets items of no dict")
+    _require(type(target) is dict and len(items) % 2 == 0, "it sets items of no dict")
     for key, value in zip(items[::2], items[1::2], strict=True):
         is_number = type(key) is int and abs(key) < KEY_MAX
-        _need(type(key) is str or is_number, "a key that is no string")
+        _require(type(key) is str or is_number, "a key that is no string")
         target[key] = value
 
 
@@ -297,7 +304,7 @@ def _set_many(machine: _Machine, _: Any) -> None:
 
 
 def _put(machine: _Machine, index: int) -> None:
-    _need(0 <= index < KEY_MAX, "a strange place to remember it")
+    _require(0 <= index < KEY_MAX, "a strange place to remember it")
     machine.memo[index] = machine.stack[-1]
 
 
@@ -316,8 +323,8 @@ def _stack_global(machine: _Machine, _: Any) -> None:
 
 
 _HANDLERS: Mapping[str, _Handler] = {
-    "PROTO": _nothing,
-    "FRAME": _nothing,
+    "PROTO": _ignore,
+    "FRAME": _ignore,
     "MARK": lambda machine, _: machine.mark(),
     "NONE": _constant(lambda: None),
     "NEWTRUE": _constant(lambda: True),
@@ -378,8 +385,8 @@ class _Tree:
     def of(self, value: Any, depth: int = 0) -> Any:
         array = value.filled if isinstance(value, _Array) else None
         self._left -= 1 if array is None else max(array.size, 1)
-        _need(self._left >= 0, f"more than {VALUES_MAX} values")
-        _need(depth <= DEPTH_MAX, "it is nested too deeply, or in itself")
+        _require(self._left >= 0, f"more than {VALUES_MAX} values")
+        _require(depth <= DEPTH_MAX, "it is nested too deeply, or in itself")
         if array is not None:
             return array
         if type(value) in (list, tuple):
@@ -391,10 +398,12 @@ class _Tree:
             }
         if type(value) is str:
             self._text_left -= len(value)
-            _need(self._text_left >= 0, f"more than {TEXT_MAX} characters of text")
+            _require(self._text_left >= 0, f"more than {TEXT_MAX} characters of text")
             value.encode()  # a lone surrogate is no text
             return value
         plain = value is None or type(value) in (bool, int, float)
-        _need(plain, f"a bare {type(value).__name__.strip('_')} is no value")
-        _need(type(value) is not int or abs(value) < WHOLE_MAX, "too large a number")
+        _require(plain, f"a bare {type(value).__name__.strip('_')} is no value")
+        _require(
+            type(value) is not int or abs(value) < INTEGER_MAX, "too large a number"
+        )
         return value

@@ -67,7 +67,7 @@ class Chunk:
 
     def refused(self, verdict: Refuse) -> Refused:
         """A refusal of what was made of it, pointing at what was sent."""
-        refused = Refused.by(verdict)
+        refused = Refused.from_verdict(verdict)
         refused.errors = tuple(self._error(*error) for error in refused.errors)
         return refused
 
@@ -96,13 +96,13 @@ def read_chunks(body: Any, run: Run) -> dict[str, Chunk]:
     for number, step in enumerate(steps):
         place = f"/{number}" if isinstance(body, list) else ""
         if not isinstance(step, dict):
-            raise misshapen(place, "is a dict from worker ids to actions")
+            raise schema_error(place, "is a dict from worker ids to actions")
         ids = read_worker_ids(list(step), run)
         for worker_id, action in zip(ids, step.values(), strict=True):
             actions.setdefault(worker_id, []).append(action)
             at.setdefault(worker_id, []).append(f"{place}/{worker_id}")
     if not actions:
-        raise misshapen("", "names no worker")
+        raise schema_error("", "names no worker")
     return {i: Chunk(chunk, at[i]) for i, chunk in actions.items()}
 
 
@@ -110,13 +110,13 @@ def read_worker_ids(named: Sequence[Any], run: Run) -> list[str]:
     ids = [str(one) if type(one) in (str, int) else "" for one in named]
     pattern, _ = PATH_PATTERNS["worker_id"]
     if not all(re.fullmatch(pattern, one) for one in ids) or len(set(ids)) < len(ids):
-        raise misshapen("/worker_ids", f"each matches {pattern} and stands once")
+        raise schema_error("/worker_ids", f"each matches {pattern} and stands once")
     if len(ids) > run.max_workers:
-        raise misshapen("/worker_ids", f"are {run.max_workers} at most in this run")
+        raise schema_error("/worker_ids", f"are {run.max_workers} at most in this run")
     return ids
 
 
-def misshapen(at: str, text: str) -> Refused:
+def schema_error(at: str, text: str) -> Refused:
     return Refused(
         "invalid_request", "The body breaks its schema.", errors=[(at, text)]
     )

@@ -13,7 +13,7 @@ from starlette.types import Receive, Scope, Send
 from reference_server.generated.problem_codes import PROBLEMS
 from reference_server.http import views
 from reference_server.http.codec import JSON
-from reference_server.http.dispatch import Call
+from reference_server.http.dispatch import OperationCall
 from reference_server.http.problems import Refused
 from reference_server.profiles.ebench import actions, pickle_writer
 from reference_server.rules.run import Run
@@ -28,21 +28,23 @@ def envelope(data: Any, code: int = 0, msg: str = "success") -> Response:
     return Response(msgspec.json.encode(body), media_type=JSON)
 
 
-def refusal(refused: Refused) -> Response:
+def refusal_response(refused: Refused) -> Response:
     """A refusal in an envelope; `code` is the status it would have elsewhere."""
     entry = PROBLEMS[refused.code]
     faults = "; ".join(f"{at or 'the body'} {text}" for at, text in refused.errors)
-    told = [refused.detail, faults and f"{faults}.", entry["act"]]
-    return envelope(None, entry["status"], " ".join(filter(None, told)))
+    parts = [refused.detail, faults and f"{faults}.", entry["act"]]
+    return envelope(None, entry["status"], " ".join(filter(None, parts)))
 
 
-class Heard(Response):
+class ConfirmedResponse(Response):
     """An answer that notes whether its client was still there to take it."""
 
-    def __init__(self, value: Any, call: Call, hear: Callable[[], None]) -> None:
+    def __init__(
+        self, value: Any, call: OperationCall, on_delivered: Callable[[], None]
+    ) -> None:
         super().__init__(pickle_writer.write(value), media_type=PICKLE)
         self._request = call.request
-        self._hear = hear
+        self._on_delivered = on_delivered
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """ASGI: who has left before the last byte was sent has not got the answer.
@@ -54,13 +56,13 @@ class Heard(Response):
         whole = memoryview(self.body)
         rest, last = whole[:-1], whole[-1:]
         await send({"type": "http.response.body", "body": rest, "more_body": True})
-        was_there = not await self._request.is_disconnected()
+        is_connected = not await self._request.is_disconnected()
         await send({"type": "http.response.body", "body": last, "more_body": False})
-        if was_there:
-            self._hear()
+        if is_connected:
+            self._on_delivered()
 
 
-def shown(
+def worker_view(
     run: Run, turn: Mapping[str, Any], results: Mapping[str, float]
 ) -> dict[str, Any]:
     """What EBench answers for one worker."""
@@ -82,11 +84,11 @@ def results_of(run: Run) -> dict[str, float]:
 
 
 def status_of(run: Run) -> dict[str, Any]:
-    live = [session.worker_id for session in run.live]
+    live_sessions = [session.worker_id for session in run.live_sessions]
     status = "idle"
     if run.state == "completed":
         status = "complete"
-    elif live:
+    elif live_sessions:
         status = "running"
     elif run.scored or run.state in ("stopped", "failed"):
         status = "incomplete"
@@ -96,7 +98,7 @@ def status_of(run: Run) -> dict[str, Any]:
         "run_id": run.run_id,
         "total_episodes": len(run.episodes),
         "completed_episodes": run.scored,
-        "in_progress_episodes": sum(s.episode is not None for s in run.live),
-        "active_workers": sorted(live),
+        "in_progress_episodes": sum(s.episode is not None for s in run.live_sessions),
+        "active_workers": sorted(live_sessions),
         "results": results_of(run),
     }

@@ -17,76 +17,88 @@ from starlette.responses import Response
 
 from reference_server.http import codec
 from reference_server.http.codec import JSON
-from reference_server.http.dispatch import Call, Operation
-from reference_server.http.handlers import Routes
+from reference_server.http.dispatch import OperationCall, Operation
+from reference_server.http.handlers import Handlers
 from reference_server.http.problems import Refused
 from reference_server.profiles.flageval.requests import (
-    Diffs,
-    Evaluation,
-    Named,
-    Progress,
-    key_of,
-    told_in_their_words,
+    DiffsRequest,
+    EvaluationRequest,
+    RequestReference,
+    ProgressRequest,
+    idempotency_key,
+    translate_refusal,
 )
 from reference_server.profiles.flageval.responses import (
     BASELINE,
     TOLERANCE,
-    Evaluated,
-    answer,
+    EvaluationView,
+    success_response,
     progress,
-    refusal,
+    refusal_response,
 )
 from reference_server.push.chat_calls import is_answered_in_words
 from reference_server.rules.lifecycle import Event, Stop, legal
 from reference_server.rules.run import Run
 
-Asked = TypeVar("Asked", bound=BaseModel)
+Body = TypeVar("Body", bound=BaseModel)
 
 
 @dataclass(frozen=True, slots=True)
-class Flageval:
+class FlagevalHandlers:
     """The operations, over the routes of this server."""
 
-    routes: Routes
+    handlers: Handlers
 
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation."""
-        said = partial(Operation, refusal=refusal)
-        diffs = partial(said, query=("request_ids",))
+        operation = partial(Operation, refusal_response=refusal_response)
+        diffs = partial(operation, query=("request_ids",))
         return {
-            "/evaluation": {"POST": said(self.evaluation, "run", Evaluation)},
-            "/evaldiffs": {"GET": said(self.evaldiffs, query=("request_id",))},
-            "/stop_evaluation": {"POST": said(self.stop, "run", Named)},
-            "/resume_evaluation": {"POST": said(self.resume, "run", Named)},
-            "/evaluation_progress": {"POST": said(self.progress, body=Progress)},
+            "/evaluation": {
+                "POST": operation(self.evaluation, "run", EvaluationRequest)
+            },
+            "/evaldiffs": {"GET": operation(self.evaldiffs, query=("request_id",))},
+            "/stop_evaluation": {"POST": operation(self.stop, "run", RequestReference)},
+            "/resume_evaluation": {
+                "POST": operation(self.resume, "run", RequestReference)
+            },
+            "/evaluation_progress": {
+                "POST": operation(self.progress, body=ProgressRequest)
+            },
             "/evaluation_diffs": {
                 "GET": diffs(self.diffs_by_id),
-                "POST": diffs(self.diffs_in_a_list),
+                "POST": diffs(self.diffs_as_list),
             },
         }
 
-    async def evaluation(self, call: Call) -> Response:
+    async def evaluation(self, call: OperationCall) -> Response:
         """A run for each model: all are checked before any is there."""
-        asked: Evaluation = call.body
-        asked.check()
-        images = await self._images(asked)
+        requested: EvaluationRequest = call.body
+        requested.check()
+        images = await self._images(requested)
         runs: list[Run] = []
-        for number, info in enumerate(asked.eval_infos):
-            submission = asked.submission(number, images)
+        for number, info in enumerate(requested.eval_infos):
+            submission = requested.submission(number, images)
             try:
-                runs.append(await self.routes.new_run(call.account, submission))
+                runs.append(await self.handlers.prepare_run(call.account, submission))
             except Refused as refused:
-                raise told_in_their_words(refused, number) from refused
-            made = await self.routes.book.made_by(call.account, key_of(info.eval_model))
-            if made is not None and made[0] != asked.digest(number):
+                raise translate_refusal(refused, number) from refused
+            existing = await self.handlers.registry.find_by_key(
+                call.account, idempotency_key(info.eval_model)
+            )
+            if existing is not None and existing[0] != requested.digest(number):
                 raise Refused(
                     "idempotency_conflict",
                     f"An evaluation of another body is named {info.eval_model}.",
                     errors=[(f"/eval_infos/{number}/eval_model", "is used once")],
                 )
-        kept = [
-            await self.routes.book.add(run, key_of(info.eval_model), asked.digest(i))
-            for i, (run, info) in enumerate(zip(runs, asked.eval_infos, strict=True))
+        created = [
+            await self.handlers.registry.add(
+                run, idempotency_key(info.eval_model), requested.digest(i)
+            )
+            for i, (run, info) in enumerate(
+                zip(runs, requested.eval_infos, strict=True)
+            )
         ]
         tasks = [
             {
@@ -96,57 +108,61 @@ class Flageval:
                 "chip": info.chip,
                 "datasets": list(dict.fromkeys(e.task for e in run.episodes)),
             }
-            for run, info in zip(kept, asked.eval_infos, strict=True)
+            for run, info in zip(created, requested.eval_infos, strict=True)
         ]
-        request_id = ".".join(run.run_id for run in kept)
-        return answer(request_id=request_id, eval_tasks=tasks)
+        request_id = ".".join(run.run_id for run in created)
+        return success_response(request_id=request_id, eval_tasks=tasks)
 
-    async def evaldiffs(self, call: Call) -> Response:
-        asked = await self._asked(call, Named, "request_id", str)
-        ones = await self._evaluated(call, asked.request_id)
+    async def evaldiffs(self, call: OperationCall) -> Response:
+        requested = await self._read_query_or_body(
+            call, RequestReference, "request_id", str
+        )
+        ones = await self._evaluated(call, requested.request_id)
         results = {
             one.eval_model: one.result(await self._baseline(call, one, ones))
             for one in ones
         }
-        return answer(eval_results=results, tolerance=TOLERANCE)
+        return success_response(eval_results=results, tolerance=TOLERANCE)
 
-    async def stop(self, call: Call) -> Response:
-        stopped = partial(self.routes.stopped, stop=Stop("abort"))
-        await self._all(call, "stop_abort", stopped)
-        return answer()
+    async def stop(self, call: OperationCall) -> Response:
+        stopped = partial(self.handlers.apply_stop, stop=Stop("abort"))
+        await self._apply_to_each(call, "stop_abort", stopped)
+        return success_response()
 
-    async def resume(self, call: Call) -> Response:
-        await self._all(call, "resume_run", self.routes.resumed)
-        return answer()
+    async def resume(self, call: OperationCall) -> Response:
+        await self._apply_to_each(call, "resume_run", self.handlers.apply_resume)
+        return success_response()
 
-    async def progress(self, call: Call) -> Response:
-        return answer(**progress(await self._evaluated(call, call.body.request_id)))
+    async def progress(self, call: OperationCall) -> Response:
+        return success_response(
+            **progress(await self._evaluated(call, call.body.request_id))
+        )
 
-    async def diffs_by_id(self, call: Call) -> Response:
+    async def diffs_by_id(self, call: OperationCall) -> Response:
         """As their server answers: a map."""
-        return answer(eval_diffs=await self._diffs(call), tolerance=TOLERANCE)
+        return success_response(eval_diffs=await self._diffs(call), tolerance=TOLERANCE)
 
-    async def diffs_in_a_list(self, call: Call) -> Response:
+    async def diffs_as_list(self, call: OperationCall) -> Response:
         """As their document has it: a list."""
         found = await self._diffs(call)
         diffs = [{"request_id": name} | diff for name, diff in found.items()]
-        return answer(eval_diffs=diffs, tolerance=TOLERANCE)
+        return success_response(eval_diffs=diffs, tolerance=TOLERANCE)
 
-    async def _diffs(self, call: Call) -> dict[str, dict[str, Any]]:
-        asked = await self._asked(
-            call, Diffs, "request_ids", lambda text: text.split(",")
+    async def _diffs(self, call: OperationCall) -> dict[str, dict[str, Any]]:
+        requested = await self._read_query_or_body(
+            call, DiffsRequest, "request_ids", lambda text: text.split(",")
         )
-        first, *others = asked.request_ids
+        first, *others = requested.request_ids
         bases = await self._evaluated(call, first)
         base = next((one for one in bases if one.is_baseline), bases[0])
         return {
             name: (await self._evaluated(call, name))[0].diff(base) for name in others
         }
 
-    async def _images(self, asked: Evaluation) -> Mapping[str, Any] | None:
+    async def _images(self, requested: EvaluationRequest) -> Mapping[str, Any] | None:
         """What a chat model can be shown; None for the benchmark's own choice."""
         try:
-            benchmark = await self.routes.benchmarks.view(asked.benchmark_id)
+            benchmark = await self.handlers.benchmarks.view(requested.benchmark_id)
         except Refused as refused:
             raise Refused(
                 "invalid_request", refused.detail, errors=[("/mode", "names none")]
@@ -154,15 +170,15 @@ class Flageval:
         if not is_answered_in_words(benchmark):
             raise Refused(
                 "invalid_request",
-                f"{asked.benchmark_id} is not answered in words.",
+                f"{requested.benchmark_id} is not answered in words.",
                 errors=[("/mode", "names no questions")],
             )
         codecs, size = benchmark["image_codecs"], benchmark["image_sizes"][0]
         return {"codec": "png", **size} if "png" in codecs else None
 
     async def _baseline(
-        self, call: Call, one: Evaluated, beside: Sequence[Evaluated]
-    ) -> Evaluated | None:
+        self, call: OperationCall, one: EvaluationView, beside: Sequence[EvaluationView]
+    ) -> EvaluationView | None:
         """Itself, if it is one; else that of this request; else an earlier one."""
         if one.is_baseline:
             return one
@@ -171,37 +187,45 @@ class Flageval:
         bases.sort(key=lambda other: other.eval_model != name)
         if bases:
             return bases[0]
-        made = await self.routes.book.made_by(call.account, key_of(name))
-        if made is None:
+        existing = await self.handlers.registry.find_by_key(
+            call.account, idempotency_key(name)
+        )
+        if existing is None:
             return None
-        return (await self._evaluated(call, made[1]))[0]
+        return (await self._evaluated(call, existing[1]))[0]
 
-    async def _evaluated(self, call: Call, request_id: str) -> list[Evaluated]:
-        look = self.routes.book.look
+    async def _evaluated(
+        self, call: OperationCall, request_id: str
+    ) -> list[EvaluationView]:
+        look = self.handlers.registry.read_view
         return [
-            await look(run_id, call.account, Evaluated.of, end=None)
+            await look(run_id, call.account, EvaluationView.from_run, end=None)
             for run_id in request_id.split(".")
         ]
 
-    async def _all(self, call: Call, event: Event, act: Callable[[Call], Any]) -> None:
+    async def _apply_to_each(
+        self, call: OperationCall, event: Event, act: Callable[[OperationCall], Any]
+    ) -> None:
         """Those of the request's runs that may; refused when none of them may."""
         ids = call.body.request_id.split(".")
-        runs = [await self.routes.book.get(run_id, call.account) for run_id in ids]
+        runs = [
+            await self.handlers.registry.get(run_id, call.account) for run_id in ids
+        ]
         may = [run.run_id for run in runs if legal(run, event)]
         for run_id in may or ids[:1]:
             await act(replace(call, path={"run_id": run_id}))
 
-    async def _asked(
+    async def _read_query_or_body(
         self,
-        call: Call,
-        model: type[Asked],
+        call: OperationCall,
+        model: type[Body],
         name: str,
         read: Callable[[str], Any],
-    ) -> Asked:
+    ) -> Body:
         """From the query, or from the body that their client sends with a GET."""
         if name in call.query:
             return codec.validate(model, {name: read(call.query[name])})
         codec.media_type_of(call.request, (JSON,))
-        limit = self.routes.settings.max_body_bytes
+        limit = self.handlers.settings.max_body_bytes
         body = await codec.read_body(call.request, limit)
         return codec.validate(model, codec.decode(body, JSON))

@@ -61,7 +61,7 @@ class EvalInfo(BaseModel):
     base_model_name: str = Field("", max_length=200)
 
 
-class Evaluation(BaseModel):
+class EvaluationRequest(BaseModel):
     eval_infos: list[EvalInfo] = Field(min_length=1, max_length=EVALUATIONS_MOST)
     domain: Literal["NLP", "MM"]
     mode: str = ""
@@ -76,18 +76,18 @@ class Evaluation(BaseModel):
     def check(self) -> None:
         """What no schema says. Raises Refused."""
         if self.domain == "NLP" and not self.mode:
-            raise _wrong("/domain", "NLP has no datasets here; MM has")
+            raise _invalid("/domain", "NLP has no datasets here; MM has")
         names = [info.eval_model for info in self.eval_infos]
         for number, name in enumerate(names):
             if name in names[:number]:
-                raise _wrong(f"/eval_infos/{number}/eval_model", "stands there twice")
+                raise _invalid(f"/eval_infos/{number}/eval_model", "stands there twice")
 
     def submission(self, number: int, images: Mapping[str, Any] | None) -> Any:
         """Schema SubmitRun of one evaluation, and what else is kept with it."""
         info, at = self.eval_infos[number], f"/eval_infos/{number}"
         url = info.eval_url.removesuffix("/")
         if not url.endswith(COMPLETIONS):
-            raise _wrong(f"{at}/eval_url", f"ends with {COMPLETIONS}")
+            raise _invalid(f"{at}/eval_url", f"ends with {COMPLETIONS}")
         server: dict[str, Any] = {
             "url": url.removesuffix(COMPLETIONS),
             "protocol": "openai_chat",
@@ -112,7 +112,7 @@ class Evaluation(BaseModel):
         try:
             checked = codec.validate(models.SubmitRun, submission).model_dump()
         except Refused as refused:
-            raise told_in_their_words(refused, number) from refused
+            raise translate_refusal(refused, number) from refused
         return checked | {"labels": self._labels(number)}
 
     def _labels(self, number: int) -> dict[str, Any]:
@@ -126,26 +126,26 @@ class Evaluation(BaseModel):
         return hashlib.sha256(canonical).hexdigest()
 
 
-class Named(BaseModel):
+class RequestReference(BaseModel):
     request_id: RequestId
 
 
-class Progress(Named):
+class ProgressRequest(RequestReference):
     domain: Literal["NLP", "MM"]
 
 
-class Diffs(BaseModel):
+class DiffsRequest(BaseModel):
     """The first is the baseline."""
 
     request_ids: list[RequestId] = Field(min_length=1, max_length=EVALUATIONS_MOST)
 
 
-def key_of(eval_model: str) -> str:
+def idempotency_key(eval_model: str) -> str:
     """The Idempotency-Key of an evaluation: its name is used once in an account."""
     return f"flageval-{hashlib.sha256(eval_model.encode()).hexdigest()}"
 
 
-def told_in_their_words(refused: Refused, number: int) -> Refused:
+def translate_refusal(refused: Refused, number: int) -> Refused:
     """A refusal of a submission, pointing at what the client wrote."""
     at = f"/eval_infos/{number}"
     errors = [
@@ -161,10 +161,10 @@ def _generation(text: str, at: str) -> dict[str, float]:
     for part in filter(str.strip, text.split(",")):
         pair = _PAIR.fullmatch(part)
         if pair is None:
-            raise _wrong(at, "is name=number, with commas between them")
+            raise _invalid(at, "is name=number, with commas between them")
         found[_RENAMED.get(pair[1], pair[1])] = float(pair[2])
     return found
 
 
-def _wrong(at: str, text: str) -> Refused:
+def _invalid(at: str, text: str) -> Refused:
     return Refused("invalid_request", "The body cannot be meant.", errors=[(at, text)])

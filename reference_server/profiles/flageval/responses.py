@@ -19,32 +19,32 @@ from reference_server.http.codec import JSON
 from reference_server.http.problems import Refused
 from reference_server.rules import comparison
 from reference_server.rules.run import Episode, RunHead
-from reference_server.rules.scoring import Scored, score_of
+from reference_server.rules.scoring import ScoredEpisode, score_of
 
 Status = Literal["S", "F", "C", "OOR", "R"]
 BASELINE = "-nvidia-origin"
 TOLERANCE = comparison.TOLERANCE
 # Of several evaluations together: the first that one of them has.
-_GRAVEST: tuple[Status, ...] = ("R", "F", "OOR", "C", "S")
+_STATUS_PRIORITY: tuple[Status, ...] = ("R", "F", "OOR", "C", "S")
 
 
-def answer(**members: Any) -> Response:
+def success_response(**members: Any) -> Response:
     """Success, with both names that the message has in their documents."""
-    told = {"err_code": 0, "err_msg": "success", "err_message": "success"}
-    return Response(msgspec.json.encode(told | members), media_type=JSON)
+    envelope = {"err_code": 0, "err_msg": "success", "err_message": "success"}
+    return Response(msgspec.json.encode(envelope | members), media_type=JSON)
 
 
-def refusal(refused: Refused) -> Response:
+def refusal_response(refused: Refused) -> Response:
     """Always status 200: `err_code` 1 says that it was refused, the message why."""
     faults = "; ".join(f"{at or 'the body'} {text}" for at, text in refused.errors)
     parts = [refused.detail, faults and f"{faults}.", PROBLEMS[refused.code]["act"]]
     text = " ".join(filter(None, parts))
-    told = {"err_code": 1, "err_msg": text, "err_message": text}
-    return Response(msgspec.json.encode(told), media_type=JSON)
+    envelope = {"err_code": 1, "err_msg": text, "err_message": text}
+    return Response(msgspec.json.encode(envelope), media_type=JSON)
 
 
 @dataclass(frozen=True, slots=True)
-class Evaluated:
+class EvaluationView:
     """One evaluation as it stands: a run, in the words of this wire."""
 
     run_id: str
@@ -52,17 +52,17 @@ class Evaluated:
     base_model_name: str
     status: Status
     manifest_sha256: str
-    episodes: Sequence[Scored]
+    episodes: Sequence[ScoredEpisode]
 
     @classmethod
-    def of(cls, run: RunHead, episodes: Sequence[Episode]) -> Evaluated:
+    def from_run(cls, run: RunHead, episodes: Sequence[Episode]) -> EvaluationView:
         return cls(
             run.run_id,
             run.submission["policy"]["name"],
             run.submission.get("labels", {}).get("base_model_name", ""),
             status_of(run, episodes),
             run.manifest_sha256,
-            views.scored(episodes),
+            views.scored_episodes(episodes),
         )
 
     @property
@@ -75,15 +75,15 @@ class Evaluated:
         by_task: dict[str, dict[str, Any]] = score_of(self.episodes)["by_task"]
         return by_task
 
-    def beside(self, base: Evaluated | None) -> dict[str, Any] | None:
+    def compare_with(self, base: EvaluationView | None) -> dict[str, Any] | None:
         """Schema ComparedRun; None without a baseline of the same manifest."""
         if base is None or base.manifest_sha256 != self.manifest_sha256:
             return None
         return comparison.compare(base.episodes, self.episodes, TOLERANCE)
 
-    def result(self, base: Evaluated | None) -> dict[str, Any]:
+    def result(self, base: EvaluationView | None) -> dict[str, Any]:
         """EvalResult: what evaldiffs says of it."""
-        compared = self.beside(base)
+        compared = self.compare_with(base)
         details = [
             {
                 "dataset": task,
@@ -96,9 +96,9 @@ class Evaluated:
         release = compared is not None and compared["release"]
         return {"status": self.status, "details": details, "release": release}
 
-    def diff(self, base: Evaluated) -> dict[str, Any]:
+    def diff(self, base: EvaluationView) -> dict[str, Any]:
         """What evaluation_diffs says of it. Raises Refused."""
-        compared = self.beside(base)
+        compared = self.compare_with(base)
         if compared is None:
             raise Refused("not_comparable", f"{self.eval_model}: other datasets.")
         details = [
@@ -126,10 +126,10 @@ def status_of(run: RunHead, episodes: Sequence[Episode]) -> Status:
     return "OOR" if run.retryable and not is_ours else "F"
 
 
-def progress(evaluations: Sequence[Evaluated]) -> dict[str, Any]:
+def progress(evaluations: Sequence[EvaluationView]) -> dict[str, Any]:
     """How far all of a request's evaluations are, together."""
     statuses = {one.status for one in evaluations}
-    status = next(letter for letter in _GRAVEST if letter in statuses)
+    status = next(letter for letter in _STATUS_PRIORITY if letter in statuses)
     open_, done, total = [], 0, 0
     for one in evaluations:
         for task, group in one.datasets.items():
