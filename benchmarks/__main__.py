@@ -14,14 +14,14 @@ import sys
 from benchmarks import line_up, page, picture, report, results, round_trips, throughput
 from benchmarks.libraries import comparison, tables
 
-EVERYBODY = (
+ALL_CONTENDERS = (
     *("tcp", *line_up.PEERS),
     *("ours msgpack", "ours msgpack small", "ours json"),
 )
 PLAN = {
-    "state": EVERYBODY,
-    "camera": EVERYBODY,
-    "cameras": (*EVERYBODY, "ours json jpeg", "ours json jpeg files"),
+    "state": ALL_CONTENDERS,
+    "camera": ALL_CONTENDERS,
+    "cameras": (*ALL_CONTENDERS, "ours json jpeg", "ours json jpeg files"),
 }
 ROUNDS, ROUNDS_TRIED = 200, 5
 PARTS = ("round_trips", "throughput", "libraries")
@@ -40,7 +40,7 @@ def main() -> int:
 def _needs_no_peers(options: argparse.Namespace) -> bool:
     if "libraries" in options.parts:
         return False
-    asked = options.only or EVERYBODY
+    asked = options.only or ALL_CONTENDERS
     return "round_trips" not in options.parts or not set(asked) & set(line_up.PEERS)
 
 

@@ -72,60 +72,60 @@ def turns(case: Case, number: int) -> Iterator[tuple[int, Observation]]:
             yield sum(1 for _ in episode.play(chunk)), simulator.observe()
 
 
-def bare(case: Case, seconds: float) -> float:
+def measure_bare(case: Case, seconds: float) -> float:
     """Control steps per second of all processes together."""
-    counted, together = _FORKS.SimpleQueue(), _FORKS.Barrier(case.workers)
-    crew = [
-        _FORKS.Process(target=_loop, args=(case, number, seconds, together, counted))
+    counted, barrier = _FORKS.SimpleQueue(), _FORKS.Barrier(case.workers)
+    processes = [
+        _FORKS.Process(target=_loop, args=(case, number, seconds, barrier, counted))
         for number in range(case.workers)
     ]
-    for one in crew:
+    for one in processes:
         one.start()
-    told = [float(counted.get()) for _ in crew]
-    for one in crew:
+    results = [float(counted.get()) for _ in processes]
+    for one in processes:
         one.join()
-    return sum(told)
+    return sum(results)
 
 
-def _loop(case: Case, number: int, seconds: float, together: Any, counted: Any) -> None:
+def _loop(case: Case, number: int, seconds: float, barrier: Any, counted: Any) -> None:
     playing, steps = turns(case, number), 0
     next(playing)  # the first picture takes long
-    together.wait()
+    barrier.wait()
     began = time.monotonic()
     while time.monotonic() < began + seconds:
         steps += next(playing)[0]
     counted.put(steps / (time.monotonic() - began))
 
 
-def behind_tcp(case: Case, seconds: float) -> float:
+def measure_over_tcp(case: Case, seconds: float) -> float:
     """The same, asked for by a thread each over a socket of its own."""
-    told = _FORKS.SimpleQueue()
-    crew = [
-        _FORKS.Process(target=_answer, args=(case, number, told))
+    results = _FORKS.SimpleQueue()
+    processes = [
+        _FORKS.Process(target=_serve, args=(case, number, results))
         for number in range(case.workers)
     ]
-    for one in crew:
+    for one in processes:
         one.start()
-    places = [told.get() for _ in crew]
-    together = threading.Barrier(case.workers)
+    addresses = [results.get() for _ in processes]
+    barrier = threading.Barrier(case.workers)
     with ThreadPoolExecutor(case.workers) as threads:
-        asks = [
-            threads.submit(_ask, case, port, size, seconds, together)
-            for port, size in places
+        futures = [
+            threads.submit(_play_over_tcp, case, port, size, seconds, barrier)
+            for port, size in addresses
         ]
-        total = sum(ask.result() for ask in asks)
-    for one in crew:
+        total = sum(future.result() for future in futures)
+    for one in processes:
         one.join()
     return total
 
 
-def _answer(case: Case, number: int, told: Any) -> None:
+def _serve(case: Case, number: int, results: Any) -> None:
     """Serves one connection until it is closed."""
     playing = turns(case, number)
     _, seen = next(playing)
     with socket.create_server(("127.0.0.1", 0)) as listener:
         size = sum(map(len, _parts(0, seen)))
-        told.put((listener.getsockname()[1], size))
+        results.put((listener.getsockname()[1], size))
         connection, _ = listener.accept()
     with connection:
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
@@ -142,21 +142,21 @@ def _parts(steps: int, seen: Observation) -> list[bytes | memoryview]:
     return [steps.to_bytes(_COUNT_BYTES, "big") + state, *pictures]
 
 
-def _ask(
-    case: Case, port: int, size: int, seconds: float, together: threading.Barrier
+def _play_over_tcp(
+    case: Case, port: int, size: int, seconds: float, barrier: threading.Barrier
 ) -> float:
     request, steps = bytes(case.request_bytes), 0
-    room = memoryview(bytearray(size))
+    buffer = memoryview(bytearray(size))
     with socket.create_connection(("127.0.0.1", port)) as connection:
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        together.wait()
+        barrier.wait()
         began = time.monotonic()
         while time.monotonic() < began + seconds:
             connection.sendall(request)
             filled = 0
             while filled < size:
-                count = connection.recv_into(room[filled:])
+                count = connection.recv_into(buffer[filled:])
                 assert count, "a simulator has ended"
                 filled += count
-            steps += int.from_bytes(room[:_COUNT_BYTES], "big")
+            steps += int.from_bytes(buffer[:_COUNT_BYTES], "big")
         return steps / (time.monotonic() - began)

@@ -33,10 +33,10 @@ from benchmarks.stock import (
     FIRST_FINISHED,
     READY_RUNS,
     TASKS,
-    House,
-    Shelf,
+    DatabaseCase,
+    ServerProcess,
     fill,
-    house,
+    running_server,
 )
 
 WARM_UP = 5  # rounds that are not counted
@@ -47,27 +47,27 @@ SUBMISSION = {
     "policy": {"name": "growth"},
     "options": {"tasks": [*TASKS] * 25},
 }
-SHELVES = (
-    Shelf("10^2", 1, 100),
-    Shelf("10^4", 100, 100),
-    Shelf("10^6", 10_000, 100),
-    Shelf("1000 in one run", 300, 1000, same=True),
-    Shelf("1000 in every run", 300, 1000),
+DATABASE_CASES = (
+    DatabaseCase("10^2", 1, 100),
+    DatabaseCase("10^4", 100, 100),
+    DatabaseCase("10^6", 10_000, 100),
+    DatabaseCase("1000 in one run", 300, 1000, same=True),
+    DatabaseCase("1000 in every run", 300, 1000),
 )
-LARGE = SHELVES[2]
+LARGE = DATABASE_CASES[2]
 
 
 # --- what a request costs ---
 
 
 @dataclass
-class Asked:
+class TimedRequests:
     """The requests to one shelf's server: what was asked, and the seconds each took."""
 
-    shelf: Shelf
-    server: House
+    database_case: DatabaseCase
+    server: ServerProcess
     seconds: dict[str, list[float]] = field(default_factory=dict)
-    _asked: int = 0
+    _finished_index: int = 0
 
     def round(self, number: int) -> None:
         """Every operation once; `attach` takes a run that nobody took before."""
@@ -77,8 +77,8 @@ class Asked:
         episodes = f"{self._finished()}/episodes?limit={LIMIT}"
         self.time("list_episodes", "GET", episodes)
         pages = f"limit={LIMIT}"
-        if self.shelf.runs > LIMIT and not self.shelf.same:
-            below = LIMIT + number * LIMIT % (self.shelf.runs - LIMIT)
+        if self.database_case.runs > LIMIT and not self.database_case.same:
+            below = LIMIT + number * LIMIT % (self.database_case.runs - LIMIT)
             pages += f"&cursor={FIRST_FINISHED + below}"
         self.time("list_runs", "GET", f"/v1/runs?{pages}")
         made = self.time("submit", "POST", "/v1/runs", SUBMISSION)
@@ -88,8 +88,8 @@ class Asked:
 
     def _finished(self) -> str:
         """The run that was asked for longest ago: the least likely in memory."""
-        self._asked += not self.shelf.same
-        return f"/v1/runs/completed_{self._asked % self.shelf.runs}"
+        self._finished_index += not self.database_case.same
+        return f"/v1/runs/completed_{self._finished_index % self.database_case.runs}"
 
     def p50_ms(self) -> dict[str, float]:
         """Of each operation."""
@@ -109,24 +109,29 @@ class Asked:
 def measure_requests(directory: Path, rounds: int) -> dict[str, Any]:
     """p50 of each operation on each shelf, in ms, and as a ratio to the smallest."""
     with contextlib.ExitStack() as servers:
-        asked = [
-            Asked(shelf, servers.enter_context(house(directory / shelf.file)))
-            for shelf in SHELVES
+        requests = [
+            TimedRequests(
+                database_case,
+                servers.enter_context(running_server(directory / database_case.file)),
+            )
+            for database_case in DATABASE_CASES
         ]
         for number in range(rounds):
             if number == WARM_UP:
-                for one in asked:
+                for one in requests:
                     one.seconds.clear()
-            for one in asked:
+            for one in requests:
                 one.round(number)
-    p50_ms = {one.shelf.name: one.p50_ms() for one in asked}
-    smallest = p50_ms[SHELVES[0].name]
+    p50_ms = {one.database_case.name: one.p50_ms() for one in requests}
+    smallest = p50_ms[DATABASE_CASES[0].name]
     return {
         name: {
-            "p50_ms": {shelf: told[name] for shelf, told in p50_ms.items()},
+            "p50_ms": {
+                database_case: report[name] for database_case, report in p50_ms.items()
+            },
             "ratio": {
-                shelf: round(told[name] / smallest[name], 2)
-                for shelf, told in p50_ms.items()
+                database_case: round(report[name] / smallest[name], 2)
+                for database_case, report in p50_ms.items()
             },
         }
         for name in smallest
@@ -140,15 +145,17 @@ def measure_queue(path: Path, length: int, rounds: int) -> dict[str, Any]:
         for waiting in (0, length):
             own = path.with_suffix(f".{waiting}")
             shutil.copy(path, own)
-            server = servers.enter_context(house(own, PROCTOR_MAX_ACTIVE_RUNS="1"))
-            leave(server, waiting)
-            queues.append(Queue(Asked(SHELVES[0], server)))
+            server = servers.enter_context(
+                running_server(own, PROCTOR_MAX_ACTIVE_RUNS="1")
+            )
+            submit_idle_runs(server, waiting)
+            queues.append(Queue(TimedRequests(DATABASE_CASES[0], server)))
         for number in range(rounds + WARM_UP):
             for queue in queues:
                 if number == WARM_UP:
-                    queue.asked.seconds.clear()
+                    queue.requests.seconds.clear()
                 queue.round()
-    short, long = (queue.asked.p50_ms() for queue in queues)
+    short, long = (queue.requests.p50_ms() for queue in queues)
     ratio = {name: round(long[name] / short[name], 2) for name in short}
     return {"runs": length, "p50_ms": short, "ratio": ratio}
 
@@ -156,23 +163,23 @@ def measure_queue(path: Path, length: int, rounds: int) -> dict[str, Any]:
 class Queue:
     """A server that has no room, and one worker that plays there nevertheless."""
 
-    def __init__(self, asked: Asked) -> None:
-        self.asked = asked
+    def __init__(self, requests: TimedRequests) -> None:
+        self.requests = requests
         self._worker = "/v1/runs/ready_0/workers/w"
-        turn = asked.server.ask("PUT", self._worker, {"attach_key": "k"})
+        turn = requests.server.ask("PUT", self._worker, {"attach_key": "k"})
         self._session_id, self._seqs = turn["session_id"], itertools.count(1)
 
     def round(self) -> None:
-        made = self.asked.time("submit", "POST", "/v1/runs", SUBMISSION)
-        self.asked.time("get_run", "GET", f"/v1/runs/{made['run_id']}")
+        made = self.requests.time("submit", "POST", "/v1/runs", SUBMISSION)
+        self.requests.time("get_run", "GET", f"/v1/runs/{made['run_id']}")
         turn = predict(self._session_id, next(self._seqs))
-        self.asked.time("predict", "POST", f"{self._worker}/predict", turn)
+        self.requests.time("predict", "POST", f"{self._worker}/predict", turn)
 
 
 # --- what the server weighs ---
 
 
-def look(server: House, numbers: range) -> float:
+def read_finished_runs(server: ServerProcess, numbers: range) -> float:
     """Look at finished runs; returns the server's memory then, in MB."""
     for number in numbers:
         for path in ("", "/score", "/episodes"):
@@ -180,7 +187,7 @@ def look(server: House, numbers: range) -> float:
     return server.memory_mb()
 
 
-def play(server: House, count: int) -> float:
+def play(server: ServerProcess, count: int) -> float:
     """Play runs of one episode from submit to detach; returns the memory then, MB."""
     submission = {**SUBMISSION, "options": {"tasks": ["score"]}}
     for _ in range(count):
@@ -192,7 +199,7 @@ def play(server: House, count: int) -> float:
     return server.memory_mb()
 
 
-def leave(server: House, count: int) -> float:
+def submit_idle_runs(server: ServerProcess, count: int) -> float:
     """Submit runs that nobody will play; returns the server's memory then, in MB."""
     for _ in range(count):
         server.ask("POST", "/v1/runs", SUBMISSION)
@@ -208,11 +215,14 @@ def predict(session_id: str, seq: int, end: float = 0.0) -> dict[str, Any]:
 
 def measure_memory(path: Path) -> dict[str, Any]:
     """RSS in MB: after a few and after many finished, played and waiting runs."""
-    with house(path) as server:
+    with running_server(path) as server:
         at_start = server.memory_mb()
-        looked = [look(server, range(600)), look(server, range(600, 3600))]
+        looked = [
+            read_finished_runs(server, range(600)),
+            read_finished_runs(server, range(600, 3600)),
+        ]
         played = [play(server, 300), play(server, 700)]
-        waiting = [leave(server, 300), leave(server, 700)]
+        waiting = [submit_idle_runs(server, 300), submit_idle_runs(server, 700)]
     pairs = {"looked_at": looked, "played": played, "left_waiting": waiting}
     sizes = {
         name: {"few_mb": round(few, 1), "many_mb": round(many, 1)}
@@ -223,7 +233,7 @@ def measure_memory(path: Path) -> dict[str, Any]:
 
 def measure_turns(path: Path, turns: int) -> dict[str, Any]:
     """Bytes that turns inside one episode send to disk; and one that ends it."""
-    with house(path) as server:
+    with running_server(path) as server:
         worker = "/v1/runs/ready_0/workers/w"
         session_id = server.ask("PUT", worker, {"attach_key": "k"})["session_id"]
         before = server.written_bytes()
@@ -279,8 +289,8 @@ async def measure_waiting(
     seconds: float,
 ) -> dict[str, Any]:
     """MB and CPU of those who wait for nothing, each for another run."""
-    with house(path) as server:
-        look(server, range(8000, 8300))
+    with running_server(path) as server:
+        read_finished_runs(server, range(8000, 8300))
         before_mb = server.memory_mb()
         waiting = [await wait(server.netloc, number) for number in range(count)]
         await asyncio.sleep(3.0)
@@ -303,17 +313,20 @@ async def measure_waiting(
 # --- what is told ---
 
 
-def told(body: dict[str, Any]) -> str:
+def report(body: dict[str, Any]) -> str:
     """The part of docs/performance.md."""
-    shelves = [shelf.name for shelf in SHELVES]
+    database_cases = [database_case.name for database_case in DATABASE_CASES]
     rows = [
         [
             f"`{name}`",
-            *(f"{cost['p50_ms'][s]:.1f} ({cost['ratio'][s]:.2f})" for s in shelves),
+            *(
+                f"{cost['p50_ms'][s]:.1f} ({cost['ratio'][s]:.2f})"
+                for s in database_cases
+            ),
         ]
         for name, cost in body["requests"].items()
     ]
-    table = page.table(["p50 in ms (ratio)", *shelves], rows)
+    table = page.table(["p50 in ms (ratio)", *database_cases], rows)
     return "\n".join([table, "", *sentences(body)])
 
 
@@ -326,7 +339,7 @@ def sentences(body: dict[str, Any]) -> list[str]:
         "played": "300 and 1000 more were played to their end",
         "left_waiting": "300 and 1000 more were submitted and left alone",
     }
-    told = [
+    report = [
         f"Beside 10^6 episodes the server starts with {memory['at_start_mb']:.0f} MB.",
         *(
             f"After {what} it has {memory[name]['few_mb']:.0f} and "
@@ -348,7 +361,7 @@ def sentences(body: dict[str, Any]) -> list[str]:
             f"one {queue['get_run']:.2f} times, a turn {queue['predict']:.2f} times."
         ),
     ]
-    return [f"- {line}" for line in told]
+    return [f"- {line}" for line in report]
 
 
 def main() -> int:
@@ -365,9 +378,9 @@ def main() -> int:
         if directory is None:
             directory = Path(held.enter_context(tempfile.TemporaryDirectory()))
         directory.mkdir(exist_ok=True)
-        for shelf in SHELVES:
-            if not (directory / shelf.file).exists():
-                fill(directory / shelf.file, shelf)
+        for database_case in DATABASE_CASES:
+            if not (directory / database_case.file).exists():
+                fill(directory / database_case.file, database_case)
         large = directory / LARGE.file
         parts: dict[str, Callable[[], dict[str, Any]]] = {
             "requests": lambda: measure_requests(directory, options.rounds),
@@ -379,14 +392,16 @@ def main() -> int:
             ),
             "turns": lambda: measure_turns(large, 200),
             "memory": lambda: measure_memory(large),
-            "queue": lambda: measure_queue(directory / SHELVES[0].file, 3000, 40),
+            "queue": lambda: measure_queue(
+                directory / DATABASE_CASES[0].file, 3000, 40
+            ),
         }
         if options.only is not None:
             print(json.dumps(parts[options.only](), indent=1))
             return 0
         body = {name: part() for name, part in parts.items()}
     results.update("growth", {"measured_on": machine, **body})
-    text = told(body)
+    text = report(body)
     print(text)
     page.put("growth", text)
     return 0

@@ -87,7 +87,7 @@ def stamp(image: NDArray[np.uint8], step: int) -> None:
     image[0, 0] = step % 251
 
 
-class World:
+class ScenarioPlayer:
     """The peers' servers play it; ours plays the same in its simulator process."""
 
     def __init__(self, name: str) -> None:
@@ -114,14 +114,14 @@ def by_name(action: list[float]) -> dict[str, list[float]]:
     return {"joint_position": action[:joints], "gripper": action[joints:]}
 
 
-class Judge:
+class ObservationChecker:
     """Whether a client got what was to be seen. Raises AssertionError if not."""
 
     def __init__(self, name: str) -> None:
         self._pictures = pictures(SCENARIOS[name])
         self._last_step = -1
 
-    def look(
+    def check(
         self,
         sent: Sequence[float],
         state: Mapping[str, Vector],

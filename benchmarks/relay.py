@@ -14,7 +14,7 @@ from typing import NamedTuple, Self
 _CHUNK_BYTES = 2**18
 
 
-class Weight(NamedTuple):
+class ByteCounts(NamedTuple):
     """Bytes from the client to the server, and from the server to the client."""
 
     up: int
@@ -34,9 +34,9 @@ class Relay:
         self._counts = {"up": 0, "down": 0}
         self._threads = [threading.Thread(target=self._accept, daemon=True)]
 
-    def weight(self) -> Weight:
+    def byte_counts(self) -> ByteCounts:
         """So far. A byte counts before it is sent on."""
-        return Weight(**self._counts)
+        return ByteCounts(**self._counts)
 
     def __enter__(self) -> Self:
         self._threads[0].start()

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks import line_up, observations, rounds
-from benchmarks.relay import Weight
+from benchmarks.relay import ByteCounts
 from benchmarks.results import Json
 
 WARM_UP_TURNS = 30
@@ -58,38 +58,38 @@ def _scenario(scenario: str, names: Sequence[str], count: int, say: Say) -> Json
         for name in names:
             say(f"{scenario}: starting {name}")
             contender = line_up.contender(name, scenario, Path(scratch))
-            pairs.append(standing.enter_context(rounds.Pair(contender)))
-        turns = {pair.name: _warmed_up(pair) for pair in pairs}
+            pairs.append(standing.enter_context(rounds.ContenderPair(contender)))
+        turns = {pair.name: _warm_up(pair) for pair in pairs}
         say(f"{scenario}: playing {count} rounds")
         played = rounds.play(pairs, count, turns)
-        weights = {pair.name: pair.weight for pair in pairs}
+        weights = {pair.name: pair.byte_counts for pair in pairs}
     shown = {name: _summary(played[name], weights[name]) for name in names}
     for name, one in shown.items():
         say(f"  {name:21} p50 {one['p50_ms']:8.3f} ms   p99 {one['p99_ms']:8.3f} ms")
     return shown
 
 
-def _warmed_up(pair: rounds.Pair) -> int:
+def _warm_up(pair: rounds.ContenderPair) -> int:
     """How many turns it shall play in a round."""
     pair.play(2, whole=True)
-    tried = rounds.Played()
+    tried = rounds.TurnTimes()
     pair.play(2, tried)
     slow = statistics.mean(tried.ns) / 1e9 > SHARE_S
     if not slow:
-        tried = rounds.Played()
+        tried = rounds.TurnTimes()
         pair.play(WARM_UP_TURNS, tried)
     return max(1, min(TURNS_MAX, int(SHARE_S * 1e9 / statistics.median(tried.ns))))
 
 
-def _summary(played: rounds.Played, weight: Weight) -> Json:
+def _summary(played: rounds.TurnTimes, byte_counts: ByteCounts) -> Json:
     turns = len(played.ns)
     percentiles = statistics.quantiles(played.ns, n=100, method="inclusive")
     return {
         "turns": turns,
         "p50_ms": round(percentiles[49] / 1e6, 4),
         "p99_ms": round(percentiles[98] / 1e6, 4),
-        "up_bytes": weight.up,
-        "down_bytes": weight.down,
+        "up_bytes": byte_counts.up,
+        "down_bytes": byte_counts.down,
         # Per turn in ms, and so per thousand turns in seconds.
         "server_cpu_s": round(played.server_cpu_s / turns * 1000, 4),
         "client_cpu_s": round(played.client_cpu_s / turns * 1000, 4),

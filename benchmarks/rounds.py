@@ -19,11 +19,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Self
 
-from benchmarks.relay import Relay, Weight
+from benchmarks.relay import ByteCounts, Relay
 
 ROOT = Path(__file__).resolve().parents[1]
 _CLOCK_OF_PROCESS = 2  # CPUCLOCK_SCHED, see clock_getcpuclockid(3)
-_FAREWELL_S = 10.0
+_EXIT_TIMEOUT_S = 10.0
 _WEIGHED_TURNS = 10
 
 
@@ -42,7 +42,7 @@ class Contender:
 
 
 @dataclass(slots=True)
-class Played:
+class TurnTimes:
     """What one contender's turns took: each in ns, CPU in seconds of all of them."""
 
     ns: list[int] = field(default_factory=list)
@@ -50,11 +50,11 @@ class Played:
     client_cpu_s: float = 0.0
 
 
-class Failed(RuntimeError):
+class ContenderFailed(RuntimeError):
     """A process of a contender ended or said something else than it should."""
 
 
-class Pair:
+class ContenderPair:
     """A contender's two processes, from their start to their end."""
 
     def __init__(self, contender: Contender) -> None:
@@ -66,7 +66,7 @@ class Pair:
         try:
             self._server = self._start(self._contender.server)
             address = self._address()
-            self.weight = self._weigh(address)
+            self.byte_counts = self._measure_bytes(address)
             self._client = self._join(address)
         except BaseException:
             self.close()
@@ -81,26 +81,28 @@ class Pair:
             self._end(self._processes.pop(), asked=len(self._processes) > 0)
 
     def play(
-        self, turns: int, played: Played | None = None, *, whole: bool = False
+        self, turns: int, played: TurnTimes | None = None, *, whole: bool = False
     ) -> None:
         """Adds to what was played. whole: every pixel is compared. Raises Failed."""
         before_s = self._server_cpu_s()
-        told = self._tell(self._client, f"{'check' if whole else 'play'} {turns}")
+        reply = self._send_command(
+            self._client, f"{'check' if whole else 'play'} {turns}"
+        )
         if played is not None:
-            played.ns += told["ns"]
+            played.ns += reply["ns"]
             played.server_cpu_s += self._server_cpu_s() - before_s
-            played.client_cpu_s += told["cpu_ns"] / 1e9
+            played.client_cpu_s += reply["cpu_ns"] / 1e9
 
-    def _weigh(self, address: str) -> Weight:
+    def _measure_bytes(self, address: str) -> ByteCounts:
         """By a client that reaches the server through a relay, and is then gone."""
         with Relay(address) as relay:
             client = self._join(relay.address)
-            self._tell(client, "play 2")
-            before = relay.weight()
-            self._tell(client, f"play {_WEIGHED_TURNS}")
-            after = relay.weight()
+            self._send_command(client, "play 2")
+            before = relay.byte_counts()
+            self._send_command(client, f"play {_WEIGHED_TURNS}")
+            after = relay.byte_counts()
             self._end(self._processes.pop(), asked=True)
-        return Weight(
+        return ByteCounts(
             *(
                 round((b - a) / _WEIGHED_TURNS)
                 for a, b in zip(before, after, strict=True)
@@ -135,7 +137,7 @@ class Pair:
             if words[:1] == ["ready"] or words[-2:-1] == ["at"]:
                 return words[-1]
 
-    def _tell(self, client: subprocess.Popen[str], line: str) -> Any:
+    def _send_command(self, client: subprocess.Popen[str], line: str) -> Any:
         assert client.stdin is not None
         with contextlib.suppress(BrokenPipeError):  # what it says then tells enough
             client.stdin.write(line + "\n")
@@ -143,13 +145,13 @@ class Pair:
         return json.loads(self._line(client))
 
     def _server_cpu_s(self) -> float:
-        return sum(map(cpu_s, family(self._server.pid)))
+        return sum(map(cpu_s, process_tree(self._server.pid)))
 
     def _line(self, process: subprocess.Popen[str], wanted: str = "") -> str:
         assert process.stdout is not None
         line = process.stdout.readline()
         if not line or wanted not in line:
-            raise Failed(f"{self.name}: {process.args!r} said {line!r}")
+            raise ContenderFailed(f"{self.name}: {process.args!r} said {line!r}")
         return line.strip()
 
     @staticmethod
@@ -162,14 +164,14 @@ class Pair:
         if not asked:
             process.terminate()
         try:
-            process.wait(_FAREWELL_S)
+            process.wait(_EXIT_TIMEOUT_S)
         except subprocess.TimeoutExpired:
             process.kill()
             process.wait()
         process.stdout.close()
 
 
-def family(pid: int) -> list[int]:
+def process_tree(pid: int) -> list[int]:
     """A process and all that come from it."""
     found = [pid]
     for parent in found:
@@ -188,10 +190,10 @@ def cpu_s(pid: int) -> float:
 
 
 def play(
-    pairs: Sequence[Pair], rounds: int, turns: Mapping[str, int]
-) -> dict[str, Played]:
+    pairs: Sequence[ContenderPair], rounds: int, turns: Mapping[str, int]
+) -> dict[str, TurnTimes]:
     """Plays `turns` of each contender in each round; each round begins with another."""
-    played = {pair.name: Played() for pair in pairs}
+    played = {pair.name: TurnTimes() for pair in pairs}
     for number in range(rounds):
         first = number % len(pairs)
         for pair in (*pairs[first:], *pairs[:first]):

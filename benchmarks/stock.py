@@ -35,7 +35,7 @@ TASKS = ("score", "count", "delay", "echo")
 
 
 @dataclass(frozen=True)
-class Shelf:
+class DatabaseCase:
     """One database: what its column is called and what is stored in it.
 
     runs: finished runs. episodes: of each run, all scored. same: ask for the same run
@@ -55,7 +55,7 @@ class Shelf:
 # --- what is stored ---
 
 
-def a_run(length: int, state: State) -> Run:
+def build_run(length: int, state: State) -> Run:
     """A calibration run; completed means that every episode is scored."""
     tasks = [TASKS[index % len(TASKS)] for index in range(length)]
     options = {"tasks": tasks, "max_steps": 10_000}
@@ -67,9 +67,9 @@ def a_run(length: int, state: State) -> Run:
     ]
     for episode in episodes if state == "completed" else ():
         score = episode.index / length
-        won: Outcome = "success" if episode.index % 3 else "failure"
+        outcome: Outcome = "success" if episode.index % 3 else "failure"
         ended_at = 1.7e9 + episode.index
-        episode.result = Result(won, score, 1, 7, True, False, score / 4, ended_at)
+        episode.result = Result(outcome, score, 1, 7, True, False, score / 4, ended_at)
     return Run(
         run_id=f"template_{state}",
         number=0,
@@ -96,7 +96,7 @@ async def store_templates(path: Path, length: int) -> None:
     await store.open()
     states: tuple[State, ...] = ("completed", "ready")
     for state in states:
-        run = a_run(length, state)
+        run = build_run(length, state)
         await store.insert(run, None, "")
         run.changed = {e.index for e in run.episodes if e.result is not None}
         await store.save(run)
@@ -117,13 +117,13 @@ def copy_rows(database: sqlite3.Connection, table: str, source: int) -> None:
     )
 
 
-def fill(path: Path, shelf: Shelf) -> None:
+def fill(path: Path, database_case: DatabaseCase) -> None:
     """Finished runs from FIRST_FINISHED on, and behind them runs for a worker."""
-    asyncio.run(store_templates(path, shelf.episodes))
+    asyncio.run(store_templates(path, database_case.episodes))
     with contextlib.closing(sqlite3.connect(path)) as database:
         find = "SELECT number FROM runs WHERE run_id = ?"
         for state, first, count in (
-            ("completed", FIRST_FINISHED, shelf.runs),
+            ("completed", FIRST_FINISHED, database_case.runs),
             ("ready", FIRST_READY, READY_RUNS),
         ):
             (source,) = database.execute(find, [f"template_{state}"]).fetchone()
@@ -144,7 +144,7 @@ def fill(path: Path, shelf: Shelf) -> None:
 # --- the server ---
 
 
-class House:
+class ServerProcess:
     """A server on one database, and one kept connection to it."""
 
     def __init__(self, path: Path, **settings: str) -> None:
@@ -199,8 +199,8 @@ class House:
 
 
 @contextmanager
-def house(path: Path, **settings: str) -> Iterator[House]:
-    server = House(path, **settings)
+def running_server(path: Path, **settings: str) -> Iterator[ServerProcess]:
+    server = ServerProcess(path, **settings)
     try:
         yield server
     finally:

@@ -25,10 +25,10 @@ from pathlib import Path
 from proctor_client import ApiException, AttachWorker, PolicyInfo, StopRun, SubmitRun
 
 from benchmarks import page
-from benchmarks.bare import ACTIONS, Case, bare, behind_tcp
+from benchmarks.bare import ACTIONS, Case, measure_bare, measure_over_tcp
 from benchmarks.contenders.ours_client import TOKEN
 from benchmarks.results import Json
-from benchmarks.stock import house
+from benchmarks.stock import running_server
 from reference_client.protocol.connection import Connection
 
 ROUNDS, SECONDS = 3, 2.0
@@ -48,7 +48,7 @@ def measure(trying: bool, say: Callable[[str], None]) -> Json:
     seconds, rounds = (SECONDS_TRIED, 1) if trying else (SECONDS, ROUNDS)
     with (
         tempfile.TemporaryDirectory() as scratch,
-        house(Path(scratch, "bench.sqlite")) as server,
+        running_server(Path(scratch, "bench.sqlite")) as server,
     ):
         url = f"http://{server.netloc}"
         rows = [_row(case, url, seconds, rounds, say) for case in CASES]
@@ -60,9 +60,9 @@ def _row(
 ) -> Json:
     bares, limits, ours = [], [], []
     for _ in range(rounds):
-        bares.append(bare(case, seconds))
-        limits.append(behind_tcp(case, seconds))
-        ours.append(protocol(case, url, seconds))
+        bares.append(measure_bare(case, seconds))
+        limits.append(measure_over_tcp(case, seconds))
+        ours.append(measure_protocol(case, url, seconds))
     shares = [own / plain for own, plain in zip(ours, bares, strict=True)]
     limit = [raw / plain for raw, plain in zip(limits, bares, strict=True)]
     row = {
@@ -81,7 +81,7 @@ def _row(
 # Over the protocol
 
 
-class Worker:
+class ThroughputWorker:
     """One worker of a run; when there is nothing left to play, of a run of its own."""
 
     def __init__(self, case: Case, url: str, run_id: str, number: int) -> None:
@@ -95,11 +95,11 @@ class Worker:
         request = AttachWorker(attach_key=uuid.uuid4().hex)
         self._turn = self._plane.attach_worker(run_id, worker_id, request)
 
-    def play(self, seconds: float, together: threading.Barrier) -> float:
+    def play(self, seconds: float, barrier: threading.Barrier) -> float:
         """Returns steps per second."""
         actions = [{"values": ACTIONS[self._case.benchmark]}] * self._case.chunk
         steps = 0
-        together.wait()
+        barrier.wait()
         began = time.monotonic()
         while time.monotonic() < began + seconds:
             before = self._turn
@@ -113,7 +113,7 @@ class Worker:
             steps += self._turn.executed_steps
             if self._turn.done:
                 benchmark_id = self._case.benchmark
-                self._attach(submitted(self._connection, benchmark_id, 1), "w")
+                self._attach(submit_run(self._connection, benchmark_id, 1), "w")
         return steps / (time.monotonic() - began)
 
     def close(self) -> None:
@@ -123,23 +123,26 @@ class Worker:
         self._connection.close()
 
 
-def submitted(connection: Connection, benchmark_id: str, workers: int) -> str:
+def submit_run(connection: Connection, benchmark_id: str, workers: int) -> str:
     """The id of a new run."""
     policy = PolicyInfo(name="benchmarks")
-    asked = SubmitRun(benchmark_id=benchmark_id, policy=policy, max_workers=workers)
-    return connection.control.submit_run(asked).run_id
+    request = SubmitRun(benchmark_id=benchmark_id, policy=policy, max_workers=workers)
+    return connection.control.submit_run(request).run_id
 
 
-def protocol(case: Case, url: str, seconds: float) -> float:
+def measure_protocol(case: Case, url: str, seconds: float) -> float:
     """Control steps per second of all workers together."""
     with Connection(url, TOKEN, requests=1) as connection:
-        run_id = submitted(connection, case.benchmark, case.workers)
-        crew = [Worker(case, url, run_id, number) for number in range(case.workers)]
-        together = threading.Barrier(case.workers)
+        run_id = submit_run(connection, case.benchmark, case.workers)
+        workers = [
+            ThroughputWorker(case, url, run_id, number)
+            for number in range(case.workers)
+        ]
+        barrier = threading.Barrier(case.workers)
         with ThreadPoolExecutor(case.workers) as threads:
-            plays = [threads.submit(one.play, seconds, together) for one in crew]
+            plays = [threads.submit(one.play, seconds, barrier) for one in workers]
             total = sum(play.result() for play in plays)
-        for one in crew:
+        for one in workers:
             one.close()
     return total
 

@@ -32,7 +32,7 @@ __all__ = [
 
 # Name → its module, imported when it is asked for: the command has to be able to say
 # what is not installed here.
-_HOMES = {
+_MODULES = {
     "Observation": "api.observation",
     "Policy": "api.policy",
     "ProctorError": "api.errors",
@@ -44,9 +44,9 @@ _HOMES = {
 
 
 def __getattr__(name: str) -> typing.Any:
-    if name not in _HOMES:
+    if name not in _MODULES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
+    return getattr(importlib.import_module(f"{__name__}.{_MODULES[name]}"), name)
 
 
 def __dir__() -> list[str]:

@@ -17,7 +17,7 @@ from reference_sim import calibration
 from reference_sim.benchmarks.mobile_bimanual import benchmark as mobile_bimanual
 from reference_sim.benchmarks.question_answering import benchmark as question_answering
 from reference_sim.benchmarks.tabletop import benchmark as tabletop
-from reference_sim.definition import Definition, Json
+from reference_sim.definition import BenchmarkDefinition, Json
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.interface import Simulator
 
@@ -43,7 +43,7 @@ class EpisodePlan:
 
 
 @dataclass(frozen=True, slots=True)
-class World:
+class SimulatorConfig:
     """What a simulator process needs to build its simulator; `settings` is JSON-able.
 
     Equal worlds share processes, so settings hold nothing that differs by episode.
@@ -64,7 +64,7 @@ class World:
 
 
 @dataclass(frozen=True, slots=True)
-class Resolved:
+class ResolvedBenchmark:
     """A benchmark with a submitter's choices applied.
 
     manifest: see Definition.describe.
@@ -73,7 +73,7 @@ class Resolved:
 
     manifest: Json
     episodes: tuple[EpisodePlan, ...]
-    world: World
+    world: SimulatorConfig
     images: Json
 
 
@@ -105,17 +105,17 @@ def resolve(
     images: Mapping[str, Any] | None = None,
     *,
     max_chunk: int = 64,
-) -> Resolved:
+) -> ResolvedBenchmark:
     """Raises UnknownBenchmark and InvalidChoice. Bounds are the schema's to check."""
     definition = _definition(benchmark_id)
     if options is not None and not definition.has_options:
         raise InvalidChoice("/options", f"{benchmark_id} takes no options")
     manifest = definition.describe(options or {}, max_chunk)
     chosen = _choose_images(manifest, images)
-    return Resolved(
+    return ResolvedBenchmark(
         manifest=manifest,
         episodes=tuple(EpisodePlan(**episode) for episode in manifest["episodes"]),
-        world=World(benchmark_id, definition.settings(chosen)),
+        world=SimulatorConfig(benchmark_id, definition.settings(chosen)),
         images=chosen,
     )
 
@@ -129,7 +129,7 @@ def unavailable_reason(benchmark_id: str) -> str | None:
     return _definition(benchmark_id).unavailable()
 
 
-def make(world: World) -> Simulator:
+def make(world: SimulatorConfig) -> Simulator:
     """Builds the simulator, in the process that is to run it."""
     if world.settings.get("adapter") == "gymnasium":
         from reference_sim.gymnasium import simulator
@@ -138,7 +138,7 @@ def make(world: World) -> Simulator:
     return _definition(world.benchmark_id).make(world.settings)
 
 
-def _definition(benchmark_id: str) -> Definition:
+def _definition(benchmark_id: str) -> BenchmarkDefinition:
     try:
         return _BENCHMARKS[benchmark_id]
     except KeyError:
@@ -158,7 +158,7 @@ def _choose_images(manifest: Json, images: Mapping[str, Any] | None) -> Json:
     return {"codec": images["codec"], **size}
 
 
-_BENCHMARKS: dict[str, Definition] = {
+_BENCHMARKS: dict[str, BenchmarkDefinition] = {
     **calibration.BENCHMARKS,
     **mobile_bimanual.BENCHMARKS,
     **question_answering.BENCHMARKS,

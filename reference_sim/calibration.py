@@ -10,7 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from reference_sim.definition import Definition, Json, bounded, image_sizes, vector
+from reference_sim.definition import (
+    BenchmarkDefinition,
+    Json,
+    bounded,
+    image_sizes,
+    vector,
+)
 from reference_sim.interface import (
     Action,
     Observation,
@@ -18,7 +24,7 @@ from reference_sim.interface import (
     StepOutcome,
     TaskUnplayable,
 )
-from reference_sim.process.shared_frame_buffer import CANVAS
+from reference_sim.process.shared_frame_buffer import FRAME_BUFFER
 
 TASKS = ("score", "count", "echo", "delay", "fault")
 VECTOR_SIZE = 8
@@ -68,7 +74,7 @@ class Calibration:
         if self._task != "echo":
             return Observation(state)
         height, width, _ = self._pattern.shape
-        pattern = CANVAS.blank(height, width)
+        pattern = FRAME_BUFFER.allocate(height, width)
         np.add(self._pattern, np.uint8(self._count % 256), out=pattern)
         return Observation(state, {"pattern": pattern}, TENSORS)
 
@@ -175,4 +181,6 @@ def _make(settings: Mapping[str, Any]) -> Simulator:
     return Calibration(settings["width"], settings["height"])
 
 
-BENCHMARKS = {"calibration": Definition(_describe, _settings, _make, has_options=True)}
+BENCHMARKS = {
+    "calibration": BenchmarkDefinition(_describe, _settings, _make, has_options=True)
+}

@@ -25,7 +25,7 @@ def _always_available() -> None:
 
 
 @dataclass(frozen=True, slots=True)
-class Definition:
+class BenchmarkDefinition:
     """What the catalog asks of a benchmark.
 
     describe: (options, max_chunk) → manifest: the schema Benchmark without

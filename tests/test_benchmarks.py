@@ -26,8 +26,8 @@ from benchmarks import (
     round_trips,
     throughput,
 )
-from benchmarks.contenders.player import Player
-from benchmarks.rounds import Failed, Pair, cpu_s
+from benchmarks.contenders.player import TurnClient
+from benchmarks.rounds import ContenderFailed, ContenderPair, cpu_s
 
 NAMES = ("tcp", "ours msgpack", "ours json")
 STATE_BYTES = 8 * 23
@@ -112,7 +112,7 @@ class Wires:
     """What may go wrong between a server and a client."""
 
     def __init__(self) -> None:
-        self.world = observations.World("camera")
+        self.world = observations.ScenarioPlayer("camera")
 
     def honest(self, action: list[float]) -> Any:
         return self.world.turn(action)
@@ -129,7 +129,7 @@ class Wires:
 
 
 def test_who_sends_the_right_observations_is_measured() -> None:
-    took, computed = Player(Wires().honest, "camera").play(3, whole=True)
+    took, computed = TurnClient(Wires().honest, "camera").play(3, whole=True)
     assert len(took) == 3
     assert computed > 0
 
@@ -137,7 +137,7 @@ def test_who_sends_the_right_observations_is_measured() -> None:
 @pytest.mark.parametrize("wire", ["deaf", "stale", "blind"])
 def test_who_sends_others_is_not(wire: str) -> None:
     with pytest.raises(AssertionError):
-        Player(getattr(Wires(), wire), "camera").play(1)
+        TurnClient(getattr(Wires(), wire), "camera").play(1)
 
 
 def test_a_process_that_has_gone_computes_nothing() -> None:
@@ -161,5 +161,5 @@ def test_a_contender_that_breaks_is_named(tmp_path: Path) -> None:
     """And nothing waits for it, nor is left behind."""
     sound = line_up.contender("tcp", "state", tmp_path)
     broken = dataclasses.replace(sound, client=[sys.executable, "-c", ""])
-    with pytest.raises(Failed, match="tcp: "), Pair(broken):
+    with pytest.raises(ContenderFailed, match="tcp: "), ContenderPair(broken):
         raise AssertionError("it cannot have begun")

@@ -55,11 +55,11 @@ def cameras(folder: Path) -> samples.Sample:
 
 
 def test_a_sample_is_a_request_and_its_answer(state: samples.Sample) -> None:
-    asked = state.asked
-    assert asked.path.endswith("/workers/w/predict")
-    assert asked.headers["Content-Type"] == "application/msgpack"
-    assert not {"Host", "Content-Length"} & set(asked.headers)
-    assert state.request.endswith(asked.body)
+    sample_request = state.sample_request
+    assert sample_request.path.endswith("/workers/w/predict")
+    assert sample_request.headers["Content-Type"] == "application/msgpack"
+    assert not {"Host", "Content-Length"} & set(sample_request.headers)
+    assert state.request.endswith(sample_request.body)
     turn = state.turn()
     assert (turn["seq"], turn["executed_steps"]) == (1, 1)
     assert sum(map(len, turn["observation"]["state"].values())) == 23
@@ -179,10 +179,10 @@ def test_a_client_is_answered_the_sample(
 ) -> None:
     server = loopback.CHOSEN_SERVER
     contender = loopback.contender(client, server, client, folder, sample)
-    (played,) = loopback.played([here(contender)], FEW, 3).values()
-    assert len(played.ns) == FEW * 3
-    assert played.server_cpu_s > 0
-    assert played.client_cpu_s > 0
+    (turn_times,) = loopback.turn_times([here(contender)], FEW, 3).values()
+    assert len(turn_times.ns) == FEW * 3
+    assert turn_times.server_cpu_s > 0
+    assert turn_times.client_cpu_s > 0
 
 
 def test_another_answer_ends_the_measuring(folder: Path, tmp_path: Path) -> None:
@@ -196,8 +196,8 @@ def test_another_answer_ends_the_measuring(folder: Path, tmp_path: Path) -> None
     mistaken = dataclasses.replace(
         here(honest), arguments=[name, str(tmp_path), samples.STATE]
     )
-    with pytest.raises(rounds.Failed, match=name):
-        loopback.played([mistaken], FEW, 3)
+    with pytest.raises(rounds.ContenderFailed, match=name):
+        loopback.turn_times([mistaken], FEW, 3)
 
 
 # --- tables ---

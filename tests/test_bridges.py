@@ -29,7 +29,7 @@ from reference_client.api.observation import observation_of
 from reference_client.api.policy import chunk_of
 from reference_client.generated import messages
 from reference_client.policies import BadMapping, BadPolicy, Mapping, load
-from reference_client.policies.pictures import fitted
+from reference_client.policies.pictures import resize_picture
 from tests.proctor_scenes import Proctor, here, server
 from tests.test_reference_client_scenes import ROOT, House, ServerProcess
 
@@ -117,8 +117,8 @@ def test_images() -> None:
     unit = "unit = true, layout = 'chw', leading = 1"
     batch = request(f"from = 'images.front', {unit}")
     assert (batch.shape, batch.dtype, batch.max()) == ((1, 3, 4, 8), np.float32, 1.0)
-    assert fitted(SEEN.images["front"], 4, 8) is SEEN.images["front"]
-    gray = fitted(SEEN.images["front"][:, :, :1], 2, 2)
+    assert resize_picture(SEEN.images["front"], 4, 8) is SEEN.images["front"]
+    gray = resize_picture(SEEN.images["front"][:, :, :1], 2, 2)
     assert gray.shape == (2, 2, 1)
 
 
@@ -187,9 +187,9 @@ def test_an_answer_that_does_not_fit_is_the_policys_fault(
 
 
 def _policy(ask: Callable[[dict[str, Any]], Any], made: Mapping) -> Any:
-    from reference_client.policies.source import _Asked
+    from reference_client.policies.source import _MappedPolicy
 
-    return _Asked(ask, made)
+    return _MappedPolicy(ask, made)
 
 
 # Files that are wrong
@@ -252,9 +252,11 @@ def test_a_mapping_for_another_benchmark_is_refused(
 def test_the_members_of_a_mapping_are_documented() -> None:
     from dataclasses import fields
 
-    from reference_client.policies.mapping import Entry, Vector
+    from reference_client.policies.mapping import ActionVector, RequestEntry
 
-    members = {f.name for row in (Entry, Vector) for f in fields(row)} - {"source"}
+    members = {f.name for row in (RequestEntry, ActionVector) for f in fields(row)} - {
+        "source"
+    }
     for member in members | {"from", "execute", "leading"}:
         assert f"`{member}`" in PAGE, member
 

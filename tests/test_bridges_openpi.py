@@ -18,7 +18,7 @@ from websockets.sync.server import Server, ServerConnection, serve
 
 from reference_client import ProctorError
 from reference_client.policies.ndarray import BadMessage, pack, unpack
-from reference_client.policies.openpi import PolicyServer
+from reference_client.policies.openpi import OpenpiClient
 from tests.proctor_scenes import Proctor, here, options, server
 from tests.test_reference_client_scenes import ServerProcess
 
@@ -226,4 +226,4 @@ def test_a_policy_server_that_is_not_there_leaves_no_run(
     assert "ws://127.0.0.1:9 does not answer" in told["error"]["detail"]
     assert proctor.json("status") == before
     with pytest.raises(ProctorError, match="no URL of a WebSocket"):
-        PolicyServer("ws://").infer({})
+        OpenpiClient("ws://").infer({})

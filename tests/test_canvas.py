@@ -21,95 +21,101 @@ from reference_server.http.codec import (
 from reference_sim import benchmark_registry
 from reference_sim.process.encoding import EncodedObservation, encode_image
 from reference_sim.process.pool import SimulatorPool
-from reference_sim.process.shared_frame_buffer import Canvas, Shared, mapped
-from reference_sim.process.simulator_process import Process
+from reference_sim.process.shared_frame_buffer import (
+    SharedFrameBuffer,
+    SharedMemoryRegion,
+    map_memory,
+)
+from reference_sim.process.simulator_process import SimulatorProcess
 from tests.test_simulator_pool import action
 
 HEIGHT, WIDTH = 30, 40
 SIZE = HEIGHT * WIDTH * 3
 
 
-def draw(canvas: Canvas, shade: int, images: int = 1) -> list[NDArray[np.uint8]]:
+def draw(
+    frame_buffer: SharedFrameBuffer, shade: int, images: int = 1
+) -> list[NDArray[np.uint8]]:
     """An observation of some images, all of one shade."""
-    canvas.turn_page()
-    pictures = [canvas.blank(HEIGHT, WIDTH) for _ in range(images)]
+    frame_buffer.swap()
+    pictures = [frame_buffer.allocate(HEIGHT, WIDTH) for _ in range(images)]
     for picture in pictures:
         picture.fill(shade)
     return pictures
 
 
 def test_memory_is_shared_as_soon_as_it_is_known_how_much() -> None:
-    canvas = Canvas()
-    (first,) = draw(canvas, 1)
-    assert canvas.place_of(first) is None
-    assert canvas.news() is None
-    (second,) = draw(canvas, 2)
-    told = canvas.news()
+    frame_buffer = SharedFrameBuffer()
+    (first,) = draw(frame_buffer, 1)
+    assert frame_buffer.place_of(first) is None
+    assert frame_buffer.pending_mapping() is None
+    (second,) = draw(frame_buffer, 2)
+    told = frame_buffer.pending_mapping()
     assert told is not None
-    assert canvas.news() is None
-    assert canvas.place_of(second) is not None
-    seen = mapped(os.getpid(), told)
-    offset, length = canvas.place_of(second) or (0, 0)
+    assert frame_buffer.pending_mapping() is None
+    assert frame_buffer.place_of(second) is not None
+    seen = map_memory(os.getpid(), told)
+    offset, length = frame_buffer.place_of(second) or (0, 0)
     assert seen[offset : offset + length] == bytes([2]) * SIZE
-    more = draw(canvas, 3, images=2)
-    assert [canvas.place_of(picture) is None for picture in more] == [False, True]
-    assert None not in map(canvas.place_of, draw(canvas, 4, images=2))
+    more = draw(frame_buffer, 3, images=2)
+    assert [frame_buffer.place_of(picture) is None for picture in more] == [False, True]
+    assert None not in map(frame_buffer.place_of, draw(frame_buffer, 4, images=2))
 
 
 def test_an_observation_stays_while_the_next_one_is_drawn() -> None:
-    canvas = Canvas()
-    draw(canvas, 1)
-    (second,) = draw(canvas, 2)
-    (third,) = draw(canvas, 3)
+    frame_buffer = SharedFrameBuffer()
+    draw(frame_buffer, 1)
+    (second,) = draw(frame_buffer, 2)
+    (third,) = draw(frame_buffer, 3)
     assert (second.max(), third.min()) == (2, 3)
-    (fourth,) = draw(canvas, 4)
+    (fourth,) = draw(frame_buffer, 4)
     assert (second.max(), third.max(), fourth.max()) == (4, 3, 4)
 
 
 def test_another_episode_draws_elsewhere() -> None:
     """What is still being sent to one client never shows what another one sees."""
-    canvas = Canvas()
-    draw(canvas, 1)
-    (mine,) = draw(canvas, 2)
-    canvas.begin_episode()
+    frame_buffer = SharedFrameBuffer()
+    draw(frame_buffer, 1)
+    (mine,) = draw(frame_buffer, 2)
+    frame_buffer.begin_episode()
     for shade in (3, 4, 5):
-        (theirs,) = draw(canvas, shade)
+        (theirs,) = draw(frame_buffer, shade)
     assert (mine.max(), theirs.max()) == (2, 5)
-    assert canvas.place_of(mine) is None
+    assert frame_buffer.place_of(mine) is None
 
 
 def test_pixels_from_elsewhere_are_copied() -> None:
-    canvas = Canvas()
-    draw(canvas, 1)
-    (shared,) = draw(canvas, 2)
-    assert "place" in encode_image(shared, "raw", canvas)
+    frame_buffer = SharedFrameBuffer()
+    draw(frame_buffer, 1)
+    (shared,) = draw(frame_buffer, 2)
+    assert "place" in encode_image(shared, "raw", frame_buffer)
     for pixels in (np.ones((2, 2, 3), np.uint8), shared[::-1], shared[:, :2]):
-        image = encode_image(pixels, "raw", canvas)
+        image = encode_image(pixels, "raw", frame_buffer)
         assert "place" not in image
         assert image["data"] == pixels.tobytes()
-    assert "place" not in encode_image(shared, "png", canvas)
+    assert "place" not in encode_image(shared, "png", frame_buffer)
 
 
 def test_memory_that_could_shrink_under_its_reader_is_refused() -> None:
     descriptor = os.memfd_create("loose", os.MFD_ALLOW_SEALING)
     os.ftruncate(descriptor, 4096)
     with pytest.raises(ValueError, match="could shrink"):
-        mapped(os.getpid(), Shared(descriptor, 4096))
+        map_memory(os.getpid(), SharedMemoryRegion(descriptor, 4096))
     fcntl.fcntl(descriptor, fcntl.F_ADD_SEALS, fcntl.F_SEAL_SHRINK)
     with pytest.raises(ValueError, match="could shrink"):
-        mapped(os.getpid(), Shared(descriptor, 4097))
-    assert mapped(os.getpid(), Shared(descriptor, 4096)) == bytes(4096)
+        map_memory(os.getpid(), SharedMemoryRegion(descriptor, 4097))
+    assert map_memory(os.getpid(), SharedMemoryRegion(descriptor, 4096)) == bytes(4096)
     os.close(descriptor)
 
 
 def test_descriptors_do_not_pile_up() -> None:
-    canvas, counts = Canvas(), []
+    frame_buffer, counts = SharedFrameBuffer(), []
     for _ in range(20):
-        canvas.begin_episode()
-        draw(canvas, 1)
-        draw(canvas, 2)
-        canvas.news()
-        canvas.parent_has_read()
+        frame_buffer.begin_episode()
+        draw(frame_buffer, 1)
+        draw(frame_buffer, 2)
+        frame_buffer.pending_mapping()
+        frame_buffer.acknowledge()
         counts.append(len(list(Path("/proc/self/fd").iterdir())))
     assert set(counts) == {counts[0]}
 
@@ -156,13 +162,15 @@ def test_images_come_out_of_the_process_bit_for_bit() -> None:
 
 
 def test_a_place_beside_the_memory_ends_the_process() -> None:
-    process = Process.__new__(Process)
-    process._canvas = memoryview(bytes(10))
+    process = SimulatorProcess.__new__(SimulatorProcess)
+    process._frame_memory = memoryview(bytes(10))
     for place in ((5, 6), (-2, 1), (11, 1)):
         image = encode_image(np.zeros((1, 1, 1), np.uint8), "raw")
         image["place"] = place
         with pytest.raises(ValueError, match="beside"):
-            process._take_down({"state": {}, "tensors": {}, "images": {"a": image}})
+            process._resolve_pixels(
+                {"state": {}, "tensors": {}, "images": {"a": image}}
+            )
 
 
 PIXELS = memoryview(bytes(range(256)) * (LARGE_BYTES // 64))

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from reference_sim import benchmark_registry
-from reference_sim.benchmark_registry import World
+from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.gymnasium import BadBenchmark
 from tests.test_layers import of_package, who_imports
 
@@ -44,7 +44,9 @@ def test_a_world_is_made_where_nothing_was_added() -> None:
     benchmark_registry.add(f"{EXAMPLES}/corridor.py:Corridor", print)
     world = benchmark_registry.resolve("corridor").world
     benchmark_registry._BENCHMARKS.clear()
-    simulator = benchmark_registry.make(World("corridor", dict(world.settings)))
+    simulator = benchmark_registry.make(
+        SimulatorConfig("corridor", dict(world.settings))
+    )
     assert simulator.reset("corridor", 1) == "Walk to the mark and stop there."
     assert simulator.observe().state["observation"].shape == (2,)
     simulator.close()

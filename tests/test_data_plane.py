@@ -179,8 +179,8 @@ def test_a_connection_that_was_hung_up_is_opened_again() -> None:
         for _ in range(3):
             assert ask(plane).seq == 1
             # While the policy thinks, the end of the connection arrives.
-            assert plane.exchange.connected is not None
-            assert wait_for_read(plane.exchange.connected, DEADLINE_S)
+            assert plane.http_connection.sock is not None
+            assert wait_for_read(plane.http_connection.sock, DEADLINE_S)
         assert server.connections == 3
 
 

@@ -12,7 +12,11 @@ from pathlib import Path
 import pytest
 
 from reference_client.protocol import http_connection
-from reference_client.protocol.http_connection import Answer, BrokenAnswer, Exchange
+from reference_client.protocol.http_connection import (
+    Answer,
+    BrokenAnswer,
+    HttpConnection,
+)
 from tests.certificates import certified
 
 TIMEOUTS_S = (5.0, 20.0)
@@ -45,28 +49,28 @@ class Scripted:
     def _serve(self) -> None:
         with contextlib.suppress(OSError):
             while True:
-                connected, _ = self._listener.accept()
+                sock, _ = self._listener.accept()
                 self.connections += 1
-                with connected:
-                    self._talk(connected)
+                with sock:
+                    self._talk(sock)
 
-    def _talk(self, connected: socket.socket) -> None:
-        connected.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    def _talk(self, sock: socket.socket) -> None:
+        sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         if self._tls is not None:
-            connected = self._tls.wrap_socket(connected, server_side=True)
-        with connected:
-            while self._scripts and _heard(connected):
+            sock = self._tls.wrap_socket(sock, server_side=True)
+        with sock:
+            while self._scripts and _heard(sock):
                 for piece in self._scripts.pop(0):
                     if piece is None:
                         return
-                    connected.sendall(piece)
-            _heard(connected)  # its end
+                    sock.sendall(piece)
+            _heard(sock)  # its end
 
 
-def _heard(connected: socket.socket) -> bool:
+def _heard(sock: socket.socket) -> bool:
     heard = b""
     while not heard.endswith(b"\r\n\r\n"):
-        part = connected.recv(4096)
+        part = sock.recv(4096)
         if not part:
             return False
         heard += part
@@ -76,11 +80,11 @@ def _heard(connected: socket.socket) -> bool:
 @contextlib.contextmanager
 def scripted(
     *scripts: Sequence[bytes | None], tls: ssl.SSLContext | None = None
-) -> Iterator[tuple[Scripted, Exchange]]:
+) -> Iterator[tuple[Scripted, HttpConnection]]:
     server = Scripted(scripts, tls)
     scheme = "https" if tls else "http"
     url = f"{scheme}://{'localhost' if tls else '127.0.0.1'}:{server.port}/base"
-    asking = Exchange(url, TIMEOUTS_S, lambda size: memoryview(bytearray(size)))
+    asking = HttpConnection(url, TIMEOUTS_S, lambda size: memoryview(bytearray(size)))
     try:
         yield server, asking
     finally:
@@ -95,7 +99,7 @@ def told(answer: Answer) -> tuple[int, str, bytes]:
 def test_a_connection_is_kept() -> None:
     with scripted([OK], [OK], [OK]) as (server, asking):
         for _ in range(3):
-            answer = asking.ask(REQUEST)
+            answer = asking.send_request(REQUEST)
             assert told(answer) == (200, "OK", b"body")
             assert answer.headers == {"x-two": "b", "content-length": "4"}
         assert server.connections == 1
@@ -117,8 +121,8 @@ def test_a_connection_is_kept() -> None:
 )
 def test_an_answer_may_come_in_any_pieces(pieces: list[bytes]) -> None:
     with scripted(pieces, [OK]) as (server, asking):
-        assert told(asking.ask(REQUEST)) == (200, "OK", b"body")
-        assert told(asking.ask(REQUEST)) == (200, "OK", b"body")
+        assert told(asking.send_request(REQUEST)) == (200, "OK", b"body")
+        assert told(asking.send_request(REQUEST)) == (200, "OK", b"body")
         assert server.connections == 1
 
 
@@ -135,8 +139,8 @@ def test_a_connection_that_ends_with_its_answer_is_left(
     pieces: list[bytes | None],
 ) -> None:
     with scripted(pieces, [OK]) as (server, asking):
-        assert told(asking.ask(REQUEST)) == (200, "OK", b"body")
-        assert told(asking.ask(REQUEST)) == (200, "OK", b"body")
+        assert told(asking.send_request(REQUEST)) == (200, "OK", b"body")
+        assert told(asking.send_request(REQUEST)) == (200, "OK", b"body")
         assert server.connections == 2
 
 
@@ -150,8 +154,8 @@ def test_a_large_body_is_received_where_it_will_be_used() -> None:
         return rooms[-1]
 
     with scripted([head + body]) as (server, _):
-        asking = Exchange(f"http://127.0.0.1:{server.port}", TIMEOUTS_S, room)
-        answer = asking.ask(REQUEST)
+        asking = HttpConnection(f"http://127.0.0.1:{server.port}", TIMEOUTS_S, room)
+        answer = asking.send_request(REQUEST)
         asking.close()
     assert answer.body is rooms[0]
     assert answer.body == body
@@ -163,8 +167,8 @@ def test_a_large_body_is_received_where_it_will_be_used() -> None:
 def test_an_answer_without_a_body_is_one(head: bytes) -> None:
     answer = b"HTTP/1.1 304 Not Modified\r\n" + head + b"\r\n"
     with scripted([answer], [OK]) as (server, asking):
-        assert told(asking.ask(REQUEST)) == (304, "Not Modified", b"")
-        assert told(asking.ask(REQUEST)) == (200, "OK", b"body")
+        assert told(asking.send_request(REQUEST)) == (304, "Not Modified", b"")
+        assert told(asking.send_request(REQUEST)) == (200, "OK", b"body")
         assert server.connections == 1
 
 
@@ -203,8 +207,8 @@ def test_what_is_no_answer_is_told_and_left(
 ) -> None:
     with scripted(pieces, [OK]) as (server, asking):
         with pytest.raises(BrokenAnswer, match=why):
-            asking.ask(REQUEST)
-        assert asking.connected is None
+            asking.send_request(REQUEST)
+        assert asking.sock is None
     assert server.connections == 1
 
 
@@ -216,16 +220,18 @@ def test_an_answer_without_end_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
         scripted([head, *[chunk] * 5]) as (_, asking),
         pytest.raises(BrokenAnswer, match="no end"),
     ):
-        asking.ask(REQUEST)
+        asking.send_request(REQUEST)
 
 
 def test_silence_has_an_end() -> None:
     with scripted([b"HTTP/1.1 200 OK\r\n"]) as (server, _):
         url = f"http://127.0.0.1:{server.port}"
-        asking = Exchange(url, (5.0, 0.05), lambda size: memoryview(bytearray(size)))
+        asking = HttpConnection(
+            url, (5.0, 0.05), lambda size: memoryview(bytearray(size))
+        )
         with pytest.raises(TimeoutError):
-            asking.ask(REQUEST)
-        assert asking.connected is None
+            asking.send_request(REQUEST)
+        assert asking.sock is None
 
 
 def test_tls_is_spoken_to_whom_the_certificate_names(
@@ -235,17 +241,17 @@ def test_tls_is_spoken_to_whom_the_certificate_names(
     with scripted([OK], [OK], tls=tls) as (server, asking):
         monkeypatch.setenv("SSL_CERT_FILE", str(authority))
         for _ in range(2):
-            assert told(asking.ask(REQUEST)) == (200, "OK", b"body")
+            assert told(asking.send_request(REQUEST)) == (200, "OK", b"body")
         assert server.connections == 1
     body = b"x" * 9000
     large = b"HTTP/1.1 200 OK\r\nContent-Length: 9000\r\n\r\n" + body
     unasked = [large[:4000], large[4000:] + OK]
     with scripted(unasked, [OK], tls=tls) as (server, asking):
         # What TLS has read ahead is no answer to the next request.
-        assert asking.ask(REQUEST).body == body
-        assert told(asking.ask(REQUEST)) == (200, "OK", b"body")
+        assert asking.send_request(REQUEST).body == body
+        assert told(asking.send_request(REQUEST)) == (200, "OK", b"body")
         assert server.connections == 2
     with scripted([OK], tls=tls) as (_, asking):
         monkeypatch.delenv("SSL_CERT_FILE")
         with pytest.raises(ssl.SSLCertVerificationError):
-            asking.ask(REQUEST)
+            asking.send_request(REQUEST)

@@ -4,8 +4,8 @@ import asyncio
 from collections.abc import Sequence
 from pathlib import Path
 
-from benchmarks.growth import SHELVES, told
-from benchmarks.stock import READY_RUNS, Shelf, fill
+from benchmarks.growth import DATABASE_CASES, report
+from benchmarks.stock import READY_RUNS, DatabaseCase, fill
 from reference_server.http import views
 from reference_server.rules.run import Episode, RunHead
 from reference_server.runs.registry import RunRegistry
@@ -15,7 +15,7 @@ from tests.parts import rows
 
 def test_a_shelf_is_full_of_runs_that_are_real(tmp_path: Path) -> None:
     path = tmp_path / "shelf.sqlite"
-    fill(path, Shelf("small", runs=3, episodes=8))
+    fill(path, DatabaseCase("small", runs=3, episodes=8))
     assert rows(path, "runs") == 3 + READY_RUNS
     assert rows(path, "episodes") == 3 * 8
     assert rows(path, "manifests") == 1
@@ -42,7 +42,7 @@ def test_a_shelf_is_full_of_runs_that_are_real(tmp_path: Path) -> None:
 
 
 def test_the_page_tells_every_figure() -> None:
-    shelves = [shelf.name for shelf in SHELVES]
+    shelves = [database_case.name for database_case in DATABASE_CASES]
     figures = iter(range(1000, 2000))
     cost = {
         "p50_ms": {name: float(next(figures)) for name in shelves},
@@ -75,6 +75,6 @@ def test_the_page_tells_every_figure() -> None:
             },
         },
     }
-    text = told(body)
+    text = report(body)
     missing = [n for n in range(1000, next(figures)) if str(n) not in text]
     assert missing == []

@@ -13,7 +13,7 @@ from reference_sim.definition import Json
 from reference_sim.gymnasium import BadBenchmark, registration
 from reference_sim.gymnasium.__main__ import main
 from reference_sim.gymnasium.benchmark_file import Benchmark
-from reference_sim.gymnasium.check import Check
+from reference_sim.gymnasium.check import BenchmarkCheck
 
 HERE = Path(__file__).parent
 WORLDS = "gymnasium_worlds.py"
@@ -26,7 +26,7 @@ def benchmark(world: str, **members: Any) -> Benchmark:
 
 def look(world: str, **members: Any) -> Json:
     """Checks in this process; what hangs or dies is examined in one of its own."""
-    return Check(benchmark(world, **members), HERE, print).look()
+    return BenchmarkCheck(benchmark(world, **members), HERE, print).look()
 
 
 def two_tasks(first: Any, second: Any) -> list[Json]:
@@ -146,7 +146,7 @@ def test_a_return_that_was_not_asked_for_is_judged_at_the_end_too() -> None:
     cartpole = Benchmark(
         benchmark_id="c", environment="CartPole-v1", success_rule="any_step"
     )
-    (line,) = Check(cartpole, HERE, print).look()["faults"]
+    (line,) = BenchmarkCheck(cartpole, HERE, print).look()["faults"]
     assert "known at the end: last_step" in line
 
 

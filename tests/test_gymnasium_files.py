@@ -8,7 +8,7 @@ import pytest
 
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.gymnasium.benchmark_file import (
-    READY,
+    BUNDLED_BENCHMARKS,
     Benchmark,
     legal_id,
     read,
@@ -188,7 +188,7 @@ def test_ids_are_legal(name: str, benchmark_id: str) -> None:
 
 def test_meta_world_has_fifty_tasks_that_their_instructions_tell_apart() -> None:
     ((benchmark, _),) = read("metaworld_mt50")
-    assert READY.keys() == {benchmark.benchmark_id}
+    assert BUNDLED_BENCHMARKS.keys() == {benchmark.benchmark_id}
     assert len({task.name for task in benchmark.tasks}) == 50
     assert len({task.instruction for task in benchmark.tasks}) == 50
     assert all(task.kwargs == {"task": task.name} for task in benchmark.tasks)

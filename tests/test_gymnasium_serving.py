@@ -16,10 +16,10 @@ import pytest
 from reference_client import Observation, evaluate
 from reference_server.generated.models import Benchmark as Manifest
 from reference_sim import benchmark_registry
-from reference_sim.benchmark_registry import World
+from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.gymnasium import registration
 from reference_sim.gymnasium.benchmark_file import Benchmark
-from reference_sim.gymnasium.check import Check
+from reference_sim.gymnasium.check import BenchmarkCheck
 from reference_sim.gymnasium.simulator import GymnasiumSimulator
 from reference_sim.interface import TaskUnplayable
 from reference_sim.process.encoding import EncodedObservation
@@ -36,7 +36,7 @@ def settings_of(world: str, **members: Any) -> dict[str, Any]:
     made_by = f"gymnasium_worlds.py:{world}"
     content = {"benchmark_id": "mine", "made_by": made_by} | members
     benchmark = Benchmark.model_validate(content)
-    found = Check(benchmark, ROOT / "tests", print).look()
+    found = BenchmarkCheck(benchmark, ROOT / "tests", print).look()
     assert found["faults"] == []
     definition = registration._definition(found["plan"], found["manifest"])
     manifest = definition.describe({}, 8)
@@ -180,7 +180,9 @@ def test_a_picture_is_turned_and_scaled_as_the_file_says() -> None:
 def test_the_manifest_is_one_of_the_specification() -> None:
     for world in ("Sound", "HasAllSpaces"):
         content = {"benchmark_id": "mine", "made_by": f"gymnasium_worlds.py:{world}"}
-        found = Check(Benchmark.model_validate(content), ROOT / "tests", print).look()
+        found = BenchmarkCheck(
+            Benchmark.model_validate(content), ROOT / "tests", print
+        ).look()
         manifest = found["manifest"] | {
             "max_chunk": 8,
             "manifest_sha256": "0" * 64,
@@ -195,7 +197,7 @@ def test_the_manifest_is_one_of_the_specification() -> None:
 # --- in processes ---
 
 
-async def film(pool: SimulatorPool, world: World) -> list[EncodedObservation]:
+async def film(pool: SimulatorPool, world: SimulatorConfig) -> list[EncodedObservation]:
     """What a process shows of one episode, played from a fixed list of actions."""
     handle = await pool.acquire(world)
     task = world.settings["plan"]["tasks"][0]["name"]
@@ -217,10 +219,10 @@ def test_two_processes_play_the_same_episode(
 ) -> None:
     monkeypatch.setattr(benchmark_registry, "_BENCHMARKS", {})
     content = {"benchmark_id": "mine", "environment": name, "camera": False}
-    found = Check(Benchmark.model_validate(content), ROOT, print).look()
+    found = BenchmarkCheck(Benchmark.model_validate(content), ROOT, print).look()
     definition = registration._definition(found["plan"], found["manifest"])
     images = {"codec": "raw", "width": 64, "height": 64}
-    world = World("mine", definition.settings(images))
+    world = SimulatorConfig("mine", definition.settings(images))
 
     async def twice() -> tuple[list[EncodedObservation], list[EncodedObservation]]:
         pool = SimulatorPool(spares=0)
@@ -237,7 +239,7 @@ def test_two_processes_play_the_same_episode(
 
 
 def test_an_environment_that_raises_is_a_fault_of_the_simulator() -> None:
-    world = World("mine", settings_of("RaisesLater", ends_on_success=False))
+    world = SimulatorConfig("mine", settings_of("RaisesLater", ends_on_success=False))
     still = [{"action": [0.0]}]
 
     async def play() -> None:

@@ -8,7 +8,7 @@ import pytest
 
 from conformance.policy.scripted import Call, Reply, ScriptedPolicy, busy
 from reference_client import ProctorError, evaluate
-from reference_client.policies.policy_server import PolicyServers
+from reference_client.policies.policy_server import PolicyServerClient
 from tests.conftest import TOKENS, House
 from tests.policy_parts import an_app, free_port, house, its_key, proctor
 from tests.policy_parts import serving as served
@@ -19,7 +19,7 @@ __all__ = ["house", "its_key"]
 
 def evaluated(house: House, url: str, *tasks: str, **members: Any) -> Any:
     return evaluate(
-        PolicyServers(url, patience_s=2.0),
+        PolicyServerClient(url, patience_s=2.0),
         url=house.url,
         token=TOKENS["alice"],
         benchmark="calibration",

@@ -93,7 +93,7 @@ def plays_without_a_reset(app: PolicyApp) -> None:
 
     async def wrong(request: Request) -> dict[str, Any]:
         session_id = await session_of(request)
-        app._seats.setdefault(session_id, serving._Seat(Ready()))
+        app._sessions.setdefault(session_id, serving._ServedSession(Ready()))
         return await right(request)
 
     app.predict = wrong  # type: ignore[method-assign]
@@ -103,7 +103,7 @@ def is_reset_once(app: PolicyApp) -> None:
     right = app.reset
 
     async def wrong(request: Request) -> dict[str, Any]:
-        if await session_of(request) in app._seats:
+        if await session_of(request) in app._sessions:
             raise Refusal("session_ended", "Once is enough.")
         return await right(request)
 
@@ -135,13 +135,13 @@ def renames(there: str, here: str) -> Callable[[PolicyApp], None]:
 
 
 def asks_for_its_key_at_the_door_alone(app: PolicyApp) -> None:
-    right = app._admit
+    right = app._authenticate
 
     def wrong(request: Request) -> None:
         if not request.url.path.endswith("predict"):
             right(request)
 
-    app._admit = wrong  # type: ignore[method-assign]
+    app._authenticate = wrong  # type: ignore[method-assign]
 
 
 def knows_only_today(app: PolicyApp) -> None:
@@ -176,7 +176,7 @@ BROKEN: dict[str, Callable[[PolicyApp], None]] = {
 def broken_app(break_it: Callable[[PolicyApp], None]) -> PolicyApp:
     """Broken before its routes are made, which take its methods as they are then."""
     app = PolicyApp.__new__(PolicyApp)
-    break_late = PolicyApp._guarded
+    break_late = PolicyApp._as_endpoint
 
     def guarded(operation: Any) -> Any:
         name = operation.__name__
@@ -186,7 +186,7 @@ def broken_app(break_it: Callable[[PolicyApp], None]) -> PolicyApp:
 
         return break_late(app, latest)
 
-    app._guarded = guarded  # type: ignore[method-assign]
+    app._as_endpoint = guarded  # type: ignore[method-assign]
     app.__init__(Counting, "broken", key=KEY)  # type: ignore[misc]
     break_it(app)
     return app

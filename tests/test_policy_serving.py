@@ -99,7 +99,7 @@ def test_a_session_that_had_to_make_room_is_not_played_on() -> None:
         second = threads.submit(predict, client, "a", 1)
         other = threads.submit(reset, client, "b")
         deadline = time.monotonic() + PATIENCE_S
-        while "b" not in app._seats:
+        while "b" not in app._sessions:
             assert time.monotonic() < deadline
             time.sleep(0.005)
         going.set()

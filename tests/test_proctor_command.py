@@ -98,13 +98,13 @@ def test_what_gmp_users_type_means_the_same(
 
 def test_aliases_stop_where_another_program_begins() -> None:
     arguments = ["conformance", "--url", "u", "--is_public"]
-    assert aliases.translated(arguments) == (arguments, [])
-    assert aliases.translated(["run", "--", "--task_id"])[0] == [
+    assert aliases.translate(arguments) == (arguments, [])
+    assert aliases.translate(["run", "--", "--task_id"])[0] == [
         "run",
         "--",
         "--task_id",
     ]
-    assert aliases.translated(["status", "--task_id=a_b"])[0] == [
+    assert aliases.translate(["status", "--task_id=a_b"])[0] == [
         "status",
         "--run-id=a_b",
     ]

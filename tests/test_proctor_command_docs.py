@@ -50,7 +50,7 @@ def test_every_command_and_flag_is_on_the_page() -> None:
     short = {flag for flag in known if flag.startswith("--")}
     assert short - said - {"--help"} == set()
     strange = {flag.replace("_", "-") for flag in said} - short
-    assert strange == (aliases.FLAGS.keys() | aliases.DROPPED.keys())
+    assert strange == (aliases.FLAGS.keys() | aliases.IGNORED_FLAGS.keys())
 
 
 def test_what_gmp_users_type_is_on_the_page() -> None:
@@ -83,7 +83,7 @@ def test_every_line_runs(
     codes: list[int] = []
     for line in LINES:
         words = shlex.split(line)[1:]
-        if words[0] in aliases.PASSED_ON:
+        if words[0] in aliases.PASS_THROUGH_COMMANDS:
             continue  # programs of their own, started in test_proctor_command_run
         if "--watch" in words:
             # Stopped by draining, so over: but not completed.

@@ -16,8 +16,8 @@ import pytest
 from conformance.policy.scripted import Call, Reply, ScriptedPolicy
 from reference_server.push import egress
 from reference_server.push.egress import (
-    EgressPolicy,
     AddressNotAllowed,
+    EgressPolicy,
     HostNotResolved,
 )
 from reference_server.push.http_calls import CallLimits, HttpCalls, PolicyFault

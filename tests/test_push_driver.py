@@ -15,7 +15,7 @@ from reference_server.http.problems import PROBLEM_JSON, Refused
 from reference_server.push import driver
 from reference_server.push.driver import Driver
 from reference_server.push.egress import EgressPolicy
-from reference_server.push.http_calls import CallLimits, HttpCalls, Backoff, PolicyFault
+from reference_server.push.http_calls import Backoff, CallLimits, HttpCalls, PolicyFault
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_calls import Description, ProctorPolicy, answer_fault
 from reference_server.push.policy_protocols import PROTOCOLS

@@ -82,7 +82,7 @@ def noted(simulator: QuestionSimulator, plan: dict[str, Any]) -> Item:
         simulator.step(action()).score,
         question.target,
         frozenset(hits),
-        [t for t in shown.things if shown.seen_at(shown.spot(t)) != t],
+        [t for t in shown.things if shown.body_at(shown.spot(t)) != t],
     )
 
 

@@ -20,11 +20,11 @@ from reference_client import ProctorError
 from reference_client.api.errors import from_failure
 from reference_client.api.observation import observation_of
 from reference_client.api.policy import Vector, chunk_of
-from reference_client.evaluation.status_board import Board, Progress, ProgressLine
+from reference_client.evaluation.status_board import Progress, ProgressLine, StatusBoard
 from reference_client.generated.messages import Turn
 from reference_client.protocol.connection import Connection
-from reference_client.protocol.heartbeat import Heart
-from reference_client.protocol.retry_policy import Interrupted, Patience
+from reference_client.protocol.heartbeat import HeartbeatThread
+from reference_client.protocol.retry_policy import Interrupted, RetryPolicy
 from reference_sim.process.encoding import encode_image
 
 URL = "http://127.0.0.1:1"
@@ -277,8 +277,8 @@ def failing(*failures: Exception, then: str = "answer") -> Callable[[], str]:
 def test_pauses_grow_and_are_told_once(clock: FakeClock) -> None:
     told: list[str | None] = []
     silence = urllib3.exceptions.ProtocolError("Connection aborted.")
-    patience = Patience(URL, 100.0, clock, told.append)
-    assert patience.until_answered(failing(*[silence] * 9)) == "answer"
+    retry_policy = RetryPolicy(URL, 100.0, clock, told.append)
+    assert retry_policy.call(failing(*[silence] * 9)) == "answer"
     ideal = [0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 5.0, 5.0, 5.0]
     assert all(w / 2 <= wait <= w for wait, w in zip(clock.waits, ideal, strict=True))
     assert len(told) == 2
@@ -287,8 +287,8 @@ def test_pauses_grow_and_are_told_once(clock: FakeClock) -> None:
 
 def test_retry_after_is_honoured_and_a_full_server_waited_for(clock: FakeClock) -> None:
     full = refusal("no_capacity", 503, retryable=True, retry_after_s=7)
-    patience = Patience(URL, 1.0, clock, lambda _why: None)
-    assert patience.until_answered(failing(*[full] * 100)) == "answer"
+    retry_policy = RetryPolicy(URL, 1.0, clock, lambda _why: None)
+    assert retry_policy.call(failing(*[full] * 100)) == "answer"
     assert min(clock.waits) >= 7.0
 
 
@@ -303,11 +303,9 @@ def test_retry_after_is_honoured_and_a_full_server_waited_for(clock: FakeClock) 
     ],
 )
 def test_patience_ends(clock: FakeClock, failure: Exception, borne_s: float) -> None:
-    patience = Patience(URL, 20.0, clock, lambda _why: None)
+    retry_policy = RetryPolicy(URL, 20.0, clock, lambda _why: None)
     with pytest.raises(ProctorError):
-        patience.until_answered(
-            failing(failure, then=""), limits_s={"worker_busy": 3.0}
-        )
+        retry_policy.call(failing(failure, then=""), limits_s={"worker_busy": 3.0})
     assert borne_s - 5.0 <= clock.now <= borne_s
 
 
@@ -315,20 +313,18 @@ def test_what_was_borne_explains_the_last_word(clock: FakeClock) -> None:
     defect = refusal("internal_error", 500, retryable=True)
     ended = refusal("session_ended", 409, retryable=False)
     with pytest.raises(ProctorError, match="session_ended") as caught:
-        Patience(URL, 20.0, clock, lambda _why: None).until_answered(
-            failing(defect, ended)
-        )
+        RetryPolicy(URL, 20.0, clock, lambda _why: None).call(failing(defect, ended))
     assert isinstance(caught.value.__cause__, ProctorError)
     assert caught.value.__cause__.code == "internal_error"
 
 
 def test_an_evaluation_that_ends_waits_for_nothing(clock: FakeClock) -> None:
     clock.set()
-    patience = Patience(URL, 20.0, clock, lambda _why: None)
+    retry_policy = RetryPolicy(URL, 20.0, clock, lambda _why: None)
     with pytest.raises(Interrupted):
-        patience.until_answered(lambda: "answer")
+        retry_policy.call(lambda: "answer")
     with pytest.raises(Interrupted):
-        patience.pause(1.0)
+        retry_policy.pause(1.0)
 
 
 def test_a_token_does_not_travel_in_clear() -> None:
@@ -344,13 +340,13 @@ def test_a_token_does_not_travel_in_clear() -> None:
 def test_a_heart_beats_while_thinking_only() -> None:
     beats = threading.Semaphore(0)
 
-    def beat() -> bool:
+    def send_heartbeat() -> bool:
         beats.release()
         return True
 
-    with Heart(0.12, beat) as heart:
+    with HeartbeatThread(0.12, send_heartbeat) as heartbeat:
         assert not beats.acquire(timeout=0.2)
-        with heart.thinking():
+        with heartbeat.keep_alive():
             assert beats.acquire(timeout=5.0)
             assert beats.acquire(timeout=5.0)
 
@@ -358,15 +354,15 @@ def test_a_heart_beats_while_thinking_only() -> None:
 def test_a_heart_stops_when_the_session_is_over() -> None:
     beaten = threading.Event()
 
-    def beat() -> bool:
+    def send_heartbeat() -> bool:
         assert not beaten.is_set()
         beaten.set()
         return False
 
-    with Heart(0.06, beat) as heart, heart.thinking():
+    with HeartbeatThread(0.06, send_heartbeat) as heartbeat, heartbeat.keep_alive():
         assert beaten.wait(5.0)
-        heart._thread.join(5.0)
-        assert not heart._thread.is_alive()
+        heartbeat._thread.join(5.0)
+        assert not heartbeat._thread.is_alive()
 
 
 def test_progress_is_one_line_that_fits(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -384,8 +380,11 @@ def test_progress_is_one_line_that_fits(monkeypatch: pytest.MonkeyPatch) -> None
 
 
 def test_a_board_shows_one_of_those_who_wait() -> None:
-    board = Board()
-    first, second = board.teller("worker-0"), board.teller("worker-1")
+    board = StatusBoard()
+    first, second = (
+        board.waiting_reporter("worker-0"),
+        board.waiting_reporter("worker-1"),
+    )
     first("a")
     second("b")
     assert board.wait(0.0)
@@ -395,6 +394,6 @@ def test_a_board_shows_one_of_those_who_wait() -> None:
     second(None)
     assert board.waiting() is None
     assert not board.take_scored()
-    board.scored()
+    board.on_scored()
     assert board.take_scored()
     assert not board.take_scored()

@@ -25,13 +25,13 @@ from reference_sim.mujoco.rendering import RenderingUnavailable
 from reference_sim.benchmarks.tabletop.layout import HOME_RAD
 
 assert "mujoco" not in sys.modules, "reading the constants must not cost an import"
-sim = benchmark_registry.make(benchmark_registry.World("tabletop_state", {}))
+sim = benchmark_registry.make(benchmark_registry.SimulatorConfig("tabletop_state", {}))
 sim.reset("lift_cube", 0)
 sim.step({"joint_position": HOME_RAD, "gripper": [1.0]})
 assert not sim.observe().images
 assert not {"OpenGL", "glfw"} & set(sys.modules), "graphics were touched"
 
-seeing = benchmark_registry.make(benchmark_registry.World("tabletop", {"width": 64, "height": 48}))
+seeing = benchmark_registry.make(benchmark_registry.SimulatorConfig("tabletop", {"width": 64, "height": 48}))
 seeing.reset("lift_cube", 0)
 """
 THEN_CAMERAS = """
@@ -152,6 +152,6 @@ def test_a_dying_driver_is_a_reason_not_a_crash(
     assert len(str(first.value)) < 500
     assert "MUJOCO_GL" not in os.environ
 
-    no_answer_yet.setattr(rendering, "_look", None)
+    no_answer_yet.setattr(rendering, "_probe_backends", None)
     with pytest.raises(rendering.RenderingUnavailable, match=reason):
         rendering.find_backend()

@@ -10,14 +10,14 @@ from collections.abc import Iterator, Sequence
 import pytest
 
 from reference_sim.process import simulator_main
-from reference_sim.process.simulator_process import Process
+from reference_sim.process.simulator_process import SimulatorProcess
 
-SMALL = simulator_main.Failed("x", unplayable=True)
-LARGE = simulator_main.Failed("y" * 200_000, unplayable=True)
+SMALL = simulator_main.FailureReply("x", unplayable=True)
+LARGE = simulator_main.FailureReply("y" * 200_000, unplayable=True)
 
 
 class Here:
-    """`Starter` of a process that this test plays."""
+    """`ProcessStarter` of a process that this test plays."""
 
     def start(self, child_end: socket.socket) -> None:
         self.end = socket.socket(fileno=os.dup(child_end.fileno()))
@@ -53,18 +53,18 @@ def cut(stream: bytes, size: int) -> list[bytes]:
     ],
 )
 def test_frames_come_in_any_pieces(
-    here: Here, replies: Sequence[simulator_main.Reply], size: int
+    here: Here, replies: Sequence[simulator_main.SimulatorReply], size: int
 ) -> None:
     async def play() -> None:
         loop = asyncio.get_running_loop()
-        process = Process(here, 20.0, lambda _: None)
+        process = SimulatorProcess(here, 20.0, lambda _: None)
         starting = asyncio.create_task(process.start())
         await asyncio.sleep(0)
         await loop.sock_sendall(here.end, simulator_main.frame(simulator_main.Hello(1)))
         await starting
         for _ in range(3):  # nothing of one answer is left to the next
             asking = asyncio.create_task(
-                process.ask(simulator_main.Observe(), simulator_main.Failed)
+                process.request(simulator_main.Observe(), simulator_main.FailureReply)
             )
             await loop.sock_recv(here.end, 4096)
             stream = b"".join(map(bytes, map(simulator_main.frame, replies)))

@@ -47,7 +47,7 @@ async def main():
     await waiting.begin("count", 1, max_steps=9, success_rule="any_step")
     if sys.argv[1] == "True":
         os.kill(deaf.pid, signal.SIGSTOP)
-        print(pool._starter.nursery_pid, end=" ")
+        print(pool._starter.fork_server_pid, end=" ")
     print(busy.pid, waiting.pid, deaf.pid, flush=True)
     await playing
 

@@ -271,7 +271,7 @@ def test_an_exception_in_the_simulator_is_a_fault() -> None:
 
 def test_a_world_that_cannot_be_built_is_a_fault() -> None:
     async def story(pool: SimulatorPool) -> None:
-        nowhere = benchmark_registry.World("nowhere", {"codec": "raw"})
+        nowhere = benchmark_registry.SimulatorConfig("nowhere", {"codec": "raw"})
         with pytest.raises(SimulatorFault, match="nowhere"):
             await pool.acquire(nowhere)
         assert pool.busy == 0
@@ -354,8 +354,8 @@ def test_a_dead_nursery_is_replaced() -> None:
         handle = await pool.acquire(WORLD)
         await begin(handle, "count")
         assert isinstance(pool._starter, ForkStarter)
-        assert pool._starter.nursery_pid is not None
-        os.kill(pool._starter.nursery_pid, signal.SIGKILL)
+        assert pool._starter.fork_server_pid is not None
+        os.kill(pool._starter.fork_server_pid, signal.SIGKILL)
         await until(lambda: not exists(handle.pid))
         with pytest.raises(SimulatorFault):
             await handle.observe()

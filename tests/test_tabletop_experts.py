@@ -55,7 +55,7 @@ def test_a_missed_criterion_is_told_and_fails(
     missed: bool,
 ) -> None:
     trial = experts.Trial("tabletop", "reach", "test", player, seeds=100)
-    outcome = experts.Outcome(trial, (10,) * successes)
+    outcome = experts.TrialResult(trial, (10,) * successes)
     assert ("MISSED" in str(outcome)) == missed
     monkeypatch.setattr(experts, "measure", lambda *_: [outcome])
     monkeypatch.setattr(sys, "argv", ["experts.py"])
@@ -71,7 +71,7 @@ def test_the_tabletop_takes_part() -> None:
 @pytest.mark.parametrize(("name", "task"), SHOWN)
 def test_the_page_shows_each_task_as_it_is(name: str, task: str) -> None:
     """Instruction, goal and stages as the code has them, and a small picture."""
-    assert experts.portrait(name, task) in PAGE
+    assert experts.task_section(name, task) in PAGE
     picture = ROOT / "docs" / "tasks" / f"{name}_{task}.png"
     with Image.open(picture) as drawn:
         assert drawn.size == experts.PICTURE_SIZE

@@ -72,7 +72,7 @@ class Trial:
 
 
 @dataclass(frozen=True, slots=True)
-class Outcome:
+class TrialResult:
     """steps: of the successful episodes."""
 
     trial: Trial
@@ -139,7 +139,7 @@ def expert(benchmark: str) -> Expert:
 # Playing
 
 
-def play(trial: Trial) -> Outcome:
+def play(trial: Trial) -> TrialResult:
     """In a process of its own."""
     sim, steps = simulator(trial.benchmark), []
     for seed in range(FIRST_SEED, FIRST_SEED + trial.seeds):
@@ -148,7 +148,7 @@ def play(trial: Trial) -> Outcome:
         taken = _steps_to_success(sim, policy, manifest(trial.benchmark)["max_steps"])
         if taken is not None:
             steps.append(taken)
-    return Outcome(trial, tuple(steps))
+    return TrialResult(trial, tuple(steps))
 
 
 def _steps_to_success(sim: Simulator, policy: Policy, max_steps: int) -> int | None:
@@ -202,7 +202,7 @@ def _at_random(space: Mapping[str, Any], rng: np.random.Generator) -> Policy:
     return act
 
 
-def measure(names: Iterable[str], seeds: int, processes: int) -> list[Outcome]:
+def measure(names: Iterable[str], seeds: int, processes: int) -> list[TrialResult]:
     trials = [
         Trial(name, task, split, player, max(1, int(seeds * share)))
         for name in names
@@ -222,7 +222,7 @@ def measure(names: Iterable[str], seeds: int, processes: int) -> list[Outcome]:
 # Telling
 
 
-def page(names: Iterable[str], outcomes: Sequence[Outcome]) -> str:
+def page(names: Iterable[str], outcomes: Sequence[TrialResult]) -> str:
     sections = [_section(name, outcomes) for name in names]
     return _HEAD + "".join(sections)
 
@@ -243,14 +243,14 @@ control steps in a row.
 """
 
 
-def _section(name: str, outcomes: Sequence[Outcome]) -> str:
-    told = manifest(name)
-    splits = told["splits"]
+def _section(name: str, outcomes: Sequence[TrialResult]) -> str:
+    state_manifest = manifest(name)
+    splits = state_manifest["splits"]
     seeing = benchmark_registry.resolve(name).manifest
     about = (
         f"Benchmarks `{name}` (with cameras) and `{name}_state`, version "
-        f"{told['version']}: {told['episodes_total']} episodes of at most "
-        f"{told['max_steps']} steps at {told['control_rate_hz']:g} Hz. "
+        f"{state_manifest['version']}: {state_manifest['episodes_total']} episodes of at most "
+        f"{state_manifest['max_steps']} steps at {state_manifest['control_rate_hz']:g} Hz. "
         f"{seeing['description']}"
     )
     lines = [
@@ -260,7 +260,7 @@ def _section(name: str, outcomes: Sequence[Outcome]) -> str:
         + " | steps | still | random |",
         "|---|" + "---|" * (len(splits) + 3),
     ]
-    for task in told["tasks"]:
+    for task in state_manifest["tasks"]:
         mine = [
             o for o in outcomes if (o.trial.benchmark, o.trial.task) == (name, task)
         ]
@@ -272,21 +272,21 @@ def _section(name: str, outcomes: Sequence[Outcome]) -> str:
             _of([o for o in mine if o.trial.player == player]) for player in LUCK_SHARE
         ]
         lines.append(f"| `{task}` | " + " | ".join([*cells, taken, *luck]) + " |")
-    lines += [portrait(name, task) for task in told["tasks"]]
+    lines += [task_section(name, task) for task in state_manifest["tasks"]]
     return "\n".join(lines) + "\n"
 
 
-def _of(outcomes: Sequence[Outcome]) -> str:
+def _of(outcomes: Sequence[TrialResult]) -> str:
     return (
         f"{sum(len(one.steps) for one in outcomes)} of "
         f"{sum(one.trial.seeds for one in outcomes)}"
     )
 
 
-def portrait(name: str, task: str) -> str:
+def task_section(name: str, task: str) -> str:
     """A task's part of the page."""
     kind = tasks_of(name)[task]
-    instruction = simulator(name).reset(task, *_shown(name, task))
+    instruction = simulator(name).reset(task, *_first_episode(name, task))
     stages = ", ".join([*kind.stages, "**goal**"])
     goal = " ".join((kind.goal_holds.__doc__ or kind.__doc__ or "").split())
     return (
@@ -298,7 +298,7 @@ def portrait(name: str, task: str) -> str:
 # Drawing
 
 
-def _shown(name: str, task: str) -> tuple[int, str]:
+def _first_episode(name: str, task: str) -> tuple[int, str]:
     """Seed and split of the task's first episode."""
     first = next(one for one in manifest(name)["episodes"] if one["task"] == task)
     return first["seed"], first["split"]
@@ -314,11 +314,11 @@ def draw(name: str) -> None:
         iter(chosen.manifest["observation_space"]["images"])
     )
     finest = {**chosen.world.settings, "quality": "standard"}
-    seeing = benchmark_registry.make(benchmark_registry.World(name, finest))
+    seeing = benchmark_registry.make(benchmark_registry.SimulatorConfig(name, finest))
     PICTURES.mkdir(exist_ok=True)
     for task in chosen.manifest["tasks"]:
         actions = _experts_actions(name, task)
-        seeing.reset(task, *_shown(name, task))
+        seeing.reset(task, *_first_episode(name, task))
         for action in actions[
             : round(len(actions) * moments.get(task, DEFAULT_MOMENT))
         ]:
@@ -331,7 +331,7 @@ def draw(name: str) -> None:
 
 def _experts_actions(name: str, task: str) -> list[Action]:
     sim = simulator(name)
-    expert(name).reset(sim.reset(task, *_shown(name, task)))
+    expert(name).reset(sim.reset(task, *_first_episode(name, task)))
     actions: list[Action] = []
     for _ in range(manifest(name)["max_steps"]):
         actions.append(expert(name).act(_as_sent(sim.observe())))

@@ -208,9 +208,9 @@ def the_server(arguments: argparse.Namespace) -> Iterator[Server]:
 
 def chosen(text: str, known: list[str]) -> list[str]:
     wanted = [name for name in text.split(",") if name] or known
-    if strangers := set(wanted) - set(known):
+    if unknown := set(wanted) - set(known):
         raise SystemExit(
-            f"interop: no {', '.join(sorted(strangers))}; have {', '.join(known)}"
+            f"interop: no {', '.join(sorted(unknown))}; have {', '.join(known)}"
         )
     return wanted
 

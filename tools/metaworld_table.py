@@ -52,15 +52,15 @@ Written by `make metaworld-table`, which fails if one episode differs.
 """
 
 
-class Played(NamedTuple):
+class EpisodeOutcome(NamedTuple):
     success: bool
     steps: int
 
 
-Results = dict[tuple[str, int], Played]
+Results = dict[tuple[str, int], EpisodeOutcome]
 
 
-def play_directly(task: str, seed: int) -> Played:
+def play_directly(task: str, seed: int) -> EpisodeOutcome:
     """One episode in an environment of its own, until success or the end."""
     made = metaworld.env_dict.ALL_V3_ENVIRONMENTS_GOAL_OBSERVABLE
     environment: Any = made[f"{task}-goal-observable"]()
@@ -78,8 +78,8 @@ def play_directly(task: str, seed: int) -> Played:
             action = np.clip(command, -1, 1).astype(np.float32)
             observation, _, _, _, info = environment.step(action)
             if info["success"]:
-                return Played(True, step)
-        return Played(False, MAX_STEPS)
+                return EpisodeOutcome(True, step)
+        return EpisodeOutcome(False, MAX_STEPS)
     finally:
         environment.close()
 
@@ -113,7 +113,9 @@ def results_of(url: str, token: str, run_id: str) -> Results:
     """Of a run that is completed."""
     with Connection(url, token, requests=1) as connection:
         return {
-            (one.task, one.seed): Played(one.outcome.value == "success", one.steps)
+            (one.task, one.seed): EpisodeOutcome(
+                one.outcome.value == "success", one.steps
+            )
             for one in _results(connection.control, run_id)
         }
 

@@ -21,7 +21,7 @@ def connect(address: str, scenario: str) -> player.Turn:
     url = f"http://{address}/step"
     cameras = SCENARIOS[scenario].cameras
 
-    def turn(action: list[float]) -> player.Seen:
+    def turn(action: list[float]) -> player.ObservationParts:
         sent = {
             "0": {
                 "action": np.array(action),

@@ -15,12 +15,12 @@ from typing import Any
 import uvicorn
 from fastapi import FastAPI, Request, Response
 
-from benchmarks.observations import World
+from benchmarks.observations import ScenarioPlayer
 
 
 def application(scenario: str) -> FastAPI:
     app = FastAPI()
-    world = World(scenario)
+    world = ScenarioPlayer(scenario)
 
     async def step(request: Request) -> Response:
         actions = pickle.loads(await request.body())  # noqa: S301 - its way

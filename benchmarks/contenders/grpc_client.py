@@ -15,7 +15,7 @@ def connect(address: str, scenario: str) -> player.Turn:
     cameras = SCENARIOS[scenario].cameras
     joints = ACTION_SIZES["joint_position"]
 
-    def turn(action: list[float]) -> player.Seen:
+    def turn(action: list[float]) -> player.ObservationParts:
         values = np.array(action)
         step = environment.step(
             {"joint_position": values[:joints], "gripper": values[joints:]}

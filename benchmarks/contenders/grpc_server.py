@@ -20,7 +20,7 @@ from dm_env_rpc.v1 import (
     tensor_utils,
 )
 
-from benchmarks.observations import ACTION_SIZES, SCENARIOS, STATE_SIZES, World
+from benchmarks.observations import ACTION_SIZES, SCENARIOS, STATE_SIZES, ScenarioPlayer
 
 _DOUBLE, _UINT8 = dm_env_rpc_pb2.DataType.DOUBLE, dm_env_rpc_pb2.DataType.UINT8
 
@@ -46,7 +46,7 @@ def specs(scenario: str) -> Any:
 class Servicer(dm_env_rpc_pb2_grpc.EnvironmentServicer):  # type: ignore[misc,unused-ignore]
     def __init__(self, scenario: str) -> None:
         self._specs = specs(scenario)
-        self._world = World(scenario)
+        self._world = ScenarioPlayer(scenario)
 
     def Process(self, requests: Iterator[Any], _context: Any) -> Iterator[Any]:  # noqa: N802
         actions = spec_manager.SpecManager(self._specs.actions)
@@ -64,12 +64,12 @@ class Servicer(dm_env_rpc_pb2_grpc.EnvironmentServicer):  # type: ignore[misc,un
                 getattr(response, kind).SetInParent()
             yield response
 
-    def _step(self, asked: Any, actions: Any, seen: Any, response: Any) -> None:
-        taken = actions.unpack(asked.actions)
+    def _step(self, step_request: Any, actions: Any, seen: Any, response: Any) -> None:
+        taken = actions.unpack(step_request.actions)
         joints = taken.get("joint_position", np.zeros(ACTION_SIZES["joint_position"]))
         state, images = self._world.turn(joints)
         values = {**state, **images}
-        for uid in asked.requested_observations:
+        for uid in step_request.requested_observations:
             tensor = tensor_utils.pack_tensor(values[seen.uid_to_name(uid)])
             response.observations[uid].CopyFrom(tensor)
         response.state = dm_env_rpc_pb2.EnvironmentStateType.RUNNING

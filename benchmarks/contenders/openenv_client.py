@@ -39,7 +39,7 @@ def connect(address: str, scenario: str) -> player.Turn:
     shape = (shown.height, shown.width, 3)
     joints = ACTION_SIZES["joint_position"]
 
-    def turn(action: list[float]) -> player.Seen:
+    def turn(action: list[float]) -> player.ObservationParts:
         asked = StillLifeAction(joint_position=action[:joints], gripper=action[joints:])
         seen = runner.run(client.step(asked)).observation
         return seen.state, {

@@ -13,7 +13,7 @@ from openenv.core.env_server.http_server import create_fastapi_app
 from openenv.core.env_server.types import State
 
 from benchmarks.contenders.openenv_models import StillLifeAction, StillLifeObservation
-from benchmarks.observations import World
+from benchmarks.observations import ScenarioPlayer
 
 SCENARIO = sys.argv[1]
 
@@ -21,7 +21,7 @@ SCENARIO = sys.argv[1]
 class StillLife(Environment):  # type: ignore[misc,unused-ignore]
     def __init__(self) -> None:
         super().__init__()
-        self._world = World(SCENARIO)
+        self._world = ScenarioPlayer(SCENARIO)
 
     def reset(self, *_: Any, **__: Any) -> StillLifeObservation:
         return self._seen([0.0])

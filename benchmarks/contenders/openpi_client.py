@@ -8,15 +8,15 @@ from __future__ import annotations
 from openpi_client.websocket_client_policy import WebsocketClientPolicy
 
 from benchmarks.contenders import player
-from benchmarks.observations import World
+from benchmarks.observations import ScenarioPlayer
 
 
 def connect(address: str, scenario: str) -> player.Turn:
     host, _, port = address.partition(":")
     policy = WebsocketClientPolicy(host, int(port))
-    world = World(scenario)
+    world = ScenarioPlayer(scenario)
 
-    def turn(action: list[float]) -> player.Seen:
+    def turn(action: list[float]) -> player.ObservationParts:
         state, images = world.turn(action)
         answer = policy.infer({"state": state, "images": images})
         assert answer["step"] == state["base"][0]

@@ -80,10 +80,10 @@ class Connection:
         encoded = msgspec.json.encode(body)
         self._http.request("POST", path, encoded, self._headers | json)
         answer = self._http.getresponse()
-        told = msgspec.json.decode(answer.read())
+        value = msgspec.json.decode(answer.read())
         if answer.status >= 400:
-            raise RuntimeError(f"{path}: {told}")
-        return told
+            raise RuntimeError(f"{path}: {value}")
+        return value
 
     def attach(self, run_id: str, worker_id: str) -> tuple[str, Turn]:
         """Where to predict, and the turn 0."""
@@ -119,18 +119,18 @@ class Connection:
 def connect(url: str, scenario: str, media: str, codec: str) -> player.Turn:
     shown = SCENARIOS[scenario]
     connection = Connection(url, media)
-    asked: dict[str, Any] = {"benchmark_id": f"still_life_{scenario}"}
+    submission: dict[str, Any] = {"benchmark_id": f"still_life_{scenario}"}
     if shown.cameras:
-        asked["images"] = {
+        submission["images"] = {
             "codec": codec.partition("-")[0],
             "width": shown.width,
             "height": shown.height,
         }
-    predict, attached = connection.attach(connection.submit(**asked), "w")
+    predict, attached = connection.attach(connection.submit(**submission), "w")
     body: dict[str, Any] = {"session_id": attached.session_id, "seq": attached.seq}
     unpack = {"raw": pixels, "jpeg": decompressed, "jpeg-files": as_file}[codec]
 
-    def turn(action: list[float]) -> player.Seen:
+    def turn(action: list[float]) -> player.ObservationParts:
         body["seq"] += 1
         body["actions"] = [{"values": by_name(action)}]
         seen = connection.turn("POST", predict, body).observation
@@ -158,7 +158,7 @@ def main() -> None:
     url, scenario, media, codec = sys.argv[1:]
     turn = connect(url, scenario, media, codec)
     unpack = decompressed if codec == "jpeg-files" else None
-    player.serve(player.Player(turn, scenario, unpack=unpack, exact=codec == "raw"))
+    player.serve(player.TurnClient(turn, scenario, unpack=unpack, exact=codec == "raw"))
 
 
 if __name__ == "__main__":

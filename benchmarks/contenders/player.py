@@ -20,13 +20,13 @@ from collections.abc import Callable, Mapping
 from time import perf_counter_ns, process_time_ns
 from typing import Any
 
-from benchmarks.observations import Judge, Vector, action
+from benchmarks.observations import ObservationChecker, Vector, action
 
-Seen = tuple[Mapping[str, Vector], Mapping[str, Any]]
-Turn = Callable[[list[float]], Seen]
+ObservationParts = tuple[Mapping[str, Vector], Mapping[str, Any]]
+Turn = Callable[[list[float]], ObservationParts]
 
 
-class Player:
+class TurnClient:
     """unpack: makes an array of an image that the turn leaves as a file, off the clock.
     exact: false where images are compressed and come out a little different.
     """
@@ -40,7 +40,7 @@ class Player:
         exact: bool = True,
     ) -> None:
         self._turn = turn
-        self._judge = Judge(scenario)
+        self._checker = ObservationChecker(scenario)
         self._unpack = unpack
         self._exact = exact
         self._number = 0
@@ -58,17 +58,17 @@ class Player:
             computed += process_time_ns()
             if self._unpack is not None:
                 images = {name: self._unpack(one) for name, one in images.items()}
-            self._judge.look(sent, state, images, whole=whole, exact=self._exact)
+            self._checker.check(sent, state, images, whole=whole, exact=self._exact)
         return took, computed
 
 
 def main(connect: Callable[[str, str], Turn]) -> None:
     """`python -m … ADDRESS SCENARIO`: until stdin ends."""
     address, scenario = sys.argv[1:3]
-    serve(Player(connect(address, scenario), scenario))
+    serve(TurnClient(connect(address, scenario), scenario))
 
 
-def serve(player: Player) -> None:
+def serve(player: TurnClient) -> None:
     player.play(1, whole=True)
     gc.collect()
     gc.freeze()

@@ -17,14 +17,14 @@ from benchmarks.observations import by_name
 from reference_client.api.observation import observation_of
 from reference_client.api.policy import chunk_of
 from reference_client.protocol.connection import Connection
-from reference_client.protocol.control_client import Desk
-from reference_client.protocol.retry_policy import Patience
-from reference_client.protocol.worker_session import Seat, Session
+from reference_client.protocol.control_client import ControlClient
+from reference_client.protocol.retry_policy import RetryPolicy
+from reference_client.protocol.worker_session import Session, WorkerSlot
 
 
 def connect(url: str, scenario: str) -> player.Turn:
     connection = Connection(url, TOKEN, requests=1)
-    patience = Patience(url, 30.0, threading.Event(), print)
+    retry_policy = RetryPolicy(url, 30.0, threading.Event(), print)
     submission = {
         "benchmark_id": f"still_life_{scenario}",
         "policy": {"name": "round trips"},
@@ -32,10 +32,12 @@ def connect(url: str, scenario: str) -> player.Turn:
     }
     asked = SubmitRun.from_dict(submission)
     assert asked is not None
-    run = Desk(connection.control, patience).submit(asked)
-    session = Session.attach(Seat(connection.data(run.endpoint), run, "w"), patience)
+    run = ControlClient(connection.control, retry_policy).submit(asked)
+    session = Session.attach(
+        WorkerSlot(connection.data(run.endpoint), run, "w"), retry_policy
+    )
 
-    def turn(action: list[float]) -> player.Seen:
+    def turn(action: list[float]) -> player.ObservationParts:
         seen = observation_of(session.predict(chunk_of([by_name(action)])))
         return seen.state, seen.images
 

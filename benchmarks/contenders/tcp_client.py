@@ -21,7 +21,7 @@ def connect(address: str, scenario: str) -> player.Turn:
     buffer = bytearray(state_bytes + image_bytes * len(shown.cameras))
     whole = memoryview(buffer)
 
-    def turn(action: list[float]) -> player.Seen:
+    def turn(action: list[float]) -> player.ObservationParts:
         connection.sendall(np.array(action).data)
         got = 0
         while got < len(buffer):

@@ -12,18 +12,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.observations import World, action
+from benchmarks.observations import ScenarioPlayer, action
 
 
 def main() -> None:
-    world = World(sys.argv[1])
+    world = ScenarioPlayer(sys.argv[1])
     with socket.create_server(("127.0.0.1", 0)) as listener:
         print(f"ready 127.0.0.1:{listener.getsockname()[1]}", flush=True)
         while True:
             serve(listener.accept()[0], world)
 
 
-def serve(connection: socket.socket, world: World) -> None:
+def serve(connection: socket.socket, world: ScenarioPlayer) -> None:
     connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
     size = np.array(action(0)).nbytes
     while request := connection.recv(size, socket.MSG_WAITALL):

@@ -32,12 +32,12 @@ def _prepared(sample: samples.Sample) -> Prepared:
         (b"content-type", b"application/msgpack"),
         (b"proctor-version", b"1.0"),
     ]
-    return Prepared(sample.parts(), headers, len(sample.asked.body))
+    return Prepared(sample.parts(), headers, len(sample.sample_request.body))
 
 
 def _all(folder: Path) -> dict[str, Prepared]:
     found = [samples.read(folder, n) for n in (samples.STATE, samples.CAMERAS)]
-    return {sample.asked.path: _prepared(sample) for sample in found}
+    return {sample.sample_request.path: _prepared(sample) for sample in found}
 
 
 _COPIES = samples.COPIES in os.environ

@@ -18,17 +18,17 @@ from urllib.parse import urlsplit
 
 from benchmarks.contenders import player
 from benchmarks.libraries import samples
-from reference_client.protocol.http_connection import Exchange
+from reference_client.protocol.http_connection import HttpConnection
 
 Answer = tuple[int, bytes | memoryview]
 Ask = Callable[[], Answer]
 
 
-class Asker(player.Player):
+class RequestClient(player.TurnClient):
     """Plays requests where others play turns."""
 
-    def __init__(self, ask: Ask, expected: bytes) -> None:
-        self._ask = ask
+    def __init__(self, send_request: Ask, expected: bytes) -> None:
+        self._ask = send_request
         self._expected = expected
 
     def play(self, turns: int, *, whole: bool = False) -> tuple[list[int], int]:
@@ -44,80 +44,96 @@ class Asker(player.Player):
         return took, computed
 
 
-def by_exchange(url: str, asked: samples.Asked) -> Ask:
+def by_exchange(url: str, sample_request: samples.SampleRequest) -> Ask:
     """As data_plane.py does it."""
-    rooms: dict[int, bytearray] = {}
+    buffers: dict[int, bytearray] = {}
 
-    def room(size: int) -> memoryview:
-        return memoryview(rooms.setdefault(size, bytearray(size)))
+    def make_buffer(size: int) -> memoryview:
+        return memoryview(buffers.setdefault(size, bytearray(size)))
 
-    exchange = Exchange(url, (10.0, 10.0), room)
+    http_connection = HttpConnection(url, (10.0, 10.0), make_buffer)
     host = urlsplit(url).netloc
-    lines = "".join(f"{name}: {value}\r\n" for name, value in asked.headers.items())
+    lines = "".join(
+        f"{name}: {value}\r\n" for name, value in sample_request.headers.items()
+    )
 
-    def ask() -> Answer:
+    def send_request() -> Answer:
         head = (
-            f"POST {asked.path} HTTP/1.1\r\nHost: {host}\r\n{lines}"
-            f"Content-Length: {len(asked.body)}\r\n\r\n"
+            f"POST {sample_request.path} HTTP/1.1\r\nHost: {host}\r\n{lines}"
+            f"Content-Length: {len(sample_request.body)}\r\n\r\n"
         )
-        answer = exchange.ask(head.encode("latin-1") + asked.body)
+        answer = http_connection.send_request(
+            head.encode("latin-1") + sample_request.body
+        )
         return answer.status, answer.body
 
-    return ask
+    return send_request
 
 
-def by_http_client(url: str, asked: samples.Asked) -> Ask:
+def by_http_client(url: str, sample_request: samples.SampleRequest) -> Ask:
     connection = http.client.HTTPConnection(urlsplit(url).netloc)
 
-    def ask() -> Answer:
-        connection.request("POST", asked.path, asked.body, asked.headers)
+    def send_request() -> Answer:
+        connection.request(
+            "POST", sample_request.path, sample_request.body, sample_request.headers
+        )
         answer = connection.getresponse()
         return answer.status, answer.read()
 
-    return ask
+    return send_request
 
 
-def by_urllib3(url: str, asked: samples.Asked) -> Ask:
+def by_urllib3(url: str, sample_request: samples.SampleRequest) -> Ask:
     import urllib3
 
     pool = urllib3.PoolManager()
 
-    def ask() -> Answer:
-        address = url + asked.path
+    def send_request() -> Answer:
+        address = url + sample_request.path
         answer = pool.request(
-            "POST", address, body=asked.body, headers=asked.headers, retries=False
+            "POST",
+            address,
+            body=sample_request.body,
+            headers=sample_request.headers,
+            retries=False,
         )
         return answer.status, answer.data
 
-    return ask
+    return send_request
 
 
-def by_requests(url: str, asked: samples.Asked) -> Ask:
+def by_requests(url: str, sample_request: samples.SampleRequest) -> Ask:
     import requests
 
     session = requests.Session()
 
-    def ask() -> Answer:
-        answer = session.post(url + asked.path, asked.body, headers=asked.headers)
+    def send_request() -> Answer:
+        answer = session.post(
+            url + sample_request.path,
+            sample_request.body,
+            headers=sample_request.headers,
+        )
         return answer.status_code, answer.content
 
-    return ask
+    return send_request
 
 
-def by_httpx(url: str, asked: samples.Asked) -> Ask:
+def by_httpx(url: str, sample_request: samples.SampleRequest) -> Ask:
     import httpx
 
     client = httpx.Client()
 
-    def ask() -> Answer:
-        address = url + asked.path
-        answer = client.post(address, content=asked.body, headers=asked.headers)
+    def send_request() -> Answer:
+        address = url + sample_request.path
+        answer = client.post(
+            address, content=sample_request.body, headers=sample_request.headers
+        )
         return answer.status_code, answer.content
 
-    return ask
+    return send_request
 
 
-def by_aiohttp(url: str, asked: samples.Asked) -> Ask:
+def by_aiohttp(url: str, sample_request: samples.SampleRequest) -> Ask:
     """Each request is a task of a loop that stands still between them."""
     import aiohttp
 
@@ -130,9 +146,9 @@ def by_aiohttp(url: str, asked: samples.Asked) -> Ask:
     atexit.register(lambda: runner.run(session.close()))
 
     async def post() -> Answer:
-        address = url + asked.path
+        address = url + sample_request.path
         async with session.post(
-            address, data=asked.body, headers=asked.headers
+            address, data=sample_request.body, headers=sample_request.headers
         ) as answer:
             return answer.status, await answer.read()
 
@@ -152,7 +168,9 @@ CLIENTS = {
 def main() -> None:
     url, client, folder, name = sys.argv[1:]
     sample = samples.read(Path(folder), name)
-    player.serve(Asker(CLIENTS[client](url, sample.asked), sample.body))
+    player.serve(
+        RequestClient(CLIENTS[client](url, sample.sample_request), sample.body)
+    )
 
 
 if __name__ == "__main__":

@@ -23,17 +23,21 @@ from benchmarks import line_up, observations, rounds
 from benchmarks.contenders import ours_client
 from benchmarks.libraries.samples import CAMERAS, STATE, Sample
 from reference_client.protocol.connection import Connection
-from reference_client.protocol.http_connection import Answer, Exchange, _Coming
+from reference_client.protocol.http_connection import (
+    Answer,
+    HttpConnection,
+    _ResponseParser,
+)
 
 
-class Heard(Exchange):
+class RecordingConnection(HttpConnection):
     """A connection that remembers what it was asked last."""
 
     last = b""
 
-    def ask(self, request: bytes) -> Answer:
+    def send_request(self, request: bytes) -> Answer:
         self.last = request
-        return super().ask(request)
+        return super().send_request(request)
 
 
 def write(folder: Path) -> None:
@@ -67,35 +71,39 @@ def _sample(url: str, scenario: str) -> Sample:
         size = {"width": shown.width, "height": shown.height}
         asked["images"] = {"codec": "raw", **size}
     with (
-        contextlib.closing(ours_client.Connection(url, "json")) as desk,
+        contextlib.closing(ours_client.Connection(url, "json")) as control_connection,
         Connection(url, ours_client.TOKEN, requests=1) as connection,
     ):
-        run_id = desk.submit(**asked)
+        run_id = control_connection.submit(**asked)
         plane = connection.data(url)
-        heard = plane.exchange = Heard(url, (10.0, 10.0), _room)
+        recorder = plane.http_connection = RecordingConnection(
+            url, (10.0, 10.0), _make_buffer
+        )
         attach = AttachWorker(attach_key=uuid.uuid4().hex)
         session_id = plane.attach_worker(run_id, "w", attach).session_id
         values = observations.by_name(observations.action(1))
         plane.predict(run_id, "w", session_id, 1, [{"values": values}])
-        sample = Sample(heard.last, _answer(url, heard.last))
+        sample = Sample(recorder.last, _raw_answer(url, recorder.last))
         plane.close()
-        desk.stop(run_id)
+        control_connection.stop(run_id)
     return sample
 
 
-def _room(size: int) -> memoryview:
+def _make_buffer(size: int) -> memoryview:
     return memoryview(bytearray(size))
 
 
-def _answer(url: str, request: bytes) -> bytes:
+def _raw_answer(url: str, request: bytes) -> bytes:
     """As it stands on the wire."""
-    place, coming, read = urlsplit(url), _Coming(), bytearray()
+    place, parser, read = urlsplit(url), _ResponseParser(), bytearray()
     with socket.create_connection((place.hostname or "", place.port or 80)) as asked:
         asked.sendall(request)
-        while not coming.is_complete:
+        while not parser.is_complete:
             piece = asked.recv(2**20)
             if not piece:
-                raise rounds.Failed(f"the server broke off after {bytes(read[:500])!r}")
-            coming.feed(memoryview(piece))
+                raise rounds.ContenderFailed(
+                    f"the server broke off after {bytes(read[:500])!r}"
+                )
+            parser.feed(memoryview(piece))
             read += piece
     return bytes(read)

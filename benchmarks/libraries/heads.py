@@ -15,7 +15,7 @@ import h11
 
 from benchmarks.libraries.in_turn import Contender
 from benchmarks.libraries.samples import Sample
-from reference_client.protocol.http_connection import _Coming
+from reference_client.protocol.http_connection import _ResponseParser
 
 Parsed = tuple[int, dict[str, str], bytes]
 
@@ -43,13 +43,13 @@ def contenders(sample: Sample) -> tuple[list[Contender], Parsed]:
     ], (200, headers, sample.body)
 
 
-def _by_httptools(answer: memoryview) -> tuple[_Coming, bytes]:
-    coming = _Coming()
-    coming.feed(answer)
-    return coming, coming.body()
+def _by_httptools(answer: memoryview) -> tuple[_ResponseParser, bytes]:
+    parser = _ResponseParser()
+    parser.feed(answer)
+    return parser, parser.body()
 
 
-def _of_httptools(made: tuple[_Coming, bytes]) -> Parsed:
+def _of_httptools(made: tuple[_ResponseParser, bytes]) -> Parsed:
     return made[0].status, made[0].headers, made[1]
 
 

@@ -41,7 +41,7 @@ def servers(folder: Path, count: int, say: Callable[[str], None]) -> Figures:
     figures: Figures = {}
     for sample, unit in ((STATE, "us"), (CAMERAS, "ms")):
         say(f"libraries: servers, {sample}")
-        took = played(
+        took = turn_times(
             [contender(name, name, OURS, folder, sample) for name in SERVERS],
             count,
             TURNS[sample],
@@ -57,7 +57,7 @@ def servers(folder: Path, count: int, say: Callable[[str], None]) -> Figures:
 def clients(folder: Path, count: int, say: Callable[[str], None]) -> Figures:
     """By column and client."""
     say("libraries: clients")
-    took = played(
+    took = turn_times(
         [contender(name, CHOSEN_SERVER, name, folder, STATE) for name in CLIENTS],
         count,
         TURNS[STATE],
@@ -80,28 +80,28 @@ def contender(
     )
 
 
-def played(
+def turn_times(
     contenders: Sequence[rounds.Contender], count: int, turns: int
-) -> dict[str, rounds.Played]:
+) -> dict[str, rounds.TurnTimes]:
     with contextlib.ExitStack() as standing:
-        pairs = [rounds.Pair(one) for one in contenders]
+        pairs = [rounds.ContenderPair(one) for one in contenders]
         for pair in pairs:
             standing.callback(pair.close)
         with ThreadPoolExecutor(os.cpu_count()) as threads:  # they take a second each
-            list(threads.map(rounds.Pair.__enter__, pairs))
+            list(threads.map(rounds.ContenderPair.__enter__, pairs))
         for pair in pairs:
             pair.play(_WARM_UP)
         return rounds.play(pairs, count, {pair.name: turns for pair in pairs})
 
 
-def _p50(played: dict[str, rounds.Played], unit: str) -> dict[str, float]:
+def _p50(turn_times: dict[str, rounds.TurnTimes], unit: str) -> dict[str, float]:
     scale = UNITS_NS[unit]
     return {
         name: round(statistics.median(one.ns) / scale, 4)
-        for name, one in played.items()
+        for name, one in turn_times.items()
     }
 
 
-def _each(cpu_s: float, one: rounds.Played, unit: str) -> float:
+def _each(cpu_s: float, one: rounds.TurnTimes, unit: str) -> float:
     """CPU of one request."""
     return round(cpu_s * 1e9 / len(one.ns) / UNITS_NS[unit], 4)

@@ -19,7 +19,7 @@ from typing import Any
 from benchmarks import observations
 from benchmarks.libraries import heads, in_turn, jpeg, samples, structures
 
-Asked = dict[str, dict[str, tuple[list[in_turn.Contender], Any]]]
+Questions = dict[str, dict[str, tuple[list[in_turn.Contender], Any]]]
 PACKAGES = (
     *("aiohttp", "granian", "h11", "httptools", "httpx", "hypercorn", "msgpack"),
     *("msgspec", "numpy", "orjson", "ormsgpack", "pillow", "pybase64", "requests"),
@@ -31,7 +31,7 @@ def main() -> None:
     folder, rounds = Path(sys.argv[1]), int(sys.argv[2])
     state = samples.read(folder, samples.STATE)
     cameras = samples.read(folder, samples.CAMERAS)
-    asked: Asked = {
+    questions: Questions = {
         "parsing": {"answer_us": heads.contenders(state)},
         "messagepack": {
             "encode_us": structures.msgpack_encoded(state),
@@ -48,7 +48,7 @@ def main() -> None:
     drawn = observations.pictures(observations.SCENARIOS["cameras"])
     pictures = list(drawn.values())
     with ThreadPoolExecutor(os.cpu_count()) as threads:
-        asked["jpeg"] = {
+        questions["jpeg"] = {
             "encode_ms": jpeg.encoded(pictures, map),
             "encode_threads_ms": jpeg.encoded(pictures, threads.map),
             "decode_ms": jpeg.decoded(pictures, map),
@@ -59,7 +59,7 @@ def main() -> None:
                 column: _measured(column, *contenders, rounds)
                 for column, contenders in columns.items()
             }
-            for question, columns in asked.items()
+            for question, columns in questions.items()
         }
     figures["jpeg"]["files_kb"] = jpeg.sizes_kb(pictures)
     print(json.dumps({**_facts(), "figures": figures}))

@@ -21,7 +21,7 @@ _HEAD_END = b"\r\n\r\n"
 _NOT_GIVEN = ("host", "content-length")
 
 
-class Asked(NamedTuple):
+class SampleRequest(NamedTuple):
     """A request, as an HTTP client is given it."""
 
     path: str
@@ -41,12 +41,12 @@ class Sample:
         (folder / f"{name}.answer").write_bytes(self.answer)
 
     @property
-    def asked(self) -> Asked:
+    def sample_request(self) -> SampleRequest:
         head, _, body = self.request.partition(_HEAD_END)
         first, *lines = head.decode("latin-1").split("\r\n")
         headers = dict(line.split(": ", 1) for line in lines)
         given = {n: v for n, v in headers.items() if n.lower() not in _NOT_GIVEN}
-        return Asked(first.split()[1], given, body)
+        return SampleRequest(first.split()[1], given, body)
 
     @property
     def body(self) -> bytes:

@@ -8,9 +8,9 @@ import sys
 from benchmarks.still_life.world import BENCHMARKS
 from reference_sim import benchmark_registry
 from reference_sim.process import simulator_main
-from reference_sim.process.fork_server import Nursery
+from reference_sim.process.fork_server import ForkServer
 
 if __name__ == "__main__":
     benchmark_registry._BENCHMARKS.update(BENCHMARKS)  # noqa: SLF001 - see server.py
     simulator_main.log_to_stderr()
-    Nursery(socket.socket(fileno=int(sys.argv[1]))).tend()
+    ForkServer(socket.socket(fileno=int(sys.argv[1]))).run()

@@ -16,9 +16,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks import observations
-from reference_sim.definition import Definition, Json, bounded, image_sizes, vector
+from reference_sim.definition import (
+    BenchmarkDefinition,
+    Json,
+    bounded,
+    image_sizes,
+    vector,
+)
 from reference_sim.interface import Action, Observation, StepOutcome
-from reference_sim.process.shared_frame_buffer import CANVAS
+from reference_sim.process.shared_frame_buffer import FRAME_BUFFER
 
 TASK = "sit"
 MAX_STEPS = 200  # as long as one of a robot; its end is scored and stored
@@ -51,8 +57,8 @@ class StillLife:
         """Nothing is held."""
 
     def _draw(self, picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
-        pixels = CANVAS.blank(*picture.shape)
-        place = CANVAS.place_of(pixels)
+        pixels = FRAME_BUFFER.allocate(*picture.shape)
+        place = FRAME_BUFFER.place_of(pixels)
         if place is None or place[0] not in self._drawn:
             np.copyto(pixels, picture)
         if place is not None:
@@ -99,8 +105,8 @@ def _describe(scenario: str, _options: Mapping[str, Any], max_chunk: int) -> Jso
     }
 
 
-def _definition(scenario: str) -> Definition:
-    return Definition(
+def _definition(scenario: str) -> BenchmarkDefinition:
+    return BenchmarkDefinition(
         describe=partial(_describe, scenario),
         settings=lambda images: {**images, "success_scored_tasks": [TASK]},
         make=lambda _settings: StillLife(scenario),

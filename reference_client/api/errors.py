@@ -20,9 +20,9 @@ WORKER_DIED = "worker_died"
 POLICY_FAILED = "policy_failed"
 
 # What the generated client and the data plane raise when no answer comes.
-SILENCE = (urllib3.exceptions.HTTPError, OSError)
+NO_ANSWER_ERRORS = (urllib3.exceptions.HTTPError, OSError)
 
-_HERE = {
+_CLIENT_HINTS = {
     "unauthenticated": "Here that is the argument `token`, or PROCTOR_TOKEN.",
     "worker_busy": "Here that is `takeover=True`.",
     "session_superseded": "Here that is `takeover=True` with the run's `run_id`.",
@@ -113,7 +113,7 @@ def from_failure(error: Exception, url: str) -> ProctorError:
     """What was raised while the server at `url` was called."""
     if isinstance(error, ApiException) and error.status:
         return _from_answer(error, url)
-    if _is_silence(error):
+    if _is_no_answer(error):
         return ProctorError(
             UNREACHABLE,
             f"{url} does not answer ({_cause(error)}). "
@@ -130,10 +130,10 @@ def from_failure(error: Exception, url: str) -> ProctorError:
     )
 
 
-def _is_silence(error: Exception) -> bool:
+def _is_no_answer(error: Exception) -> bool:
     if isinstance(error, ApiException):  # without a status
         return str(error.reason).startswith("SSLError")
-    return isinstance(error, SILENCE)
+    return isinstance(error, NO_ANSWER_ERRORS)
 
 
 def _from_answer(error: ApiException, url: str) -> ProctorError:
@@ -149,7 +149,7 @@ def _from_answer(error: ApiException, url: str) -> ProctorError:
             side_effects="possible",
             retry_after_s=wait_s,
         )
-    here = _HERE.get(problem.code)
+    here = _CLIENT_HINTS.get(problem.code)
     return ProctorError(
         problem.code,
         f"{problem.detail} {here}" if here else problem.detail,

@@ -57,13 +57,13 @@ def observation_of(turn: Turn) -> Observation:
     if not turn.episode or not turn.observation:
         raise _broken("the turn", "has no observation, and is not done")
     episode = turn.episode
-    return decoded(
+    return decode_observation(
         turn.observation, episode.instruction, episode.episode_id, episode.step, turn
     )
 
 
-def decoded(
-    seen: WireObservation,
+def decode_observation(
+    observation: WireObservation,
     instruction: str,
     episode_id: str,
     step: int,
@@ -71,9 +71,11 @@ def decoded(
 ) -> Observation:
     """One of a turn's observations; raises as `observation_of`."""
     return Observation(
-        state={name: tuple(v) for name, v in seen.state.items()},
-        images=_pictures(seen.images),
-        tensors={name: _array(name, tensor) for name, tensor in seen.tensors.items()},
+        state={name: tuple(v) for name, v in observation.state.items()},
+        images=_pictures(observation.images),
+        tensors={
+            name: _array(name, tensor) for name, tensor in observation.tensors.items()
+        },
         instruction=instruction,
         episode_id=episode_id,
         step=step,
@@ -97,10 +99,10 @@ def _pixels(name: str, image: Image) -> npt.NDArray[np.uint8]:
     shape = (image.height, image.width, image.channels)
     if image.codec == "raw":
         return _view(name, image.data, np.dtype(np.uint8), shape)
-    return _decompressed(name, image.data, image.codec, shape)
+    return _decompress(name, image.data, image.codec, shape)
 
 
-def _decompressed(
+def _decompress(
     name: str, data: memoryview, codec: str, shape: tuple[int, int, int]
 ) -> npt.NDArray[np.uint8]:
     """One decoder: whoever sends bytes does not choose it."""

@@ -39,15 +39,17 @@ def chunk_of(actions: Chunk) -> list[WireAction]:
     what cannot be put into JSON. Names, sizes and ranges are the server's to judge.
     """
     if isinstance(actions, Mapping) or not isinstance(actions, Sequence):
-        raise _misfit("/actions", f"is a {type(actions).__name__}, not a list")
+        raise _invalid_action("/actions", f"is a {type(actions).__name__}, not a list")
     if not actions:
-        raise _misfit("/actions", "is empty; a chunk holds at least one action")
+        raise _invalid_action("/actions", "is empty; a chunk holds at least one action")
     return [_action(f"/actions/{i}/values", values) for i, values in enumerate(actions)]
 
 
 def _action(at: str, values: Mapping[str, Vector]) -> WireAction:
     if not isinstance(values, Mapping):
-        raise _misfit(at, f"is a {type(values).__name__}, not a dict of vectors")
+        raise _invalid_action(
+            at, f"is a {type(values).__name__}, not a dict of vectors"
+        )
     return {
         "values": {
             name: _numbers(f"{at}/{_escape(name)}", vector)
@@ -67,25 +69,27 @@ def _numbers(at: str, vector: Vector) -> list[float]:
         with contextlib.suppress(TypeError, OverflowError):
             if all(map(math.isfinite, plain)):
                 return list(map(float, plain))
-    return _looked_into(at, vector)
+    return _inspect_vector(at, vector)
 
 
-def _looked_into(at: str, vector: Vector) -> list[float]:
+def _inspect_vector(at: str, vector: Vector) -> list[float]:
     """Of what is no plain list of finite numbers: what it is, or what is wrong."""
     try:
         numbers = np.asarray(vector, dtype=np.float64)
     except (TypeError, ValueError) as error:
-        raise _misfit(at, f"holds what is no number ({error})") from error
+        raise _invalid_action(at, f"holds what is no number ({error})") from error
     if numbers.ndim != 1:
-        raise _misfit(at, f"has {numbers.ndim} dimensions; a vector has one")
+        raise _invalid_action(at, f"has {numbers.ndim} dimensions; a vector has one")
     if not np.isfinite(numbers).all():
         index = int(np.flatnonzero(~np.isfinite(numbers))[0])
-        raise _misfit(f"{at}/{index}", f"is {numbers[index]}, which is not finite")
+        raise _invalid_action(
+            f"{at}/{index}", f"is {numbers[index]}, which is not finite"
+        )
     values: list[float] = numbers.tolist()
     return values
 
 
-def _misfit(pointer: str, text: str) -> ProctorError:
+def _invalid_action(pointer: str, text: str) -> ProctorError:
     return ProctorError(
         "invalid_request",
         "The policy returned actions that cannot be sent. Correct what it returns.",

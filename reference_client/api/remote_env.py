@@ -24,16 +24,24 @@ from pydantic_core import to_jsonable_python
 
 from reference_client.api import spaces
 from reference_client.api.errors import ProctorError
-from reference_client.api.observation import Observation, decoded, observation_of
+from reference_client.api.observation import (
+    Observation,
+    decode_observation,
+    observation_of,
+)
 from reference_client.api.policy import chunk_of
-from reference_client.evaluation.plan import exactly, submission
+from reference_client.evaluation.plan import parse_strictly, submission
 from reference_client.generated.messages import Turn
 from reference_client.protocol.connection import Connection
-from reference_client.protocol.control_client import Desk
+from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.data_plane import DataPlane
-from reference_client.protocol.heartbeat import Heart
-from reference_client.protocol.retry_policy import Patience
-from reference_client.protocol.worker_session import OVER, Seat, Session
+from reference_client.protocol.heartbeat import HeartbeatThread
+from reference_client.protocol.retry_policy import RetryPolicy
+from reference_client.protocol.worker_session import (
+    SESSION_END_CODES,
+    Session,
+    WorkerSlot,
+)
 
 ENV_ID = "proctor/Remote-v0"
 
@@ -49,7 +57,7 @@ class RunDone(ProctorError):
         )
 
 
-class RemoteEnv(gymnasium.Env[spaces.Seen, dict[str, Any]]):
+class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
     """One worker of a run.
 
     url, token: of the server; PROCTOR_URL and PROCTOR_TOKEN when absent.
@@ -89,27 +97,27 @@ class RemoteEnv(gymnasium.Env[spaces.Seen, dict[str, Any]]):
         self.render_mode = render_mode
         self._worker_id = worker_id
         self._takeover = takeover
-        self._assumes = exactly(Assumptions, "assumes", assumes)
+        self._assumes = parse_strictly(Assumptions, "assumes", assumes)
         self._renew = renew
-        self._closing = contextlib.ExitStack()
-        self._attached = contextlib.ExitStack()  # the session and its heart
+        self._connection_stack = contextlib.ExitStack()
+        self._session_stack = contextlib.ExitStack()  # the session and its heart
         self._session: Session | None = None
         self._planes: dict[str, DataPlane] = {}  # by endpoint
         self._run: Run | None = None
-        self._seen: Observation | None = None
+        self._observation: Observation | None = None
         self._in_episode = False
         token = token or os.environ.get("PROCTOR_TOKEN")
         connection = Connection(url, token, requests=3)
-        self._connection = self._closing.enter_context(connection)
-        self._patience = Patience(
+        self._connection = self._connection_stack.enter_context(connection)
+        self._retry_policy = RetryPolicy(
             connection.url, patience_s, threading.Event(), lambda _why: None
         )
-        self._desk = Desk(connection.control, self._patience)
-        self._desk.greet(1)
+        self._control_client = ControlClient(connection.control, self._retry_policy)
+        self._control_client.check_service(1)
         if run_id is not None:
-            self._run = self._desk.take_up(run_id)
+            self._run = self._control_client.resume_if_needed(run_id)
             benchmark = self._run.benchmark_id
-        manifest = self._desk.benchmark(str(benchmark))
+        manifest = self._control_client.benchmark(str(benchmark))
         self._submission = submission(
             manifest.benchmark_id,
             PolicyInfo(name=name),
@@ -132,13 +140,13 @@ class RemoteEnv(gymnasium.Env[spaces.Seen, dict[str, Any]]):
         if self._run is None:
             raise RuntimeError("there is no run before the first reset()")
         score: dict[str, Any] = to_jsonable_python(
-            self._desk.score(self._run.run_id).to_dict()
+            self._control_client.score(self._run.run_id).to_dict()
         )
         return score
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
-    ) -> tuple[spaces.Seen, dict[str, Any]]:
+    ) -> tuple[spaces.SpaceValue, dict[str, Any]]:
         """The first observation of the next episode.
 
         An episode that has begun and not ended is given up: its attempt counts, it goes
@@ -149,35 +157,35 @@ class RemoteEnv(gymnasium.Env[spaces.Seen, dict[str, Any]]):
             self._leave()
         turn = self._next_turn()
         self._in_episode = False  # given up without cost as long as nothing is played
-        self._seen = observation_of(turn)
-        return spaces.placed(self._seen, self._space), self._info(turn)
+        self._observation = observation_of(turn)
+        return spaces.space_value(self._observation, self._space), self._info(turn)
 
     def step(
         self, action: Mapping[str, Any]
-    ) -> tuple[spaces.Seen, SupportsFloat, bool, bool, dict[str, Any]]:
+    ) -> tuple[spaces.SpaceValue, SupportsFloat, bool, bool, dict[str, Any]]:
         """Executes one action, exactly once.
 
         `info["episode_result"]` is the server's when the episode ends. Where the
         attempt is lost (the server restarted, the simulator failed) the episode is
         `truncated` and `info["lost"]` says why; it is played again later.
         """
-        session, before = self._session, self._seen
+        session, before = self._session, self._observation
         if session is None or before is None:
             raise gymnasium.error.ResetNeeded("call reset() before step()")
         self._in_episode = True
         try:
             turn = session.predict(chunk_of([dict(action)]), observe=Observe.ALL)
         except ProctorError as error:
-            if error.code not in OVER:
+            if error.code not in SESSION_END_CODES:
                 raise
             self._leave()
-            return self._lost(before, error.detail)
+            return self._lost_step(before, error.detail)
         if turn.fault:
             self._in_episode = False
-            self._seen = None
-            return self._lost(before, turn.fault.detail)
+            self._observation = None
+            return self._lost_step(before, turn.fault.detail)
         assert turn.observations
-        seen = decoded(
+        observation = decode_observation(
             turn.observations[-1],
             before.instruction,
             before.episode_id,
@@ -185,25 +193,25 @@ class RemoteEnv(gymnasium.Env[spaces.Seen, dict[str, Any]]):
         )
         ended = turn.terminated or turn.truncated
         self._in_episode = not ended
-        self._seen = None if ended else seen
+        self._observation = None if ended else observation
         info = self._info(turn) | {
-            "episode_id": seen.episode_id,
-            "instruction": seen.instruction,
+            "episode_id": observation.episode_id,
+            "instruction": observation.instruction,
         }
         if turn.episode_result:
             info["episode_result"] = msgspec.to_builtins(turn.episode_result)
-        placed = spaces.placed(seen, self._space)
-        return placed, sum(turn.rewards), turn.terminated, turn.truncated, info
+        space_value = spaces.space_value(observation, self._space)
+        return space_value, sum(turn.rewards), turn.terminated, turn.truncated, info
 
     def close(self) -> None:
         """Detaches; the run stays. May be called again."""
         self._leave()
-        self._closing.close()
+        self._connection_stack.close()
 
-    def _lost(
+    def _lost_step(
         self, before: Observation, why: str
-    ) -> tuple[spaces.Seen, SupportsFloat, bool, bool, dict[str, Any]]:
-        return spaces.placed(before, self._space), 0.0, False, True, {"lost": why}
+    ) -> tuple[spaces.SpaceValue, SupportsFloat, bool, bool, dict[str, Any]]:
+        return spaces.space_value(before, self._space), 0.0, False, True, {"lost": why}
 
     def _info(self, turn: Turn) -> dict[str, Any]:
         if not turn.episode:
@@ -221,9 +229,11 @@ class RemoteEnv(gymnasium.Env[spaces.Seen, dict[str, Any]]):
                 return self._session.turn
             self._leave()
             if self._run is None:
-                self._desk.check(self._submission.benchmark_id)
-                self._run = self._desk.submit(self._submission)
-            if self._desk.work_is_left(self._run.run_id, held=self._takeover):
+                self._control_client.check(self._submission.benchmark_id)
+                self._run = self._control_client.submit(self._submission)
+            if self._control_client.wait_for_work(
+                self._run.run_id, held=self._takeover
+            ):
                 self._attach(self._run)
             elif self._renew:
                 self._run = None
@@ -233,23 +243,25 @@ class RemoteEnv(gymnasium.Env[spaces.Seen, dict[str, Any]]):
     def _attach(self, run: Run) -> None:
         if run.endpoint not in self._planes:  # one for all sessions and runs there
             self._planes[run.endpoint] = self._connection.data(run.endpoint)
-        seat = Seat(self._planes[run.endpoint], run, self._worker_id)
+        slot = WorkerSlot(self._planes[run.endpoint], run, self._worker_id)
         session = Session.attach(
-            seat, self._patience, takeover=self._takeover, assumes=self._assumes
+            slot, self._retry_policy, takeover=self._takeover, assumes=self._assumes
         )
         self._takeover = False
         self._session = session
-        self._attached.callback(session.detach)
+        self._session_stack.callback(session.detach)
         lease_s = session.turn.lease.idle_timeout_s
-        heart = self._attached.enter_context(Heart(lease_s, session.beat))
+        heartbeat = self._session_stack.enter_context(
+            HeartbeatThread(lease_s, session.send_heartbeat)
+        )
         # Whoever calls step() may take as long as it likes in between.
-        self._attached.enter_context(heart.thinking())
+        self._session_stack.enter_context(heartbeat.keep_alive())
 
     def _leave(self) -> None:
         self._session = None
-        self._seen = None
+        self._observation = None
         self._in_episode = False
-        self._attached.close()
+        self._session_stack.close()
 
 
 gymnasium.register(

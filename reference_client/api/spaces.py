@@ -17,7 +17,7 @@ from proctor_client import Benchmark, ImageChoice, VectorSpace
 from reference_client.api.observation import Observation
 
 Array: TypeAlias = npt.NDArray[Any]
-Seen: TypeAlias = dict[str, dict[str, Array]]
+SpaceValue: TypeAlias = dict[str, dict[str, Array]]
 
 
 def action_space(benchmark: Benchmark) -> spaces.Dict:
@@ -50,15 +50,15 @@ def observation_space(benchmark: Benchmark, images: ImageChoice | None) -> space
     )
 
 
-def placed(seen: Observation, space: spaces.Dict) -> Seen:
+def space_value(observation: Observation, space: spaces.Dict) -> SpaceValue:
     """The observation as an element of the space, of arrays of its own."""
-    out: Seen = {}
+    out: SpaceValue = {}
     for group, entries in space.items():
         assert isinstance(entries, spaces.Dict)
-        shown = getattr(seen, group)
+        group_values = getattr(observation, group)
         out[group] = {
-            name: np.array(shown[name], dtype=box.dtype)
-            if name in shown
+            name: np.array(group_values[name], dtype=box.dtype)
+            if name in group_values
             else np.zeros(box.shape or (), dtype=box.dtype)
             for name, box in entries.items()
         }

@@ -26,21 +26,25 @@ FLAGS = {
     "--web-view-port": "--view-port",
 }
 # Flag → whether a value follows it, and why it says nothing here.
-DROPPED = {
+IGNORED_FLAGS = {
     "--is-public": (True, "a run is its submitter's; there is nothing to publish"),
     "--user-id": (True, "the token says whose run it is"),
     "--interval": (True, "the server is not polled but answers when there is news"),
 }
-PASSED_ON = ("serve", "serve-policy", "conformance")  # their flags are their own
+PASS_THROUGH_COMMANDS = (
+    "serve",
+    "serve-policy",
+    "conformance",
+)  # their flags are their own
 
 
-def translated(arguments: list[str]) -> tuple[list[str], list[str]]:
+def translate(arguments: list[str]) -> tuple[list[str], list[str]]:
     """The arguments in this command's words, and lines about what was dropped."""
     for words, here in COMMANDS.items():
         if tuple(arguments[: len(words)]) == words:
             arguments = here + arguments[len(words) :]
             break
-    if arguments[:1] and arguments[0] in PASSED_ON:
+    if arguments[:1] and arguments[0] in PASS_THROUGH_COMMANDS:
         return arguments, []
     out: list[str] = []
     notes: list[str] = []
@@ -53,8 +57,8 @@ def translated(arguments: list[str]) -> tuple[list[str], list[str]]:
             out.append(argument)
             continue
         flag = flag.replace("_", "-")
-        if flag in DROPPED:
-            takes_value, why = DROPPED[flag]
+        if flag in IGNORED_FLAGS:
+            takes_value, why = IGNORED_FLAGS[flag]
             if takes_value and not equals:
                 next(rest, None)
             notes.append(f"{flag} says nothing here: {why}")

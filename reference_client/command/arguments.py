@@ -12,11 +12,11 @@ import os
 import re
 from typing import Any, NoReturn
 
-from reference_client.command.aliases import PASSED_ON
-from reference_client.command.exit_codes import CannotMean
+from reference_client.command.aliases import PASS_THROUGH_COMMANDS
+from reference_client.command.exit_codes import UsageError
 
 DEFAULT_URL = "http://127.0.0.1:8460"  # where `proctor serve` serves
-EXITS = (
+EXIT_CODES_HELP = (
     "exit codes: 0 done; 1 the run failed, is not complete or not to be released; "
     "2 wrong usage or no server; 130 Ctrl-C"
 )
@@ -38,7 +38,7 @@ COMMANDS = {
 
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
-        raise CannotMean(f"{message}; {self.prog} --help lists what can be said")
+        raise UsageError(f"{message}; {self.prog} --help lists what can be said")
 
 
 def build_parser() -> argparse.ArgumentParser:
@@ -46,26 +46,26 @@ def build_parser() -> argparse.ArgumentParser:
     parser = _Parser(
         prog="proctor",
         description="Evaluate robot policies on any Proctor server.",
-        epilog=EXITS,
+        epilog=EXIT_CODES_HELP,
         allow_abbrev=False,
     )
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
     made = {
         name: commands.add_parser(
-            name, help=text, description=f"{name}: {text}.", epilog=EXITS,
-            allow_abbrev=False, add_help=name not in PASSED_ON,
+            name, help=text, description=f"{name}: {text}.", epilog=EXIT_CODES_HELP,
+            allow_abbrev=False, add_help=name not in PASS_THROUGH_COMMANDS,
         )
         for name, text in COMMANDS.items()
     }  # fmt: skip
     for name, command in made.items():
-        if name not in PASSED_ON:
-            _server(command)
-    _run_id(made["status"], "the run; your latest runs without it")
+        if name not in PASS_THROUGH_COMMANDS:
+            _add_server_options(command)
+    _add_run_id(made["status"], "the run; your latest runs without it")
     made["status"].add_argument(
         "--watch", action="store_true", help="stay until the run is over"
     )
     for name in ("stop", "resume", "results"):
-        _run_id(made[name], "the run")
+        _add_run_id(made[name], "the run")
     made["stop"].add_argument(
         "--drain",
         action="store_true",
@@ -82,7 +82,7 @@ def build_parser() -> argparse.ArgumentParser:
         help="largest difference of scores, from 0 to 1, that is released (0.05)",
     )  # fmt: skip
     made["benchmarks"].add_argument("benchmark", nargs="?", help="show this one")
-    _submission(made["submit"])
+    _add_submission_options(made["submit"])
     made["submit"].add_argument(
         "--push", metavar="URL",
         help="have the server call the policy server there [key: PROCTOR_POLICY_KEY]",
@@ -95,12 +95,12 @@ def build_parser() -> argparse.ArgumentParser:
     submit.add_argument(
         "--print-endpoint", action="store_true", help="print the endpoint alone"
     )
-    _submission(made["run"])
-    _playing(made["run"])
+    _add_submission_options(made["run"])
+    _add_policy_options(made["run"])
     return parser
 
 
-def _server(parser: argparse.ArgumentParser) -> None:
+def _add_server_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("the server")
     group.add_argument(
         "--url",
@@ -123,12 +123,12 @@ def _server(parser: argparse.ArgumentParser) -> None:
     shape.add_argument("--debug", action="store_true", help="tracebacks of errors")
 
 
-def _run_id(parser: argparse.ArgumentParser, text: str) -> None:
+def _add_run_id(parser: argparse.ArgumentParser, text: str) -> None:
     parser.add_argument("run", nargs="?", metavar="RUN", help=text)
     parser.add_argument("--run-id", metavar="RUN", help="the same, as a flag")
 
 
-def _submission(parser: argparse.ArgumentParser) -> None:
+def _add_submission_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("the run")
     group.add_argument("--benchmark", metavar="NAME", help="for a new run")
     group.add_argument("--run-id", metavar="RUN", help="go on with this run instead")
@@ -152,7 +152,7 @@ def _submission(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _playing(parser: argparse.ArgumentParser) -> None:
+def _add_policy_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("the policy")
     group.add_argument(
         "--policy", metavar="WHAT",

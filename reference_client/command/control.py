@@ -20,42 +20,49 @@ from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
     NOT_RELEASED,
-    CannotMean,
+    UsageError,
 )
-from reference_client.command.output import Follower, Printer
+from reference_client.command.output import Printer, ProgressDisplay
 from reference_client.evaluation import plan
 from reference_client.evaluation.status_board import Progress
 from reference_client.protocol.connection import Connection
-from reference_client.protocol.control_client import Desk
-from reference_client.protocol.retry_policy import Patience
+from reference_client.protocol.control_client import ControlClient
+from reference_client.protocol.retry_policy import RetryPolicy
 
 PATIENCE_S = 10.0
 LATEST = 20
-OVER = frozenset({"completed", "failed", "stopped"})
+ENDED_STATES = frozenset({"completed", "failed", "stopped"})
 
 
 @contextlib.contextmanager
-def desk_of(args: argparse.Namespace, printer: Printer) -> Iterator[Desk]:
+def open_control_client(
+    args: argparse.Namespace, printer: Printer
+) -> Iterator[ControlClient]:
     """The server that the flags name."""
     patience_s = PATIENCE_S if args.patience_s is None else args.patience_s
     with Connection(args.url, args.token, requests=2) as connection:
-        yield Desk(
+        yield ControlClient(
             connection.control,
-            Patience(connection.url, patience_s, threading.Event(), _teller(printer)),
+            RetryPolicy(
+                connection.url,
+                patience_s,
+                threading.Event(),
+                _waiting_reporter(printer),
+            ),
         )
 
 
 def submit(args: argparse.Namespace, printer: Printer) -> int:
-    with desk_of(args, printer) as desk:
-        desk.greet(args.max_workers or 1)
+    with open_control_client(args, printer) as control_client:
+        control_client.check_service(args.max_workers or 1)
         if args.run_id is not None:
-            run = desk.take_up(args.run_id)
+            run = control_client.resume_if_needed(args.run_id)
         else:
             submission = submission_of(args)
-            desk.check(submission.benchmark_id)
-            run = desk.submit(submission)
+            control_client.check(submission.benchmark_id)
+            run = control_client.submit(submission)
         if args.wait:
-            run = _until_ready(desk, run, args.timeout)
+            run = _wait_until_ready(control_client, run, args.timeout)
     if args.print_endpoint:
         printer.answer(run.endpoint, run.endpoint)
     else:
@@ -65,12 +72,16 @@ def submit(args: argparse.Namespace, printer: Printer) -> int:
 
 def status(args: argparse.Namespace, printer: Printer) -> int:
     run_id = run_id_of(args)
-    with desk_of(args, printer) as desk:
+    with open_control_client(args, printer) as control_client:
         if run_id is None:
-            runs = desk.latest(LATEST)
+            runs = control_client.latest(LATEST)
             printer.answer([run.to_dict() for run in runs], output.run_list(runs))
             return DONE
-        run = _watched(desk, run_id, printer) if args.watch else desk.read(run_id)
+        run = (
+            _watch(control_client, run_id, printer)
+            if args.watch
+            else control_client.read(run_id)
+        )
     printer.answer(run.to_dict(), output.run_facts(run))
     state = run.state.value
     failed = state == "failed" or (args.watch and state != "completed")
@@ -79,24 +90,24 @@ def status(args: argparse.Namespace, printer: Printer) -> int:
 
 def stop(args: argparse.Namespace, printer: Printer) -> int:
     mode = StopMode("drain" if args.drain else "abort")
-    with desk_of(args, printer) as desk:
-        run = desk.stop(_needed(args), mode)
+    with open_control_client(args, printer) as control_client:
+        run = control_client.stop(_required_run_id(args), mode)
     printer.answer(run.to_dict(), output.run_facts(run))
     return DONE
 
 
 def resume(args: argparse.Namespace, printer: Printer) -> int:
-    with desk_of(args, printer) as desk:
-        run = desk.resume(_needed(args))
+    with open_control_client(args, printer) as control_client:
+        run = control_client.resume(_required_run_id(args))
     printer.answer(run.to_dict(), output.run_facts(run))
     return DONE
 
 
 def results(args: argparse.Namespace, printer: Printer) -> int:
-    run_id = _needed(args)
-    with desk_of(args, printer) as desk:
-        score = desk.score(run_id)
-        episodes = desk.episodes(run_id) if args.episodes else None
+    run_id = _required_run_id(args)
+    with open_control_client(args, printer) as control_client:
+        score = control_client.score(run_id)
+        episodes = control_client.episodes(run_id) if args.episodes else None
     value: dict[str, Any] = score.to_dict()
     tables = [
         output.score_facts(score),
@@ -111,21 +122,23 @@ def results(args: argparse.Namespace, printer: Printer) -> int:
 
 
 def compare(args: argparse.Namespace, printer: Printer) -> int:
-    with desk_of(args, printer) as desk:
-        found = desk.compare(args.baseline, args.runs, args.tolerance)
-    tables = [table for run in found.runs for table in output.compared(found, run)]
+    with open_control_client(args, printer) as control_client:
+        found = control_client.compare(args.baseline, args.runs, args.tolerance)
+    tables = [
+        table for run in found.runs for table in output.comparison_tables(found, run)
+    ]
     printer.answer(found.to_dict(), *tables)
     return DONE if all(run.release for run in found.runs) else NOT_RELEASED
 
 
 def benchmarks(args: argparse.Namespace, printer: Printer) -> int:
-    with desk_of(args, printer) as desk:
+    with open_control_client(args, printer) as control_client:
         if args.benchmark is None:
-            found = desk.benchmarks()
+            found = control_client.benchmarks()
             value = [one.to_dict() for one in found]
             printer.answer(value, output.benchmark_list(found))
         else:
-            one = desk.benchmark(args.benchmark)
+            one = control_client.benchmark(args.benchmark)
             printer.answer(one.to_dict(), *output.benchmark_tables(one))
     return DONE
 
@@ -133,7 +146,7 @@ def benchmarks(args: argparse.Namespace, printer: Printer) -> int:
 def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRun:
     """What the flags ask for. Raises CannotMean."""
     if args.benchmark is None:
-        raise CannotMean(
+        raise UsageError(
             "say what to evaluate on: --benchmark NAME (`proctor benchmarks` lists "
             "them), or --run-id RUN to go on with a run"
         )
@@ -154,7 +167,7 @@ def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRu
             policy_server=_policy_server(getattr(args, "push", None)),
         )
     except ValueError as error:
-        raise CannotMean(str(error)) from error
+        raise UsageError(str(error)) from error
 
 
 def _policy_server(url: str | None) -> dict[str, str] | None:
@@ -168,22 +181,24 @@ def _policy_server(url: str | None) -> dict[str, str] | None:
 
 def run_id_of(args: argparse.Namespace) -> str | None:
     if args.run and args.run_id and args.run != args.run_id:
-        raise CannotMean(f"two runs are named: {args.run} and {args.run_id}")
+        raise UsageError(f"two runs are named: {args.run} and {args.run_id}")
     run_id: str | None = args.run or args.run_id
     return run_id
 
 
-def _needed(args: argparse.Namespace) -> str:
+def _required_run_id(args: argparse.Namespace) -> str:
     run_id = run_id_of(args)
     if run_id is None:
-        raise CannotMean("name the run; `proctor status` lists your latest")
+        raise UsageError("name the run; `proctor status` lists your latest")
     return run_id
 
 
-def _until_ready(desk: Desk, run: Run, timeout_s: float | None) -> Run:
+def _wait_until_ready(
+    control_client: ControlClient, run: Run, timeout_s: float | None
+) -> Run:
     """The run when it is not queued any more, or when the time is up."""
     deadline = None if timeout_s is None else time.monotonic() + timeout_s
-    for changed in desk.changes(run.run_id):
+    for changed in control_client.changes(run.run_id):
         run = changed
         late = deadline is not None and time.monotonic() > deadline
         if run.state.value != "queued" or late:
@@ -191,27 +206,27 @@ def _until_ready(desk: Desk, run: Run, timeout_s: float | None) -> Run:
     return run
 
 
-def _watched(desk: Desk, run_id: str, printer: Printer) -> Run:
-    with Follower(printer) as follower:
-        for run in desk.changes(run_id):
+def _watch(control_client: ControlClient, run_id: str, printer: Printer) -> Run:
+    with ProgressDisplay(printer) as progress_display:
+        for run in control_client.changes(run_id):
             progress = run.progress
-            follower(
+            progress_display(
                 Progress(
                     run_id,
                     progress.episodes_total,
                     progress.episodes_scored,
-                    desk.score(run_id).mean,
+                    control_client.score(run_id).mean,
                     run.reason,
                 )
             )
-            if run.state.value in OVER:
+            if run.state.value in ENDED_STATES:
                 return run
     raise AssertionError("changes never end")
 
 
-def _teller(printer: Printer) -> Any:
-    def tell(what: str | None) -> None:
+def _waiting_reporter(printer: Printer) -> Any:
+    def report_waiting(what: str | None) -> None:
         if what is not None:
             printer.say(what)
 
-    return tell
+    return report_waiting

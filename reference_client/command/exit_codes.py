@@ -11,7 +11,7 @@ import re
 
 from reference_client.api.errors import BAD_ANSWER, UNREACHABLE, ProctorError
 
-DONE, NOT_COMPLETE, CANNOT, INTERRUPTED = 0, 1, 2, 130
+DONE, NOT_COMPLETE, WRONG_USAGE_OR_NO_SERVER, INTERRUPTED = 0, 1, 2, 130
 NOT_RELEASED = 1
 
 # What says nothing about the run: neither that it failed nor that it did not.
@@ -37,25 +37,25 @@ _ARGUMENTS = {
 }
 
 
-class CannotMean(Exception):
+class UsageError(Exception):
     """The command line makes no sense; the message says why and what would."""
 
 
-def code_of(error: ProctorError, *, has_run: bool) -> int:
+def exit_code_of(error: ProctorError, *, has_run: bool) -> int:
     """has_run: whether there is a run that the error leaves incomplete."""
     if error.code in _CANNOT or not has_run:
-        return CANNOT
+        return WRONG_USAGE_OR_NO_SERVER
     return NOT_COMPLETE
 
 
-def line_of(error: ProctorError) -> str:
+def message_of(error: ProctorError) -> str:
     """What happened and what to do, with flags in the place of arguments."""
-    parts = [in_flags(error.detail)]
+    parts = [with_flag_names(error.detail)]
     parts += [f"{pointer} {text}" for pointer, text in error.errors]
     return f"{' – '.join(parts)} [{error.code}]"
 
 
-def in_flags(text: str) -> str:
+def with_flag_names(text: str) -> str:
     """What the library says of its arguments, said of the command's flags."""
     text = re.sub(r'; evaluate\(\.\.\., run_id="[^"]*"\) goes on with it', "", text)
     for argument, flag in _ARGUMENTS.items():

@@ -15,14 +15,14 @@ from collections.abc import Callable, Sequence
 
 from reference_client.api.errors import ProctorError
 from reference_client.command import control, running
-from reference_client.command.aliases import PASSED_ON, translated
+from reference_client.command.aliases import PASS_THROUGH_COMMANDS, translate
 from reference_client.command.arguments import build_parser
 from reference_client.command.exit_codes import (
-    CANNOT,
     INTERRUPTED,
-    CannotMean,
-    code_of,
-    line_of,
+    WRONG_USAGE_OR_NO_SERVER,
+    UsageError,
+    exit_code_of,
+    message_of,
 )
 from reference_client.command.output import Printer
 
@@ -53,23 +53,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = list(sys.argv[1:] if arguments is None else arguments)
     as_json = "--json" in given
     try:
-        words, notes = translated(given)
+        words, notes = translate(given)
         for note in notes:
             Printer(as_json=as_json).say(f"proctor: {note}")
-        if words and words[0] in PASSED_ON:
+        if words and words[0] in PASS_THROUGH_COMMANDS:
             return start(words[0], words[1:])
         args = build_parser().parse_args(words)
         _complete(args)
         printer = Printer(as_json=args.json)
-        return _answered(args, printer)
-    except CannotMean as error:
-        _told("usage", str(error), as_json=as_json)
-        return CANNOT
+        return _run_command(args, printer)
+    except UsageError as error:
+        _print_error("usage", str(error), as_json=as_json)
+        return WRONG_USAGE_OR_NO_SERVER
     except KeyboardInterrupt:
         return INTERRUPTED
     except BrokenPipeError:  # `proctor results | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return CANNOT
+        return WRONG_USAGE_OR_NO_SERVER
 
 
 def start(command: str, arguments: Sequence[str]) -> int:
@@ -77,27 +77,27 @@ def start(command: str, arguments: Sequence[str]) -> int:
     module, needed, extra = PROGRAMS[command]
     missing = [name for name in needed if importlib.util.find_spec(name) is None]
     if missing:
-        raise CannotMean(
+        raise UsageError(
             f"{command} needs {missing[0]}, which is not installed here: "
             f"pip install 'proctor-eval[{extra}]'"
         )
     os.execv(sys.executable, [sys.executable, "-m", module, *arguments])  # noqa: S606
 
 
-def _answered(args: argparse.Namespace, printer: Printer) -> int:
+def _run_command(args: argparse.Namespace, printer: Printer) -> int:
     try:
         return COMMANDS[args.command](args, printer)
     except ProctorError as error:
         if args.debug:
             traceback.print_exc()
-        _told(error.code, line_of(error), as_json=args.json)
-        return code_of(error, has_run=False)
-    except CannotMean:
+        _print_error(error.code, message_of(error), as_json=args.json)
+        return exit_code_of(error, has_run=False)
+    except UsageError:
         if args.debug:
             traceback.print_exc()
         raise
     except ValueError as error:  # a URL, an id: what could not be sent
-        raise CannotMean(" ".join(str(error).split())) from error
+        raise UsageError(" ".join(str(error).split())) from error
 
 
 def _complete(args: argparse.Namespace) -> None:
@@ -106,7 +106,7 @@ def _complete(args: argparse.Namespace) -> None:
     args.token = args.token or os.environ.get("PROCTOR_TOKEN") or None
 
 
-def _told(code: str, line: str, *, as_json: bool) -> None:
+def _print_error(code: str, line: str, *, as_json: bool) -> None:
     printer = Printer(as_json=as_json)
     printer.say(f"proctor: {line}")
     if as_json:

@@ -28,7 +28,7 @@ from rich.progress import BarColumn, TaskID, TextColumn, TimeElapsedColumn
 from rich.progress import Progress as Bars
 from rich.table import Table
 
-from reference_client.command.exit_codes import in_flags
+from reference_client.command.exit_codes import with_flag_names
 from reference_client.evaluation.status_board import Progress
 
 LOG_S = 10.0  # between two lines of progress where nobody watches a terminal
@@ -62,7 +62,7 @@ class Printer:
             self._out.print(table, soft_wrap=isinstance(table, str))
 
 
-class Follower:
+class ProgressDisplay:
     """Shows how an evaluation is getting on: a bar on a terminal, else a line at times.
 
     A context that ends the bar.
@@ -101,7 +101,7 @@ class Follower:
         if progress.waiting != self._waiting:
             self._waiting = progress.waiting
             if progress.waiting is not None:
-                self._printer.say(in_flags(progress.waiting))
+                self._printer.say(with_flag_names(progress.waiting))
         if self._bars is None:
             self._log(progress)
             return
@@ -217,7 +217,7 @@ def groups(title: str, by_name: Mapping[str, GroupScore]) -> Table:
     return table
 
 
-def compared(comparison: Comparison, run: ComparedRun) -> list[Table]:
+def comparison_tables(comparison: Comparison, run: ComparedRun) -> list[Table]:
     """One run beside the baseline: the facts, and a row for each task."""
     alone = f"{run.wins} wins, {run.losses} losses, {run.ties} ties"
     head = facts(

@@ -27,19 +27,19 @@ from reference_client.command.control import submission_of
 from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
-    CannotMean,
-    code_of,
-    line_of,
+    UsageError,
+    exit_code_of,
+    message_of,
 )
-from reference_client.command.output import Follower, Printer
-from reference_client.evaluation.evaluate import perform
-from reference_client.evaluation.plan import Plan, exactly
-from reference_client.evaluation.status_board import Board, Progress
-from reference_client.evaluation.worker_pool import Staff, Threads
-from reference_client.evaluation.worker_processes import Processes
+from reference_client.command.output import Printer, ProgressDisplay
+from reference_client.evaluation.evaluate import run_evaluation
+from reference_client.evaluation.plan import EvaluationPlan, parse_strictly
+from reference_client.evaluation.status_board import Progress, StatusBoard
+from reference_client.evaluation.worker_pool import ThreadWorkerPool, WorkerPool
+from reference_client.evaluation.worker_processes import ProcessWorkerPool
 from reference_client.policies import BadMapping, BadPolicy, Mapping, load
-from reference_client.policies.error_origin import blamed
-from reference_client.policies.policy_server import PolicyServers
+from reference_client.policies.error_origin import describe_policy_error
+from reference_client.policies.policy_server import PolicyServerClient
 from reference_client.view.server import View
 
 PATIENCE_S = 300.0
@@ -49,18 +49,18 @@ def run(args: argparse.Namespace, printer: Printer) -> int:
     """Returns the exit code; the answer and every error have been printed."""
     if args.policy_url is not None:
         if args.policy is not None:
-            raise CannotMean("--policy and --policy-url say both which policy")
+            raise UsageError("--policy and --policy-url say both which policy")
         args.policy = f"proctor:{args.policy_url}"
     if args.policy is None:
-        raise CannotMean("say which policy: --policy my_module:MyPolicy")
+        raise UsageError("say which policy: --policy my_module:MyPolicy")
     try:
         mapping = Mapping.read(args.mapping) if args.mapping else None
         server = _policy_server(args, mapping)
-        vet = None if mapping is None else mapping.check
-        plan = _plan(args, vet if server is None else server.check)
+        check_benchmark = None if mapping is None else mapping.check
+        plan = _plan(args, check_benchmark if server is None else server.check)
     except (ValueError, BadMapping) as error:
-        raise CannotMean(str(error)) from error
-    return _Run(args, printer, server).perform(plan, mapping)
+        raise UsageError(str(error)) from error
+    return _EvaluationCommand(args, printer, server).run_evaluation(plan, mapping)
 
 
 def resume_command(args: argparse.Namespace, run_id: str) -> str:
@@ -83,89 +83,93 @@ def resume_command(args: argparse.Namespace, run_id: str) -> str:
     return shlex.join(command)
 
 
-class _Run:
+class _EvaluationCommand:
     """One evaluation, and how it ends."""
 
     def __init__(
         self,
         args: argparse.Namespace,
         printer: Printer,
-        server: PolicyServers | None,
+        server: PolicyServerClient | None,
     ) -> None:
         self._args = args
         self._server = server
         self._printer = printer
-        self._follower = Follower(printer)
+        self._progress_display = ProgressDisplay(printer)
         self._run: Run | None = None
         self._view: View | None = None
 
-    def perform(self, plan: Plan, mapping: Mapping | None) -> int:
+    def run_evaluation(self, plan: EvaluationPlan, mapping: Mapping | None) -> int:
         signals = Signals()
         with contextlib.ExitStack() as stack:
             stack.enter_context(signals)
-            stack.enter_context(self._follower)
+            stack.enter_context(self._progress_display)
             # A program reads our standard output: what a policy prints is not for it.
             stack.enter_context(contextlib.redirect_stdout(sys.stderr))
             try:
-                board, staff = self._staffed(mapping, stack)
-                signals.at_once = getattr(staff, "kill", _nothing)
-                score = perform(
+                board, worker_pool = self._make_worker_pool(mapping, stack)
+                signals.before_exit = getattr(worker_pool, "kill", _do_nothing)
+                score = run_evaluation(
                     plan,
-                    staff,
-                    progress=self._news,
-                    opened=self._opened,
+                    worker_pool,
+                    progress=self._on_progress,
+                    opened=self._on_opened,
                     say=self._printer.say,
                     board=board,
                 )
             except KeyboardInterrupt:
-                return self._left(128 + signals.number, "interrupted", "Interrupted.")
+                return self._report_end(
+                    128 + signals.number, "interrupted", "Interrupted."
+                )
             except (BadPolicy, BadMapping, ValueError) as error:
                 if self._run is None:
-                    raise CannotMean(str(error)) from error
-                return self._policy_raised(error)
+                    raise UsageError(str(error)) from error
+                return self._report_policy_error(error)
             except ProctorError as error:
-                return self._refused(error)
+                return self._report_refusal(error)
             except Exception as error:  # noqa: BLE001 - a policy may raise anything
-                return self._policy_raised(error)
-        return self._scored(score)
+                return self._report_policy_error(error)
+        return self._report_score(score)
 
-    def _staffed(
+    def _make_worker_pool(
         self, mapping: Mapping | None, stack: contextlib.ExitStack
-    ) -> tuple[Board, Staff]:
+    ) -> tuple[StatusBoard, WorkerPool]:
         args = self._args
-        board, view = Board(), None
+        board, view = StatusBoard(), None
         if args.view:
-            view = self._view = stack.enter_context(_opened_view(args.view_port))
+            view = self._view = stack.enter_context(_open_view(args.view_port))
             self._printer.say(f"Look on at {view.url}")
             board = view.board
-        staff: Staff
+        worker_pool: WorkerPool
         if args.processes:
-            staff = Processes(args.policy, args.mapping, view.sent if view else None)
+            worker_pool = ProcessWorkerPool(
+                args.policy, args.mapping, view.store_report if view else None
+            )
             if view is not None:
-                view.look = staff.look
+                view.request_frames = worker_pool.request_frames
         else:
             try:
                 make = self._server or load(args.policy, mapping)
             except BadPolicy:
                 raise
             except Exception as error:
-                raise _in_policy(error) from error
-            staff = Threads(_telling(make))
-        return board, staff
+                raise _policy_failure(error) from error
+            worker_pool = ThreadWorkerPool(_attribute_errors(make))
+        return board, worker_pool
 
-    def _opened(self, run: Run) -> None:
+    def _on_opened(self, run: Run) -> None:
         self._run = run
         policy = f"{run.policy.name} on {run.benchmark_id}"
         self._printer.say(f"Run {run.run_id}: {policy}")
         if self._view is not None:
             self._view.title = policy
 
-    def _news(self, progress: Progress) -> None:
-        self._follower(progress)
+    def _on_progress(self, progress: Progress) -> None:
+        self._progress_display(progress)
         if self._view is not None:
             self._view.progress = progress
 
-    def _scored(self, score: Score) -> int:
+    def _report_score(self, score: Score) -> int:
         self._printer.answer(
             score.to_dict(),
             output.score_facts(score),
@@ -173,32 +177,34 @@ class _Run:
         )
         return DONE if score.complete else NOT_COMPLETE
 
-    def _refused(self, error: ProctorError) -> int:
+    def _report_refusal(self, error: ProctorError) -> int:
         if self._args.debug:
             whole = getattr(error, "traceback", None) or traceback.format_exc()
             self._printer.say(whole.rstrip())
-        return self._left(
-            code_of(error, has_run=self._run is not None),
+        return self._report_end(
+            exit_code_of(error, has_run=self._run is not None),
             error.code,
-            line_of(error),
-            goes_on=not isinstance(error, RunFailed) or error.retryable,
+            message_of(error),
+            can_resume=not isinstance(error, RunFailed) or error.retryable,
         )
 
-    def _policy_raised(self, error: Exception) -> int:
-        return self._refused(_in_policy(error))
+    def _report_policy_error(self, error: Exception) -> int:
+        return self._report_refusal(_policy_failure(error))
 
-    def _left(self, code: int, kind: str, line: str, *, goes_on: bool = True) -> int:
+    def _report_end(
+        self, code: int, kind: str, line: str, *, can_resume: bool = True
+    ) -> int:
         """Tells why it ends, and how it goes on."""
-        self._follower.end()
+        self._progress_display.end()
         say = self._printer.say
         say(f"proctor: {line}")
         value: dict[str, Any] = {"error": {"code": kind, "detail": line}}
         if self._run is not None:
-            run_id, latest = self._run.run_id, self._follower.latest
+            run_id, latest = self._run.run_id, self._progress_display.latest
             value["run_id"] = run_id
             if latest is not None:
                 say(f"Run {run_id} keeps its scores: {output.done(latest)} are scored.")
-            if goes_on:
+            if can_resume:
                 value["resume"] = resume_command(self._args, run_id)
                 say(f"To go on with it:\n  {value['resume']}")
         if self._printer.as_json:
@@ -213,27 +219,27 @@ class Signals:
     """
 
     def __init__(self) -> None:
-        self.at_once: Callable[[], object] = _nothing
+        self.before_exit: Callable[[], object] = _do_nothing
         self.number = int(signal.SIGINT)
-        self._heard = 0
+        self._signals_received = 0
         self._before: dict[int, Any] = {}
 
     def __enter__(self) -> Self:
         for number in (signal.SIGINT, signal.SIGTERM):
-            self._before[number] = signal.signal(number, self._hear)
+            self._before[number] = signal.signal(number, self._handle_signal)
         return self
 
     def __exit__(self, *_: object) -> None:
         for number, handler in self._before.items():
             signal.signal(number, handler)
 
-    def _hear(self, number: int, frame: FrameType | None) -> None:
-        self._heard += 1
-        if self._heard > 1:
+    def _handle_signal(self, number: int, frame: FrameType | None) -> None:
+        self._signals_received += 1
+        if self._signals_received > 1:
             if os.isatty(2):
                 os.write(2, b"\x1b[?25h")  # the bar has hidden the cursor
             os.write(2, b"proctor: ended at once; sessions end with their leases\n")
-            self.at_once()
+            self.before_exit()
             os._exit(128 + number)
         self.number = number
         os.write(2, b"\nLeaving: the workers detach. Again ends at once.\n")
@@ -242,30 +248,30 @@ class Signals:
 
 def _policy_server(
     args: argparse.Namespace, mapping: Mapping | None
-) -> PolicyServers | None:
+) -> PolicyServerClient | None:
     """What asks the policy server of `proctor:URL`, if that is the policy."""
     if not args.policy.startswith("proctor:"):
         return None
     if args.processes:
-        raise CannotMean("a policy server keeps no Python busy: leave --processes away")
+        raise UsageError("a policy server keeps no Python busy: leave --processes away")
     made = load(args.policy, mapping)
-    assert isinstance(made, PolicyServers)
+    assert isinstance(made, PolicyServerClient)
     return made
 
 
 def _plan(
-    args: argparse.Namespace, vet: Callable[[Benchmark], None] | None = None
-) -> Plan:
+    args: argparse.Namespace, check_benchmark: Callable[[Benchmark], None] | None = None
+) -> EvaluationPlan:
     if args.worker_ids:
         if args.workers is not None:
-            raise CannotMean("--worker-ids and --workers say both how many there are")
+            raise UsageError("--worker-ids and --workers say both how many there are")
         worker_ids = tuple(filter(None, map(str.strip, args.worker_ids.split(","))))
     else:
         worker_ids = tuple(
             f"{args.worker_prefix}-{i}" for i in range(args.workers or 1)
         )
     is_new = args.run_id is None
-    return Plan(
+    return EvaluationPlan(
         url=args.url,
         token=args.token,
         worker_ids=worker_ids,
@@ -273,9 +279,9 @@ def _plan(
         run_id=args.run_id,
         benchmark=args.benchmark,
         takeover=args.takeover,
-        assumes=exactly(Assumptions, "--assumes", args.assumes),
+        assumes=parse_strictly(Assumptions, "--assumes", args.assumes),
         patience_s=PATIENCE_S if args.patience_s is None else args.patience_s,
-        vet=vet,
+        check_benchmark=check_benchmark,
     )
 
 
@@ -285,30 +291,32 @@ def _policy_name(reference: str) -> str:
     return reference.rpartition(":")[2] or reference
 
 
-def _telling(make: Callable[[], Policy]) -> Callable[[], Policy]:
+def _attribute_errors(make: Callable[[], Policy]) -> Callable[[], Policy]:
     """What a policy raises while it is made is its own fault, told as that."""
 
-    def telling() -> Policy:
+    def make_policy() -> Policy:
         try:
             return make()
         except (BadPolicy, ProctorError):
             raise
         except Exception as error:
-            raise _in_policy(error) from error
+            raise _policy_failure(error) from error
 
-    return telling
+    return make_policy
 
 
-def _opened_view(port: int) -> View:
+def _open_view(port: int) -> View:
     try:
         return View(port)
     except (OSError, OverflowError) as error:
-        raise CannotMean(f"--view-port {port} cannot be had: {error}") from error
+        raise UsageError(f"--view-port {port} cannot be had: {error}") from error
 
 
-def _in_policy(error: Exception) -> PolicyFailed:
-    return PolicyFailed(blamed(error), "".join(traceback.format_exception(error)))
+def _policy_failure(error: Exception) -> PolicyFailed:
+    return PolicyFailed(
+        describe_policy_error(error), "".join(traceback.format_exception(error))
+    )
 
 
-def _nothing() -> None:
+def _do_nothing() -> None:
     """For threads there is nothing to kill."""

@@ -1,6 +1,6 @@
 """An evaluation from submit to score: a run, its workers, and what becomes of both.
 
-`evaluate` is what a Python program calls; the command `proctor run` calls `perform`,
+`evaluate` is what a Python program calls; the command `proctor run` calls `run_evaluation`,
 with a staff and words of its own.
 """
 
@@ -16,14 +16,22 @@ from proctor_client import Assumptions, PolicyInfo, Run, Score
 
 from reference_client.api.errors import RunFailed, RunStopped, how_to_resume
 from reference_client.api.policy import Policy
-from reference_client.evaluation.plan import Plan, exactly, submission
-from reference_client.evaluation.rounds import Evaluation
-from reference_client.evaluation.status_board import Board, Progress, line_for_people
-from reference_client.evaluation.worker_pool import Engagement, Staff, Threads
-from reference_client.policies.policy_server import PolicyServers
+from reference_client.evaluation.plan import EvaluationPlan, parse_strictly, submission
+from reference_client.evaluation.rounds import EvaluationRounds
+from reference_client.evaluation.status_board import (
+    Progress,
+    StatusBoard,
+    terminal_progress_line,
+)
+from reference_client.evaluation.worker_pool import (
+    EvaluationContext,
+    ThreadWorkerPool,
+    WorkerPool,
+)
+from reference_client.policies.policy_server import PolicyServerClient
 from reference_client.protocol.connection import Connection
-from reference_client.protocol.control_client import Desk
-from reference_client.protocol.retry_policy import Patience
+from reference_client.protocol.control_client import ControlClient
+from reference_client.protocol.retry_policy import RetryPolicy
 
 
 def evaluate(
@@ -65,7 +73,7 @@ def evaluate(
     ValueError for arguments that cannot be meant, and whatever the policy raises.
     Workers detach first, also on Ctrl-C; the run stays, and `run_id` goes on with it.
     """
-    plan = Plan(
+    plan = EvaluationPlan(
         url=url,
         token=token or os.environ.get("PROCTOR_TOKEN"),
         worker_ids=tuple(f"{worker_prefix}-{i}" for i in range(workers)),
@@ -81,69 +89,88 @@ def evaluate(
         run_id=run_id,
         benchmark=benchmark,
         takeover=takeover,
-        assumes=exactly(Assumptions, "assumes", assumes),
+        assumes=parse_strictly(Assumptions, "assumes", assumes),
         patience_s=patience_s,
-        vet=policy.check if isinstance(policy, PolicyServers) else None,
+        check_benchmark=policy.check
+        if isinstance(policy, PolicyServerClient)
+        else None,
     )
-    return _evaluated(plan, Threads(policy), progress)
+    return _evaluate_plan(plan, ThreadWorkerPool(policy), progress)
 
 
-def _evaluated(
-    plan: Plan, staff: Staff, progress: Callable[[Progress], None] | None
+def _evaluate_plan(
+    plan: EvaluationPlan,
+    worker_pool: WorkerPool,
+    progress: Callable[[Progress], None] | None,
 ) -> Score:
-    """`perform` for a Python program: what is left behind is told in its words."""
-    line = line_for_people() if progress is None else None
+    """`run_evaluation` for a Python program: what is left behind is told in its words."""
+    line = terminal_progress_line() if progress is None else None
     opened: list[Run] = []
     try:
-        return perform(plan, staff, progress=progress or line, opened=opened.append)
+        return run_evaluation(
+            plan, worker_pool, progress=progress or line, opened=opened.append
+        )
     except KeyboardInterrupt:
         if opened:
-            sys.stderr.write(f"\n{_left(opened[0])}\n")
+            sys.stderr.write(f"\n{_how_to_continue(opened[0])}\n")
         raise
     except (RunFailed, RunStopped):
         raise
     except BaseException as error:
         if opened:
-            error.add_note(_left(opened[0]))
+            error.add_note(_how_to_continue(opened[0]))
         raise
     finally:
         if line is not None and opened:
             line.end()
 
 
-def perform(
-    plan: Plan,
-    staff: Staff,
+def run_evaluation(
+    plan: EvaluationPlan,
+    worker_pool: WorkerPool,
     *,
     progress: Callable[[Progress], None] | None = None,
     opened: Callable[[Run], object] = lambda _run: None,
     say: Callable[[str], None] = lambda _line: None,
-    board: Board | None = None,
+    board: StatusBoard | None = None,
 ) -> Score:
-    """Open the run of `plan`, have `staff` play it, and return its score.
+    """Open the run of `plan`, have `worker_pool` play it, and return its score.
 
     opened: is given the run as soon as there is one. say: takes lines about workers
     that have ended. board: what the workers tell, for who wants to see more of it.
     Raises as `evaluate`.
     """
-    board, stop = board or Board(), threading.Event()
+    board, stop = board or StatusBoard(), threading.Event()
     workers = len(plan.worker_ids)
     with Connection(plan.url, plan.token, requests=2 * workers + 1) as connection:
-        patience = Patience(connection.url, plan.patience_s, stop, board.teller("run"))
-        desk = Desk(connection.control, patience)
+        retry_policy = RetryPolicy(
+            connection.url, plan.patience_s, stop, board.waiting_reporter("run")
+        )
+        control_client = ControlClient(connection.control, retry_policy)
         try:
-            desk.greet(workers)
-            run = plan.open(desk, lambda: staff.prepare(plan.worker_ids))
+            control_client.check_service(workers)
+            run = plan.open(
+                control_client, lambda: worker_pool.prepare(plan.worker_ids)
+            )
             opened(run)
-            team = staff.players(Engagement(plan, run, connection, patience, board))
-            return Evaluation(
-                run, team, desk, board, stop, plan.takeover, progress, say
+            run_workers = worker_pool.make_workers(
+                EvaluationContext(plan, run, connection, retry_policy, board)
+            )
+            return EvaluationRounds(
+                run,
+                run_workers,
+                control_client,
+                board,
+                stop,
+                plan.takeover,
+                progress,
+                say,
             ).score()
         finally:
-            staff.dismiss()
+            worker_pool.close()
 
 
-def _left(run: Run) -> str:
+def _how_to_continue(run: Run) -> str:
     return f"Run {run.run_id} is left; {how_to_resume(run.run_id)}."
 
 

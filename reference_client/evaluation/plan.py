@@ -25,7 +25,7 @@ from proctor_client import (
 )
 from pydantic import ValidationError
 
-from reference_client.protocol.control_client import Desk
+from reference_client.protocol.control_client import ControlClient
 
 # Of the parameter WorkerId: what the server refuses would leave a run behind.
 WORKER_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")
@@ -34,7 +34,7 @@ Model = TypeVar("Model", Assumptions, CalibrationOptions, ImageChoice, PolicySer
 
 
 @dataclass(frozen=True, slots=True)
-class Plan:
+class EvaluationPlan:
     """A run, new or known, and the workers that shall play it.
 
     submission: of a new run, or None for the run of `run_id`, which must be of
@@ -52,7 +52,7 @@ class Plan:
     takeover: bool = False
     assumes: Assumptions | None = None
     patience_s: float = 300.0
-    vet: Callable[[Benchmark], None] | None = None
+    check_benchmark: Callable[[Benchmark], None] | None = None
 
     def __post_init__(self) -> None:
         if self.submission is None and self.run_id is None:
@@ -65,7 +65,7 @@ class Plan:
             if not WORKER_ID.fullmatch(worker_id):
                 raise ValueError(f"{worker_id!r} is no worker's id: A-Z a-z 0-9 _ -")
 
-    def open(self, desk: Desk, prepare: Callable[[], None]) -> Run:
+    def open(self, control_client: ControlClient, prepare: Callable[[], None]) -> Run:
         """The run, in which episodes can be played; `prepare` is called before it.
 
         So a policy that cannot be made leaves no run behind, and a server that would
@@ -73,21 +73,21 @@ class Plan:
         """
         if self.run_id is None:
             assert self.submission is not None
-            benchmark = desk.check(self.submission.benchmark_id)
-            if self.vet is not None:
-                self.vet(benchmark)
+            benchmark = control_client.check(self.submission.benchmark_id)
+            if self.check_benchmark is not None:
+                self.check_benchmark(benchmark)
             prepare()
-            return desk.submit(self.submission)
-        run = desk.read(self.run_id)
+            return control_client.submit(self.submission)
+        run = control_client.read(self.run_id)
         if self.benchmark not in (None, run.benchmark_id):
             raise ValueError(
                 f"run {self.run_id} is of benchmark {run.benchmark_id!r}, "
                 f"not {self.benchmark!r}"
             )
-        if self.vet is not None:
-            self.vet(desk.benchmark(run.benchmark_id))
+        if self.check_benchmark is not None:
+            self.check_benchmark(control_client.benchmark(run.benchmark_id))
         prepare()
-        return desk.take_up(self.run_id)
+        return control_client.resume_if_needed(self.run_id)
 
 
 def submission(
@@ -108,10 +108,10 @@ def submission(
             policy=policy,
             idle_timeout_s=idle_timeout_s,
             max_workers=max_workers,
-            images=exactly(ImageChoice, "images", images),
-            options=exactly(CalibrationOptions, "options", options),
+            images=parse_strictly(ImageChoice, "images", images),
+            options=parse_strictly(CalibrationOptions, "options", options),
             mode=None if policy_server is None else RunMode.PUSH,
-            policy_server=exactly(PolicyServer, "policy_server", policy_server),
+            policy_server=parse_strictly(PolicyServer, "policy_server", policy_server),
         )
     except ValidationError as error:
         faults = error.errors(include_url=False)
@@ -119,7 +119,7 @@ def submission(
         raise ValueError("; ".join(texts)) from error
 
 
-def exactly(
+def parse_strictly(
     model: type[Model], name: str, members: Mapping[str, Any] | None
 ) -> Model | None:
     """The model of what was given; ValueError for what the model would drop."""

@@ -17,19 +17,19 @@ from typing import Protocol
 from proctor_client import Run, Score
 
 from reference_client.api.errors import WORKER_DIED, ProctorError
-from reference_client.evaluation.status_board import Board, Progress
-from reference_client.protocol.control_client import Desk
+from reference_client.evaluation.status_board import Progress, StatusBoard
+from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import Interrupted
 
-WATCH_S = 0.5
+POLL_INTERVAL_S = 0.5
 # Players get this long to finish a request or a thought when the evaluation ends early.
-FAREWELL_S = 5.0
+STOP_TIMEOUT_S = 5.0
 
 # One player's end, which leaves the others playing.
-_RETIRES = frozenset({"session_superseded", WORKER_DIED})
+_WORKER_ENDING_CODES = frozenset({"session_superseded", WORKER_DIED})
 
 
-class Player(Protocol):
+class RunWorker(Protocol):
     """One worker of the run, wherever it plays."""
 
     worker_id: str
@@ -37,31 +37,31 @@ class Player(Protocol):
     def play(self) -> None:
         """Returns when no episode is left for it; may be called again."""
 
-    def part(self) -> None:
+    def request_stop(self) -> None:
         """The evaluation is ending: `play` should return soon. Does not wait."""
 
-    def let_go(self) -> None:
+    def force_detach(self) -> None:
         """Leave no session behind, whatever `play` still does."""
 
 
 @dataclass
-class Evaluation:
-    """Plays `run` with `team` to its score.
+class EvaluationRounds:
+    """Plays `run` with `run_workers` to its score.
 
     stop: set when it ends early. takeover: episodes that sessions hold are to be had.
     progress: hears of the score. say: takes a line about what has gone wrong.
     """
 
     run: Run
-    team: list[Player]
-    desk: Desk
-    board: Board
+    run_workers: list[RunWorker]
+    control_client: ControlClient
+    board: StatusBoard
     stop: threading.Event
     takeover: bool
     progress: Callable[[Progress], None] | None
     say: Callable[[str], None]
     _failures: list[BaseException] = field(default_factory=list)
-    _retired: dict[str, ProctorError] = field(default_factory=dict)
+    _ended_workers: dict[str, ProctorError] = field(default_factory=dict)
     _so_far: Progress = field(init=False)
 
     def score(self) -> Score:
@@ -71,10 +71,10 @@ class Evaluation:
         )
         self._report(scored=True)
         held = self.takeover
-        while self.desk.work_is_left(self.run.run_id, held=held):
+        while self.control_client.wait_for_work(self.run.run_id, held=held):
             self._play_round()
             held = False
-        score = self.desk.score(self.run.run_id)
+        score = self.control_client.score(self.run.run_id)
         self._show(score)
         return score
 
@@ -85,62 +85,67 @@ class Evaluation:
         """
         threads = {
             threading.Thread(
-                target=self._work, args=[player], name=player.worker_id, daemon=True
-            ): player
-            for player in self.team
+                target=self._run_worker,
+                args=[worker],
+                name=worker.worker_id,
+                daemon=True,
+            ): worker
+            for worker in self.run_workers
         }
         try:
             for thread in threads:
                 thread.start()
             while any(thread.is_alive() for thread in threads):
-                if self.board.wait(WATCH_S):
+                if self.board.wait(POLL_INTERVAL_S):
                     self._report(scored=self.board.take_scored())
         finally:
-            self._part(threads)
+            self._stop_workers(threads)
         if self._failures:
             raise self._failures[0]
-        self.team = [p for p in self.team if p.worker_id not in self._retired]
-        if not self.team:
-            raise next(iter(self._retired.values()))
+        self.run_workers = [
+            p for p in self.run_workers if p.worker_id not in self._ended_workers
+        ]
+        if not self.run_workers:
+            raise next(iter(self._ended_workers.values()))
 
-    def _work(self, player: Player) -> None:
+    def _run_worker(self, worker: RunWorker) -> None:
         try:
-            player.play()
+            worker.play()
         except Interrupted:
             pass
         except BaseException as error:  # noqa: BLE001 - raised again by the watcher
-            if isinstance(error, ProctorError) and error.code in _RETIRES:
+            if isinstance(error, ProctorError) and error.code in _WORKER_ENDING_CODES:
                 # What it leaves is for the others.
-                self._retired[player.worker_id] = error
+                self._ended_workers[worker.worker_id] = error
                 self.say(error.detail)
             else:
                 self._failures.append(error)
                 self.stop.set()
-                for other in self.team:
-                    other.part()
+                for other in self.run_workers:
+                    other.request_stop()
         finally:
-            self.board.stir()
+            self.board.wake()
 
-    def _part(self, threads: Mapping[threading.Thread, Player]) -> None:
+    def _stop_workers(self, threads: Mapping[threading.Thread, RunWorker]) -> None:
         """After this no player has a session, whatever its thread still does."""
         if not any(thread.is_alive() for thread in threads):
             return
         self.stop.set()
-        for player in threads.values():
-            player.part()
-        deadline = time.monotonic() + FAREWELL_S
-        for thread, player in threads.items():
+        for worker in threads.values():
+            worker.request_stop()
+        deadline = time.monotonic() + STOP_TIMEOUT_S
+        for thread, worker in threads.items():
             if thread.is_alive():
                 thread.join(max(0.0, deadline - time.monotonic()))
             if thread.is_alive():
-                player.let_go()
+                worker.force_detach()
 
     def _report(self, *, scored: bool) -> None:
         if self.progress is None:
             return
         if scored:
             try:
-                self._show(self.desk.glance(self.run.run_id))
+                self._show(self.control_client.try_score(self.run.run_id))
             except (ProctorError, Interrupted):
                 pass  # it is told next time; workers know better what to bear
             else:

@@ -31,7 +31,7 @@ class Progress:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Glimpse:
+class TurnSnapshot:
     """One turn of a worker, for who looks on.
 
     observation: what the policy saw. turn: what came of its actions. think_s: how long
@@ -45,59 +45,61 @@ class Glimpse:
     turn_s: float
 
 
-class Board:
+class StatusBoard:
     """What workers tell the thread that watches them."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._news = threading.Event()
+        self._changed = threading.Event()
         self._waiting: dict[str, str] = {}
         self._scored = False
 
-    def teller(self, who: str) -> Callable[[str | None], None]:
-        """A function that notes what `who` waits for; None for nothing any more."""
+    def waiting_reporter(self, source: str) -> Callable[[str | None], None]:
+        """A function that notes what `source` waits for; None for nothing any more."""
 
-        def tell(what: str | None) -> None:
+        def report_waiting(what: str | None) -> None:
             with self._lock:
                 if what is None:
-                    self._waiting.pop(who, None)
+                    self._waiting.pop(source, None)
                 else:
-                    self._waiting[who] = what
-            self._news.set()
+                    self._waiting[source] = what
+            self._changed.set()
 
-        return tell
+        return report_waiting
 
-    def scored(self) -> None:
+    def on_scored(self) -> None:
         """An episode has a score."""
         self._scored = True
-        self._news.set()
+        self._changed.set()
 
-    def attached(self, session_id: str) -> None:
+    def on_attached(self, session_id: str) -> None:
         """A session is open; for who wants to know, which the watcher does not."""
 
-    def looked(self, glimpse: Glimpse) -> None:
+    def on_turn(self, snapshot: TurnSnapshot) -> None:
         """A turn was answered; the same."""
 
-    def stir(self) -> None:
+    def wake(self) -> None:
         """Something else has happened: the watcher should look."""
-        self._news.set()
+        self._changed.set()
 
     def wait(self, timeout_s: float) -> bool:
         """Wait for news; returns whether there was any."""
-        if not self._news.wait(timeout_s):
+        if not self._changed.wait(timeout_s):
             return False
-        self._news.clear()
+        self._changed.clear()
         return True
 
     def take_scored(self) -> bool:
         """Whether an episode was scored since this was last asked."""
-        scored, self._scored = self._scored, False
-        return scored
+        on_scored, self._scored = self._scored, False
+        return on_scored
 
     def waiting(self) -> str | None:
         """One line, for one of those who wait."""
         with self._lock:
-            return next((f"{who}: {what}" for who, what in self._waiting.items()), None)
+            return next(
+                (f"{source}: {what}" for source, what in self._waiting.items()), None
+            )
 
 
 class ProgressLine:
@@ -128,6 +130,6 @@ class ProgressLine:
         self._stream.flush()
 
 
-def line_for_people() -> ProgressLine | None:
+def terminal_progress_line() -> ProgressLine | None:
     """A line on the standard error if somebody looks at it."""
     return ProgressLine(sys.stderr) if sys.stderr.isatty() else None

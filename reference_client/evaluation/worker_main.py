@@ -21,44 +21,44 @@ from proctor_client import Assumptions, Run
 
 from reference_client.api.errors import ProctorError
 from reference_client.api.policy import Policy
-from reference_client.evaluation.status_board import Board, Glimpse
+from reference_client.evaluation.status_board import StatusBoard, TurnSnapshot
 from reference_client.evaluation.worker_thread import Worker
 from reference_client.policies import BadMapping, BadPolicy, Mapping, load
-from reference_client.policies.error_origin import blamed
+from reference_client.policies.error_origin import describe_policy_error
 from reference_client.protocol.connection import Connection
-from reference_client.protocol.retry_policy import Interrupted, Patience
-from reference_client.protocol.worker_session import Seat
-from reference_client.view.frames import shown
+from reference_client.protocol.retry_policy import Interrupted, RetryPolicy
+from reference_client.protocol.worker_session import WorkerSlot
+from reference_client.view.frames import describe_turn
 
 # For a request or a thought under way, after the orders have ended.
-FAREWELL_S = 4.0
+STOP_TIMEOUT_S = 4.0
 
 
-class Reporter(Board):
+class ReportingBoard(StatusBoard):
     """What a worker tells, written to the parent."""
 
     def __init__(self, stream: TextIO) -> None:
         super().__init__()
         self._stream = stream
         self._writing = threading.Lock()
-        self.latest: Glimpse | None = None
+        self.latest: TurnSnapshot | None = None
 
     def report(self, kind: str, **members: Any) -> None:
         with self._writing:
             self._stream.write(json.dumps({"report": kind} | members) + "\n")
             self._stream.flush()
 
-    def teller(self, who: str) -> Callable[[str | None], None]:
+    def waiting_reporter(self, source: str) -> Callable[[str | None], None]:
         return lambda what: self.report("waiting", what=what)
 
-    def scored(self) -> None:
+    def on_scored(self) -> None:
         self.report("scored")
 
-    def attached(self, session_id: str) -> None:
+    def on_attached(self, session_id: str) -> None:
         self.report("attached", session_id=session_id)
 
-    def looked(self, glimpse: Glimpse) -> None:
-        self.latest = glimpse
+    def on_turn(self, snapshot: TurnSnapshot) -> None:
+        self.latest = snapshot
 
     def failed(self, error: BaseException) -> None:
         if isinstance(error, ProctorError):
@@ -79,13 +79,13 @@ class Reporter(Board):
             )
         else:
             whole = "".join(traceback.format_exception(error))
-            self.report("failed", detail=blamed(error), traceback=whole)
+            self.report("failed", detail=describe_policy_error(error), traceback=whole)
 
 
-class Desk:
-    """Takes the orders; `next` is the next run to play, or None to leave."""
+class OrderReceiver:
+    """Takes the orders; `next_order` is the next run to play, or None to leave."""
 
-    def __init__(self, orders: TextIO, reporter: Reporter) -> None:
+    def __init__(self, orders: TextIO, reporter: ReportingBoard) -> None:
         self._orders = orders
         self._reporter = reporter
         self._queue: queue.Queue[dict[str, Any] | None] = queue.Queue()
@@ -93,7 +93,7 @@ class Desk:
         self.worker: Worker | None = None
         threading.Thread(target=self._listen, daemon=True).start()
 
-    def next(self) -> dict[str, Any] | None:
+    def next_order(self) -> dict[str, Any] | None:
         return self._queue.get()
 
     def _listen(self) -> None:
@@ -102,20 +102,20 @@ class Desk:
             if order["order"] == "play":
                 self._queue.put(order)
             elif self._reporter.latest is not None:
-                self._reporter.report("frames", **shown(self._reporter.latest))
+                self._reporter.report("frames", **describe_turn(self._reporter.latest))
         self.stop.set()
         self._queue.put(None)
         # The policy may think for minutes: its session ends now all the same.
-        threading.Event().wait(FAREWELL_S)
+        threading.Event().wait(STOP_TIMEOUT_S)
         if self.worker is not None:
-            self.worker.let_go()
+            self.worker.force_detach()
         os._exit(1)
 
 
 def main() -> int:
     """Returns the exit code; whatever goes wrong has been reported then."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    reporter = Reporter(os.fdopen(os.dup(sys.stdout.fileno()), "w"))
+    reporter = ReportingBoard(os.fdopen(os.dup(sys.stdout.fileno()), "w"))
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
     first = json.loads(sys.stdin.readline())
     try:
@@ -125,12 +125,14 @@ def main() -> int:
         reporter.failed(error)
         return 1
     reporter.report("ready")
-    desk = Desk(sys.stdin, reporter)
-    while (order := desk.next()) is not None:
+    order_receiver = OrderReceiver(sys.stdin, reporter)
+    while (order := order_receiver.next_order()) is not None:
         try:
-            if desk.worker is None:
-                desk.worker = _worker(first["worker_id"], order, policy, desk, reporter)
-            desk.worker.play()
+            if order_receiver.worker is None:
+                order_receiver.worker = _worker(
+                    first["worker_id"], order, policy, order_receiver, reporter
+                )
+            order_receiver.worker.play()
         except Interrupted:
             return 0
         except BaseException as error:  # noqa: BLE001 - the same
@@ -144,17 +146,20 @@ def _worker(
     worker_id: str,
     order: dict[str, Any],
     policy: Policy,
-    desk: Desk,
-    reporter: Reporter,
+    order_receiver: OrderReceiver,
+    reporter: ReportingBoard,
 ) -> Worker:
     run = Run.from_dict(order["run"])
     assert run is not None
     connection = Connection(order["url"], order["token"], requests=3)
     return Worker(
-        Seat(connection.data(run.endpoint), run, worker_id),
+        WorkerSlot(connection.data(run.endpoint), run, worker_id),
         policy,
-        Patience(
-            connection.url, order["patience_s"], desk.stop, reporter.teller(worker_id)
+        RetryPolicy(
+            connection.url,
+            order["patience_s"],
+            order_receiver.stop,
+            reporter.waiting_reporter(worker_id),
         ),
         reporter,
         takeover=order["takeover"],

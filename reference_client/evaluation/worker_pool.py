@@ -12,43 +12,43 @@ from typing import Protocol
 from proctor_client import Run
 
 from reference_client.api.policy import Policy
-from reference_client.evaluation.plan import Plan
-from reference_client.evaluation.rounds import Player
-from reference_client.evaluation.status_board import Board
+from reference_client.evaluation.plan import EvaluationPlan
+from reference_client.evaluation.rounds import RunWorker
+from reference_client.evaluation.status_board import StatusBoard
 from reference_client.evaluation.worker_thread import Worker
 from reference_client.protocol.connection import Connection
-from reference_client.protocol.retry_policy import Patience
-from reference_client.protocol.worker_session import Seat
+from reference_client.protocol.retry_policy import RetryPolicy
+from reference_client.protocol.worker_session import WorkerSlot
 
 
 @dataclass(frozen=True, slots=True)
-class Engagement:
+class EvaluationContext:
     """The run that is to be played, and what its players need."""
 
-    plan: Plan
+    plan: EvaluationPlan
     run: Run
     connection: Connection
-    patience: Patience
-    board: Board
+    retry_policy: RetryPolicy
+    board: StatusBoard
 
-    def seat(self, worker_id: str) -> Seat:
-        return Seat(self.connection.data(self.run.endpoint), self.run, worker_id)
+    def slot(self, worker_id: str) -> WorkerSlot:
+        return WorkerSlot(self.connection.data(self.run.endpoint), self.run, worker_id)
 
 
-class Staff(Protocol):
-    """Makes one player for each worker; `dismiss` is called whatever happens."""
+class WorkerPool(Protocol):
+    """Makes one player for each worker; `close` is called whatever happens."""
 
     def prepare(self, worker_ids: Sequence[str]) -> None:
         """Load the policies, before there is a run. Raises what they raise."""
 
-    def players(self, engagement: Engagement) -> list[Player]:
+    def make_workers(self, context: EvaluationContext) -> list[RunWorker]:
         """One for each worker that was prepared."""
 
-    def dismiss(self) -> None:
+    def close(self) -> None:
         """Free what is left of them."""
 
 
-class Threads:
+class ThreadWorkerPool:
     """Each worker has an instance of the policy, all of them in this process."""
 
     def __init__(self, make: Callable[[], Policy]) -> None:
@@ -60,19 +60,19 @@ class Threads:
         self._worker_ids = worker_ids
         self._policies = [self._make() for _ in worker_ids]
 
-    def players(self, engagement: Engagement) -> list[Player]:
-        plan = engagement.plan
+    def make_workers(self, context: EvaluationContext) -> list[RunWorker]:
+        plan = context.plan
         return [
             Worker(
-                engagement.seat(worker_id),
+                context.slot(worker_id),
                 policy,
-                engagement.patience,
-                engagement.board,
+                context.retry_policy,
+                context.board,
                 takeover=plan.takeover,
                 assumes=plan.assumes,
             )
             for worker_id, policy in zip(self._worker_ids, self._policies, strict=True)
         ]
 
-    def dismiss(self) -> None:
+    def close(self) -> None:
         """Threads end with their sessions."""

@@ -23,19 +23,19 @@ from typing import Any
 from pydantic_core import to_jsonable_python
 
 from reference_client.api.errors import WORKER_DIED, PolicyFailed, ProctorError
-from reference_client.evaluation.rounds import Player
-from reference_client.evaluation.status_board import Board
-from reference_client.evaluation.worker_pool import Engagement
+from reference_client.evaluation.rounds import RunWorker
+from reference_client.evaluation.status_board import StatusBoard
+from reference_client.evaluation.worker_pool import EvaluationContext
 from reference_client.protocol.retry_policy import Interrupted
 from reference_client.protocol.worker_session import detach
 
 # After its order to leave, a process detaches within this time or is killed.
-LEAVE_S = 6.0
+EXIT_TIMEOUT_S = 6.0
 
 Report = dict[str, Any]
 
 
-class Processes:
+class ProcessWorkerPool:
     """Each worker has a process, and in it the policy that `reference` names.
 
     mapping: path of the mapping file, if any. frames: takes (worker id, report) of what
@@ -58,19 +58,19 @@ class Processes:
             self._workers.append(WorkerProcess(worker_id, self._frames))
             self._workers[-1].order(self._first | {"worker_id": worker_id})
         for worker in self._workers:
-            worker.until("ready")
+            worker.wait_for("ready")
 
-    def players(self, engagement: Engagement) -> list[Player]:
+    def make_workers(self, context: EvaluationContext) -> list[RunWorker]:
         for worker in self._workers:
-            worker.engage(engagement)
+            worker.set_context(context)
         return list(self._workers)
 
-    def dismiss(self) -> None:
+    def close(self) -> None:
         for worker in self._workers:
-            worker.part()
-            if not worker.is_engaged:
+            worker.request_stop()
+            if not worker.has_context:
                 worker.process.kill()  # it loads its policy, and has no session
-        deadline = time.monotonic() + LEAVE_S
+        deadline = time.monotonic() + EXIT_TIMEOUT_S
         for worker in self._workers:
             worker.end(deadline)
 
@@ -79,7 +79,7 @@ class Processes:
         for worker in self._workers:
             worker.process.kill()
 
-    def look(self) -> None:
+    def request_frames(self) -> None:
         """Have every process show what it sees; the answers come to `frames`."""
         for worker in self._workers:
             if worker.is_playing:  # else nobody reads what it answers
@@ -96,8 +96,8 @@ class WorkerProcess:
         self._frames = frames
         self._lock = threading.Lock()  # of the pipe of orders
         self._session_id: str | None = None
-        self._engagement: Engagement | None = None
-        self._leaving = False
+        self._context: EvaluationContext | None = None
+        self._is_stopping = False
         self.is_playing = False
         root = str(Path(__file__).resolve().parents[2])
         self.process = subprocess.Popen(
@@ -111,23 +111,23 @@ class WorkerProcess:
         )
 
     @property
-    def is_engaged(self) -> bool:
-        return self._engagement is not None
+    def has_context(self) -> bool:
+        return self._context is not None
 
-    def engage(self, engagement: Engagement) -> None:
-        self._engagement = engagement
+    def set_context(self, context: EvaluationContext) -> None:
+        self._context = context
 
     def play(self) -> None:
         """Raises as Worker.play; PolicyFailed; and `worker_died` if the process has."""
-        engagement = self._engagement
-        assert engagement is not None
-        plan = engagement.plan
+        context = self._context
+        assert context is not None
+        plan = context.plan
         self.order(
             {
                 "order": "play",
                 "url": plan.url,
                 "token": plan.token,
-                "run": engagement.run.to_dict(),
+                "run": context.run.to_dict(),
                 "takeover": plan.takeover,
                 "assumes": plan.assumes and plan.assumes.to_dict(),
                 "patience_s": plan.patience_s,
@@ -135,11 +135,11 @@ class WorkerProcess:
         )
         self.is_playing = True
         try:
-            self.until("over")
+            self.wait_for("over")
         finally:
             self.is_playing = False
 
-    def until(self, wanted: str) -> Report:
+    def wait_for(self, wanted: str) -> Report:
         """Reads reports until the wanted one; raises what they say."""
         for report in self._reports():
             kind = report["report"]
@@ -147,18 +147,18 @@ class WorkerProcess:
                 return report
             if kind == "failed":
                 raise _failure(report)
-            self._heard(kind, report)
-        if self._leaving:
+            self._handle_report(kind, report)
+        if self._is_stopping:
             raise Interrupted
-        raise self._died()
+        raise self._handle_death()
 
-    def part(self) -> None:
-        self._leaving = True
+    def request_stop(self) -> None:
+        self._is_stopping = True
         with self._lock, contextlib.suppress(OSError):
             assert self.process.stdin is not None
             self.process.stdin.close()
 
-    def let_go(self) -> None:
+    def force_detach(self) -> None:
         self.process.kill()
         self._detach()
 
@@ -167,7 +167,7 @@ class WorkerProcess:
         try:
             self.process.wait(max(0.0, deadline - time.monotonic()))
         except subprocess.TimeoutExpired:
-            self.let_go()
+            self.force_detach()
             self.process.wait()
         assert self.process.stdout is not None
         with contextlib.suppress(ValueError, OSError):  # its thread may read it still
@@ -184,20 +184,20 @@ class WorkerProcess:
         for line in self.process.stdout:
             yield json.loads(line)
 
-    def _heard(self, kind: str, report: Report) -> None:
+    def _handle_report(self, kind: str, report: Report) -> None:
         if kind == "frames":
             if self._frames is not None:
                 self._frames(self.worker_id, report)
         elif kind == "attached":
             self._session_id = report["session_id"]
-        elif self._engagement is not None:
-            board: Board = self._engagement.board
+        elif self._context is not None:
+            board: StatusBoard = self._context.board
             if kind == "scored":
-                board.scored()
+                board.on_scored()
             elif kind == "waiting":
-                board.teller(self.worker_id)(report["what"])
+                board.waiting_reporter(self.worker_id)(report["what"])
 
-    def _died(self) -> ProctorError:
+    def _handle_death(self) -> ProctorError:
         code = self.process.wait()
         self._detach()
         how = f"exit code {code}"
@@ -211,11 +211,11 @@ class WorkerProcess:
         )
 
     def _detach(self) -> None:
-        if self._session_id is None or self._engagement is None:
+        if self._session_id is None or self._context is None:
             return
-        engagement, session_id = self._engagement, self._session_id
+        context, session_id = self._context, self._session_id
         self._session_id = None
-        detach(engagement.seat(self.worker_id), engagement.patience.url, session_id)
+        detach(context.slot(self.worker_id), context.retry_policy.url, session_id)
 
 
 def _failure(report: Report) -> ProctorError:

@@ -10,14 +10,14 @@ from proctor_client import Assumptions
 from reference_client.api.errors import ProctorError
 from reference_client.api.observation import observation_of
 from reference_client.api.policy import Policy, chunk_of
-from reference_client.evaluation.status_board import Board, Glimpse
-from reference_client.protocol.heartbeat import Heart
-from reference_client.protocol.retry_policy import Patience
-from reference_client.protocol.worker_session import Seat, Session
+from reference_client.evaluation.status_board import StatusBoard, TurnSnapshot
+from reference_client.protocol.heartbeat import HeartbeatThread
+from reference_client.protocol.retry_policy import RetryPolicy
+from reference_client.protocol.worker_session import Session, WorkerSlot
 
 # Sessions in a row that ended before their first turn: then something is wrong that
 # attaching again does not cure.
-BARREN_SESSIONS_MAX = 8
+EMPTY_SESSIONS_MAX = 8
 
 
 class Worker:
@@ -29,18 +29,20 @@ class Worker:
 
     def __init__(
         self,
-        seat: Seat,
+        slot: WorkerSlot,
         policy: Policy,
-        patience: Patience,
-        board: Board,
+        retry_policy: RetryPolicy,
+        board: StatusBoard,
         *,
         takeover: bool = False,
         assumes: Assumptions | None = None,
     ) -> None:
-        self.worker_id = seat.worker_id
-        self._seat = seat
+        self.worker_id = slot.worker_id
+        self._slot = slot
         self._policy = policy
-        self._patience = replace(patience, tell=board.teller(seat.worker_id))
+        self._retry_policy = replace(
+            retry_policy, report_waiting=board.waiting_reporter(slot.worker_id)
+        )
         self._board = board
         self._takeover = takeover
         self._assumes = assumes
@@ -52,7 +54,7 @@ class Worker:
         A session that ends under it (its lease, a restart of the server) is followed by
         another. Raises ProctorError, Interrupted, and whatever the policy raises.
         """
-        barren = 0
+        empty_sessions = 0
         while True:
             try:
                 session = self._attach()
@@ -63,42 +65,47 @@ class Worker:
             try:
                 self._play(session)
             except ProctorError as error:
-                barren = 0 if session.turn.seq > 0 else barren + 1
-                if error.code != "session_ended" or barren == BARREN_SESSIONS_MAX:
+                empty_sessions = 0 if session.turn.seq > 0 else empty_sessions + 1
+                if (
+                    error.code != "session_ended"
+                    or empty_sessions == EMPTY_SESSIONS_MAX
+                ):
                     raise
             else:
                 return
             finally:
                 session.detach()
-            self._patience.pause(0.05 * (2**barren - 1))
+            self._retry_policy.pause(0.05 * (2**empty_sessions - 1))
 
-    def part(self) -> None:
+    def request_stop(self) -> None:
         """Nothing to do: what it waits for ends with `stop` of its patience."""
 
-    def let_go(self) -> None:
+    def force_detach(self) -> None:
         """Detach whatever it does; for the thread that does not wait for it longer."""
         if self._session is not None:
             self._session.detach()
 
     def _attach(self) -> Session:
         self._session = Session.attach(
-            self._seat,
-            self._patience,
+            self._slot,
+            self._retry_policy,
             takeover=self._takeover,
             assumes=self._assumes,
         )
         # Once: two clients that both insisted would fence each other out for ever.
         self._takeover = False
-        self._board.attached(self._session.turn.session_id)
+        self._board.on_attached(self._session.turn.session_id)
         return self._session
 
     def _play(self, session: Session) -> None:
         turn = session.turn
         is_new = True  # after a takeover an episode goes on, but for another policy
-        with Heart(turn.lease.idle_timeout_s, session.beat) as heart:
+        with HeartbeatThread(
+            turn.lease.idle_timeout_s, session.send_heartbeat
+        ) as heartbeat:
             while not turn.done:
                 began_at = time.perf_counter()
-                with heart.thinking():
+                with heartbeat.keep_alive():
                     observation = observation_of(turn)
                     if is_new or observation.step == 0:
                         self._policy.reset(observation.instruction)
@@ -106,8 +113,8 @@ class Worker:
                     actions = chunk_of(self._policy.act(observation))
                 thought_at = time.perf_counter()
                 turn = session.predict(actions)
-                self._board.looked(
-                    Glimpse(
+                self._board.on_turn(
+                    TurnSnapshot(
                         self.worker_id,
                         observation,
                         turn,
@@ -116,4 +123,4 @@ class Worker:
                     )
                 )
                 if turn.episode_result:
-                    self._board.scored()
+                    self._board.on_scored()

@@ -5,22 +5,22 @@ from __future__ import annotations
 import traceback
 from pathlib import Path
 
-_OURS = Path(__file__).resolve().parent.parent
+_CLIENT_ROOT = Path(__file__).resolve().parent.parent
 
 
-def blamed(error: BaseException) -> str:
+def describe_policy_error(error: BaseException) -> str:
     """The error, and the innermost line that is neither ours nor a library's."""
     frames = traceback.extract_tb(error.__traceback__)
-    theirs = [
+    policy_frames = [
         frame
         for frame in frames
-        if _OURS not in Path(frame.filename).parents
+        if _CLIENT_ROOT not in Path(frame.filename).parents
         and "site-packages" not in frame.filename
         and not frame.filename.startswith("<")
         and Path(traceback.__file__).parent not in Path(frame.filename).parents
     ]
     what = " ".join(f"{type(error).__name__}: {error}".split())
-    if not theirs:
+    if not policy_frames:
         return f"The policy raised {what}"
-    at = f"{Path(theirs[-1].filename).name}:{theirs[-1].lineno}"
+    at = f"{Path(policy_frames[-1].filename).name}:{policy_frames[-1].lineno}"
     return f"The policy raised {what} ({at})"

@@ -21,30 +21,30 @@ from proctor_client import Benchmark
 
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
-from reference_client.policies.pictures import fitted
+from reference_client.policies.pictures import resize_picture
 
 Array = npt.NDArray[Any]
 
 _WORDS: Lookup[str, Callable[[Observation], Any]] = {
-    "instruction": lambda seen: seen.instruction,
-    "episode_id": lambda seen: seen.episode_id,
-    "step": lambda seen: seen.step,
-    "first_step": lambda seen: seen.step == 0,
+    "instruction": lambda observation: observation.instruction,
+    "episode_id": lambda observation: observation.episode_id,
+    "step": lambda observation: observation.step,
+    "first_step": lambda observation: observation.step == 0,
 }
 _GROUPS = ("state", "images", "tensors")
-Row = TypeVar("Row", "Entry", "Vector")
+Row = TypeVar("Row", "RequestEntry", "ActionVector")
 
 
 class BadMapping(ValueError):
     """The file is no mapping, or not one for this benchmark; the message says why."""
 
 
-class MisfitAnswer(ValueError):
+class InvalidPolicyAnswer(ValueError):
     """The policy's answer is not what the mapping says."""
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class RequestEntry:
     """One key of the request: where its value comes from, and what is done to it.
 
     source: `state.NAME`, `images.NAME`, `tensors.NAME`, or a word; several states are
@@ -64,37 +64,41 @@ class Entry:
     unit: bool = False
     leading: int = 0
 
-    def of(self, seen: Observation) -> Any:
+    def of(self, observation: Observation) -> Any:
         if not self.source:
             return self.value
         if self.source[0] in _WORDS:
-            word = _WORDS[self.source[0]](seen)
+            word = _WORDS[self.source[0]](observation)
             return [word] if self.leading else word
         group = self.source[0].partition(".")[0]
-        array = self._picture(seen) if group == "images" else self._vector(seen)
+        array = (
+            self._picture(observation)
+            if group == "images"
+            else self._vector(observation)
+        )
         if self.dtype is not None:
             array = array.astype(self.dtype)
         return array.reshape((1,) * self.leading + array.shape)
 
-    def _picture(self, seen: Observation) -> Array:
-        picture: Array = seen.images[self.source[0].partition(".")[2]]
+    def _picture(self, observation: Observation) -> Array:
+        picture: Array = observation.images[self.source[0].partition(".")[2]]
         if self.resize is not None:
-            picture = fitted(picture, *self.resize, pad=self.pad)
+            picture = resize_picture(picture, *self.resize, pad=self.pad)
         if self.unit:
             picture = picture.astype(np.float32) / np.float32(255)
         return np.moveaxis(picture, -1, 0) if self.layout == "chw" else picture
 
-    def _vector(self, seen: Observation) -> Array:
-        parts = [_part(seen, *name.split(".", 1)) for name in self.source]
+    def _vector(self, observation: Observation) -> Array:
+        parts = [_part(observation, *name.split(".", 1)) for name in self.source]
         vector = parts[0] if len(parts) == 1 else np.concatenate(parts)
         if self.source[0].startswith("tensors."):
             return vector
-        vector = np.asarray(_taken(vector, self.take) * self.scale + self.offset)
+        vector = np.asarray(_select(vector, self.take) * self.scale + self.offset)
         return vector.astype(np.float32) if self.dtype is None else vector
 
 
 @dataclass(frozen=True, slots=True)
-class Vector:
+class ActionVector:
     """One vector of our action: what of the answer it is.
 
     source: key of the answer, where it is not the table's. Then, in this order:
@@ -113,16 +117,16 @@ class Vector:
     clip: tuple[float, float] | None = None
     value: Any = None
 
-    def of(self, rows: Array, seen: Observation) -> Array:
+    def of(self, rows: Array, observation: Observation) -> Array:
         """rows: (actions, numbers) of the answer. Returns (actions, size)."""
-        chosen = _taken(rows, self.columns)
+        chosen = _select(rows, self.columns)
         if self.threshold is not None:
             chosen = (chosen > self.threshold).astype(np.float64)
         chosen = np.asarray(chosen * self.scale + self.offset)
         if self.cumulate:
             chosen = np.cumsum(chosen, axis=0)
         if self.relative_to is not None:
-            chosen = chosen + _part(seen, *self.relative_to.split(".", 1))
+            chosen = chosen + _part(observation, *self.relative_to.split(".", 1))
         return chosen if self.clip is None else np.clip(chosen, *self.clip)
 
 
@@ -131,11 +135,11 @@ class Mapping:
     """What `request` and `chunk` do is what the file says."""
 
     name: str
-    entries: Lookup[str, Entry]
+    entries: Lookup[str, RequestEntry]
     source: str | None
     execute: int | None
     leading: int
-    vectors: Lookup[str, Vector]
+    vectors: Lookup[str, ActionVector]
 
     @classmethod
     def read(cls, path: str | Path) -> Self:
@@ -151,10 +155,10 @@ class Mapping:
     @classmethod
     def of(cls, document: Lookup[str, Any], name: str = "mapping") -> Self:
         """From what such a file holds. Raises BadMapping."""
-        _known(name, document, {"observation", "action"})
+        _check_known(name, document, {"observation", "action"})
         action = _table(f"{name}: action", document.get("action"))
         at = f"{name}: action"
-        _known(at, action, {"from", "execute", "leading", "values"})
+        _check_known(at, action, {"from", "execute", "leading", "values"})
         entries = _table(f"{name}: observation", document.get("observation"))
         vectors = _table(f"{at}.values", action.get("values"))
         return cls(
@@ -167,7 +171,7 @@ class Mapping:
             execute=action.get("execute"),
             leading=action.get("leading", 0),
             vectors={
-                key: _read(Vector, f'{name}: action.values."{key}"', table)
+                key: _read(ActionVector, f'{name}: action.values."{key}"', table)
                 for key, table in vectors.items()
             },
         )
@@ -201,23 +205,25 @@ class Mapping:
                 f"{benchmark.benchmark_id} has {_listed(benchmark.action_space)}"
             )
 
-    def request(self, seen: Observation) -> dict[str, Any]:
+    def request(self, observation: Observation) -> dict[str, Any]:
         """The observation under their keys."""
-        return {key: entry.of(seen) for key, entry in self.entries.items()}
+        return {key: entry.of(observation) for key, entry in self.entries.items()}
 
-    def chunk(self, answer: Any, seen: Observation) -> Chunk:
-        """Their answer to `seen` as a chunk of our actions. Raises MisfitAnswer."""
+    def chunk(self, answer: Any, observation: Observation) -> Chunk:
+        """Their answer to `observation` as a chunk of our actions. Raises MisfitAnswer."""
         columns: dict[str, Array] = {}
         for name, vector in self.vectors.items():
             if vector.value is None:
                 rows = self._rows(answer, vector.source or self.source)
                 try:
-                    columns[name] = vector.of(rows, seen)
+                    columns[name] = vector.of(rows, observation)
                 except (IndexError, ValueError) as error:
-                    raise MisfitAnswer(f"{self.name}: {name}: {error}") from error
+                    raise InvalidPolicyAnswer(
+                        f"{self.name}: {name}: {error}"
+                    ) from error
         length = min((len(column) for column in columns.values()), default=1)
         if length == 0:
-            raise MisfitAnswer(f"{self.name}: the policy answered no actions")
+            raise InvalidPolicyAnswer(f"{self.name}: the policy answered no actions")
         constants = {
             name: np.broadcast_to(
                 np.atleast_1d(vector.value), (length, np.size(vector.value))
@@ -242,14 +248,14 @@ class Mapping:
         try:
             rows = np.asarray(found, dtype=np.float64)
         except (TypeError, ValueError) as error:
-            raise MisfitAnswer(f"{self.name}: {source}: {error}") from error
+            raise InvalidPolicyAnswer(f"{self.name}: {source}: {error}") from error
         if rows.ndim > self.leading:
             rows = rows.reshape(rows.shape[self.leading :])
         rows = np.atleast_1d(rows)
         if rows.ndim == 1:
             rows = rows[np.newaxis]
         if rows.ndim != 2:
-            raise MisfitAnswer(
+            raise InvalidPolicyAnswer(
                 f"{self.name}: {source or 'the answer'} has shape {np.shape(found)}; "
                 "a chunk is (actions, numbers)"
             )
@@ -259,16 +265,16 @@ class Mapping:
         if isinstance(answer, Lookup) and source in answer:
             return answer[source]
         has = _listed(answer) if isinstance(answer, Lookup) else type(answer).__name__
-        raise MisfitAnswer(
+        raise InvalidPolicyAnswer(
             f"{self.name}: the policy's answer has no {source}, but {has}"
         )
 
 
-def _part(seen: Observation, group: str, name: str) -> Array:
-    return np.asarray(getattr(seen, group)[name])
+def _part(observation: Observation, group: str, name: str) -> Array:
+    return np.asarray(getattr(observation, group)[name])
 
 
-def _taken(array: Array, which: Any) -> Array:
+def _select(array: Array, which: Any) -> Array:
     """Columns by `"first:last"`, by a list of indices, or all."""
     if which is None:
         return array
@@ -280,8 +286,8 @@ def _taken(array: Array, which: Any) -> Array:
     return array[..., which]
 
 
-def _entry(at: str, table: Any) -> Entry:
-    entry = _read(Entry, at, table)
+def _entry(at: str, table: Any) -> RequestEntry:
+    entry = _read(RequestEntry, at, table)
     if bool(entry.source) == (entry.value is not None):
         raise BadMapping(f"{at} needs either `from` or `value`")
     if entry.layout not in ("hwc", "chw"):
@@ -309,7 +315,7 @@ def _is_of_numbers(dtype: str) -> bool:
 def _read(row: type[Row], at: str, table: Any) -> Row:
     table = _table(at, table, may_be_empty=True)
     names = {"from" if f.name == "source" else f.name for f in fields(row)}
-    _known(at, table, names)
+    _check_known(at, table, names)
     members: dict[str, Any] = {}
     for key, given in table.items():
         value = np.asarray(given) if key in ("scale", "offset") else given
@@ -317,7 +323,7 @@ def _read(row: type[Row], at: str, table: Any) -> Row:
             value = tuple(given)
         if key == "from":
             value = tuple([given] if isinstance(given, str) else given)
-            if row is Vector:
+            if row is ActionVector:
                 value = given
         members["source" if key == "from" else key] = value
     return row(**members)
@@ -329,10 +335,10 @@ def _table(at: str, table: Any, *, may_be_empty: bool = False) -> Lookup[str, An
     return table
 
 
-def _known(at: str, table: Lookup[str, Any], names: set[str]) -> None:
-    strangers = set(table) - names
-    if strangers:
-        raise BadMapping(f"{at}: unknown {_listed(strangers)}; known {_listed(names)}")
+def _check_known(at: str, table: Lookup[str, Any], names: set[str]) -> None:
+    unknown = set(table) - names
+    if unknown:
+        raise BadMapping(f"{at}: unknown {_listed(unknown)}; known {_listed(names)}")
 
 
 def _listed(names: Any) -> str:

@@ -27,7 +27,7 @@ FIRST_CONTACT_S = 3.0  # a mistyped URL is told before there is a run
 Answer = TypeVar("Answer")
 
 
-class PolicyServer:
+class OpenpiClient:
     """The server at `url`, ws:// or wss://; connects when it is first asked.
 
     OPENPI_API_KEY of the environment is sent as its API key. patience_s: how long a
@@ -39,14 +39,14 @@ class PolicyServer:
         self._url = url
         self._patience_s = patience_s
         self._socket: ClientConnection | None = None
-        self._open = contextlib.ExitStack()
+        self._connection_stack = contextlib.ExitStack()
         self.metadata: Any = None
 
     @classmethod
-    def greeted(cls, url: str) -> Self:
+    def connect_to(cls, url: str) -> Self:
         """Connected. Raises ProctorError `policy_failed` if no server is there."""
         server = cls(url)
-        server._patiently(server._connected, FIRST_CONTACT_S)
+        server._retry(server._ensure_connected, FIRST_CONTACT_S)
         return server
 
     def infer(self, request: Mapping[str, Any]) -> Any:
@@ -54,13 +54,13 @@ class PolicyServer:
         frame = pack(request)
 
         def exchange() -> str | bytes:
-            socket = self._connected()
+            socket = self._ensure_connected()
             socket.send(frame)
             return socket.recv()
 
-        return self._read(self._patiently(exchange, self._patience_s))
+        return self._read(self._retry(exchange, self._patience_s))
 
-    def _patiently(self, attempt: Callable[[], Answer], patience_s: float) -> Answer:
+    def _retry(self, attempt: Callable[[], Answer], patience_s: float) -> Answer:
         deadline = time.monotonic() + patience_s
         while True:
             try:
@@ -73,7 +73,7 @@ class PolicyServer:
                     raise self._failed(f"does not answer ({error})") from error
                 time.sleep(PAUSE_S)
 
-    def _connected(self) -> ClientConnection:
+    def _ensure_connected(self) -> ClientConnection:
         if self._socket is None:
             key = os.environ.get("OPENPI_API_KEY")
             connecting = connect(
@@ -86,7 +86,7 @@ class PolicyServer:
                 additional_headers={"Authorization": f"Api-Key {key}"} if key else None,
                 proxy=None,
             )
-            self._socket = self._open.enter_context(connecting)
+            self._socket = self._connection_stack.enter_context(connecting)
             self.metadata = self._read(self._socket.recv())
         return self._socket
 
@@ -103,7 +103,7 @@ class PolicyServer:
 
     def _drop(self) -> None:
         self._socket = None
-        self._open.close()
+        self._connection_stack.close()
 
     def _failed(self, what: str) -> ProctorError:
         return ProctorError(POLICY_FAILED, f"The policy server at {self._url} {what}.")

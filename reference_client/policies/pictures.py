@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 
-def fitted(
+def resize_picture(
     picture: npt.NDArray[Any], height: int, width: int, *, pad: bool = True
 ) -> npt.NDArray[np.uint8]:
     """uint8 (h, w, channels) to (height, width, channels), bilinear.

@@ -22,10 +22,10 @@ from reference_client.api.policy import Chunk
 PAUSE_S = 0.2
 FIRST_CONTACT_S = 3.0  # a mistyped URL is told before there is a run
 CALL_S = 600.0  # the first answer may take minutes, while a network is compiled
-_COME_AGAIN = (429, 500, 502, 503, 504)
+_RETRY_STATUSES = (429, 500, 502, 503, 504)
 
 
-class PolicyServers:
+class PolicyServerClient:
     """Makes a policy for each worker: a session with the server at `url`.
 
     PROCTOR_POLICY_KEY of the environment is sent as its key. patience_s: how long a
@@ -41,9 +41,9 @@ class PolicyServers:
     def check(self, benchmark: Benchmark) -> None:
         """Take note of what is played. Raises ProctorError if no server is there."""
         self._benchmark = benchmark.to_dict()
-        told = self.call("GET", "", None, FIRST_CONTACT_S)
-        room = told.get("max_sessions")
-        if not isinstance(room, int) or room < 1:
+        reported = self.call("GET", "", None, FIRST_CONTACT_S)
+        session_limit = reported.get("max_sessions")
+        if not isinstance(session_limit, int) or session_limit < 1:
             raise self.failed("does not describe itself as policy.yaml says")
 
     def __call__(self) -> PolicySession:
@@ -77,7 +77,7 @@ class PolicyServers:
                 if answer.status == 200:
                     return self._read(answer.data)
                 last = f"answered with status {answer.status}{_detail(answer.data)}"
-                if answer.status not in _COME_AGAIN:
+                if answer.status not in _RETRY_STATUSES:
                     raise self.failed(last)
             if time.monotonic() > deadline:
                 raise self.failed(last)
@@ -99,7 +99,7 @@ class PolicyServers:
 class PolicySession:
     """The policy of one worker; its sessions are those of the evaluation server."""
 
-    def __init__(self, server: PolicyServers, benchmark: dict[str, Any]) -> None:
+    def __init__(self, server: PolicyServerClient, benchmark: dict[str, Any]) -> None:
         self._server = server
         self._benchmark = benchmark
         self._is_new = True
@@ -114,8 +114,8 @@ class PolicySession:
             self._reset(turn)
             self._is_new = False
         answer = self._server.post("predict", turn)
-        told = (answer.get("session_id"), answer.get("seq"))
-        if told != (turn.session_id, turn.seq + 1):
+        reported = (answer.get("session_id"), answer.get("seq"))
+        if reported != (turn.session_id, turn.seq + 1):
             raise self._server.failed("answered another turn than it was asked for")
         try:
             return [action["values"] for action in answer["actions"]]
@@ -129,9 +129,9 @@ class PolicySession:
             "episode": turn.episode,
         }
         ready = self._server.post("reset", body)
-        told = tuple(ready.get(n) for n in ("session_id", "episode_id", "attempt"))
+        reported = tuple(ready.get(n) for n in ("session_id", "episode_id", "attempt"))
         episode = turn.episode
-        if told != (turn.session_id, episode.episode_id, episode.attempt):
+        if reported != (turn.session_id, episode.episode_id, episode.attempt):
             raise self._server.failed("acknowledged another reset than it was sent")
 
 

@@ -26,7 +26,7 @@ from reference_client.api.errors import ProctorError
 from reference_client.api.observation import observation_of
 from reference_client.api.policy import Policy, chunk_of
 from reference_client.generated.messages import EpisodeView, Turn
-from reference_client.policies.error_origin import blamed
+from reference_client.policies.error_origin import describe_policy_error
 
 VERSION = "1.0"
 # A turn may carry several raw images in Base64.
@@ -64,11 +64,11 @@ class Refusal(Exception):
 
 
 @dataclass(slots=True)
-class _Seat:
+class _ServedSession:
     """A session: its policy, and the last turn with its answer."""
 
     policy: Policy
-    asked: bytes = b""
+    payload: bytes = b""
     answer: dict[str, Any] | None = None
     turn: asyncio.Lock = field(default_factory=asyncio.Lock)
 
@@ -95,14 +95,18 @@ class PolicyApp:
         self._max_sessions = max_sessions
         self._key = key
         self._assumes = assumes
-        self._seats: OrderedDict[str, _Seat] = OrderedDict()
-        self._seating = asyncio.Lock()
+        self._sessions: OrderedDict[str, _ServedSession] = OrderedDict()
+        self._sessions_lock = asyncio.Lock()
         self.app = Starlette(
             routes=[
-                Route("/v1/policy", self._guarded(self.describe_policy)),
-                Route("/v1/policy/reset", self._guarded(self.reset), methods=["POST"]),
+                Route("/v1/policy", self._as_endpoint(self.describe_policy)),
                 Route(
-                    "/v1/policy/predict", self._guarded(self.predict), methods=["POST"]
+                    "/v1/policy/reset", self._as_endpoint(self.reset), methods=["POST"]
+                ),
+                Route(
+                    "/v1/policy/predict",
+                    self._as_endpoint(self.predict),
+                    methods=["POST"],
                 ),
             ],
             exception_handlers={404: _not_found, 405: _not_allowed},
@@ -117,31 +121,31 @@ class PolicyApp:
         return body if self._assumes is None else body | {"assumes": self._assumes}
 
     async def reset(self, request: Request) -> dict[str, Any]:
-        asked = _read(await _body(request), ResetPolicy)
-        seat = await self._seat(asked.session_id)
-        async with seat.turn:
-            seat.answer = None
-            await asyncio.to_thread(seat.policy.reset, asked.episode.instruction)
+        payload = _read(await _body(request), ResetPolicy)
+        session = await self._open_session(payload.session_id)
+        async with session.turn:
+            session.answer = None
+            await asyncio.to_thread(session.policy.reset, payload.episode.instruction)
         return {
-            "session_id": asked.session_id,
-            "episode_id": asked.episode.episode_id,
-            "attempt": asked.episode.attempt,
+            "session_id": payload.session_id,
+            "episode_id": payload.episode.episode_id,
+            "attempt": payload.episode.attempt,
         }
 
     async def predict(self, request: Request) -> dict[str, Any]:
         body = await _body(request)
         turn = _read(body, Turn)
-        seat = self._seats.get(turn.session_id)
-        if seat is None:
+        session = self._sessions.get(turn.session_id)
+        if session is None:
             raise Refusal("session_ended", "This session was not reset here.")
-        self._seats.move_to_end(turn.session_id)
-        async with seat.turn:
-            if self._seats.get(turn.session_id) is not seat:
+        self._sessions.move_to_end(turn.session_id)
+        async with session.turn:
+            if self._sessions.get(turn.session_id) is not session:
                 raise Refusal("session_ended", "The session had to make room.")
-            if seat.answer is None or seat.asked != body:
-                seat.answer = await self._act(seat.policy, turn)
-                seat.asked = body
-            return seat.answer
+            if session.answer is None or session.payload != body:
+                session.answer = await self._act(session.policy, turn)
+                session.payload = body
+            return session.answer
 
     async def _act(self, policy: Policy, turn: Turn) -> dict[str, Any]:
         try:
@@ -155,36 +159,36 @@ class PolicyApp:
             "actions": actions,
         }
 
-    async def _seat(self, session_id: str) -> _Seat:
+    async def _open_session(self, session_id: str) -> _ServedSession:
         """The session's; a new one takes the policy of the one idle for longest.
 
         With the policy goes its lock: a turn that still lasts is waited for.
         """
-        async with self._seating:
-            seat = self._seats.pop(session_id, None)
-            if seat is None and len(self._seats) < self._max_sessions:
-                seat = _Seat(await asyncio.to_thread(self._make))
-            elif seat is None:
-                old = self._seats.popitem(last=False)[1]
-                seat = _Seat(old.policy, turn=old.turn)
-            self._seats[session_id] = seat
-            return seat
+        async with self._sessions_lock:
+            session = self._sessions.pop(session_id, None)
+            if session is None and len(self._sessions) < self._max_sessions:
+                session = _ServedSession(await asyncio.to_thread(self._make))
+            elif session is None:
+                old = self._sessions.popitem(last=False)[1]
+                session = _ServedSession(old.policy, turn=old.turn)
+            self._sessions[session_id] = session
+            return session
 
-    def _guarded(
+    def _as_endpoint(
         self, operation: Callable[[Request], Awaitable[dict[str, Any]]]
     ) -> Callable[[Request], Awaitable[Response]]:
         async def endpoint(request: Request) -> Response:
             try:
-                self._admit(request)
+                self._authenticate(request)
                 return JSONResponse(await operation(request))
             except Refusal as refusal:
                 return _problem(refusal)
             except Exception as error:  # noqa: BLE001 - a policy may raise anything
-                return _problem(Refusal("internal_error", blamed(error)))
+                return _problem(Refusal("internal_error", describe_policy_error(error)))
 
         return endpoint
 
-    def _admit(self, request: Request) -> None:
+    def _authenticate(self, request: Request) -> None:
         sent = request.headers.get("authorization", "")
         if self._key is not None and not hmac.compare_digest(
             sent.encode(), f"Bearer {self._key}".encode()

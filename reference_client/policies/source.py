@@ -20,7 +20,7 @@ from typing import Any
 from reference_client.api.errors import POLICY_FAILED, ProctorError
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk, Policy
-from reference_client.policies.mapping import Mapping, MisfitAnswer
+from reference_client.policies.mapping import InvalidPolicyAnswer, Mapping
 
 
 class BadPolicy(ValueError):
@@ -38,14 +38,14 @@ def load(reference: str, mapping: Mapping | None = None) -> Callable[[], Policy]
         return _openpi(rest, mapping)
     if kind == "proctor":
         return _policy_server(rest, mapping)
-    made = _named(reference)
+    made = _load_named(reference)
     if mapping is None:
-        return _makes(made, reference)
-    return lambda: _Asked(_answers(made, reference), mapping)
+        return _policy_factory(made, reference)
+    return lambda: _MappedPolicy(_answer_function(made, reference), mapping)
 
 
 def _openpi(url: str, mapping: Mapping | None) -> Callable[[], Policy]:
-    from reference_client.policies.openpi import PolicyServer
+    from reference_client.policies.openpi import OpenpiClient
 
     if not url.startswith(("ws://", "wss://")):
         raise BadPolicy(
@@ -56,11 +56,11 @@ def _openpi(url: str, mapping: Mapping | None) -> Callable[[], Policy]:
             "openpi: needs --mapping FILE, which says under what names its policy "
             "wants the observation; docs/policies.md has ready ones"
         )
-    return lambda: _Asked(PolicyServer.greeted(url).infer, mapping)
+    return lambda: _MappedPolicy(OpenpiClient.connect_to(url).infer, mapping)
 
 
 def _policy_server(url: str, mapping: Mapping | None) -> Callable[[], Policy]:
-    from reference_client.policies.policy_server import PolicyServers
+    from reference_client.policies.policy_server import PolicyServerClient
 
     if not url.startswith(("http://", "https://")):
         raise BadPolicy(
@@ -68,10 +68,10 @@ def _policy_server(url: str, mapping: Mapping | None) -> Callable[[], Policy]:
         )
     if mapping is not None:
         raise BadPolicy("proctor: speaks our names already; leave --mapping away")
-    return PolicyServers(url)
+    return PolicyServerClient(url)
 
 
-def _named(reference: str) -> Any:
+def _load_named(reference: str) -> Any:
     place, _, name = reference.rpartition(":")
     if not place or not name:
         raise BadPolicy(f"a policy is given as my_module:MyPolicy, not {reference!r}")
@@ -92,7 +92,7 @@ def _module(place: str) -> ModuleType:
         if not path.is_file():
             raise BadPolicy(f"there is no file {place}")
         # What stands beside it can be imported by it, as when it is run.
-        _seek(path.resolve().parent)
+        _add_to_path(path.resolve().parent)
         spec = importlib.util.spec_from_file_location(path.stem, path)
         assert spec is not None
         assert spec.loader is not None
@@ -100,7 +100,7 @@ def _module(place: str) -> ModuleType:
         sys.modules[path.stem] = module
         spec.loader.exec_module(module)
         return module
-    _seek(Path.cwd())
+    _add_to_path(Path.cwd())
     try:
         return importlib.import_module(place)
     except ModuleNotFoundError as error:
@@ -109,14 +109,14 @@ def _module(place: str) -> ModuleType:
         raise BadPolicy(f"there is no module {error.name} here") from error
 
 
-def _seek(folder: Path) -> None:
+def _add_to_path(folder: Path) -> None:
     if str(folder) not in sys.path:
         sys.path.insert(0, str(folder))
 
 
-def _makes(made: Any, reference: str) -> Callable[[], Policy]:
+def _policy_factory(made: Any, reference: str) -> Callable[[], Policy]:
     if not inspect.isclass(made) and _arguments(made) > 0:
-        return lambda: _Function(made)
+        return lambda: _FunctionPolicy(made)
 
     def make() -> Policy:
         policy = made()
@@ -127,13 +127,13 @@ def _makes(made: Any, reference: str) -> Callable[[], Policy]:
                 )
             return policy  # type: ignore[no-any-return]
         if callable(policy):
-            return _Function(policy)
+            return _FunctionPolicy(policy)
         raise BadPolicy(f"{reference} makes a {type(policy).__name__} without act()")
 
     return make
 
 
-def _answers(made: Any, reference: str) -> Any:
+def _answer_function(made: Any, reference: str) -> Any:
     """The function of one request, with `reset` beside it if the policy has that."""
     if not inspect.isclass(made) and _arguments(made) > 0:
         return made
@@ -154,7 +154,7 @@ def _arguments(function: Callable[..., object]) -> int:
     )
 
 
-class _Function:
+class _FunctionPolicy:
     """A function of the observation that answers with an action or a chunk."""
 
     def __init__(self, function: Callable[[Observation], Any]) -> None:
@@ -168,21 +168,21 @@ class _Function:
         return [answer] if hasattr(answer, "keys") else answer
 
 
-class _Asked:
+class _MappedPolicy:
     """What is asked in the words of its mapping."""
 
-    def __init__(self, ask: Any, mapping: Mapping) -> None:
-        self._ask = ask
+    def __init__(self, infer: Any, mapping: Mapping) -> None:
+        self._infer = infer
         self._mapping = mapping
-        self._reset = getattr(getattr(ask, "__self__", None), "reset", None)
+        self._reset = getattr(getattr(infer, "__self__", None), "reset", None)
 
     def reset(self, instruction: str) -> None:
         if callable(self._reset):
             self._reset(*[instruction][: min(1, _arguments(self._reset))])
 
     def act(self, observation: Observation) -> Chunk:
-        answer = self._ask(self._mapping.request(observation))
+        answer = self._infer(self._mapping.request(observation))
         try:
             return self._mapping.chunk(answer, observation)
-        except MisfitAnswer as error:
+        except InvalidPolicyAnswer as error:
             raise ProctorError(POLICY_FAILED, str(error)) from error

@@ -24,42 +24,42 @@ from proctor_client import (
 
 from reference_client.api.errors import ProctorError, RunFailed, RunStopped
 from reference_client.protocol.connection import TIMEOUTS_S
-from reference_client.protocol.retry_policy import Patience
+from reference_client.protocol.retry_policy import RetryPolicy
 
 FIRST_CONTACT_S = 3.0  # a mistyped URL is told at once, a server just starting is met
 LONG_POLL_S = 10  # below the read timeout of TIMEOUTS_S
 UNCHANGED_S = 0.2  # between polls, for servers that do not hold an answer back
 
 
-class Desk:
+class ControlClient:
     """Where runs are asked for and asked about; raises ProctorError and Interrupted."""
 
-    def __init__(self, control: ControlApi, patience: Patience) -> None:
+    def __init__(self, control: ControlApi, retry_policy: RetryPolicy) -> None:
         self._control = control
-        self._patience = patience
+        self._retry_policy = retry_policy
 
-    def greet(self, workers: int) -> None:
+    def check_service(self, workers: int) -> None:
         """First contact: whether a server is there, and gives so many workers."""
         first = replace(
-            self._patience, total_s=min(FIRST_CONTACT_S, self._patience.total_s)
+            self._retry_policy, total_s=min(FIRST_CONTACT_S, self._retry_policy.total_s)
         )
-        service = first.until_answered(
+        service = first.call(
             lambda: self._control.describe_service(_request_timeout=TIMEOUTS_S)
         )
         if workers > service.limits.max_workers:
             raise ProctorError(
                 "invalid_request",
-                f"{workers} workers are wanted; {self._patience.url} allows a run "
+                f"{workers} workers are wanted; {self._retry_policy.url} allows a run "
                 f"{service.limits.max_workers}. Ask for fewer.",
             )
 
     def benchmarks(self) -> list[BenchmarkSummary]:
-        return self._patience.until_answered(
+        return self._retry_policy.call(
             lambda: self._control.list_benchmarks(_request_timeout=TIMEOUTS_S)
         ).benchmarks
 
     def benchmark(self, benchmark_id: str) -> Benchmark:
-        return self._patience.until_answered(
+        return self._retry_policy.call(
             lambda: self._control.get_benchmark(
                 benchmark_id, _request_timeout=TIMEOUTS_S
             )
@@ -75,36 +75,36 @@ class Desk:
     def submit(self, submission: SubmitRun) -> Run:
         """Makes one run, however often the request has to be repeated."""
         key = uuid.uuid4().hex
-        return self._patience.until_answered(
+        return self._retry_policy.call(
             lambda: self._control.submit_run(
                 submission, idempotency_key=key, _request_timeout=TIMEOUTS_S
             )
         )
 
     def read(self, run_id: str) -> Run:
-        return self._patience.until_answered(
+        return self._retry_policy.call(
             lambda: self._control.get_run(run_id, _request_timeout=TIMEOUTS_S)
         )
 
     def latest(self, most: int) -> list[Run]:
         """The account's newest runs."""
-        return self._patience.until_answered(
+        return self._retry_policy.call(
             lambda: self._control.list_runs(limit=most, _request_timeout=TIMEOUTS_S)
         ).runs
 
     def stop(self, run_id: str, mode: StopMode) -> Run:
-        return self._patience.until_answered(
+        return self._retry_policy.call(
             lambda: self._control.stop_run(
                 run_id, StopRun(mode=mode), _request_timeout=TIMEOUTS_S
             )
         )
 
     def resume(self, run_id: str) -> Run:
-        return self._patience.until_answered(
+        return self._retry_policy.call(
             lambda: self._control.resume_run(run_id, _request_timeout=TIMEOUTS_S)
         )
 
-    def take_up(self, run_id: str) -> Run:
+    def resume_if_needed(self, run_id: str) -> Run:
         """Resume the run if it is stopped or failed, after it has drained if it must.
 
         Raises RunFailed if it can never go on.
@@ -112,9 +112,11 @@ class Desk:
         for run in self.changes(run_id):
             state = run.state.value
             if state == "stopping":
-                self._patience.tell("the run is draining; it is resumed after that")
+                self._retry_policy.report_waiting(
+                    "the run is draining; it is resumed after that"
+                )
                 continue
-            self._patience.tell(None)
+            self._retry_policy.report_waiting(None)
             if state == "failed" and not run.retryable:
                 raise RunFailed(run)
             if state in ("stopped", "failed"):
@@ -122,7 +124,7 @@ class Desk:
             return run
         raise AssertionError("changes never end")
 
-    def work_is_left(self, run_id: str, *, held: bool = False) -> bool:
+    def wait_for_work(self, run_id: str, *, held: bool = False) -> bool:
         """Waits until episodes can be played (True), or the run is completed (False).
 
         held: episodes that a session holds count, because it is to be taken over.
@@ -132,9 +134,11 @@ class Desk:
             state = run.state.value
             if state == "queued":
                 place = run.queue_position
-                self._patience.tell(f"the run is number {place} in the queue")
+                self._retry_policy.report_waiting(
+                    f"the run is number {place} in the queue"
+                )
                 continue
-            self._patience.tell(None)
+            self._retry_policy.report_waiting(None)
             if state == "completed":
                 return False
             if state == "failed":
@@ -146,14 +150,14 @@ class Desk:
                 return True
             # Should one of them die, its episode is for us.
             others = run.progress.episodes_in_progress
-            self._patience.tell(
+            self._retry_policy.report_waiting(
                 f"other sessions play the last {others}; takeover=True takes over "
                 "those that have our workers' names"
             )
         raise AssertionError("changes never end")
 
     def score(self, run_id: str) -> Score:
-        return self._patience.until_answered(
+        return self._retry_policy.call(
             lambda: self._control.get_score(run_id, _request_timeout=TIMEOUTS_S)
         )
 
@@ -161,7 +165,7 @@ class Desk:
         self, baseline: str, runs: Sequence[str], tolerance: float | None
     ) -> Comparison:
         """Runs beside a baseline; tolerance None is the server's own."""
-        return self._patience.until_answered(
+        return self._retry_policy.call(
             lambda: self._control.compare_runs(
                 baseline, ",".join(runs), tolerance, _request_timeout=TIMEOUTS_S
             )
@@ -172,7 +176,7 @@ class Desk:
         found: list[Episode] = []
         cursor: str | None = None
         while True:
-            page = self._patience.until_answered(
+            page = self._retry_policy.call(
                 partial(
                     self._control.list_episodes,
                     run_id,
@@ -185,23 +189,25 @@ class Desk:
             if cursor is None:
                 return found
 
-    def glance(self, run_id: str) -> Score:
+    def try_score(self, run_id: str) -> Score:
         """The score if it is to be had at once; nobody is told that it was not."""
-        once = replace(self._patience, total_s=0.0, tell=lambda _why: None)
-        return Desk(self._control, once).score(run_id)
+        once = replace(
+            self._retry_policy, total_s=0.0, report_waiting=lambda _why: None
+        )
+        return ControlClient(self._control, once).score(run_id)
 
     def changes(self, run_id: str) -> Iterator[Run]:
         """The run as it is, and again whenever it has changed; without end."""
         etag: str | None = None
         while True:
-            answer = self._patience.until_answered(partial(self._poll, run_id, etag))
+            answer = self._retry_policy.call(partial(self._poll, run_id, etag))
             if answer is None:
-                self._patience.pause(UNCHANGED_S)
+                self._retry_policy.pause(UNCHANGED_S)
                 continue
             etag = (answer.headers or {}).get("ETag")
             yield answer.data
             if etag is None:
-                self._patience.pause(UNCHANGED_S)
+                self._retry_policy.pause(UNCHANGED_S)
 
     def _poll(self, run_id: str, etag: str | None) -> ApiResponse[Run] | None:
         """The run, or None if it is unchanged since the etag."""

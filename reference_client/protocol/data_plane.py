@@ -27,7 +27,7 @@ from proctor_client import (
 from urllib3 import HTTPHeaderDict
 
 from reference_client.generated.messages import Turn
-from reference_client.protocol.http_connection import Answer, Exchange
+from reference_client.protocol.http_connection import Answer, HttpConnection
 
 JSON, MSGPACK = "application/json", "application/msgpack"
 # The first answer shows whether the server speaks the faster one.
@@ -38,7 +38,7 @@ _DECODERS = {
 }
 _ENCODERS = {JSON: msgspec.json.encode, MSGPACK: msgspec.msgpack.encode}
 # The observation in use, the one before it, and one that somebody looks at longer.
-_ROOMS = 3
+_BUFFERS_MAX = 3
 
 
 class DataPlane:
@@ -71,13 +71,13 @@ class DataPlane:
         }
         self._lines = "".join(f"{name}: {value}\r\n" for name, value in lines.items())
         self._media_type = JSON
-        self._rooms: deque[bytearray] = deque(maxlen=_ROOMS)
-        self.exchange = Exchange(endpoint, timeouts_s, self._room)
+        self._buffers: deque[bytearray] = deque(maxlen=_BUFFERS_MAX)
+        self.http_connection = HttpConnection(endpoint, timeouts_s, self._free_buffer)
         api = DataApi(client)
         self.heartbeat, self.detach_worker = api.heartbeat, api.detach_worker
 
     def attach_worker(self, run_id: str, worker_id: str, request: AttachWorker) -> Turn:
-        return self._ask("PUT", _path(run_id, worker_id), request.to_dict())
+        return self._request_turn("PUT", _path(run_id, worker_id), request.to_dict())
 
     def predict(
         self,
@@ -92,47 +92,47 @@ class DataPlane:
         body = {"session_id": session_id, "seq": seq, "actions": actions}
         if observe is not None:
             body["observe"] = observe
-        return self._ask("POST", f"{_path(run_id, worker_id)}/predict", body)
+        return self._request_turn("POST", f"{_path(run_id, worker_id)}/predict", body)
 
     def close(self) -> None:
-        self.exchange.close()
+        self.http_connection.close()
 
-    def _ask(self, method: str, path: str, body: Any) -> Turn:
+    def _request_turn(self, method: str, path: str, body: Any) -> Turn:
         encoded = _ENCODERS[self._media_type](body)
         head = (
             f"{method} {self._base}{path} HTTP/1.1\r\n{self._lines}"
             f"Content-Type: {self._media_type}\r\n"
             f"Content-Length: {len(encoded)}\r\n\r\n"
         )
-        answer = self.exchange.ask(head.encode("latin-1") + encoded)
+        answer = self.http_connection.send_request(head.encode("latin-1") + encoded)
         if answer.status != 200:
             raise _refusal(answer)
-        told = answer.headers.get("content-type", "").partition(";")[0].strip()
-        if told not in _DECODERS:
-            raise ValueError(f"a turn as {told or 'nothing'}")
+        media_type = answer.headers.get("content-type", "").partition(";")[0].strip()
+        if media_type not in _DECODERS:
+            raise ValueError(f"a turn as {media_type or 'nothing'}")
         try:
-            turn = _DECODERS[told](answer.body)
+            turn = _DECODERS[media_type](answer.body)
         except RecursionError as error:
             raise ValueError("a turn that is nested too deeply") from error
-        self._media_type = told
+        self._media_type = media_type
         return turn
 
-    def _room(self, size: int) -> memoryview:
+    def _free_buffer(self, size: int) -> memoryview:
         """Memory for an answer at which nobody looks any more, of exactly that size."""
-        for room in self._rooms:
-            if len(room) >= size and not _is_looked_at(room):
-                return memoryview(room)[:size]
-        self._rooms.append(bytearray(size + size // 8))
-        return memoryview(self._rooms[-1])[:size]
+        for buffer in self._buffers:
+            if len(buffer) >= size and not _is_in_use(buffer):
+                return memoryview(buffer)[:size]
+        self._buffers.append(bytearray(size + size // 8))
+        return memoryview(self._buffers[-1])[:size]
 
 
-def _is_looked_at(room: bytearray) -> bool:
+def _is_in_use(buffer: bytearray) -> bool:
     """Whether a view of it is alive: then it cannot change its size."""
     try:
-        room.append(0)
+        buffer.append(0)
     except BufferError:
         return True
-    room.pop()
+    buffer.pop()
     return False
 
 

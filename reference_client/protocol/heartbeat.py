@@ -10,17 +10,17 @@ from types import TracebackType
 from typing import Self
 
 
-class Heart:
-    """Calls `beat` while thinking goes on for longer than a third of the lease.
+class HeartbeatThread:
+    """Calls `send_heartbeat` while thinking goes on for longer than a third of the lease.
 
     lease_s: idle_timeout_s of the session. beat: extends the lease; returns whether
     there is one to extend. It is called in a thread that lives as long as the context.
     """
 
-    def __init__(self, lease_s: float, beat: Callable[[], bool]) -> None:
-        self._beat = beat
+    def __init__(self, lease_s: float, send_heartbeat: Callable[[], bool]) -> None:
+        self._send_heartbeat = send_heartbeat
         # A look every sixth: a beat comes before a third has passed without one.
-        self._look_s = lease_s / 6
+        self._check_interval_s = lease_s / 6
         self._answered_at: float | None = None  # None: the server has the word
         self._closed = threading.Event()
         self._thread = threading.Thread(
@@ -28,7 +28,7 @@ class Heart:
         )
 
     @contextlib.contextmanager
-    def thinking(self) -> Iterator[None]:
+    def keep_alive(self) -> Iterator[None]:
         """Around what the policy does between an answer and the next request."""
         self._answered_at = time.monotonic()
         try:
@@ -50,13 +50,13 @@ class Heart:
         self._closed.set()
 
     def _run(self) -> None:
-        beaten_at = -self._look_s
-        while not self._closed.wait(self._look_s):
+        sent_at = -self._check_interval_s
+        while not self._closed.wait(self._check_interval_s):
             answered_at = self._answered_at
             if answered_at is None:
                 continue
-            if time.monotonic() - max(answered_at, beaten_at) < self._look_s:
+            if time.monotonic() - max(answered_at, sent_at) < self._check_interval_s:
                 continue
-            if not self._beat():
+            if not self._send_heartbeat():
                 return
-            beaten_at = time.monotonic()
+            sent_at = time.monotonic()

@@ -38,7 +38,7 @@ class Answer:
     body: bytes | memoryview
 
 
-class Exchange:
+class HttpConnection:
     """A connection to the place of `url`, made when it is needed; for one thread.
 
     timeouts_s: to connect, and between two pieces of an answer.
@@ -49,43 +49,43 @@ class Exchange:
         self,
         url: str,
         timeouts_s: tuple[float, float],
-        room: Callable[[int], memoryview],
+        buffer: Callable[[int], memoryview],
     ) -> None:
         parts = urlsplit(url)
         self._is_secure = parts.scheme == "https"
         self._host = parts.hostname or ""
         self._port = parts.port or (443 if self._is_secure else 80)
         self._timeouts_s = timeouts_s
-        self._room = room
+        self._make_buffer = buffer
         self._piece = memoryview(bytearray(_PIECE_BYTES))
-        self.connected: socket.socket | None = None
+        self.sock: socket.socket | None = None
 
-    def ask(self, request: bytes) -> Answer:
+    def send_request(self, request: bytes) -> Answer:
         """Raises OSError when no answer comes, BrokenAnswer for one that is none."""
-        if self._has_news():
+        if self._has_unexpected_data():
             self.close()
         try:
-            if self.connected is None:
-                self.connected = self._connect()
-            self.connected.sendall(request)
-            return self._answer(self.connected)
+            if self.sock is None:
+                self.sock = self._connect()
+            self.sock.sendall(request)
+            return self._read_answer(self.sock)
         except BaseException:
             self.close()  # what comes on it next would answer no question
             raise
 
     def close(self) -> None:
-        if self.connected is not None:
-            self.connected.close()
-            self.connected = None
+        if self.sock is not None:
+            self.sock.close()
+            self.sock = None
 
-    def _has_news(self) -> bool:
+    def _has_unexpected_data(self) -> bool:
         """Nothing was asked: what can be read is the end, or no answer to anything."""
-        if self.connected is None:
+        if self.sock is None:
             return False
         # TLS may have read ahead of what the system knows.
-        if isinstance(self.connected, ssl.SSLSocket) and self.connected.pending():
+        if isinstance(self.sock, ssl.SSLSocket) and self.sock.pending():
             return True
-        return wait_for_read(self.connected, 0.0)
+        return wait_for_read(self.sock, 0.0)
 
     def _connect(self) -> socket.socket:
         place = self._host, self._port
@@ -102,41 +102,39 @@ class Exchange:
             raise
         return made
 
-    def _answer(self, connected: socket.socket) -> Answer:
-        coming = _Coming()
-        while coming.status < 200:
-            self._feed(coming, connected)
+    def _read_answer(self, sock: socket.socket) -> Answer:
+        parser = _ResponseParser()
+        while parser.status < 200:
+            self._feed(parser, sock)
         body: bytes | memoryview
-        if (size := coming.size) is not None:
-            body = self._received(connected, coming.body(), size)
+        if (size := parser.size) is not None:
+            body = self._receive_body(sock, parser.body(), size)
         else:
-            while not coming.is_complete:
-                self._feed(coming, connected)
-            body = coming.body()
-        if not coming.keeps_connection:
+            while not parser.is_complete:
+                self._feed(parser, sock)
+            body = parser.body()
+        if not parser.keeps_connection:
             self.close()
-        return Answer(coming.status, coming.reason, coming.headers, body)
+        return Answer(parser.status, parser.reason, parser.headers, body)
 
-    def _feed(self, coming: _Coming, connected: socket.socket) -> None:
-        count = connected.recv_into(self._piece)
-        coming.feed(self._piece[:count])
+    def _feed(self, parser: _ResponseParser, sock: socket.socket) -> None:
+        count = sock.recv_into(self._piece)
+        parser.feed(self._piece[:count])
 
-    def _received(
-        self, connected: socket.socket, begun: bytes, size: int
-    ) -> memoryview:
+    def _receive_body(self, sock: socket.socket, begun: bytes, size: int) -> memoryview:
         """A body of known size: past the parser to where it will be used."""
-        room = self._room(size)
+        buffer = self._make_buffer(size)
         filled = len(begun)
-        room[:filled] = begun
+        buffer[:filled] = begun
         while filled < size:
-            count = connected.recv_into(room[filled:])
+            count = sock.recv_into(buffer[filled:])
             if not count:
                 raise BrokenAnswer(_BREAKS_OFF)
             filled += count
-        return room
+        return buffer
 
 
-class _Coming:
+class _ResponseParser:
     """An answer while it comes: what the parser calls, and what is known of it.
 
     status: 0 until its head is complete.

@@ -18,7 +18,7 @@ from typing import TypeVar
 import msgspec
 from proctor_client import ApiException
 
-from reference_client.api.errors import SILENCE, ProctorError, from_failure
+from reference_client.api.errors import NO_ANSWER_ERRORS, ProctorError, from_failure
 
 Answer = TypeVar("Answer")
 
@@ -26,7 +26,7 @@ FIRST_PAUSE_S = 0.1
 LONGEST_PAUSE_S = 5.0
 
 # Refusals, silence, answers that break the schema.
-FAILURES = (ApiException, *SILENCE, msgspec.MsgspecError, ValueError)
+FAILURES = (ApiException, *NO_ANSWER_ERRORS, msgspec.MsgspecError, ValueError)
 
 # Answers of a healthy server that is full: waiting is right, however long it takes.
 _FULL = frozenset({"worker_limit", "no_capacity"})
@@ -40,7 +40,7 @@ class Interrupted(Exception):
 
 
 @dataclass(frozen=True, slots=True)
-class Patience:
+class RetryPolicy:
     """How long failing requests to `url` are repeated, and who hears of it.
 
     total_s: how long one kind of failure is borne. stop: ends every wait at once.
@@ -50,9 +50,9 @@ class Patience:
     url: str
     total_s: float
     stop: threading.Event
-    tell: Callable[[str | None], None]
+    report_waiting: Callable[[str | None], None]
 
-    def until_answered(
+    def call(
         self, send: Callable[[], Answer], *, limits_s: Mapping[str, float] = _NO_LIMITS
     ) -> Answer:
         """The answer to `send`, which is called until there is one.
@@ -61,7 +61,7 @@ class Patience:
         Raises ProctorError for what no repeat can cure or none did in time, and
         Interrupted.
         """
-        borne: ProctorError | None = None
+        last_error: ProctorError | None = None
         since = time.monotonic()
         pause_s = FIRST_PAUSE_S
         while not self.stop.is_set():
@@ -69,20 +69,20 @@ class Patience:
                 answer = send()
             except FAILURES as failure:
                 error = from_failure(failure, self.url)
-                if borne is None or borne.code != error.code:
+                if last_error is None or last_error.code != error.code:
                     since, pause_s = time.monotonic(), FIRST_PAUSE_S
                 wait_s = _wait_s(error, pause_s)
                 left_s = since + self._limit_s(error, limits_s) - time.monotonic()
                 if not error.retryable or wait_s > left_s:
-                    self._tell_end(borne)
+                    self._report_end(last_error)
                     # What was borne before may be what explains the last word.
-                    raise error from (borne or failure)
+                    raise error from (last_error or failure)
             else:
-                self._tell_end(borne)
+                self._report_end(last_error)
                 return answer
-            if borne is None or borne.detail != error.detail:
-                self.tell(error.detail)
-            borne, pause_s = error, min(2 * pause_s, LONGEST_PAUSE_S)
+            if last_error is None or last_error.detail != error.detail:
+                self.report_waiting(error.detail)
+            last_error, pause_s = error, min(2 * pause_s, LONGEST_PAUSE_S)
             self.stop.wait(wait_s)
         raise Interrupted
 
@@ -100,9 +100,9 @@ class Patience:
             return min(_DEFECT_S, self.total_s)
         return self.total_s
 
-    def _tell_end(self, borne: ProctorError | None) -> None:
-        if borne is not None:
-            self.tell(None)
+    def _report_end(self, last_error: ProctorError | None) -> None:
+        if last_error is not None:
+            self.report_waiting(None)
 
 
 def _wait_s(error: ProctorError, pause_s: float) -> float:

@@ -18,18 +18,18 @@ from reference_client.api.errors import ProctorError, from_failure
 from reference_client.api.policy import WireAction
 from reference_client.generated.messages import Turn
 from reference_client.protocol.data_plane import DataPlane
-from reference_client.protocol.retry_policy import FAILURES, Interrupted, Patience
+from reference_client.protocol.retry_policy import FAILURES, Interrupted, RetryPolicy
 
 # How much longer than its lease a busy worker is waited for, and how long a detach is
 # tried: a lease ends what no detach reaches.
 MARGIN_S = 3.0
 
 # A session that is over, whoever ended it.
-OVER = frozenset({"session_ended", "session_superseded"})
+SESSION_END_CODES = frozenset({"session_ended", "session_superseded"})
 
 
 @dataclass(frozen=True, slots=True)
-class Seat:
+class WorkerSlot:
     """Which worker of which run plays, and where."""
 
     data: DataPlane
@@ -43,17 +43,17 @@ class Session:
     Every method raises ProctorError as the spec's operation refuses, and Interrupted.
     """
 
-    def __init__(self, seat: Seat, patience: Patience, turn: Turn) -> None:
-        self._seat = seat
-        self._patience = patience
-        self._over = False
+    def __init__(self, slot: WorkerSlot, retry_policy: RetryPolicy, turn: Turn) -> None:
+        self._slot = slot
+        self._retry_policy = retry_policy
+        self._ended = False
         self.turn = turn
 
     @classmethod
     def attach(
         cls,
-        seat: Seat,
-        patience: Patience,
+        slot: WorkerSlot,
+        retry_policy: RetryPolicy,
         *,
         takeover: bool = False,
         assumes: Assumptions | None = None,
@@ -62,12 +62,12 @@ class Session:
         request = AttachWorker(
             attach_key=uuid.uuid4().hex, takeover=takeover, assumes=assumes
         )
-        run = seat.run
-        turn = patience.until_answered(
-            lambda: seat.data.attach_worker(run.run_id, seat.worker_id, request),
+        run = slot.run
+        turn = retry_policy.call(
+            lambda: slot.data.attach_worker(run.run_id, slot.worker_id, request),
             limits_s={"worker_busy": run.idle_timeout_s + MARGIN_S},
         )
-        return cls(seat, patience, turn)
+        return cls(slot, retry_policy, turn)
 
     def predict(
         self, actions: Sequence[WireAction], *, observe: Observe | None = None
@@ -76,12 +76,12 @@ class Session:
 
         observe: `all` for an observation after each step, the last of an episode too.
         """
-        seat, before = self._seat, self.turn
+        slot, before = self._slot, self.turn
         try:
-            self.turn = self._patience.until_answered(
-                lambda: seat.data.predict(
-                    seat.run.run_id,
-                    seat.worker_id,
+            self.turn = self._retry_policy.call(
+                lambda: slot.data.predict(
+                    slot.run.run_id,
+                    slot.worker_id,
                     before.session_id,
                     before.seq + 1,
                     actions,
@@ -89,25 +89,28 @@ class Session:
                 )
             )
         except ProctorError as error:
-            self._over = error.code in OVER
+            self._ended = error.code in SESSION_END_CODES
             raise
         return self.turn
 
-    def beat(self) -> bool:
+    def send_heartbeat(self) -> bool:
         """Extend the lease; returns whether the session lives, as far as is known.
 
         Sent once: when it is lost, the next beat comes in time.
         """
-        seat = self._seat
+        slot = self._slot
         try:
-            seat.data.heartbeat(
-                seat.run.run_id,
-                seat.worker_id,
+            slot.data.heartbeat(
+                slot.run.run_id,
+                slot.worker_id,
                 Heartbeat(session_id=self.turn.session_id),
                 _request_timeout=max(1.0, self.turn.lease.idle_timeout_s / 6),
             )
         except FAILURES as failure:
-            return from_failure(failure, self._patience.url).code not in OVER
+            return (
+                from_failure(failure, self._retry_policy.url).code
+                not in SESSION_END_CODES
+            )
         return True
 
     def detach(self) -> None:
@@ -115,20 +118,22 @@ class Session:
 
         May be called by any thread, and also when the evaluation is interrupted.
         """
-        if self._over:
+        if self._ended:
             return
-        self._over = True
-        detach(self._seat, self._patience.url, self.turn.session_id)
+        self._ended = True
+        detach(self._slot, self._retry_policy.url, self.turn.session_id)
 
 
-def detach(seat: Seat, url: str, session_id: str) -> None:
+def detach(slot: WorkerSlot, url: str, session_id: str) -> None:
     """End a session, whoever opened it; never raises. `url` is the server's."""
-    hurried = Patience(url, MARGIN_S, threading.Event(), lambda _why: None)
+    short_retry_policy = RetryPolicy(
+        url, MARGIN_S, threading.Event(), lambda _why: None
+    )
     try:
-        hurried.until_answered(
-            lambda: seat.data.detach_worker(
-                seat.run.run_id,
-                seat.worker_id,
+        short_retry_policy.call(
+            lambda: slot.data.detach_worker(
+                slot.run.run_id,
+                slot.worker_id,
                 session_id,
                 _request_timeout=MARGIN_S,
             )

@@ -12,24 +12,26 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from reference_client.evaluation.status_board import Glimpse
+from reference_client.evaluation.status_board import TurnSnapshot
 
-WIDEST = 320  # pixels, of a picture on the page
+WIDTH_MAX = 320  # pixels, of a picture on the page
 
 
-def shown(glimpse: Glimpse) -> dict[str, Any]:
+def describe_turn(snapshot: TurnSnapshot) -> dict[str, Any]:
     """JSON-able: texts, times in seconds, and JPEG pictures in base64 by camera."""
-    turn, seen = glimpse.turn, glimpse.observation
+    turn, observation = snapshot.turn, snapshot.observation
     return {
-        "instruction": seen.instruction,
-        "episode_id": seen.episode_id,
-        "step": seen.step + turn.executed_steps,
+        "instruction": observation.instruction,
+        "episode_id": observation.episode_id,
+        "step": observation.step + turn.executed_steps,
         "task": turn.episode.task if turn.episode else "",
-        "think_s": glimpse.think_s,
+        "think_s": snapshot.think_s,
         "server_s": turn.timing.total_s,
-        "wire_s": max(0.0, glimpse.turn_s - turn.timing.total_s),
+        "wire_s": max(0.0, snapshot.turn_s - turn.timing.total_s),
         "done": turn.done,
-        "images": {name: _jpeg(picture) for name, picture in seen.images.items()},
+        "images": {
+            name: _jpeg(picture) for name, picture in observation.images.items()
+        },
     }
 
 
@@ -37,7 +39,7 @@ def _jpeg(picture: npt.NDArray[np.uint8]) -> str:
     import PIL.Image
 
     flat = picture[:, :, 0] if picture.shape[2] < 3 else picture[:, :, :3]
-    every = -(-picture.shape[1] // WIDEST)
+    every = -(-picture.shape[1] // WIDTH_MAX)
     image = PIL.Image.fromarray(np.ascontiguousarray(flat[::every, ::every]))
     file = io.BytesIO()
     image.save(file, "JPEG", quality=80)

@@ -15,25 +15,25 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from importlib.resources import files
 from typing import Any, Self
 
-from reference_client.evaluation.status_board import Board, Glimpse, Progress
-from reference_client.view.frames import shown
+from reference_client.evaluation.status_board import Progress, StatusBoard, TurnSnapshot
+from reference_client.view.frames import describe_turn
 
 LOOPBACK = "127.0.0.1"
-POLICY = (
+CONTENT_SECURITY_POLICY = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
     "img-src data:; connect-src 'self'; frame-ancestors 'none'; base-uri 'none'"
 )
 
 
-class Watched(Board):
+class SnapshotBoard(StatusBoard):
     """A board that keeps each worker's latest turn: an assignment, no more."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.latest: dict[str, Glimpse] = {}
+        self.latest: dict[str, TurnSnapshot] = {}
 
-    def looked(self, glimpse: Glimpse) -> None:
-        self.latest[glimpse.worker_id] = glimpse
+    def on_turn(self, snapshot: TurnSnapshot) -> None:
+        self.latest[snapshot.worker_id] = snapshot
 
 
 class View:
@@ -43,13 +43,13 @@ class View:
     """
 
     def __init__(self, port: int) -> None:
-        self.board = Watched()
+        self.board = SnapshotBoard()
         self.title = ""
         self.progress: Progress | None = None
         # For workers in processes of their own: has them send what they see.
-        self.look: Callable[[], object] | None = None
-        self._sent: dict[str, Any] = {}
-        self._server = _Server((LOOPBACK, port), _Page)
+        self.request_frames: Callable[[], object] | None = None
+        self._reports: dict[str, Any] = {}
+        self._server = _Server((LOOPBACK, port), _PageHandler)
         self._server.view = self
         self.url = f"http://{LOOPBACK}:{self._server.server_address[1]}/"
 
@@ -63,15 +63,15 @@ class View:
         self._server.shutdown()
         self._server.server_close()
 
-    def sent(self, worker_id: str, report: dict[str, Any]) -> None:
+    def store_report(self, worker_id: str, report: dict[str, Any]) -> None:
         """What a worker's process shows of itself."""
-        self._sent[worker_id] = report
+        self._reports[worker_id] = report
 
     def state(self) -> dict[str, Any]:
         """What the page shows, JSON-able."""
-        if self.look is not None:
-            self.look()  # for the next time
-        glimpses = dict(self.board.latest)
+        if self.request_frames is not None:
+            self.request_frames()  # for the next time
+        snapshots = dict(self.board.latest)
         progress = self.progress
         return {
             "title": self.title,
@@ -80,8 +80,10 @@ class View:
             "total": progress.episodes_total if progress else 0,
             "mean": progress.mean if progress else None,
             "waiting": progress.waiting if progress else None,
-            "workers": {name: shown(glimpse) for name, glimpse in glimpses.items()}
-            | self._sent,
+            "workers": {
+                name: describe_turn(snapshot) for name, snapshot in snapshots.items()
+            }
+            | self._reports,
         }
 
 
@@ -90,7 +92,7 @@ class _Server(ThreadingHTTPServer):
     view: View
 
 
-class _Page(BaseHTTPRequestHandler):
+class _PageHandler(BaseHTTPRequestHandler):
     server: _Server
     protocol_version = "HTTP/1.1"
 
@@ -114,7 +116,7 @@ class _Page(BaseHTTPRequestHandler):
         self.send_response(status)
         self.send_header("Content-Type", kind)
         self.send_header("Content-Length", str(len(body)))
-        self.send_header("Content-Security-Policy", POLICY)
+        self.send_header("Content-Security-Policy", CONTENT_SECURITY_POLICY)
         self.send_header("Cache-Control", "no-store")
         self.send_header("X-Content-Type-Options", "nosniff")
         self.end_headers()

@@ -20,8 +20,8 @@ from reference_server.http.codec import JSON, MSGPACK
 from reference_server.http.dispatch import (
     VERSION_MAX,
     VERSION_MIN,
-    OperationCall,
     Operation,
+    OperationCall,
 )
 from reference_server.http.event_streams import EVENT_STREAM, EventStream
 from reference_server.http.problems import Refused

@@ -12,7 +12,7 @@ from typing import Any
 
 from reference_server.http.views import result_view, timestamp
 from reference_server.rules.run import Episode, Session
-from reference_sim.process.pool import Played, Timing
+from reference_sim.process.pool import ChunkReply, Timing
 
 
 def turn_view(
@@ -20,7 +20,7 @@ def turn_view(
     *,
     observation: Any,
     observations: list[Any] | None = None,
-    played: Played | None = None,
+    played: ChunkReply | None = None,
     left: int = 0,
     ended: Episode | None = None,
     fault: Mapping[str, Any] | None = None,

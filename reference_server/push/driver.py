@@ -19,7 +19,7 @@ from typing import Any
 
 from reference_server.http.problems import Refused
 from reference_server.push.egress import EgressPolicy
-from reference_server.push.http_calls import CallLimits, HttpCalls, Backoff, PolicyFault
+from reference_server.push.http_calls import Backoff, CallLimits, HttpCalls, PolicyFault
 from reference_server.push.key_encryption import DecryptionFailed, KeyEncryption
 from reference_server.push.policy_calls import Description, PolicyAdapter, answer_fault
 from reference_server.push.policy_protocols import PROTOCOLS

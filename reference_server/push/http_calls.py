@@ -20,9 +20,9 @@ import msgspec
 from reference_server.http.codec import JSON, decode, pointer
 from reference_server.http.problems import PROBLEM_JSON, Refused
 from reference_server.push.egress import (
+    AddressNotAllowed,
     CheckedBackend,
     EgressPolicy,
-    AddressNotAllowed,
     HostNotResolved,
 )
 

@@ -16,8 +16,8 @@ import httpcore
 from reference_server.generated import models
 from reference_server.http.problems import Refused
 from reference_server.push.egress import (
-    EgressPolicy,
     AddressNotAllowed,
+    EgressPolicy,
     HostNotResolved,
 )
 from reference_server.push.key_encryption import KeyEncryption

@@ -93,7 +93,7 @@ class Benchmarks:
         return ResolvedRun(found.manifest, digest(found.manifest), found.images)
 
 
-def world_of(run: Run) -> benchmark_registry.World:
+def world_of(run: Run) -> benchmark_registry.SimulatorConfig:
     """What a simulator process needs to build this run's simulator.
 
     Refused when the benchmark is not the one that the run was submitted to: a score is

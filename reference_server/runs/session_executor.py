@@ -35,9 +35,9 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.run import Run, Session
 from reference_server.runs.registry import RunRegistry
-from reference_server.runs.session_resources import SessionResources, ResourceManager
+from reference_server.runs.session_resources import ResourceManager, SessionResources
 from reference_sim.process.pool import (
-    Beginning,
+    EpisodeStart,
     NoCapacity,
     SimulatorFault,
     SimulatorPool,
@@ -226,7 +226,7 @@ class SessionExecutor:
         )
         return self._answer(resources, turn, started)
 
-    async def _begin(self, resources: SessionResources) -> tuple[Beginning, float]:
+    async def _begin(self, resources: SessionResources) -> tuple[EpisodeStart, float]:
         """Begin the session's episode, anew after each fault, until it fails the run.
 
         Returns the beginning and the seconds spent waiting for a simulator.

@@ -16,7 +16,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_valida
 
 from reference_sim.gymnasium import BadBenchmark
 
-READY = {
+BUNDLED_BENCHMARKS = {
     "metaworld_mt50": Path(__file__).parents[1] / "benchmarks/metaworld/benchmark.toml"
 }
 _ID_LENGTH_MAX = 64
@@ -90,7 +90,7 @@ class Success(_Strict):
     function: Reference | None = None
 
     @model_validator(mode="after")
-    def _is_one(self) -> Self:
+    def _has_one_member(self) -> Self:
         members = list(type(self).model_fields)
         if len(self.given()) != 1:
             raise ValueError(f"give exactly one of {', '.join(members)}")
@@ -107,7 +107,7 @@ class ReturnScore(_Strict):
     return_to: float
 
     @model_validator(mode="after")
-    def _is_a_way(self) -> Self:
+    def _is_ascending(self) -> Self:
         if not self.return_from < self.return_to:
             raise ValueError("return_from must be less than return_to")
         return self
@@ -137,10 +137,10 @@ class Convention(_Strict):
 
     def members(self) -> dict[str, Any]:
         """Of a VectorSpace."""
-        said = self.model_dump(exclude_none=True)
-        if "meaning" in said:
-            said["description"] = said.pop("meaning")
-        return said
+        declared = self.model_dump(exclude_none=True)
+        if "meaning" in declared:
+            declared["description"] = declared.pop("meaning")
+        return declared
 
 
 class Benchmark(_Strict):
@@ -172,7 +172,7 @@ class Benchmark(_Strict):
     state: dict[str, Convention] = {}
 
     @model_validator(mode="after")
-    def _hangs_together(self) -> Self:
+    def _is_consistent(self) -> Self:
         if (self.environment is None) == (self.made_by is None):
             raise ValueError(
                 'give either environment = "ID" or made_by = "FILE.py:NAME"'
@@ -217,8 +217,8 @@ def read(reference: str) -> Iterator[tuple[Benchmark, Path]]:
     BadBenchmark.
     """
     place, _, name = reference.rpartition(":")
-    if reference in READY:
-        yield _read_file(READY[reference])
+    if reference in BUNDLED_BENCHMARKS:
+        yield _read_file(BUNDLED_BENCHMARKS[reference])
     elif reference.startswith("gymnasium:") and name:
         yield _registered(reference.partition(":")[2]), Path.cwd()
     elif place.endswith(".py") and name.isidentifier():
@@ -238,7 +238,7 @@ def read(reference: str) -> Iterator[tuple[Benchmark, Path]]:
     else:
         raise BadBenchmark(
             f"{reference}: no benchmark; say gymnasium:ID, FILE.toml, a folder of such "
-            f"files, FILE.py:CLASS or {', '.join(READY)}"
+            f"files, FILE.py:CLASS or {', '.join(BUNDLED_BENCHMARKS)}"
         )
 
 

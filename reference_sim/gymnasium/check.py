@@ -25,7 +25,7 @@ from reference_sim.definition import Json
 from reference_sim.gymnasium import entries, environments
 from reference_sim.gymnasium.benchmark_file import Benchmark
 from reference_sim.gymnasium.entries import Entry
-from reference_sim.gymnasium.plan import Draft, Unsettled
+from reference_sim.gymnasium.plan import PlanDraft, Unsettled
 from reference_sim.gymnasium.simulator import GymnasiumSimulator
 
 SEED, OTHER_SEED = 20, 21
@@ -33,49 +33,51 @@ STEPS = 12  # of each short trajectory
 _PLAY_ON_S = 5.0  # longest time that the end of an episode is waited for
 
 # What an episode showed at each step: name → bytes.
-Film: TypeAlias = list[dict[str, bytes]]
+Trajectory: TypeAlias = list[dict[str, bytes]]
 
 
-class Fault(Exception):
+class TaskFault(Exception):
     """The task cannot be offered; the text says what is wrong, in one line."""
 
 
-class Check:
-    """One benchmark, looked at task by task. `tell` is given what is being done."""
+class BenchmarkCheck:
+    """One benchmark, looked at task by task. `report_progress` is given what is being done."""
 
     def __init__(
-        self, benchmark: Benchmark, folder: Path, tell: Callable[[str], None]
+        self, benchmark: Benchmark, folder: Path, report_progress: Callable[[str], None]
     ) -> None:
-        self._draft = Draft(benchmark, folder)
-        self._tell = tell
-        self._said: dict[str, dict[str, list[str]]] = {"faults": {}, "warnings": {}}
+        self._draft = PlanDraft(benchmark, folder)
+        self._report_progress = report_progress
+        self._findings: dict[str, dict[str, list[str]]] = {"faults": {}, "warnings": {}}
         self._observed: list[Entry] = []
         self._actions: list[Entry] = []
         self._outside: dict[str, str] = {}
         self._frame: tuple[int, int] | None = None
-        self._played, self._play_s = 0, 0.0
+        self._steps_played, self._play_s = 0, 0.0
 
     def look(self) -> Json:
         """faults, warnings, notes: lines; without faults, also plan and manifest."""
         draft = self._draft
-        self._tell(f"importing {draft.benchmark.source}")
+        self._report_progress(f"importing {draft.benchmark.source}")
         try:
             draft.begin()
         except Exception as error:  # noqa: BLE001 - it runs what the user wrote
             return self._report({_line(error): [""]})
         names = [task["name"] for task in draft.tasks]
         for number, name in enumerate(names):
-            self._tell(f"task {name} ({number + 1} of {len(names)})")
+            self._report_progress(f"task {name} ({number + 1} of {len(names)})")
             try:
-                self._look_at(name)
+                self._check_task(name)
             except Exception as error:  # noqa: BLE001 - so does this
-                self._say("faults", name, _line(error))
-            if self._said["faults"] and number == 0:
+                self._add_finding("faults", name, _line(error))
+            if self._findings["faults"] and number == 0:
                 break  # the rest would say the same
-        if self._said["faults"]:
-            return self._report(self._said["faults"])
+        if self._findings["faults"]:
+            return self._report(self._findings["faults"])
         for name, example in self._outside.items():
-            self._say("warnings", "", f"{example}; its bounds are not published")
+            self._add_finding(
+                "warnings", "", f"{example}; its bounds are not published"
+            )
             self._observed = [
                 _unbounded(e) if e.name == name else e for e in self._observed
             ]
@@ -83,62 +85,64 @@ class Check:
             found = draft.settle(self._actions, self._observed, self._frame)
         except (Unsettled, entries.UnsupportedSpace) as unsettled:
             return self._report({str(unsettled): [""]})
-        pace = self._played / max(self._play_s, 1e-9)
+        pace = self._steps_played / max(self._play_s, 1e-9)
         return (
             self._report({}) | found | {"notes": [*draft.notes, f"{pace:.0f} steps/s"]}
         )
 
-    def _say(self, kind: str, task: str, text: str) -> None:
-        self._said[kind].setdefault(text, []).append(task)
+    def _add_finding(self, kind: str, task: str, text: str) -> None:
+        self._findings[kind].setdefault(text, []).append(task)
 
     def _report(self, faults: Mapping[str, list[str]]) -> Json:
-        warned = dict(self._said["warnings"])
+        warned = dict(self._findings["warnings"])
         warned |= {text: [""] for text in self._draft.warnings}
         return {"faults": _lines(faults), "warnings": _lines(warned)}
 
     # One task
 
-    def _look_at(self, task: str) -> None:
+    def _check_task(self, task: str) -> None:
         simulator = GymnasiumSimulator(self._draft.plan)
         try:
-            first = self._film(simulator, task, SEED)
-            self._learn(simulator, task)
-            other = self._film(simulator, task, OTHER_SEED)
-            again = self._film(simulator, task, SEED)
+            first = self._record_trajectory(simulator, task, SEED)
+            self._read_spaces(simulator, task)
+            other = self._record_trajectory(simulator, task, OTHER_SEED)
+            again = self._record_trajectory(simulator, task, SEED)
             if (difference := _difference(first, again)) is not None:
                 self._explain(simulator, task, first, difference)
             if _difference(first, other) is None:
-                self._say("warnings", task, "every seed gives the same episode")
+                self._add_finding("warnings", task, "every seed gives the same episode")
             self._find_success(simulator, task)
         finally:
             simulator.close()
 
-    def _film(self, simulator: GymnasiumSimulator, task: str, seed: int) -> Film:
+    def _record_trajectory(
+        self, simulator: GymnasiumSimulator, task: str, seed: int
+    ) -> Trajectory:
         """A short episode with actions that are the same for every seed."""
         # An environment that draws from the global generators must not be saved by us.
         random.seed()
         np.random.seed()  # noqa: NPY002 - it is theirs
         simulator.reset(task, seed)
-        film = [self._still(simulator)]
+        trajectory = [self._record_step(simulator)]
         rng = np.random.default_rng(0)
         began = time.perf_counter()
         for _ in range(STEPS):
             outcome = simulator.step(_some_action(simulator.actions, rng))
-            film.append(self._still(simulator) | _numbers(outcome.reward))
-            self._played += 1
+            trajectory.append(self._record_step(simulator) | _numbers(outcome.reward))
+            self._steps_played += 1
             if simulator.over:
                 break
         self._play_s += time.perf_counter() - began
-        return film
+        return trajectory
 
-    def _still(self, simulator: GymnasiumSimulator) -> dict[str, bytes]:
+    def _record_step(self, simulator: GymnasiumSimulator) -> dict[str, bytes]:
         seen: dict[str, bytes] = {}
         for part in simulator.look().values():
             seen |= {f"observation {name!r}": a.tobytes() for name, a in part.items()}
         for entry, value in simulator.leaves():
             array = np.asarray(value)
             if entry.kind != "state" and array.dtype != entry.dtype:
-                raise Fault(
+                raise TaskFault(
                     f"the observation {entry.name!r} is of {array.dtype}, its space of "
                     f"{entry.dtype}"
                 )
@@ -155,30 +159,34 @@ class Check:
                 )
         return seen
 
-    def _learn(self, simulator: GymnasiumSimulator, task: str) -> None:
+    def _read_spaces(self, simulator: GymnasiumSimulator, task: str) -> None:
         """The spaces, that must be one for all tasks; the camera, from the first."""
         if not self._actions:
             self._actions, self._observed = simulator.actions, simulator.observed
-            self._draft.ask(simulator)
+            self._draft.read_environment(simulator)
             if self._draft.plan["camera"] is not None:
                 self._frame = self._draft.try_camera(simulator)
             return
         if not entries.same(self._actions, simulator.actions):
-            raise Fault("its action space differs from that of the first task")
+            raise TaskFault("its action space differs from that of the first task")
         self._observed = entries.joined(self._observed, simulator.observed)
 
     def _explain(
-        self, simulator: GymnasiumSimulator, task: str, first: Film, difference: str
+        self,
+        simulator: GymnasiumSimulator,
+        task: str,
+        first: Trajectory,
+        difference: str,
     ) -> None:
         """The same seed gave two episodes. Raises Fault with the likely cause."""
         simulator.close()  # the next reset makes it anew
-        fresh = self._film(simulator, task, SEED)
+        fresh = self._record_trajectory(simulator, task, SEED)
         if _difference(first, fresh) is None:
-            raise Fault(
+            raise TaskFault(
                 f"an episode depends on the one before it ({difference}): set "
                 "rebuild_every_episode = true"
             )
-        raise Fault(
+        raise TaskFault(
             f"reset(seed={SEED}) twice gives two episodes ({difference}): it does not "
             "obey the seed, so no score could be repeated"
         )
@@ -198,7 +206,7 @@ class Check:
             if simulator.over or time.perf_counter() > until:
                 break
         offered = ", ".join(map(str, simulator.info)) or "nothing"
-        raise Fault(f"info has no key {key!r} after a step; it has {offered}")
+        raise TaskFault(f"info has no key {key!r} after a step; it has {offered}")
 
 
 def _some_action(
@@ -218,11 +226,11 @@ def _some_action(
 
 def _numbers(reward: float) -> dict[str, bytes]:
     if not np.isfinite(reward):
-        raise Fault(f"the reward is {reward}")
+        raise TaskFault(f"the reward is {reward}")
     return {"reward": np.float64(reward).tobytes()}
 
 
-def _difference(one: Film, other: Film) -> str | None:
+def _difference(one: Trajectory, other: Trajectory) -> str | None:
     """Where two films part first, in words."""
     for step, (a, b) in enumerate(zip(one, other, strict=False)):
         for name in a:
@@ -238,7 +246,12 @@ def _unbounded(entry: Entry) -> Entry:
 
 def _line(error: Exception) -> str:
     words = " ".join(str(error).split())[:300]
-    known = (Fault, environments.CannotMake, entries.UnsupportedSpace, Unsettled)
+    known = (
+        TaskFault,
+        environments.EnvironmentUnavailable,
+        entries.UnsupportedSpace,
+        Unsettled,
+    )
     return words if isinstance(error, known) else f"{type(error).__name__}: {words}"
 
 
@@ -265,7 +278,9 @@ def main() -> None:
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        check = Check(benchmark, Path(request["folder"]), lambda t: send({"doing": t}))
+        check = BenchmarkCheck(
+            benchmark, Path(request["folder"]), lambda t: send({"doing": t})
+        )
         send({"found": check.look()})
 
 

@@ -28,7 +28,7 @@ _STEP_LIMITS = ("max_steps", "max_path_length")  # what environments call theirs
 GYMNASIUM_VERSION = gymnasium.__version__
 
 
-class CannotMake(Exception):
+class EnvironmentUnavailable(Exception):
     """There is no such environment here; the text says why, in one line."""
 
 
@@ -44,12 +44,12 @@ def make(
     are imported first; `folder`, where modules and files of the user's own are found.
     draws: whether its `render` is to return pictures.
     """
-    folder = _admit(made_of)
+    folder = _import_modules(made_of)
     chosen = dict(kwargs)
     if draws:
         chosen["render_mode"] = RENDER_MODE
     if (environment_id := made_of["environment"]) is not None:
-        _demand_registered(environment_id)
+        _require_registered(environment_id)
         return gymnasium.make(
             environment_id, max_episode_steps=-1, disable_env_checker=True, **chosen
         )
@@ -60,7 +60,7 @@ def make(
     return made
 
 
-def _admit(made_of: Mapping[str, Any]) -> str:
+def _import_modules(made_of: Mapping[str, Any]) -> str:
     """Imports what is to be imported first; returns the folder."""
     folder = str(made_of["folder"])
     for module in made_of["modules"]:
@@ -68,11 +68,11 @@ def _admit(made_of: Mapping[str, Any]) -> str:
     return folder
 
 
-def _demand_registered(environment_id: str) -> None:
+def _require_registered(environment_id: str) -> None:
     try:
         gymnasium.spec(environment_id)
     except gymnasium.error.Error as error:
-        raise CannotMake(
+        raise EnvironmentUnavailable(
             f"{_first_line(error)} (does a module have to be imported that registers "
             "it?)"
         ) from error
@@ -87,7 +87,7 @@ def find(reference: str, folder: str) -> Callable[..., Any]:
         module = _import(place, folder)
     found = getattr(module, name, None)
     if not callable(found):
-        raise CannotMake(f"{place} has no class or function {name}")
+        raise EnvironmentUnavailable(f"{place} has no class or function {name}")
     return found  # type: ignore[no-any-return]
 
 
@@ -97,7 +97,9 @@ def _import(module: str, folder: str) -> ModuleType:
     try:
         return importlib.import_module(module)
     except ImportError as error:
-        raise CannotMake(f"cannot import {module}: {_first_line(error)}") from error
+        raise EnvironmentUnavailable(
+            f"cannot import {module}: {_first_line(error)}"
+        ) from error
 
 
 def _load(file: Path) -> ModuleType:
@@ -105,7 +107,7 @@ def _load(file: Path) -> ModuleType:
     if name in sys.modules and sys.modules[name].__file__ == str(file):
         return sys.modules[name]
     if not file.is_file():
-        raise CannotMake(f"there is no file {file}")
+        raise EnvironmentUnavailable(f"there is no file {file}")
     found = importlib.util.spec_from_file_location(name, file)
     assert found is not None
     assert found.loader is not None
@@ -132,11 +134,11 @@ def _first_line(error: BaseException) -> str:
 
 def can_draw(made_of: Mapping[str, Any]) -> bool:
     """Whether it claims to; asked before it is made. Raises as `make` does."""
-    folder = _admit(made_of)
+    folder = _import_modules(made_of)
     if (environment_id := made_of["environment"]) is None:
         maker: Any = find(made_of["made_by"], folder)
     else:
-        _demand_registered(environment_id)
+        _require_registered(environment_id)
         maker = gymnasium.spec(environment_id).entry_point
         if isinstance(maker, str):
             maker = gymnasium.envs.registration.load_env_creator(maker)

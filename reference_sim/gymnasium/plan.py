@@ -40,7 +40,7 @@ class Unsettled(Exception):
     """The file and the environment do not fit; the text says how, in one line."""
 
 
-class Draft:
+class PlanDraft:
     """begin, ask, try_camera and settle are called in this order.
 
     warnings: what the user should know. notes: what was taken for granted.
@@ -72,12 +72,12 @@ class Draft:
 
     def begin(self) -> None:
         """Before anything is made. Raises CannotMake, and what a module raises."""
-        wish = self.benchmark.camera
+        requested = self.benchmark.camera
         draws = environments.can_draw(self.plan["made_of"])
-        if isinstance(wish, Camera) and not draws:
+        if isinstance(requested, Camera) and not draws:
             raise Unsettled("camera: the environment does not draw (rgb_array)")
-        if wish is not False and draws:
-            self.plan["camera"] = (wish or Camera()).model_dump()
+        if requested is not False and draws:
+            self.plan["camera"] = (requested or Camera()).model_dump()
         if not self.tasks:
             self.tasks.append(self._only_task())
 
@@ -95,19 +95,19 @@ class Draft:
             "reset_options": None,
         }
 
-    def ask(self, simulator: GymnasiumSimulator) -> None:
+    def read_environment(self, simulator: GymnasiumSimulator) -> None:
         """Of an environment that has just made a step."""
-        said = environments.facts(simulator.environment, self.benchmark.environment)
-        self._modules: Sequence[str] = said["modules"]
-        steps = self.benchmark.max_steps or said["max_steps"]
+        declared = environments.facts(simulator.environment, self.benchmark.environment)
+        self._modules: Sequence[str] = declared["modules"]
+        steps = self.benchmark.max_steps or declared["max_steps"]
         if steps is None:
             self.warnings.append(f"no step limit is stated: max_steps is {_MAX_STEPS}")
         self.plan["max_steps"] = steps or _MAX_STEPS
-        self.rate_hz = self.benchmark.control_rate_hz or said["control_rate_hz"]
+        self.rate_hz = self.benchmark.control_rate_hz or declared["control_rate_hz"]
         if self.rate_hz is None:
             self.rate_hz = 1.0
             self.notes.append("no control rate is stated: a step counts as a second")
-        self._settle_success(simulator.info, said["reward_threshold"])
+        self._settle_success(simulator.info, declared["reward_threshold"])
 
     def _settle_success(
         self, info: Mapping[str, Any], reward_threshold: float | None
@@ -135,8 +135,8 @@ class Draft:
         if at_end and self.success_rule == "any_step":
             raise Unsettled("success is a return, which is known at the end: last_step")
         settled = self.success_rule == "any_step" and self.plan["score"] == "success"
-        wish = self.benchmark.ends_on_success
-        self.plan["ends_on_success"] = settled if wish is None else wish
+        requested = self.benchmark.ends_on_success
+        self.plan["ends_on_success"] = settled if requested is None else requested
 
     def try_camera(self, simulator: GymnasiumSimulator) -> tuple[int, int] | None:
         """Width and height of what it draws; without its wish, failing is no fault."""
@@ -246,9 +246,9 @@ class Draft:
         }
 
 
-def _declare(space: Json, said: Mapping[str, Convention], where: str) -> None:
+def _declare(space: Json, declared: Mapping[str, Convention], where: str) -> None:
     """Conventions of the file, written over what the environment's space says."""
-    for name, convention in said.items():
+    for name, convention in declared.items():
         if name not in space:
             there = ", ".join(space) or "nothing"
             raise Unsettled(

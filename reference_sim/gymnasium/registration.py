@@ -20,23 +20,23 @@ from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import IO, Any
 
-from reference_sim.definition import Definition, Json
+from reference_sim.definition import BenchmarkDefinition, Json
 from reference_sim.gymnasium import BadBenchmark
-from reference_sim.gymnasium.benchmark_file import READY, Benchmark, read
+from reference_sim.gymnasium.benchmark_file import BUNDLED_BENCHMARKS, Benchmark, read
 from reference_sim.interface import Simulator
 from reference_sim.mujoco import rendering
 
 SILENCE_S_MAX = 120.0  # importing some simulators takes a minute
 _SLOW_S = 3.0  # from here on, and that often, people hear what is being done
 _REPEAT_S = 10.0  # of the same
-_FAREWELL_S = 5.0
+_EXIT_TIMEOUT_S = 5.0
 _COMMAND = "python -m reference_sim.gymnasium check"
 _CHECK = "reference_sim.gymnasium.check"
 
 Say = Callable[[str], None]
 
 
-def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, Definition]]:
+def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinition]]:
     """Every benchmark that a reference names, by id, checked.
 
     say: is given a line for people, now and then. Raises BadBenchmark.
@@ -49,14 +49,14 @@ def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, Definition]]:
             name = f"{benchmark.benchmark_id} ({reference})"
             cure = f"; try: make serve BENCHMARK={reference}"
             raise BadBenchmark(
-                f"{name}: {found['faults'][0]}{more}{cure * (reference in READY)}"
+                f"{name}: {found['faults'][0]}{more}{cure * (reference in BUNDLED_BENCHMARKS)}"
             )
         for warning in found["warnings"]:
             say(f"{benchmark.benchmark_id}: {warning}")
         yield benchmark.benchmark_id, _definition(found["plan"], found["manifest"])
 
 
-def _definition(plan: Json, manifest: Json) -> Definition:
+def _definition(plan: Json, manifest: Json) -> BenchmarkDefinition:
     def describe(_options: Mapping[str, Any], max_chunk: int) -> Json:
         return {**manifest, "max_chunk": max_chunk}
 
@@ -69,7 +69,7 @@ def _definition(plan: Json, manifest: Json) -> Definition:
             "success_scored_tasks": scored,
         }
 
-    return Definition(describe, settings, make)
+    return BenchmarkDefinition(describe, settings, make)
 
 
 def make(settings: Mapping[str, Any]) -> Simulator:
@@ -88,8 +88,8 @@ def examine(benchmark: Benchmark, folder: Path, say: Say) -> Json:
         with suppress(rendering.RenderingUnavailable):
             rendering.find_backend()  # MuJoCo asks while it is being imported
     request = {"benchmark": benchmark.model_dump(mode="json"), "folder": str(folder)}
-    with tempfile.TemporaryFile() as words:
-        process = _start(words)
+    with tempfile.TemporaryFile() as stderr:
+        process = _start(stderr)
         doing = "starting"
         try:
             assert process.stdin is not None
@@ -101,15 +101,15 @@ def examine(benchmark: Benchmark, folder: Path, say: Say) -> Json:
                     return found
                 doing = message["doing"]
             with suppress(subprocess.TimeoutExpired):
-                process.wait(_FAREWELL_S)
+                process.wait(_EXIT_TIMEOUT_S)
         finally:
             _end(process)
         code = process.returncode
-        why = _last_line(words) if code >= 0 else signal.Signals(-code).name
+        why = _last_line(stderr) if code >= 0 else signal.Signals(-code).name
     return {"faults": [f"{doing}: its process ended: {why}"], "warnings": []}
 
 
-def _start(words: IO[bytes]) -> subprocess.Popen[bytes]:
+def _start(stderr: IO[bytes]) -> subprocess.Popen[bytes]:
     root = str(Path(__file__).parents[2])
     paths = [root, *filter(None, [os.environ.get("PYTHONPATH")])]
     return subprocess.Popen(
@@ -121,7 +121,7 @@ def _start(words: IO[bytes]) -> subprocess.Popen[bytes]:
         },
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
-        stderr=words,
+        stderr=stderr,
         process_group=0,  # what it starts ends with it
     )
 
@@ -168,7 +168,7 @@ def _end(process: subprocess.Popen[bytes]) -> None:
     process.wait()
 
 
-def _last_line(words: IO[bytes]) -> str:
-    words.seek(0)
-    lines = words.read().decode(errors="replace").strip().splitlines()
+def _last_line(stderr: IO[bytes]) -> str:
+    stderr.seek(0)
+    lines = stderr.read().decode(errors="replace").strip().splitlines()
     return lines[-1][:200] if lines else "it said nothing"

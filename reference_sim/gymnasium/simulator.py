@@ -23,7 +23,7 @@ ACTION, OBSERVATION = "action", "observation"  # of spaces that have no names in
 
 
 @dataclass(frozen=True, slots=True)
-class Happened:
+class StepData:
     """What a step did. total: the sum of rewards, with this one."""
 
     environment: Environment
@@ -33,7 +33,7 @@ class Happened:
     terminated: bool
 
 
-Judge = Callable[[Happened], bool]
+SuccessPredicate = Callable[[StepData], bool]
 
 
 class GymnasiumSimulator:
@@ -48,7 +48,9 @@ class GymnasiumSimulator:
         self._plan = plan
         self._size = size
         self._tasks = {task["name"]: task for task in plan["tasks"]}
-        self._judge = _judge_of(plan["success"], plan["made_of"]["folder"])
+        self._is_success = _success_predicate(
+            plan["success"], plan["made_of"]["folder"]
+        )
         self._environment: Environment | None = None
         self._made_for: Mapping[str, Any] | None = None
 
@@ -60,7 +62,7 @@ class GymnasiumSimulator:
         kwargs = {**self._plan["kwargs"], **chosen["kwargs"]}
         if kwargs != self._made_for or self._plan["rebuild_every_episode"]:
             self._make(kwargs)
-        observation, info = self._playing().reset(
+        observation, info = self._require_environment().reset(
             seed=seed, options=chosen["reset_options"]
         )
         self.info: Mapping[str, Any] = info
@@ -86,7 +88,7 @@ class GymnasiumSimulator:
 
     def step(self, action: Action) -> StepOutcome:
         """Success as the plan says; it ends the episode where the plan says so."""
-        environment = self._playing()
+        environment = self._require_environment()
         values = {
             entry.name: entries.to_environment(entry, action[entry.name])
             for entry in self.actions
@@ -97,8 +99,8 @@ class GymnasiumSimulator:
         self._steps += 1
         self.over = bool(terminated or truncated)  # as the environment sees it
         self._return += float(reward)
-        success = self._judge(
-            Happened(
+        success = self._is_success(
+            StepData(
                 environment, self.info, float(reward), self._return, bool(terminated)
             )
         )
@@ -126,7 +128,7 @@ class GymnasiumSimulator:
             parts["images"][camera["name"]] = self.draw(camera["upside_down"])
         if self._size is not None:
             for name, pixels in parts["images"].items():
-                parts["images"][name] = _sized(pixels, self._size)
+                parts["images"][name] = _resize(pixels, self._size)
         return Observation(**parts)
 
     def look(self) -> dict[str, dict[str, NDArray[Any]]]:
@@ -145,7 +147,7 @@ class GymnasiumSimulator:
 
     def draw(self, upside_down: bool = False) -> NDArray[np.uint8]:
         """A picture, (height, width, 3). Raises ValueError if it is none."""
-        pixels: Any = self._playing().render()
+        pixels: Any = self._require_environment().render()
         if not (
             isinstance(pixels, np.ndarray)
             and pixels.dtype == np.uint8
@@ -153,7 +155,7 @@ class GymnasiumSimulator:
             and pixels.shape[2] == 3
         ):
             raise ValueError(
-                f"render gave {_said(pixels)}, not uint8 (height, width, 3)"
+                f"render gave {_describe(pixels)}, not uint8 (height, width, 3)"
             )
         return np.ascontiguousarray(pixels[::-1, ::-1] if upside_down else pixels)
 
@@ -165,9 +167,9 @@ class GymnasiumSimulator:
     @property
     def environment(self) -> Environment:
         """That of the current task, for `check`."""
-        return self._playing()
+        return self._require_environment()
 
-    def _playing(self) -> Environment:
+    def _require_environment(self) -> Environment:
         if self._environment is None:
             raise RuntimeError("reset comes before step and observe")
         return self._environment
@@ -179,7 +181,7 @@ def make(settings: Mapping[str, Any]) -> GymnasiumSimulator:
     return GymnasiumSimulator(settings["plan"], size)
 
 
-def _sized(pixels: NDArray[np.uint8], size: tuple[int, int]) -> NDArray[np.uint8]:
+def _resize(pixels: NDArray[np.uint8], size: tuple[int, int]) -> NDArray[np.uint8]:
     height, width, channels = pixels.shape
     if (width, height) == size:
         return pixels
@@ -188,23 +190,23 @@ def _sized(pixels: NDArray[np.uint8], size: tuple[int, int]) -> NDArray[np.uint8
     return scaled.reshape(size[1], size[0], channels)
 
 
-def _judge_of(success: Mapping[str, Any], folder: str) -> Judge:
+def _success_predicate(success: Mapping[str, Any], folder: str) -> SuccessPredicate:
     """Whether the goal condition holds after a step, as the plan says."""
     if key := success.get("info"):
-        return lambda happened: bool(happened.info.get(key, False))
+        return lambda step_data: bool(step_data.info.get(key, False))
     if (reward := success.get("reward_at_least")) is not None:
-        return lambda happened: happened.reward >= reward
+        return lambda step_data: step_data.reward >= reward
     if (total := success.get("return_at_least")) is not None:
-        return lambda happened: happened.total >= total
+        return lambda step_data: step_data.total >= total
     if success.get("terminated"):
-        return lambda happened: happened.terminated
+        return lambda step_data: step_data.terminated
     if reference := success.get("function"):
-        asked = environments.find(reference, folder)
-        return lambda happened: bool(asked(happened.environment, happened.info))
-    return lambda happened: False  # noqa: ARG005 - nobody says what success is
+        predicate = environments.find(reference, folder)
+        return lambda step_data: bool(predicate(step_data.environment, step_data.info))
+    return lambda step_data: False  # noqa: ARG005 - nobody says what success is
 
 
-def _said(thing: object) -> str:
+def _describe(thing: object) -> str:
     if isinstance(thing, np.ndarray):
         return f"{thing.dtype} {thing.shape}"
     return type(thing).__name__

@@ -116,7 +116,7 @@ class PhysicalSimulator(Generic[SceneT]):
 
     def step(self, action: Action) -> StepOutcome:
         """Success is the goal in GOAL_HOLD_STEPS steps in a row, and ends the task."""
-        task = self._playing()
+        task = self._require_task()
         self._scene.command(action)
         self._world.advance(self._substeps)
         self._held_steps = self._held_steps + 1 if task.goal_holds(self._scene) else 0
@@ -133,7 +133,7 @@ class PhysicalSimulator(Generic[SceneT]):
 
     def observe(self) -> Observation:
         """State, and a picture of each camera."""
-        self._playing()
+        self._require_task()
         images: dict[str, NDArray[np.uint8]] = {
             camera: self._world.render(camera, *self._camera_size)
             for camera in self._cameras
@@ -143,7 +143,7 @@ class PhysicalSimulator(Generic[SceneT]):
     def snapshot(self) -> Snapshot:
         """What `restore` needs."""
         return Snapshot(
-            task=self._playing().name,
+            task=self._require_task().name,
             seed=self._seed,
             split=self._split,
             world=self._world.snapshot(),
@@ -164,7 +164,7 @@ class PhysicalSimulator(Generic[SceneT]):
         """Frees what pictures took."""
         self._world.close()
 
-    def _playing(self) -> Task[SceneT]:
+    def _require_task(self) -> Task[SceneT]:
         if self._task is None:
             raise RuntimeError("reset comes before step, observe and snapshot")
         return self._task

@@ -47,7 +47,7 @@ def find_backend() -> str:
     Costs a third of a second the first time in a tree of processes, nothing after.
     Raises RenderingUnavailable, with MUJOCO_GL removed, if there is none.
     """
-    found = os.environ.get(_FOUND) or _look()
+    found = os.environ.get(_FOUND) or _probe_backends()
     os.environ[_FOUND] = found
     if found in BACKENDS:
         os.environ["MUJOCO_GL"] = found
@@ -58,10 +58,10 @@ def find_backend() -> str:
     )
 
 
-def _look() -> str:
-    wish = os.environ.get("MUJOCO_GL", "").strip().lower()
+def _probe_backends() -> str:
+    preferred = os.environ.get("MUJOCO_GL", "").strip().lower()
     failures = []
-    for backend in sorted(BACKENDS, key=lambda name: name != wish):
+    for backend in sorted(BACKENDS, key=lambda name: name != preferred):
         failure = _failure_of(backend)
         if failure is None:
             return backend
@@ -84,8 +84,8 @@ def _failure_of(backend: str) -> str | None:
         return f"no picture within {_PROBE_TIMEOUT_S} s"
     if probe.returncode == 0:
         return None
-    last_words = probe.stderr.strip().splitlines() or [f"exit {probe.returncode}"]
-    return last_words[-1][:120]
+    error_lines = probe.stderr.strip().splitlines() or [f"exit {probe.returncode}"]
+    return error_lines[-1][:120]
 
 
 def main() -> None:

@@ -29,7 +29,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from reference_sim.mujoco import rendering
-from reference_sim.process.shared_frame_buffer import CANVAS
+from reference_sim.process.shared_frame_buffer import FRAME_BUFFER
 
 Vector = NDArray[np.float64]
 
@@ -263,10 +263,12 @@ class World:
             renderer = self._new_renderer(width, height)
             self._renderers[width, height] = renderer
         renderer.update_scene(self._data, camera)
-        picture: NDArray[np.uint8] = renderer.render(out=CANVAS.blank(height, width))
+        picture: NDArray[np.uint8] = renderer.render(
+            out=FRAME_BUFFER.allocate(height, width)
+        )
         return picture
 
-    def seen_at(self, camera: str, spot: Sequence[float], aspect: float) -> str | None:
+    def body_at(self, camera: str, spot: Sequence[float], aspect: float) -> str | None:
         """The body that a picture shows at a spot; nothing is drawn to know it.
 
         spot: x to the right and y down, (0, 0) to (1, 1). aspect: width over height.
@@ -274,8 +276,10 @@ class World:
         eye, turned, half = self._camera(camera)
         right, down = (2 * spot[0] - 1) * half * aspect, (2 * spot[1] - 1) * half
         ray, hit = turned @ np.array([right, -down, -1.0]), np.empty(1, np.int32)
-        shown = np.array([1, 1, 1, 0, 0, 0], np.uint8)  # the groups that are drawn
-        self._mj.mj_ray(self._model, self._data, eye, ray, shown, 1, -1, hit)
+        geom_groups = np.array(
+            [1, 1, 1, 0, 0, 0], np.uint8
+        )  # the groups that are drawn
+        self._mj.mj_ray(self._model, self._data, eye, ray, geom_groups, 1, -1, hit)
         if hit[0] < 0:
             return None
         return str(self._model.body(self._model.geom_bodyid[hit[0]]).name)
@@ -283,7 +287,7 @@ class World:
     def spot_of(
         self, camera: str, position: Sequence[float] | Vector, aspect: float
     ) -> tuple[float, float]:
-        """Where a picture shows a point in front of the camera; see `seen_at`."""
+        """Where a picture shows a point in front of the camera; see `body_at`."""
         eye, turned, half = self._camera(camera)
         right, up, back = turned.T @ (np.asarray(position) - eye)
         x, y = right / -back / half / aspect, up / back / half

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from PIL import Image, PngImagePlugin
 
 from reference_sim.interface import Observation
-from reference_sim.process.shared_frame_buffer import Canvas
+from reference_sim.process.shared_frame_buffer import SharedFrameBuffer
 
 CODECS = ("raw", "png", "jpeg")
 JPEG_QUALITY = 90
@@ -58,7 +58,7 @@ class EncodedObservation(TypedDict):
 
 
 def encode(
-    observation: Observation, codec: str, canvas: Canvas | None = None
+    observation: Observation, codec: str, frame_buffer: SharedFrameBuffer | None = None
 ) -> EncodedObservation:
     """The structure of the spec's schema Observation, `data` as bytes.
 
@@ -69,21 +69,23 @@ def encode(
             name: np.asarray(vector, dtype=np.float64).tolist()
             for name, vector in observation.state.items()
         },
-        "images": _encoded_images(observation.images, codec, canvas),
+        "images": _encode_images(observation.images, codec, frame_buffer),
         "tensors": {
             name: encode_tensor(tensor) for name, tensor in observation.tensors.items()
         },
     }
 
 
-def _encoded_images(
-    images: Mapping[str, NDArray[np.uint8]], codec: str, canvas: Canvas | None
+def _encode_images(
+    images: Mapping[str, NDArray[np.uint8]],
+    codec: str,
+    frame_buffer: SharedFrameBuffer | None,
 ) -> dict[str, EncodedImage]:
     """Several cameras are compressed at once: encoders let go of the interpreter."""
-    encoded = partial(encode_image, codec=codec, canvas=canvas)
+    encode_one = partial(encode_image, codec=codec, frame_buffer=frame_buffer)
     many = len(images) > 1 and codec != "raw"
     spread = _threads().map if many else map
-    return dict(zip(images, spread(encoded, images.values()), strict=True))
+    return dict(zip(images, spread(encode_one, images.values()), strict=True))
 
 
 @lru_cache(maxsize=1)
@@ -93,7 +95,7 @@ def _threads() -> ThreadPoolExecutor:
 
 
 def encode_image(
-    pixels: NDArray[np.uint8], codec: str, canvas: Canvas | None = None
+    pixels: NDArray[np.uint8], codec: str, frame_buffer: SharedFrameBuffer | None = None
 ) -> EncodedImage:
     """pixels: uint8 (height, width, channels)."""
     height, width, channels = pixels.shape
@@ -105,8 +107,8 @@ def encode_image(
         "data": _NOTHING,
     }
     if codec != "raw":
-        image["data"] = _compressed(pixels, codec)
-    elif canvas is not None and (place := canvas.place_of(pixels)):
+        image["data"] = _compress(pixels, codec)
+    elif frame_buffer is not None and (place := frame_buffer.place_of(pixels)):
         image["place"] = place
     else:
         image["data"] = memoryview(pixels.tobytes())
@@ -122,7 +124,7 @@ def encode_tensor(tensor: NDArray[np.generic]) -> EncodedTensor:
     }
 
 
-def _compressed(pixels: NDArray[np.uint8], codec: str) -> memoryview:
+def _compress(pixels: NDArray[np.uint8], codec: str) -> memoryview:
     if codec == "jpeg":
         return memoryview(_jpeg(pixels))
     if codec != "png":

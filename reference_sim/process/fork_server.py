@@ -29,14 +29,14 @@ _PR_SET_PDEATHSIG = 1
 _log = logging.getLogger(__name__)
 
 
-class Nursery:
+class ForkServer:
     def __init__(self, control: socket.socket) -> None:
         self._control = control
         self._pid = os.getpid()
         self._children: set[int] = set()
         self._libc = ctypes.CDLL(None)
 
-    def tend(self) -> None:
+    def run(self) -> None:
         """Returns when the parent and all children are gone."""
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         signal.signal(signal.SIGCHLD, self._reap)
@@ -50,18 +50,18 @@ class Nursery:
             signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGCHLD})
             if descriptors:
                 self._fork(descriptors[0])
-            elif (doomed := int(message)) in self._children:
-                os.kill(doomed, signal.SIGKILL)
+            elif (target_pid := int(message)) in self._children:
+                os.kill(target_pid, signal.SIGKILL)
             signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGCHLD})
 
     def _fork(self, descriptor: int) -> None:
         child = os.fork()
         if child == 0:
-            self._grow_up(descriptor)
+            self._become_simulator(descriptor)
         self._children.add(child)
         os.close(descriptor)
 
-    def _grow_up(self, descriptor: int) -> Never:
+    def _become_simulator(self, descriptor: int) -> Never:
         """Becomes a simulator process; called in the child."""
         try:
             self._libc.prctl(_PR_SET_PDEATHSIG, int(signal.SIGKILL), 0, 0, 0)
@@ -91,4 +91,4 @@ class Nursery:
 
 if __name__ == "__main__":
     simulator_main.log_to_stderr()
-    Nursery(socket.socket(fileno=int(sys.argv[1]))).tend()
+    ForkServer(socket.socket(fileno=int(sys.argv[1]))).run()

@@ -14,23 +14,23 @@ from collections.abc import Callable, Mapping, Sequence
 
 import msgspec
 
-from reference_sim.benchmark_registry import World
+from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.interface import TaskUnplayable
 from reference_sim.process import simulator_main
 from reference_sim.process.encoding import EncodedObservation
-from reference_sim.process.simulator_main import Beginning, Played, Timing
+from reference_sim.process.simulator_main import ChunkReply, EpisodeStart, Timing
 from reference_sim.process.simulator_process import (
     ExecStarter,
     ForkStarter,
-    Process,
+    ReplyT,
     SimulatorFault,
-    Wanted,
+    SimulatorProcess,
 )
 
 __all__ = [
-    "Beginning",
+    "ChunkReply",
+    "EpisodeStart",
     "NoCapacity",
-    "Played",
     "SimulatorFault",
     "SimulatorHandle",
     "SimulatorPool",
@@ -51,7 +51,9 @@ class NoCapacity(Exception):
 class SimulatorHandle:
     """A process lent by the pool. After a SimulatorFault it is dead and given back."""
 
-    def __init__(self, process: Process, give_back: Callable[[Process], None]) -> None:
+    def __init__(
+        self, process: SimulatorProcess, give_back: Callable[[SimulatorProcess], None]
+    ) -> None:
         self._process = process
         self._give_back = give_back
         self._lent = True
@@ -68,17 +70,17 @@ class SimulatorHandle:
         split: str = "",
         max_steps: int,
         success_rule: str,
-    ) -> Beginning:
+    ) -> EpisodeStart:
         """Resets to an episode's step 0, whatever was played before."""
         command = simulator_main.Begin(task, seed, split, max_steps, success_rule)
-        return await self._ask(command, Beginning)
+        return await self._request(command, EpisodeStart)
 
     async def play(
         self, actions: Sequence[Mapping[str, Sequence[float]]], *, observe_all: bool
-    ) -> Played:
+    ) -> ChunkReply:
         """Executes until the chunk or the episode ends."""
         command = simulator_main.Play([dict(action) for action in actions], observe_all)
-        played = await self._ask(command, Played)
+        played = await self._request(command, ChunkReply)
         if played.observations:
             last = played.observations[-1]
             return msgspec.structs.replace(played, observation=last)
@@ -87,7 +89,9 @@ class SimulatorHandle:
     async def observe(self) -> EncodedObservation:
         """The current observation again."""
         return (
-            await self._ask(simulator_main.Observe(), simulator_main.Seen)
+            await self._request(
+                simulator_main.Observe(), simulator_main.ObservationReply
+            )
         ).observation
 
     async def release(self) -> None:
@@ -102,12 +106,12 @@ class SimulatorHandle:
             self._lent = False
             self._process.end("was discarded")
 
-    async def _ask(
-        self, command: simulator_main.Command, wanted: type[Wanted]
-    ) -> Wanted:
+    async def _request(
+        self, command: simulator_main.SimulatorCommand, wanted: type[ReplyT]
+    ) -> ReplyT:
         if not self._lent:
             raise SimulatorFault("the simulator was released")
-        return await self._process.ask(command, wanted)
+        return await self._process.request(command, wanted)
 
 
 # The pool
@@ -131,9 +135,9 @@ class SimulatorPool:
         self._spares = spares
         self._turn_timeout_s = turn_timeout_s
         self._starter = ForkStarter() if fork else ExecStarter()
-        self._processes: set[Process] = set()
-        self._lent: set[Process] = set()
-        self._idle: list[Process] = []  # longest idle first
+        self._processes: set[SimulatorProcess] = set()
+        self._lent: set[SimulatorProcess] = set()
+        self._idle: list[SimulatorProcess] = []  # longest idle first
         self._acquiring = 0
         self._filler: asyncio.Task[None] | None = None
         self._closed = False
@@ -162,7 +166,7 @@ class SimulatorPool:
             process.end("was ended with the pool")
         await self._starter.close()
 
-    async def acquire(self, world: World) -> SimulatorHandle:
+    async def acquire(self, world: SimulatorConfig) -> SimulatorHandle:
         """Raises NoCapacity, or SimulatorFault if the world cannot be built."""
         if self.busy >= self._size_max:
             raise NoCapacity(f"all {self._size_max} simulators are in use")
@@ -174,7 +178,7 @@ class SimulatorPool:
         self._lent.add(process)
         return SimulatorHandle(process, self._take_back)
 
-    async def _build(self, world: World) -> Process:
+    async def _build(self, world: SimulatorConfig) -> SimulatorProcess:
         if (idle := self._pick_idle(world)) is not None:
             self._fill_spares()
             # It may have died unseen: then the failure says nothing about the world.
@@ -185,37 +189,37 @@ class SimulatorPool:
         await process.build(world)
         return process
 
-    def _pick_idle(self, world: World) -> Process | None:
+    def _pick_idle(self, world: SimulatorConfig) -> SimulatorProcess | None:
         """One that stands in this world, else a spare, else any."""
         if not self._idle:
             return None
 
-        def preference(process: Process) -> int:
+        def preference(process: SimulatorProcess) -> int:
             return (process.world is None) + 2 * (process.world == world)
 
         chosen = max(self._idle, key=preference)
         self._idle.remove(chosen)
         return chosen
 
-    def _take_back(self, process: Process) -> None:
+    def _take_back(self, process: SimulatorProcess) -> None:
         self._lent.discard(process)
-        if self._closed or process.is_asked:
+        if self._closed or process.is_busy:
             process.end("was released while it played")
         if process.alive:
             self._idle.append(process)
         while len(self._idle) > self._spares + IDLE_MAX:
             self._idle[0].end("was not needed")
 
-    def _forget(self, process: Process) -> None:
+    def _forget(self, process: SimulatorProcess) -> None:
         self._processes.discard(process)
         self._lent.discard(process)
         if process in self._idle:
             self._idle.remove(process)
 
-    async def _start_process(self) -> Process:
+    async def _start_process(self) -> SimulatorProcess:
         if self._closed:
             raise SimulatorFault("the pool of simulators is closed")
-        process = Process(self._starter, self._turn_timeout_s, self._forget)
+        process = SimulatorProcess(self._starter, self._turn_timeout_s, self._forget)
         self._processes.add(process)
         await process.start()
         return process

@@ -27,14 +27,14 @@ _SEALS = ("F_SEAL_SHRINK", "F_SEAL_GROW")  # memory that shrinks kills its reade
 _CAN_SHARE = hasattr(os, "memfd_create") and hasattr(fcntl, "F_ADD_SEALS")
 
 
-class Shared(NamedTuple):
+class SharedMemoryRegion(NamedTuple):
     """A file descriptor of this process, and its size in bytes."""
 
     descriptor: int
     size: int
 
 
-class Canvas:
+class SharedFrameBuffer:
     """The two halves, and how far the present one is drawn on."""
 
     def __init__(self) -> None:
@@ -43,15 +43,15 @@ class Canvas:
         self._used_bytes = 0
         self._half = 0
         self._memory: NDArray[np.uint8] | None = None
-        self._news: Shared | None = None
-        self._told: list[int] = []
+        self._pending_mapping: SharedMemoryRegion | None = None
+        self._unacknowledged: list[int] = []
 
     def begin_episode(self) -> None:
         """Other memory from here on; what was drawn stays with who holds it."""
         self._memory = None
         self._half_bytes = 0
 
-    def turn_page(self) -> None:
+    def swap(self) -> None:
         """Another observation is drawn from here on."""
         self._wanted_bytes = max(self._wanted_bytes, self._used_bytes)
         self._used_bytes = 0
@@ -60,7 +60,7 @@ class Canvas:
             self._share(2 * self._wanted_bytes)
             self._half_bytes = self._wanted_bytes
 
-    def blank(self, height: int, width: int, channels: int = 3) -> NDArray[np.uint8]:
+    def allocate(self, height: int, width: int, channels: int = 3) -> NDArray[np.uint8]:
         """(height, width, channels), uint8, contiguous, with anything in it."""
         shape = (height, width, channels)
         start = self._used_bytes
@@ -78,17 +78,17 @@ class Canvas:
         inside = 0 <= start <= self._memory.nbytes - pixels.nbytes
         return (start, pixels.nbytes) if inside else None
 
-    def news(self) -> Shared | None:
+    def pending_mapping(self) -> SharedMemoryRegion | None:
         """New memory that the parent has to map before it reads on, told once."""
-        told, self._news = self._news, None
-        if told is not None:
-            self._told.append(told.descriptor)
-        return told
+        pending, self._pending_mapping = self._pending_mapping, None
+        if pending is not None:
+            self._unacknowledged.append(pending.descriptor)
+        return pending
 
-    def parent_has_read(self) -> None:
+    def acknowledge(self) -> None:
         """What was told so far is mapped, so that its descriptors can go."""
-        while self._told:
-            os.close(self._told.pop())
+        while self._unacknowledged:
+            os.close(self._unacknowledged.pop())
 
     def _share(self, size: int) -> None:
         descriptor = os.memfd_create("canvas", os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
@@ -96,12 +96,12 @@ class Canvas:
         for seal in _SEALS:
             fcntl.fcntl(descriptor, fcntl.F_ADD_SEALS, getattr(fcntl, seal))
         self._memory = np.frombuffer(mmap.mmap(descriptor, size), np.uint8)
-        if self._news is not None:  # never told, never used
-            os.close(self._news.descriptor)
-        self._news = Shared(descriptor, size)
+        if self._pending_mapping is not None:  # never told, never used
+            os.close(self._pending_mapping.descriptor)
+        self._pending_mapping = SharedMemoryRegion(descriptor, size)
 
 
-def mapped(pid: int, shared: Shared) -> memoryview:
+def map_memory(pid: int, shared: SharedMemoryRegion) -> memoryview:
     """The memory of a child process, to be read. Raises OSError, ValueError."""
     descriptor = os.open(f"/proc/{pid}/fd/{shared.descriptor}", os.O_RDONLY)
     with contextlib.closing(os.fdopen(descriptor, "rb")) as file:
@@ -114,4 +114,6 @@ def mapped(pid: int, shared: Shared) -> memoryview:
         return memoryview(mmap.mmap(descriptor, shared.size, prot=mmap.PROT_READ))
 
 
-CANVAS = Canvas()  # a simulator process has one simulator, and so one canvas
+FRAME_BUFFER = (
+    SharedFrameBuffer()
+)  # a simulator process has one simulator, and so one canvas

@@ -29,7 +29,7 @@ from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
 from reference_sim.interface import Simulator, TaskUnplayable
 from reference_sim.process.encoding import EncodedObservation, encode
-from reference_sim.process.shared_frame_buffer import CANVAS, Canvas
+from reference_sim.process.shared_frame_buffer import FRAME_BUFFER, SharedFrameBuffer
 
 HEADER = struct.Struct(">I")
 BUSY_INTERVAL_S = 1.0
@@ -76,7 +76,7 @@ class Busy(msgspec.Struct, tag="busy", frozen=True):
     """Sent between two steps of a chunk, at most once per BUSY_INTERVAL_S."""
 
 
-class Mapped(msgspec.Struct, tag="mapped", frozen=True):
+class NewFrameMemory(msgspec.Struct, tag="mapped", frozen=True):
     """New memory of the canvas, told before the reply that speaks of it."""
 
     descriptor: int
@@ -95,7 +95,7 @@ class Timing(msgspec.Struct, frozen=True):
     encode_s: float
 
 
-class Beginning(msgspec.Struct, tag="beginning", frozen=True):
+class EpisodeStart(msgspec.Struct, tag="beginning", frozen=True):
     """An episode at step 0."""
 
     instruction: str
@@ -103,7 +103,7 @@ class Beginning(msgspec.Struct, tag="beginning", frozen=True):
     timing: Timing
 
 
-class Played(msgspec.Struct, tag="played", frozen=True):
+class ChunkReply(msgspec.Struct, tag="played", frozen=True):
     """What a chunk did.
 
     steps: of the episode so far. observations: one per executed action, or None unless
@@ -124,23 +124,32 @@ class Played(msgspec.Struct, tag="played", frozen=True):
     timing: Timing
 
 
-class Seen(msgspec.Struct, tag="seen", frozen=True):
+class ObservationReply(msgspec.Struct, tag="seen", frozen=True):
     observation: EncodedObservation
 
 
-class Failed(msgspec.Struct, tag="failed", frozen=True):
+class FailureReply(msgspec.Struct, tag="failed", frozen=True):
     error: str
     unplayable: bool
 
 
-Command = Build | Begin | Play | Observe
-Reply = Hello | Busy | Mapped | Built | Beginning | Played | Seen | Failed
+SimulatorCommand = Build | Begin | Play | Observe
+SimulatorReply = (
+    Hello
+    | Busy
+    | NewFrameMemory
+    | Built
+    | EpisodeStart
+    | ChunkReply
+    | ObservationReply
+    | FailureReply
+)
 
 _encoder = msgspec.msgpack.Encoder()
-_commands = msgspec.msgpack.Decoder(Command)
+_commands = msgspec.msgpack.Decoder(SimulatorCommand)
 
 
-def frame(message: Command | Reply) -> bytearray:
+def frame(message: SimulatorCommand | SimulatorReply) -> bytearray:
     buffer = bytearray(HEADER.size)
     _encoder.encode_into(message, buffer, HEADER.size)
     HEADER.pack_into(buffer, 0, len(buffer) - HEADER.size)
@@ -166,26 +175,26 @@ class _Clock:
         return Timing(**self._spent)
 
 
-class _Stage:
+class _EpisodeHost:
     """The simulator that stands, and the episode that plays in it."""
 
     def __init__(self, connection: socket.socket) -> None:
         self._connection = connection
-        self._world: benchmark_registry.World | None = None
+        self._world: benchmark_registry.SimulatorConfig | None = None
         self._simulator: Simulator | None = None
         self._episode: Episode | None = None
 
-    def answer(self, command: Command) -> Reply:
-        CANVAS.parent_has_read()
+    def answer(self, command: SimulatorCommand) -> SimulatorReply:
+        FRAME_BUFFER.acknowledge()
         try:
-            return self._obey(command)
+            return self._execute(command)
         except TaskUnplayable as unplayable:
-            return Failed(str(unplayable), unplayable=True)
+            return FailureReply(str(unplayable), unplayable=True)
         except Exception as error:  # noqa: BLE001 - a simulator may raise anything
             _log.error("simulator failed", exc_info=True)
-            return Failed(f"{type(error).__name__}: {error}", unplayable=False)
+            return FailureReply(f"{type(error).__name__}: {error}", unplayable=False)
 
-    def _obey(self, command: Command) -> Reply:
+    def _execute(self, command: SimulatorCommand) -> SimulatorReply:
         match command:
             case Build():
                 return self._build(command)
@@ -194,10 +203,12 @@ class _Stage:
             case Play():
                 return self._play(command)
             case Observe():
-                return Seen(self._look(_Clock()))
+                return ObservationReply(self._observe(_Clock()))
 
     def _build(self, command: Build) -> Built:
-        world = benchmark_registry.World(command.benchmark_id, command.settings)
+        world = benchmark_registry.SimulatorConfig(
+            command.benchmark_id, command.settings
+        )
         if world != self._world:
             if self._simulator is not None:
                 self._simulator.close()
@@ -206,10 +217,10 @@ class _Stage:
             self._simulator, self._world = benchmark_registry.make(world), world
         return Built()
 
-    def _begin(self, command: Begin) -> Beginning:
-        simulator, world = self._standing()
+    def _begin(self, command: Begin) -> EpisodeStart:
+        simulator, world = self._require_simulator()
         clock = _Clock()
-        CANVAS.begin_episode()
+        FRAME_BUFFER.begin_episode()
         self._episode = Episode(
             simulator,
             command.task,
@@ -220,26 +231,26 @@ class _Stage:
             score_is_success=command.task in world.success_scored_tasks,
         )
         clock.lap("simulate_s")
-        observation = self._look(clock)
-        return Beginning(self._episode.instruction, observation, clock.timing())
+        observation = self._observe(clock)
+        return EpisodeStart(self._episode.instruction, observation, clock.timing())
 
-    def _play(self, command: Play) -> Played:
-        episode = self._playing()
+    def _play(self, command: Play) -> ChunkReply:
+        episode = self._require_episode()
         clock = _Clock()
         rewards: list[float] = []
         observations: list[EncodedObservation] = []
-        heard_of = time.perf_counter()
+        last_busy_at = time.perf_counter()
         for reward in episode.play(command.actions):
             clock.lap("simulate_s")
             rewards.append(reward)
             if command.observe_all:
                 # There are more of them than the canvas has halves.
-                observations.append(self._look(clock, canvas=None))
-            if time.perf_counter() - heard_of > BUSY_INTERVAL_S:
-                heard_of = time.perf_counter()
+                observations.append(self._observe(clock, frame_buffer=None))
+            if time.perf_counter() - last_busy_at > BUSY_INTERVAL_S:
+                last_busy_at = time.perf_counter()
                 self._connection.sendall(frame(Busy()))
         clock.lap("simulate_s")
-        return Played(
+        return ChunkReply(
             executed=len(rewards),
             rewards=rewards,
             ended=episode.ended,
@@ -250,30 +261,32 @@ class _Stage:
             steps=episode.steps,
             observation=None
             if episode.ended or command.observe_all
-            else self._look(clock),
+            else self._observe(clock),
             observations=observations if command.observe_all else None,
             timing=clock.timing(),
         )
 
-    def _look(
-        self, clock: _Clock, canvas: Canvas | None = CANVAS
+    def _observe(
+        self, clock: _Clock, frame_buffer: SharedFrameBuffer | None = FRAME_BUFFER
     ) -> EncodedObservation:
-        simulator, world = self._standing()
-        CANVAS.turn_page()
+        simulator, world = self._require_simulator()
+        FRAME_BUFFER.swap()
         observation = simulator.observe()
         clock.lap("render_s")
-        encoded = encode(observation, world.image_codec, canvas)
+        encoded = encode(observation, world.image_codec, frame_buffer)
         clock.lap("encode_s")
-        if news := CANVAS.news():
-            self._connection.sendall(frame(Mapped(*news)))
+        if pending_mapping := FRAME_BUFFER.pending_mapping():
+            self._connection.sendall(frame(NewFrameMemory(*pending_mapping)))
         return encoded
 
-    def _standing(self) -> tuple[Simulator, benchmark_registry.World]:
+    def _require_simulator(
+        self,
+    ) -> tuple[Simulator, benchmark_registry.SimulatorConfig]:
         if self._simulator is None or self._world is None:
             raise RuntimeError("no world was built")
         return self._simulator, self._world
 
-    def _playing(self) -> Episode:
+    def _require_episode(self) -> Episode:
         if self._episode is None:
             raise RuntimeError("no episode was begun")
         return self._episode
@@ -286,18 +299,18 @@ def log_to_stderr() -> None:
 def serve(connection: socket.socket) -> Never:
     """Obeys until the parent is gone, which ends the process."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to handle
-    threading.Thread(target=_end_with, args=(connection,), daemon=True).start()
-    stage = _Stage(connection)
+    threading.Thread(target=_exit_with_parent, args=(connection,), daemon=True).start()
+    host = _EpisodeHost(connection)
     commands = connection.makefile("rb")
     connection.sendall(frame(Hello(os.getpid())))
     while header := commands.read(HEADER.size):
         (length,) = HEADER.unpack(header)
         command = _commands.decode(commands.read(length))
-        connection.sendall(frame(stage.answer(command)))
+        connection.sendall(frame(host.answer(command)))
     os._exit(0)
 
 
-def _end_with(connection: socket.socket) -> None:
+def _exit_with_parent(connection: socket.socket) -> None:
     """Ends the process when the parent hangs up, whatever the main thread is doing.
 
     It asks for no news of data: a command wakes the thread that obeys, and no other.

@@ -24,25 +24,25 @@ from typing import Protocol, TypeVar, cast
 
 import msgspec
 
-from reference_sim.benchmark_registry import World
+from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.interface import TaskUnplayable
 from reference_sim.process import simulator_main
 from reference_sim.process.encoding import EncodedObservation
-from reference_sim.process.shared_frame_buffer import Shared, mapped
+from reference_sim.process.shared_frame_buffer import SharedMemoryRegion, map_memory
 
 # Found out by the server (which backend draws), possibly after the nursery started.
 _LATE_ENVIRONMENT = ("MUJOCO_GL", "PROCTOR_GL")
-_NURSERY, _WORKER = (
+_FORK_SERVER_MODULE, _SIMULATOR_MODULE = (
     "reference_sim.process.fork_server",
     "reference_sim.process.simulator_main",
 )
 _INBOX_BYTES = 2**15  # more than a turn without pictures
 _START_TIMEOUT_S = 60.0  # a machine that is out of breath is not a hung simulator
 _EXIT_TIMEOUT_S = 10
-_REPLIES = msgspec.msgpack.Decoder(simulator_main.Reply)
+_REPLIES = msgspec.msgpack.Decoder(simulator_main.SimulatorReply)
 _log = logging.getLogger(__name__)
 
-Wanted = TypeVar("Wanted", bound=simulator_main.Reply)
+ReplyT = TypeVar("ReplyT", bound=simulator_main.SimulatorReply)
 
 
 class SimulatorFault(Exception):
@@ -52,7 +52,7 @@ class SimulatorFault(Exception):
 # How processes come to be and end
 
 
-class Starter(Protocol):
+class ProcessStarter(Protocol):
     def start(self, child_end: socket.socket) -> None:
         """Starts a process that serves on the socket. Raises OSError."""
 
@@ -86,17 +86,17 @@ class ForkStarter:
 
     def __init__(self) -> None:
         self._control: socket.socket | None = None
-        self._nurseries: list[subprocess.Popen[bytes]] = []  # the last one lives
+        self._fork_servers: list[subprocess.Popen[bytes]] = []  # the last one lives
 
     @property
-    def nursery_pid(self) -> int | None:
-        return self._nurseries[-1].pid if self._control is not None else None
+    def fork_server_pid(self) -> int | None:
+        return self._fork_servers[-1].pid if self._control is not None else None
 
     def start(self, child_end: socket.socket) -> None:
         try:
             self._fork(child_end)
         except ConnectionError:  # the nursery was found dead
-            self._leave_nursery()
+            self._disconnect_fork_server()
             self._fork(child_end)
 
     def kill(self, pid: int) -> None:
@@ -108,23 +108,23 @@ class ForkStarter:
             _log.warning("the nursery of simulator processes is gone")
 
     async def close(self) -> None:
-        self._leave_nursery()
-        for nursery in self._nurseries:
-            await asyncio.to_thread(_wait_or_kill, nursery)
-        self._nurseries.clear()
+        self._disconnect_fork_server()
+        for fork_server in self._fork_servers:
+            await asyncio.to_thread(_wait_or_kill, fork_server)
+        self._fork_servers.clear()
 
     def _fork(self, child_end: socket.socket) -> None:
         if self._control is None:
             # Messages keep their bounds; the other's end is seen as end-of-file.
             ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
             with theirs:
-                self._nurseries.append(_spawn(_NURSERY, theirs))
+                self._fork_servers.append(_spawn(_FORK_SERVER_MODULE, theirs))
             self._control = ours
         socket.send_fds(
             self._control, [b"fork"], [child_end.fileno()], socket.MSG_DONTWAIT
         )
 
-    def _leave_nursery(self) -> None:
+    def _disconnect_fork_server(self) -> None:
         """It ends its children and itself when our end of the socket is closed."""
         if self._control is not None:
             self._control.close()
@@ -138,7 +138,7 @@ class ExecStarter:
         self._processes: dict[int, subprocess.Popen[bytes]] = {}
 
     def start(self, child_end: socket.socket) -> None:
-        process = _spawn(_WORKER, child_end)
+        process = _spawn(_SIMULATOR_MODULE, child_end)
         self._processes[process.pid] = process
         for ended in [
             one for one in self._processes.values() if one.poll() is not None
@@ -169,27 +169,32 @@ def _wait_or_kill(process: subprocess.Popen[bytes]) -> None:
 # One process
 
 
-class Process(asyncio.BufferedProtocol):
+class SimulatorProcess(asyncio.BufferedProtocol):
     """Asks one question at a time; frames are received into their final buffer."""
 
     def __init__(
-        self, starter: Starter, timeout_s: float, on_end: Callable[[Process], None]
+        self,
+        starter: ProcessStarter,
+        timeout_s: float,
+        on_end: Callable[[SimulatorProcess], None],
     ) -> None:
         self.pid: int | None = None
-        self.world: World | None = None
+        self.world: SimulatorConfig | None = None
         self.alive = True
         self._starter = starter
         self._timeout_s = timeout_s
         self._on_end = on_end
-        self._turn = asyncio.Lock()
+        self._request_lock = asyncio.Lock()
         self._loop = asyncio.get_running_loop()
-        self._answer: asyncio.Future[simulator_main.Reply] = self._loop.create_future()
-        self._heard_at = self._loop.time()
+        self._answer: asyncio.Future[simulator_main.SimulatorReply] = (
+            self._loop.create_future()
+        )
+        self._last_message_at = self._loop.time()
         self._transport: asyncio.Transport | None = None
         self._inbox = bytearray(_INBOX_BYTES)
         self._large: bytearray | None = None  # a frame that the inbox cannot hold
         self._filled = 0  # bytes of whichever of the two is received into
-        self._canvas = memoryview(b"")
+        self._frame_memory = memoryview(b"")
 
     async def start(self) -> None:
         """Returns when the process is ready. Raises SimulatorFault."""
@@ -212,7 +217,7 @@ class Process(asyncio.BufferedProtocol):
             self.end("broke its protocol")
             raise SimulatorFault("the simulator process broke its protocol")
 
-    async def build(self, world: World) -> None:
+    async def build(self, world: SimulatorConfig) -> None:
         environment = {
             name: os.environ[name] for name in _LATE_ENVIRONMENT if name in os.environ
         }
@@ -220,21 +225,21 @@ class Process(asyncio.BufferedProtocol):
         self.world = None
         command = simulator_main.Build(world.benchmark_id, settings, environment)
         try:
-            await self.ask(command, simulator_main.Built)
+            await self.request(command, simulator_main.Built)
         except TaskUnplayable:
             self.end("cannot build its world")
             raise
         self.world = world
 
     @property
-    def is_asked(self) -> bool:
-        return self._turn.locked()
+    def is_busy(self) -> bool:
+        return self._request_lock.locked()
 
-    async def ask(
-        self, command: simulator_main.Command, wanted: type[Wanted]
-    ) -> Wanted:
+    async def request(
+        self, command: simulator_main.SimulatorCommand, wanted: type[ReplyT]
+    ) -> ReplyT:
         """Raises TaskUnplayable, and SimulatorFault after which the process is dead."""
-        async with self._turn:
+        async with self._request_lock:
             if not self.alive or self._transport is None:
                 raise SimulatorFault("the simulator process has ended")
             self._answer = self._loop.create_future()
@@ -246,11 +251,13 @@ class Process(asyncio.BufferedProtocol):
                 raise
         if isinstance(reply, wanted):
             return reply
-        if isinstance(reply, simulator_main.Failed) and reply.unplayable:
+        if isinstance(reply, simulator_main.FailureReply) and reply.unplayable:
             raise TaskUnplayable(reply.error)
         self.end("failed")
         raise SimulatorFault(
-            reply.error if isinstance(reply, simulator_main.Failed) else "wrong answer"
+            reply.error
+            if isinstance(reply, simulator_main.FailureReply)
+            else "wrong answer"
         )
 
     def end(self, why: str) -> None:
@@ -267,8 +274,8 @@ class Process(asyncio.BufferedProtocol):
             self._answer.exception()  # seen, should nobody wait
         self._on_end(self)
 
-    async def _await_answer(self, timeout_s: float) -> simulator_main.Reply:
-        self._heard_at = self._loop.time()
+    async def _await_answer(self, timeout_s: float) -> simulator_main.SimulatorReply:
+        self._last_message_at = self._loop.time()
         self._watch(timeout_s)
         try:
             return await self._answer
@@ -276,7 +283,7 @@ class Process(asyncio.BufferedProtocol):
             self._timer.cancel()
 
     def _watch(self, timeout_s: float) -> None:
-        left = self._heard_at + timeout_s - self._loop.time()
+        left = self._last_message_at + timeout_s - self._loop.time()
         if left <= 0:
             self.end(f"made no step for {timeout_s:g} s and was killed")
         else:
@@ -321,47 +328,51 @@ class Process(asyncio.BufferedProtocol):
             self._receive(body)
 
     def _receive(self, body: bytearray) -> None:
-        self._heard_at = self._loop.time()
+        self._last_message_at = self._loop.time()
         try:
             reply = _REPLIES.decode(body)
         except msgspec.DecodeError:
             return self.end("broke its protocol")
         if isinstance(reply, simulator_main.Busy):
             return None
-        if isinstance(reply, simulator_main.Mapped):
-            return self._map(reply)
+        if isinstance(reply, simulator_main.NewFrameMemory):
+            return self._map_frame_memory(reply)
         if self._answer.done():
             return self.end("spoke unasked")
         try:
             for observation in _observations_of(reply):
-                self._take_down(observation)
+                self._resolve_pixels(observation)
         except (TypeError, ValueError):
             return self.end("broke its protocol")
         return self._answer.set_result(reply)
 
-    def _map(self, told: simulator_main.Mapped) -> None:
+    def _map_frame_memory(self, mapping: simulator_main.NewFrameMemory) -> None:
         try:
             assert self.pid is not None
-            self._canvas = mapped(self.pid, Shared(told.descriptor, told.size))
+            self._frame_memory = map_memory(
+                self.pid, SharedMemoryRegion(mapping.descriptor, mapping.size)
+            )
         except (OSError, ValueError):
             self.end("shared no memory")
 
-    def _take_down(self, observation: EncodedObservation) -> None:
+    def _resolve_pixels(self, observation: EncodedObservation) -> None:
         """Images that stand on the canvas become views of it."""
         for image in observation["images"].values():
             if place := image.pop("place", None):
                 offset, length = place
-                image["data"] = self._canvas[offset : offset + length]
+                image["data"] = self._frame_memory[offset : offset + length]
                 if offset < 0 or len(image["data"]) != length:
                     raise ValueError("a place beside the canvas")
 
 
-def _observations_of(reply: simulator_main.Reply) -> Iterator[EncodedObservation]:
+def _observations_of(
+    reply: simulator_main.SimulatorReply,
+) -> Iterator[EncodedObservation]:
     match reply:
         case (
-            simulator_main.Beginning(observation=seen)
-            | simulator_main.Seen(observation=seen)
+            simulator_main.EpisodeStart(observation=seen)
+            | simulator_main.ObservationReply(observation=seen)
         ):
             yield seen
-        case simulator_main.Played(observation=seen) if seen is not None:
+        case simulator_main.ChunkReply(observation=seen) if seen is not None:
             yield seen

@@ -13,7 +13,7 @@ from reference_server.rules.lifecycle import GUARDS, Attach, Detach, Refuse, Ver
 from reference_server.rules.run import Run, Session
 from reference_server.runs import session_executor, session_resources
 from reference_server.runs.session_executor import SessionExecutor
-from reference_server.runs.session_resources import SessionResources, ResourceManager
+from reference_server.runs.session_resources import ResourceManager, SessionResources
 from tests.mutants import mutant, put
 from tests.mutants.turns import no_guard, swap
 

@@ -18,7 +18,7 @@ from starlette.responses import HTMLResponse, Response
 
 from reference_server.generated import models
 from reference_server.http import codec
-from reference_server.http.dispatch import OperationCall, Operation
+from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.http.handlers import Handlers
 from reference_server.http.problems import Refused
 from reference_server.profiles.ebench import (
@@ -31,9 +31,9 @@ from reference_server.profiles.ebench.requests import (
     CreateTask,
     Ready,
     Workers,
-    schema_error,
     read_chunks,
     read_worker_ids,
+    schema_error,
 )
 from reference_server.profiles.ebench.responses import (
     PICKLE,
@@ -41,8 +41,8 @@ from reference_server.profiles.ebench.responses import (
     envelope,
     refusal_response,
     results_of,
-    worker_view,
     status_of,
+    worker_view,
 )
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import (
@@ -52,8 +52,8 @@ from reference_server.rules.lifecycle import (
     Refuse,
     Stop,
     decide,
-    legal,
     find_repeated_turn,
+    legal,
 )
 from reference_server.rules.run import Run, Session
 

@@ -17,14 +17,14 @@ from starlette.responses import Response
 
 from reference_server.http import codec
 from reference_server.http.codec import JSON
-from reference_server.http.dispatch import OperationCall, Operation
+from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.http.handlers import Handlers
 from reference_server.http.problems import Refused
 from reference_server.profiles.flageval.requests import (
     DiffsRequest,
     EvaluationRequest,
-    RequestReference,
     ProgressRequest,
+    RequestReference,
     idempotency_key,
     translate_refusal,
 )
@@ -32,9 +32,9 @@ from reference_server.profiles.flageval.responses import (
     BASELINE,
     TOLERANCE,
     EvaluationView,
-    success_response,
     progress,
     refusal_response,
+    success_response,
 )
 from reference_server.push.chat_calls import is_answered_in_words
 from reference_server.rules.lifecycle import Event, Stop, legal

@@ -20,7 +20,7 @@ from reference_sim.benchmarks.mobile_bimanual.layout import (
     THING_CHANNELS,
 )
 from reference_sim.definition import (
-    Definition,
+    BenchmarkDefinition,
     Json,
     image_sizes,
     installed_version,
@@ -142,7 +142,7 @@ def make_simulator(variant: Variant, settings: Mapping[str, Any]) -> Simulator:
 
 
 BENCHMARKS = {
-    benchmark_id: Definition(
+    benchmark_id: BenchmarkDefinition(
         partial(_describe, benchmark_id, variant),
         dict,
         partial(make_simulator, variant),

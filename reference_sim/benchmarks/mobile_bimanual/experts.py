@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from reference_sim.benchmarks.mobile_bimanual.plans import SCRIPTS
-from reference_sim.benchmarks.mobile_bimanual.skills import Puppet, Steps
+from reference_sim.benchmarks.mobile_bimanual.plans import PLANS
+from reference_sim.benchmarks.mobile_bimanual.skills import RobotController, Steps
 
 
 class UnknownInstruction(ValueError):
@@ -24,25 +24,25 @@ class MobileBimanualExpert:
     def __init__(self, control: str = "joint_position") -> None:
         """control: a key of ACTION_CHANNELS."""
         self._control = control
-        self._puppet = Puppet(control)
-        self._script: Steps | None = None
+        self._robot = RobotController(control)
+        self._plan: Steps | None = None
 
     def reset(self, instruction: str) -> None:
         """Begins an episode. Raises UnknownInstruction."""
-        if instruction not in SCRIPTS:
+        if instruction not in PLANS:
             raise UnknownInstruction(instruction)
-        self._puppet.reset()
-        self._script = SCRIPTS[instruction](self._puppet)
+        self._robot.reset()
+        self._plan = PLANS[instruction](self._robot)
 
     def act(
         self, observation_state: Mapping[str, Sequence[float]]
     ) -> dict[str, list[float]]:
         """The next action, with the names of the benchmark's action space."""
-        if self._script is None:
+        if self._plan is None:
             raise RuntimeError("reset comes before act")
-        self._puppet.see(observation_state)
-        next(self._script)
-        return self._puppet.action()
+        self._robot.update(observation_state)
+        next(self._plan)
+        return self._robot.action()
 
 
 def make_expert() -> MobileBimanualExpert:

@@ -18,7 +18,7 @@ from reference_sim.benchmarks.mobile_bimanual.layout import (
     TABLE_TOP_M,
     WORK_TABLE_EDGE_M,
 )
-from reference_sim.benchmarks.mobile_bimanual.skills import Puppet, Steps
+from reference_sim.benchmarks.mobile_bimanual.skills import RobotController, Steps
 from reference_sim.benchmarks.mobile_bimanual.tasks import (
     FetchAndPlace,
     Handover,
@@ -45,72 +45,72 @@ BAR_DEPTH_M = 0.006  # above its middle, or the fingers would meet the table
 MEETING = np.array([0.42, 0.06, 0.95, math.pi / 2])  # of the left hand, with the bar
 
 
-def fetch_and_place(puppet: Puppet) -> Steps:
+def fetch_and_place(robot: RobotController) -> Steps:
     while True:
-        puppet.open("right")
-        yield from puppet.reach({"right": CARRY_RIGHT})
-        yield from _dock(puppet, "box")
-        lying_m = float(puppet.thing("box")[2])
-        yield from _grip(puppet, {"right": partial(_box, puppet)})
-        yield from puppet.reach({"right": CARRY_RIGHT})
-        if _lost(puppet, "right", "box"):
+        robot.open("right")
+        yield from robot.reach({"right": CARRY_RIGHT})
+        yield from _dock(robot, "box")
+        lying_m = float(robot.thing("box")[2])
+        yield from _grip(robot, {"right": partial(_box, robot)})
+        yield from robot.reach({"right": CARRY_RIGHT})
+        if _lost(robot, "right", "box"):
             continue
-        yield from _dock(puppet, "mat")
-        yield from puppet.reach({"right": partial(_mat, puppet, lying_m + HOVER_M)})
-        yield from puppet.reach({"right": partial(_mat, puppet, lying_m + 0.003)})
-        puppet.open("right")
-        yield from puppet.wait(SQUEEZE_STEPS)
-        yield from puppet.reach({"right": partial(_mat, puppet, lying_m + HOVER_M)})
-        yield from puppet.wait(2 * SQUEEZE_STEPS)
+        yield from _dock(robot, "mat")
+        yield from robot.reach({"right": partial(_mat, robot, lying_m + HOVER_M)})
+        yield from robot.reach({"right": partial(_mat, robot, lying_m + 0.003)})
+        robot.open("right")
+        yield from robot.wait(SQUEEZE_STEPS)
+        yield from robot.reach({"right": partial(_mat, robot, lying_m + HOVER_M)})
+        yield from robot.wait(2 * SQUEEZE_STEPS)
 
 
-def two_handed_lift(puppet: Puppet) -> Steps:
+def two_handed_lift(robot: RobotController) -> Steps:
     grips = {
-        "left": partial(puppet.point_of, "tray", 0.0, GRIP_Y_M, GRIP_Z_M),
-        "right": partial(puppet.point_of, "tray", 0.0, -GRIP_Y_M, GRIP_Z_M),
+        "left": partial(robot.point_of, "tray", 0.0, GRIP_Y_M, GRIP_Z_M),
+        "right": partial(robot.point_of, "tray", 0.0, -GRIP_Y_M, GRIP_Z_M),
     }
     while True:
-        puppet.open("left", "right")
-        yield from _grip(puppet, grips)
-        up = {side: _raised(puppet.hand(side), LIFT_HEIGHT_M) for side in grips}
-        yield from puppet.reach(up, LIFT_STRIDE_M)
-        yield from puppet.wait(2 * SQUEEZE_STEPS)
+        robot.open("left", "right")
+        yield from _grip(robot, grips)
+        up = {side: _raised(robot.hand(side), LIFT_HEIGHT_M) for side in grips}
+        yield from robot.reach(up, LIFT_STRIDE_M)
+        yield from robot.wait(2 * SQUEEZE_STEPS)
 
 
-def handover(puppet: Puppet) -> Steps:
+def handover(robot: RobotController) -> Steps:
     while True:
-        puppet.open("left", "right")
-        yield from _grip(puppet, {"left": partial(_bar, puppet, BAR_END_M)})
-        yield from puppet.reach({"left": _raised(puppet.hand("left"), MEETING[2])})
-        yield from puppet.reach({"left": MEETING})
-        yield from puppet.wait(SQUEEZE_STEPS)
-        yield from _grip(puppet, {"right": partial(_bar, puppet, -BAR_END_M)})
-        puppet.open("left")
-        yield from puppet.wait(SQUEEZE_STEPS)
-        yield from puppet.reach({"left": _raised(MEETING, MEETING[2] + HOVER_M)})
-        yield from puppet.reach({"left": CARRY_LEFT})
-        yield from puppet.wait(2 * SQUEEZE_STEPS)
+        robot.open("left", "right")
+        yield from _grip(robot, {"left": partial(_bar, robot, BAR_END_M)})
+        yield from robot.reach({"left": _raised(robot.hand("left"), MEETING[2])})
+        yield from robot.reach({"left": MEETING})
+        yield from robot.wait(SQUEEZE_STEPS)
+        yield from _grip(robot, {"right": partial(_bar, robot, -BAR_END_M)})
+        robot.open("left")
+        yield from robot.wait(SQUEEZE_STEPS)
+        yield from robot.reach({"left": _raised(MEETING, MEETING[2] + HOVER_M)})
+        yield from robot.reach({"left": CARRY_LEFT})
+        yield from robot.wait(2 * SQUEEZE_STEPS)
 
 
-SCRIPTS: dict[str, Callable[[Puppet], Steps]] = {
+PLANS: dict[str, Callable[[RobotController], Steps]] = {
     FetchAndPlace.instruction: fetch_and_place,
     TwoHandedLift.instruction: two_handed_lift,
     Handover.instruction: handover,
 }
 
 
-def _grip(puppet: Puppet, places: Mapping[str, Callable[[], Vector]]) -> Steps:
+def _grip(robot: RobotController, places: Mapping[str, Callable[[], Vector]]) -> Steps:
     """Hovers, descends and squeezes, with one hand or with both at once."""
     above = {side: partial(_above, place) for side, place in places.items()}
-    yield from puppet.reach(above)
-    yield from puppet.reach(places)
-    puppet.close(*places)
-    yield from puppet.wait(SQUEEZE_STEPS)
+    yield from robot.reach(above)
+    yield from robot.reach(places)
+    robot.close(*places)
+    yield from robot.wait(SQUEEZE_STEPS)
 
 
-def _dock(puppet: Puppet, thing: str) -> Steps:
+def _dock(robot: RobotController, thing: str) -> Steps:
     """Drives to the table with the thing on it, so that the right hand reaches it."""
-    place = puppet.thing(thing)[:2]
+    place = robot.thing(thing)[:2]
     on_work_table = place[0] > 0.5 * WORK_TABLE_EDGE_M
     yaw = 0.0 if on_work_table else math.pi / 2
     dock = frames.moved(np.array([*place, yaw]), np.array([*-BEFORE_BASE_M, 0]))
@@ -119,10 +119,10 @@ def _dock(puppet: Puppet, thing: str) -> Steps:
     else:
         dock[1] = min(dock[1], SIDE_TABLE_EDGE_M - CLEARANCE_M)
     back = np.array([-BACK_OFF_M, 0, 0])
-    if math.hypot(*(dock[:2] - puppet.base()[:2])) > BACK_OFF_M:
-        yield from puppet.drive(frames.moved(puppet.base(), back))
-        yield from puppet.drive(frames.moved(dock, back))
-    yield from puppet.drive(dock)
+    if math.hypot(*(dock[:2] - robot.base()[:2])) > BACK_OFF_M:
+        yield from robot.drive(frames.moved(robot.base(), back))
+        yield from robot.drive(frames.moved(dock, back))
+    yield from robot.drive(dock)
 
 
 def _above(place: Callable[[], Vector]) -> Vector:
@@ -130,23 +130,23 @@ def _above(place: Callable[[], Vector]) -> Vector:
     return _raised(hand, hand[2] + HOVER_M)
 
 
-def _box(puppet: Puppet) -> Vector:
+def _box(robot: RobotController) -> Vector:
     """The box's middle, the hand square to it with as little turning as it takes."""
-    x, y, z, yaw = puppet.point_of("box", 0.0, 0.0, 0.0)
-    turned = puppet.hand("right")[3]
+    x, y, z, yaw = robot.point_of("box", 0.0, 0.0, 0.0)
+    turned = robot.hand("right")[3]
     square = turned + math.remainder(yaw - turned, math.pi / 2)
     return np.array([x, y, z, square])
 
 
-def _mat(puppet: Puppet, z_m: float) -> Vector:
-    return np.array([*puppet.point_of("mat", 0.0, 0.0, 0.0)[:2], z_m, 0.0])
+def _mat(robot: RobotController, z_m: float) -> Vector:
+    return np.array([*robot.point_of("mat", 0.0, 0.0, 0.0)[:2], z_m, 0.0])
 
 
-def _bar(puppet: Puppet, left_m: float) -> Vector:
+def _bar(robot: RobotController, left_m: float) -> Vector:
     """So far left of the bar's middle; the hand's back is turned outwards."""
-    yaw = puppet.point_of("bar", 0.0, 0.0, 0.0)[3]
+    yaw = robot.point_of("bar", 0.0, 0.0, 0.0)[3]
     swapped = abs(yaw) > math.pi / 2
-    x, y, z, yaw = puppet.point_of("bar", 0.0, -left_m if swapped else left_m, 0.0)
+    x, y, z, yaw = robot.point_of("bar", 0.0, -left_m if swapped else left_m, 0.0)
     along = frames.wrapped(yaw + math.pi * swapped)
     outwards = along + math.copysign(math.pi / 2, left_m)
     return np.array([x, y, z + BAR_DEPTH_M, outwards])
@@ -156,6 +156,6 @@ def _raised(hand: Vector, z_m: float) -> Vector:
     return np.array([*hand[:2], z_m, hand[3]])
 
 
-def _lost(puppet: Puppet, side: str, thing: str) -> bool:
-    apart = puppet.point_of(thing, 0.0, 0.0, 0.0)[:3] - puppet.hand(side)[:3]
+def _lost(robot: RobotController, side: str, thing: str) -> bool:
+    apart = robot.point_of(thing, 0.0, 0.0, 0.0)[:3] - robot.hand(side)[:3]
     return float(np.linalg.norm(apart)) > CARRIED_M

@@ -25,14 +25,14 @@ STRIDE_M, STRIDE_RAD = 0.03, 0.15  # of a hand in one control step
 DRIVE_M, DRIVE_RAD = 0.03, 0.06  # of the base
 ARRIVED_M, ARRIVED_RAD = 0.010, 0.05
 BASE_ARRIVED_M, BASE_ARRIVED_RAD = 0.015, 0.03
-PATIENCE_STEPS = 60  # a motion that takes longer is given up; the script looks again
+MOTION_STEPS_MAX = 60  # a motion that takes longer is given up; the script looks again
 
 Steps = Iterator[None]
 # x, y, z in m and yaw in rad, base frame; looked up anew at every step, or fixed
 Place = Callable[[], Vector] | Vector
 
 
-class Puppet:
+class RobotController:
     """What was seen last, and what is commanded next."""
 
     def __init__(self, control: str) -> None:
@@ -42,15 +42,15 @@ class Puppet:
         self.reset()
 
     def reset(self) -> None:
-        self._seen: dict[str, Vector] = {}
+        self._state: dict[str, Vector] = {}
         self._joints = {side: np.array(HOME_RAD) for side in SIDES}
         self._opening_m = dict.fromkeys(SIDES, FINGER_STROKE_M)
         self._hands: dict[str, Vector] = {}  # as commanded: x, y, z, yaw
         self._base = np.zeros(3)  # as commanded
         self._motion = np.zeros(3)
 
-    def see(self, observation_state: Mapping[str, Sequence[float]]) -> None:
-        self._seen = {name: np.array(v) for name, v in observation_state.items()}
+    def update(self, observation_state: Mapping[str, Sequence[float]]) -> None:
+        self._state = {name: np.array(v) for name, v in observation_state.items()}
         self._motion = np.zeros(3)
         if not self._hands:
             self._base = self.base()
@@ -62,7 +62,7 @@ class Puppet:
             "gripper": [self._opening_m[side] for side in SIDES for _ in range(2)],
             "base_motion": self._motion.tolist(),
         }
-        poses = {side: _looking_down(self._hands[side]) for side in SIDES}
+        poses = {side: _downward_pose(self._hands[side]) for side in SIDES}
         if self._control == "ee_pose":
             return action | {f"{side}_ee_pose": poses[side].tolist() for side in SIDES}
         for side in SIDES:
@@ -76,18 +76,18 @@ class Puppet:
 
     def base(self) -> Vector:
         """(3,): x, y, yaw in the room."""
-        return self._seen["base_pose"]
+        return self._state["base_pose"]
 
     def hand(self, side: str) -> Vector:
         """(4,): x, y, z of the fingertips and the hand's yaw, base frame."""
-        pose = self._seen[f"{side}_ee_pose"]
+        pose = self._state[f"{side}_ee_pose"]
         w, x, y, z = pose[3:]
         ahead = math.atan2(-2 * (x * y + w * z), 2 * (y * y + z * z) - 1)
         return np.array([*pose[:3], ahead])
 
     def thing(self, name: str) -> Vector:
         """(7,): its pose in the room."""
-        return self._seen[f"{name}_pose"]
+        return self._state[f"{name}_pose"]
 
     def point_of(self, name: str, x: float, y: float, z: float) -> Vector:
         """(4,): a point given in a thing's frame, and the thing's yaw, base frame."""
@@ -107,11 +107,11 @@ class Puppet:
 
     def reach(self, places: Mapping[str, Place], stride_m: float = STRIDE_M) -> Steps:
         """Hands (side → place) to where they are wanted, all at once."""
-        for _ in range(PATIENCE_STEPS):
+        for _ in range(MOTION_STEPS_MAX):
             arrived = True
             for side, place in places.items():
                 goal = place() if callable(place) else place
-                self._hands[side] = _strode(self._hands[side], goal, stride_m)
+                self._hands[side] = _stride_towards(self._hands[side], goal, stride_m)
                 arrived &= _is_near(self.hand(side), goal)
             if arrived:
                 return
@@ -123,7 +123,7 @@ class Puppet:
             left = frames.motion_between(self._base, goal)
             self._motion = np.array(
                 [
-                    *_shortened(left[:2], DRIVE_M),
+                    *_clip_length(left[:2], DRIVE_M),
                     min(max(left[2], -DRIVE_RAD), DRIVE_RAD),
                 ]
             )
@@ -137,19 +137,21 @@ class Puppet:
             yield
 
 
-def _looking_down(hand: Vector) -> Vector:
+def _downward_pose(hand: Vector) -> Vector:
     """The pose of fingertips whose gripper looks down, turned by a yaw about z."""
     x, y, z, yaw = hand
     return np.array([x, y, z, 0.0, -math.sin(yaw / 2), math.cos(yaw / 2), 0.0])
 
 
-def _strode(hand: Vector, goal: Vector, stride_m: float) -> Vector:
+def _stride_towards(hand: Vector, goal: Vector, stride_m: float) -> Vector:
     turn = min(max(frames.wrapped(goal[3] - hand[3]), -STRIDE_RAD), STRIDE_RAD)
-    strode: Vector = hand + np.array([*_shortened(goal[:3] - hand[:3], stride_m), turn])
-    return strode
+    next_hand: Vector = hand + np.array(
+        [*_clip_length(goal[:3] - hand[:3], stride_m), turn]
+    )
+    return next_hand
 
 
-def _shortened(way: Vector, length_m: float) -> Vector:
+def _clip_length(way: Vector, length_m: float) -> Vector:
     return way * min(1.0, length_m / max(float(np.linalg.norm(way)), 1e-9))
 
 

@@ -18,7 +18,7 @@ Rgb = tuple[float, float, float]
 
 
 @dataclass(frozen=True, slots=True)
-class Split:
+class SplitVariation:
     """spread: share of the room there is for things to be elsewhere; 1 is all of it.
     scale: how much smaller or larger than drawn box and bar are at most. camera_m: how
     far a camera that looks at the scene is displaced along each axis at most. colours:
@@ -31,7 +31,7 @@ class Split:
 
 
 SPLITS = {
-    "val_train": Split(
+    "val_train": SplitVariation(
         spread=0.7,
         scale=0.0,
         camera_m=0.0,
@@ -42,7 +42,7 @@ SPLITS = {
             "mat": ((0.24, 0.60, 0.36), (0.16, 0.52, 0.50)),
         },
     ),
-    "val_unseen": Split(
+    "val_unseen": SplitVariation(
         spread=1.0,
         scale=0.10,
         camera_m=0.03,
@@ -53,7 +53,7 @@ SPLITS = {
             "mat": ((0.42, 0.66, 0.22), (0.20, 0.44, 0.30)),
         },
     ),
-    "test": Split(
+    "test": SplitVariation(
         spread=1.0,
         scale=0.15,
         camera_m=0.05,
@@ -67,7 +67,7 @@ SPLITS = {
 }
 
 
-class Draw:
+class EpisodeVariation:
     """The choices of one episode, drawn in the order they are asked for."""
 
     def __init__(self, rng: np.random.Generator, split: str) -> None:
@@ -75,7 +75,7 @@ class Draw:
         self._rng = rng
         self._split = SPLITS[split or next(iter(SPLITS))]
 
-    def dress(self, scene: MobileBimanualScene) -> None:
+    def apply_to(self, scene: MobileBimanualScene) -> None:
         """Colours, sizes and cameras; before anything is placed."""
         for thing, colours in self._split.colours.items():
             scene.colour(thing, colours[self._rng.integers(len(colours))])

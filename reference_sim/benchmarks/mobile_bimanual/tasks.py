@@ -15,7 +15,7 @@ from reference_sim.benchmarks.mobile_bimanual.layout import (
     TRAY_HALF_M,
 )
 from reference_sim.benchmarks.mobile_bimanual.scene import MobileBimanualScene
-from reference_sim.benchmarks.mobile_bimanual.splits import Draw
+from reference_sim.benchmarks.mobile_bimanual.splits import EpisodeVariation
 from reference_sim.mujoco.physical import Task
 
 LIFTED_M = 0.10  # above where it lay
@@ -38,26 +38,26 @@ class FetchAndPlace:
     def reset(
         self, scene: MobileBimanualScene, rng: np.random.Generator, split: str
     ) -> None:
-        draw = Draw(rng, split)
-        draw.dress(scene)
+        variation = EpisodeVariation(rng, split)
+        variation.apply_to(scene)
         scene.place_base(
-            draw.within(*self.BASE_X_M),
-            draw.within(*self.BASE_Y_M),
-            draw.within(*self.BASE_YAW_RAD),
+            variation.within(*self.BASE_X_M),
+            variation.within(*self.BASE_Y_M),
+            variation.within(*self.BASE_YAW_RAD),
         )
         scene.place(
             "box",
-            draw.within(*self.BOX_X_M),
-            draw.within(*self.BOX_Y_M),
+            variation.within(*self.BOX_X_M),
+            variation.within(*self.BOX_Y_M),
             TABLE_TOP_M + BOX_HALF_M * scene.scale_of("box"),
-            draw.within(-math.pi, math.pi),
+            variation.within(-math.pi, math.pi),
         )
         scene.place(
             "mat",
-            draw.within(*self.MAT_X_M),
-            draw.within(*self.MAT_Y_M),
+            variation.within(*self.MAT_X_M),
+            variation.within(*self.MAT_Y_M),
             TABLE_TOP_M + 0.001,
-            draw.within(-0.4, 0.4),
+            variation.within(-0.4, 0.4),
         )
 
     def goal_holds(self, scene: MobileBimanualScene) -> bool:
@@ -96,18 +96,18 @@ class TwoHandedLift:
     def reset(
         self, scene: MobileBimanualScene, rng: np.random.Generator, split: str
     ) -> None:
-        draw = Draw(rng, split)
-        draw.dress(scene)
-        _dock(scene, draw)
-        x, y = draw.within(*self.TRAY_X_M), draw.within(*self.TRAY_Y_M)
-        z, yaw = TABLE_TOP_M + TRAY_HALF_M, draw.within(*self.TRAY_YAW_RAD)
+        variation = EpisodeVariation(rng, split)
+        variation.apply_to(scene)
+        _dock(scene, variation)
+        x, y = variation.within(*self.TRAY_X_M), variation.within(*self.TRAY_Y_M)
+        z, yaw = TABLE_TOP_M + TRAY_HALF_M, variation.within(*self.TRAY_YAW_RAD)
         scene.place("tray", x, y, z, yaw)
         scene.place(
             "box",
-            x + draw.within(*self.BOX_X_M),
-            y + draw.within(*self.BOX_Y_M),
+            x + variation.within(*self.BOX_X_M),
+            y + variation.within(*self.BOX_Y_M),
             z + TRAY_HALF_M + BOX_HALF_M * scene.scale_of("box"),
-            draw.within(*self.BOX_YAW_RAD),
+            variation.within(*self.BOX_YAW_RAD),
         )
 
     def goal_holds(self, scene: MobileBimanualScene) -> bool:
@@ -145,15 +145,15 @@ class Handover:
     def reset(
         self, scene: MobileBimanualScene, rng: np.random.Generator, split: str
     ) -> None:
-        draw = Draw(rng, split)
-        draw.dress(scene)
-        _dock(scene, draw)
+        variation = EpisodeVariation(rng, split)
+        variation.apply_to(scene)
+        _dock(scene, variation)
         scene.place(
             "bar",
-            draw.within(*self.BAR_X_M),
-            draw.within(*self.BAR_Y_M),
+            variation.within(*self.BAR_X_M),
+            variation.within(*self.BAR_Y_M),
             TABLE_TOP_M + BAR_HALF_M * scene.scale_of("bar"),
-            draw.within(*self.BAR_YAW_RAD),
+            variation.within(*self.BAR_YAW_RAD),
         )
 
     def goal_holds(self, scene: MobileBimanualScene) -> bool:
@@ -173,10 +173,12 @@ class Handover:
         return [left, left and high, left and high and scene.holds("right", "bar")]
 
 
-def _dock(scene: MobileBimanualScene, draw: Draw) -> None:
+def _dock(scene: MobileBimanualScene, variation: EpisodeVariation) -> None:
     """At the work table, as well as a robot docks."""
     scene.place_base(
-        draw.within(-0.04, 0.02), draw.within(-0.04, 0.04), draw.within(-0.06, 0.06)
+        variation.within(-0.04, 0.02),
+        variation.within(-0.04, 0.04),
+        variation.within(-0.06, 0.06),
     )
 
 

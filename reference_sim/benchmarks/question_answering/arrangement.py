@@ -61,12 +61,12 @@ class Arrangement:
         """Where its middle is in the picture."""
         return self.scene.world.spot_of(_VIEW, self.scene.position(thing), ASPECT)
 
-    def seen_at(self, spot: Sequence[float]) -> str | None:
-        return self.scene.world.seen_at(_VIEW, spot, ASPECT)
+    def body_at(self, spot: Sequence[float]) -> str | None:
+        return self.scene.world.body_at(_VIEW, spot, ASPECT)
 
     def hides_nothing(self) -> bool:
         """Whether the middle of each thing is seen."""
-        return all(self.seen_at(self.spot(thing)) == thing for thing in self.things)
+        return all(self.body_at(self.spot(thing)) == thing for thing in self.things)
 
     def from_foot_m(self, thing: str) -> float:
         """How far it stands from the middle of the arm's foot."""
@@ -88,7 +88,7 @@ def arrange(
     place = np.array(CAMERA_POSITION_M) * _CAMERA_BACK
     if split == "test":
         place += rng.uniform(-_CAMERA_SHIFT_M, _CAMERA_SHIFT_M, 3)
-    scene.dress(Look(colours, rgba, camera_position_m=place))
+    scene.apply_look(Look(colours, rgba, camera_position_m=place))
     scene.world.set_joint_positions(JOINTS, _FOLDED_RAD)
     scene.world.forward()
     taken: list[tuple[float, float]] = []

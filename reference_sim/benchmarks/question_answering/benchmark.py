@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from reference_sim.definition import (
-    Definition,
+    BenchmarkDefinition,
     Json,
     bounded,
     image_sizes,
@@ -107,7 +107,7 @@ def _make(settings: Mapping[str, Any]) -> Simulator:
 
 
 BENCHMARKS = {
-    "question_answering": Definition(
+    "question_answering": BenchmarkDefinition(
         _describe, dict, _make, unavailable=without_pictures
     ),
 }

@@ -54,7 +54,7 @@ class Question:
         if self.target is not None:
             point = answer["point"]
             is_inside = all(0 <= one <= 1 for one in point)
-            return is_inside and arrangement.seen_at(point) == self.target
+            return is_inside and arrangement.body_at(point) == self.target
         return all(
             list(answer[name]) == list(right)
             for name, right in self.right.items()
@@ -71,22 +71,22 @@ def action(
     return {"choice": [choice], "number": [number], "point": list(point)}
 
 
-Draw = Callable[["Draft"], "Question | None"]
+Draw = Callable[["ItemDraft"], "Question | None"]
 
 
 @dataclass(frozen=True, slots=True)
-class Draft:
+class ItemDraft:
     """An attempt at an item: rank is the place of the right answer among `ranks`."""
 
     scene: TabletopScene
     rng: np.random.Generator
     split: str
     rank: int
-    shown: list[Arrangement]
+    arrangement: list[Arrangement]
 
     def arrange(self, colours: dict[str, str]) -> Arrangement:
-        self.shown[:] = [arrange(self.scene, self.rng, self.split, colours)]
-        return self.shown[0]
+        self.arrangement[:] = [arrange(self.scene, self.rng, self.split, colours)]
+        return self.arrangement[0]
 
     def things(self, number: int) -> list[str]:
         """So many different things, in any order."""
@@ -115,11 +115,11 @@ def draw(
     """The item of a task and seed; the scene is left as it shows. KeyError: no task."""
     ranks, attempt = _DRAWN[task]
     rng = np.random.Generator(np.random.PCG64([seed, TASKS.index(task)]))
-    draft = Draft(scene, rng, split, _rank(task, seed, ranks), [])
+    draft = ItemDraft(scene, rng, split, _rank(task, seed, ranks), [])
     for _ in range(_TRIES):
         question = attempt(draft)
-        if question is not None and draft.shown[0].hides_nothing():
-            return question, draft.shown[0]
+        if question is not None and draft.arrangement[0].hides_nothing():
+            return question, draft.arrangement[0]
     raise RuntimeError(f"no {task} could be drawn with seed {seed}")
 
 
@@ -130,7 +130,7 @@ def _rank(task: str, seed: int, ranks: int) -> int:
     return int(rng.permutation(BLOCK)[place]) % ranks
 
 
-def _count(draft: Draft) -> Question:
+def _count(draft: ItemDraft) -> Question:
     colour, *others = (str(word) for word in draft.rng.permutation(PALETTE))
     things = draft.things(len(THINGS))
     colours = dict.fromkeys(things[: draft.rank], colour)
@@ -140,65 +140,69 @@ def _count(draft: Draft) -> Question:
     return Question(text, action(number=float(draft.rank)))
 
 
-def _colour(draft: Draft) -> Question | None:
-    shown = draft.distinct(4)
-    asked = shown.things[0]
-    if sum(NOUNS[thing] == NOUNS[asked] for thing in shown.things) > 1:
+def _colour(draft: ItemDraft) -> Question | None:
+    arrangement = draft.distinct(4)
+    subject = arrangement.things[0]
+    if sum(NOUNS[thing] == NOUNS[subject] for thing in arrangement.things) > 1:
         return None  # which cube?
-    right = shown.colours[asked]
+    right = arrangement.colours[subject]
     wrong = [str(c) for c in draft.rng.permutation(PALETTE) if c != right][:3]
     options = draft.lettered(right, wrong)
-    text = f"Which colour is the {NOUNS[asked]}? {options}. {_BY_LETTER}"
+    text = f"Which colour is the {NOUNS[subject]}? {options}. {_BY_LETTER}"
     return Question(text, action(choice=float(draft.rank)))
 
 
-def _side(draft: Draft) -> Question | None:
-    shown = draft.distinct(4)
-    left, right = sorted(shown.things[:2], key=lambda thing: shown.spot(thing)[0])
-    if shown.spot(right)[0] - shown.spot(left)[0] < _SIDE_MARGIN:
+def _side(draft: ItemDraft) -> Question | None:
+    arrangement = draft.distinct(4)
+    left, right = sorted(
+        arrangement.things[:2], key=lambda thing: arrangement.spot(thing)[0]
+    )
+    if arrangement.spot(right)[0] - arrangement.spot(left)[0] < _SIDE_MARGIN:
         return None
-    asked, other = (left, right) if draft.rank == 0 else (right, left)
+    subject, other = (left, right) if draft.rank == 0 else (right, left)
     text = (
-        f"In the picture, is {shown.name(asked)} to the left or to the right of "
-        f"{shown.name(other)}? A) left B) right. {_BY_LETTER}"
+        f"In the picture, is {arrangement.name(subject)} to the left or to the right of "
+        f"{arrangement.name(other)}? A) left B) right. {_BY_LETTER}"
     )
     return Question(text, action(choice=float(draft.rank)))
 
 
-def _nearest(draft: Draft) -> Question | None:
-    shown = draft.distinct(5)
-    asked, *others = shown.things[:4]
-    scene = shown.scene
-    others.sort(key=lambda thing: scene.apart_level_m(asked, thing))
-    near, second = (scene.apart_level_m(asked, thing) for thing in others[:2])
+def _nearest(draft: ItemDraft) -> Question | None:
+    arrangement = draft.distinct(5)
+    subject, *others = arrangement.things[:4]
+    scene = arrangement.scene
+    others.sort(key=lambda thing: scene.apart_level_m(subject, thing))
+    near, second = (scene.apart_level_m(subject, thing) for thing in others[:2])
     if second - near < _NEARER_M:
         return None
     wrong = [str(thing) for thing in draft.rng.permutation(others[1:])]
-    options = draft.lettered(shown.name(others[0]), [shown.name(t) for t in wrong])
-    text = f"Which of these is nearest to {shown.name(asked)}? {options}. {_BY_LETTER}"
+    options = draft.lettered(
+        arrangement.name(others[0]), [arrangement.name(t) for t in wrong]
+    )
+    text = f"Which of these is nearest to {arrangement.name(subject)}? {options}. {_BY_LETTER}"
     return Question(text, action(choice=float(draft.rank)))
 
 
-def _reachable(draft: Draft) -> Question | None:
-    shown = draft.distinct(4)
-    asked = shown.things[0]
-    distance = shown.from_foot_m(asked)
+def _reachable(draft: ItemDraft) -> Question | None:
+    arrangement = draft.distinct(4)
+    subject = arrangement.things[0]
+    distance = arrangement.from_foot_m(subject)
     is_so = distance <= _IN_REACH_M if draft.rank == 0 else distance >= _OUT_OF_REACH_M
     if not is_so:
         return None
     text = (
         f"The gripper reaches {REACH_M} m from the middle of the arm's round foot, "
-        f"which is 0.17 m wide. Is {shown.name(asked)} in reach? A) yes B) no. "
+        f"which is 0.17 m wide. Is {arrangement.name(subject)} in reach? A) yes B) no. "
         f"{_BY_LETTER}"
     )
     return Question(text, action(choice=float(draft.rank)))
 
 
-def _point(draft: Draft) -> Question:
-    shown = draft.distinct(5)
-    asked = shown.things[0]
-    text = f"Point at {shown.name(asked)}. {_BY_POINT}"
-    return Question(text, action(point=shown.spot(asked)), target=asked)
+def _point(draft: ItemDraft) -> Question:
+    arrangement = draft.distinct(5)
+    subject = arrangement.things[0]
+    text = f"Point at {arrangement.name(subject)}. {_BY_POINT}"
+    return Question(text, action(point=arrangement.spot(subject)), target=subject)
 
 
 # Task → how many answers there are, and how an item of it is drawn.

@@ -29,22 +29,22 @@ class QuestionSimulator:
         return self._item[0].text
 
     def step(self, action: Action) -> StepOutcome:
-        question, shown = self._asked()
-        is_right = question.is_right(action, shown)
+        question, arrangement = self._require_item()
+        is_right = question.is_right(action, arrangement)
         return StepOutcome(success=is_right, score=float(is_right), terminated=True)
 
     def observe(self) -> Observation:
-        _, shown = self._asked()
-        return Observation(state={}, images={CAMERA: shown.picture(*self._size)})
+        _, arrangement = self._require_item()
+        return Observation(state={}, images={CAMERA: arrangement.picture(*self._size)})
 
     def truth(self) -> Action:
         """The right answer, for who has to know: no policy can ask."""
-        return self._asked()[0].right
+        return self._require_item()[0].right
 
     def close(self) -> None:
         self._scene.world.close()
 
-    def _asked(self) -> tuple[Question, Arrangement]:
+    def _require_item(self) -> tuple[Question, Arrangement]:
         if self._item is None:
             raise RuntimeError("reset comes before step, observe and truth")
         return self._item

@@ -13,7 +13,7 @@ from reference_sim.benchmarks.tabletop.layout import (
     SUBSTEPS,
 )
 from reference_sim.definition import (
-    Definition,
+    BenchmarkDefinition,
     Json,
     image_sizes,
     installed_version,
@@ -124,10 +124,10 @@ def _make(cameras: Sequence[str], size: tuple[int, int], quality: str) -> Simula
 
 
 BENCHMARKS = {
-    "tabletop": Definition(
+    "tabletop": BenchmarkDefinition(
         _describe_tabletop, dict, _make_tabletop, unavailable=without_pictures
     ),
-    "tabletop_state": Definition(
+    "tabletop_state": BenchmarkDefinition(
         _describe_tabletop_state, dict, _make_tabletop_state, unavailable=without_mujoco
     ),
 }

@@ -14,7 +14,7 @@ import numpy as np
 from reference_sim.benchmarks.tabletop.layout import HOME_RAD, JOINTS
 from reference_sim.benchmarks.tabletop.plans import PLANS
 from reference_sim.benchmarks.tabletop.scene import scene_mjcf
-from reference_sim.benchmarks.tabletop.skills import Eyes, Plan
+from reference_sim.benchmarks.tabletop.skills import ObservedState, Plan
 from reference_sim.mujoco.kinematics import ArmKinematics
 from reference_sim.mujoco.world import Vector
 
@@ -36,12 +36,12 @@ class TabletopExpert:
 
     def __init__(self) -> None:
         self._arm = tabletop_arm()
-        self._eyes = Eyes()
+        self._observed = ObservedState()
         self._plan: Plan | None = None
 
     def reset(self, instruction: str) -> None:
         """Begins an episode. Raises KeyError at an instruction of no tabletop task."""
-        self._plan = PLANS[instruction.split(maxsplit=1)[0]](self._eyes)
+        self._plan = PLANS[instruction.split(maxsplit=1)[0]](self._observed)
         self._joints: Vector | None = None  # as last commanded
 
     def act(
@@ -50,10 +50,10 @@ class TabletopExpert:
         """Raises RuntimeError before the first reset."""
         if self._plan is None:
             raise RuntimeError("reset comes before act")
-        self._eyes.see(observation_state)
+        self._observed.update(observation_state)
         if self._joints is None:
             self._joints = np.array(observation_state["joint_position"])
-            self._waypoint = self._eyes.hand
+            self._waypoint = self._observed.hand
         move = next(self._plan)
         self._stride_to(move.position, move.stride_m)
         pose = np.concatenate([self._waypoint, _facing_down(move.yaw)])

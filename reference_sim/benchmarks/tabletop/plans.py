@@ -20,10 +20,10 @@ from reference_sim.benchmarks.tabletop.skills import (
     OPEN,
     SQUEEZE_STEPS,
     TIPS_M,
-    Eyes,
     Move,
+    ObservedState,
     Plan,
-    Stop,
+    Waypoint,
     carry,
     fixed,
     grasp,
@@ -51,38 +51,38 @@ PEG_GRIP_M = 0.035  # above the peg's centre
 SLOW_M = 0.015  # per control step, where aim matters
 
 
-def reach(eyes: Eyes) -> Plan:
+def reach(observed: ObservedState) -> Plan:
     while True:
-        yield Move(eyes.position("ball"), 0.0, OPEN)
+        yield Move(observed.position("ball"), 0.0, OPEN)
 
 
-def push(eyes: Eyes) -> Plan:
+def push(observed: ObservedState) -> Plan:
     while True:
-        direction = _to_disc(eyes)[0]
+        direction = _to_disc(observed)[0]
         yaw = fixed(_line(direction))
-        behind = level(eyes.position("cube")) - BEHIND_M * direction
+        behind = level(observed.position("cube")) - BEHIND_M * direction
         for height_m in (OVER_CUBE_M, PUSH_HEIGHT_M):
-            yield from travel(eyes, fixed(raised(behind, height_m)), yaw, CLOSED)
-        yield from _push_on(eyes)
-        back = fixed(raised(eyes.hand, OVER_CUBE_M) - BACK_M * direction)
-        yield from travel(eyes, back, yaw, CLOSED)
+            yield from travel(observed, fixed(raised(behind, height_m)), yaw, CLOSED)
+        yield from _push_on(observed)
+        back = fixed(raised(observed.hand, OVER_CUBE_M) - BACK_M * direction)
+        yield from travel(observed, back, yaw, CLOSED)
 
 
-def _push_on(eyes: Eyes) -> Plan:
+def _push_on(observed: ObservedState) -> Plan:
     """Until the cube has arrived or the gripper went astray."""
     while True:
-        direction, length_m = _to_disc(eyes)
-        to_cube = level(eyes.position("cube") - eyes.hand)
+        direction, length_m = _to_disc(observed)
+        to_cube = level(observed.position("cube") - observed.hand)
         beside = to_cube - (to_cube @ direction) * direction
         if length_m < PUSHED_M or float(np.linalg.norm(beside)) > ASTRAY_M:
             return
-        goal = level(eyes.position("disc")) - CONTACT_M * direction
+        goal = level(observed.position("disc")) - CONTACT_M * direction
         yield Move(raised(goal, PUSH_HEIGHT_M), _line(direction), CLOSED, PUSH_STRIDE_M)
 
 
-def _to_disc(eyes: Eyes) -> tuple[Vector, float]:
+def _to_disc(observed: ObservedState) -> tuple[Vector, float]:
     """From the cube: direction of unit length, and m."""
-    way = level(eyes.position("disc") - eyes.position("cube"))
+    way = level(observed.position("disc") - observed.position("cube"))
     length_m = float(np.linalg.norm(way))
     return way / max(length_m, 1e-9), length_m
 
@@ -92,89 +92,96 @@ def _line(direction: Vector) -> float:
     return half_turn(math.atan2(direction[1], direction[0]))
 
 
-def lift_cube(eyes: Eyes) -> Plan:
+def lift_cube(observed: ObservedState) -> Plan:
     while True:
-        yield from grasp(eyes, "cube")
-        if (yield from carry(eyes, "cube")):
-            yield from wait(eyes, CLOSED, 5)
+        yield from grasp(observed, "cube")
+        if (yield from carry(observed, "cube")):
+            yield from wait(observed, CLOSED, 5)
 
 
-def pick_and_place(eyes: Eyes) -> Plan:
-    def over_tray(height_m: float) -> Stop:
-        return Stop(lambda: raised(eyes.position("tray"), height_m))
+def pick_and_place(observed: ObservedState) -> Plan:
+    def over_tray(height_m: float) -> Waypoint:
+        return Waypoint(lambda: raised(observed.position("tray"), height_m))
 
     while True:
-        yield from grasp(eyes, "cube")
-        stops = over_tray(CARRY_HEIGHT_M), over_tray(0.04)
-        if (yield from carry(eyes, "cube", *stops)):
-            yield from release(eyes)
+        yield from grasp(observed, "cube")
+        waypoints = over_tray(CARRY_HEIGHT_M), over_tray(0.04)
+        if (yield from carry(observed, "cube", *waypoints)):
+            yield from release(observed)
 
 
-def stack(eyes: Eyes) -> Plan:
+def stack(observed: ObservedState) -> Plan:
     # Cubes differ in size; at first both stand on the table.
-    standing_m = float(eyes.position("cube")[2] + eyes.position("second_cube")[2])
+    standing_m = float(
+        observed.position("cube")[2] + observed.position("second_cube")[2]
+    )
 
     def over_other(height_m: float) -> Callable[[], Vector]:
-        return lambda: raised(eyes.position("second_cube"), standing_m + height_m)
+        return lambda: raised(observed.position("second_cube"), standing_m + height_m)
 
     while True:
-        yield from grasp(eyes, "cube")
-        stops = Stop(over_other(0.06)), Stop(over_other(0.002), 0.005, SLOW_M)
-        if (yield from carry(eyes, "cube", *stops)):
-            yield from release(eyes)
+        yield from grasp(observed, "cube")
+        waypoints = (
+            Waypoint(over_other(0.06)),
+            Waypoint(over_other(0.002), 0.005, SLOW_M),
+        )
+        if (yield from carry(observed, "cube", *waypoints)):
+            yield from release(observed)
 
 
-def open_drawer(eyes: Eyes) -> Plan:
+def open_drawer(observed: ObservedState) -> Plan:
     def yaw() -> float:
-        return half_turn(eyes.yaw("handle"))
+        return half_turn(observed.yaw("handle"))
 
     def handle() -> Vector:
-        return eyes.position("handle")
+        return observed.position("handle")
 
     def ahead() -> Vector:
         """Where the drawer opens to, unit length."""
-        turn = eyes.yaw("handle")
+        turn = observed.yaw("handle")
         return np.array([math.sin(turn), -math.cos(turn), 0.0])
 
     while True:
         # Half open, so that a finger fits between handle and drawer.
-        yield from travel(eyes, lambda: raised(handle(), HOVER_M), yaw, AJAR)
-        yield from travel(eyes, handle, yaw, AJAR)
-        yield from wait(eyes, CLOSED, SQUEEZE_STEPS)
-        while float(np.linalg.norm(eyes.hand - handle())) < LOST_M:
+        yield from travel(observed, lambda: raised(handle(), HOVER_M), yaw, AJAR)
+        yield from travel(observed, handle, yaw, AJAR)
+        yield from wait(observed, CLOSED, SQUEEZE_STEPS)
+        while float(np.linalg.norm(observed.hand - handle())) < LOST_M:
             yield Move(handle() + PULL_LEAD_M * ahead(), yaw(), CLOSED, PULL_STRIDE_M)
 
 
-def press_button(eyes: Eyes) -> Plan:
+def press_button(observed: ObservedState) -> Plan:
     def cap(height_m: float) -> Vector:
-        return raised(eyes.position("button"), TIPS_M + height_m)
+        return raised(observed.position("button"), TIPS_M + height_m)
 
-    yield from travel(eyes, lambda: cap(0.05), fixed(0.0), CLOSED)
+    yield from travel(observed, lambda: cap(0.05), fixed(0.0), CLOSED)
     while True:
         yield Move(cap(-0.02), 0.0, CLOSED)
 
 
-def insert_peg(eyes: Eyes) -> Plan:
+def insert_peg(observed: ObservedState) -> Plan:
     def yaw() -> float:
         """The gripper's, which turns the peg to the hole."""
-        return eyes.hand_yaw + quarter_turn(eyes.yaw("hole") - eyes.yaw("peg"))
+        return observed.hand_yaw + quarter_turn(
+            observed.yaw("hole") - observed.yaw("peg")
+        )
 
     def over_block(lower_end_m: float) -> Callable[[], Vector]:
         height_m = HOLE_DEPTH_M + PEG_HALF_LENGTH_M + lower_end_m
-        return lambda: raised(eyes.position("hole"), height_m)
+        return lambda: raised(observed.position("hole"), height_m)
 
     while True:
-        yield from grasp(eyes, "peg", above_centre_m=PEG_GRIP_M)
-        stops = (
-            Stop(over_block(0.03)),
-            Stop(over_block(0.01), within_m=0.002, stride_m=SLOW_M),
-            Stop(over_block(-0.04), stride_m=SLOW_M),
+        yield from grasp(observed, "peg", above_centre_m=PEG_GRIP_M)
+        waypoints = (
+            Waypoint(over_block(0.03)),
+            Waypoint(over_block(0.01), within_m=0.002, stride_m=SLOW_M),
+            Waypoint(over_block(-0.04), stride_m=SLOW_M),
         )
-        if (yield from carry(eyes, "peg", *stops, yaw=yaw)):
-            yield from release(eyes)
+        if (yield from carry(observed, "peg", *waypoints, yaw=yaw)):
+            yield from release(observed)
 
 
-PLANS: Mapping[str, Callable[[Eyes], Plan]] = {
+PLANS: Mapping[str, Callable[[ObservedState], Plan]] = {
     # by the first word of the instruction
     "Move": reach,
     "Push": push,

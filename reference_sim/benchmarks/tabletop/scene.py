@@ -47,7 +47,7 @@ class TabletopScene:
         self.world.set_joint_positions(FINGERS, (FINGER_STROKE_M, FINGER_STROKE_M))
         self.command({"joint_position": HOME_RAD, "gripper": (1.0,)})
 
-    def dress(self, look: Look) -> None:
+    def apply_look(self, look: Look) -> None:
         """Colours, sizes, light and the front camera; until the next reset."""
         for geom, rgba in look.rgba.items():
             self.world.set_geom_rgba(geom, rgba)

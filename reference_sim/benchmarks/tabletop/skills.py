@@ -44,13 +44,13 @@ Plan = Generator[Move, None, None]
 Goal = Callable[[], Vector]  # (3,) m, asked anew for each move
 
 
-class Eyes:
+class ObservedState:
     """The newest observation, in the words of a plan."""
 
     def __init__(self) -> None:
         self._state: Mapping[str, Vector] = {}
 
-    def see(self, state: Mapping[str, Sequence[float]]) -> None:
+    def update(self, state: Mapping[str, Sequence[float]]) -> None:
         self._state = {
             name: np.asarray(values, dtype=np.float64) for name, values in state.items()
         }
@@ -78,35 +78,37 @@ class Eyes:
         return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
 
 
-def travel(eyes: Eyes, goal: Goal, yaw: Callable[[], float], opening: float) -> Plan:
+def travel(
+    observed: ObservedState, goal: Goal, yaw: Callable[[], float], opening: float
+) -> Plan:
     """The gripper to a goal, which may move meanwhile."""
-    while _length(eyes.hand - goal()) > ARRIVED_M:
+    while _length(observed.hand - goal()) > ARRIVED_M:
         yield Move(goal(), yaw(), opening)
 
 
-def wait(eyes: Eyes, opening: float, steps: int) -> Plan:
+def wait(observed: ObservedState, opening: float, steps: int) -> Plan:
     """Only the fingers move."""
-    position, yaw = eyes.hand, eyes.hand_yaw
+    position, yaw = observed.hand, observed.hand_yaw
     for _ in range(steps):
         yield Move(position, yaw, opening)
 
 
-def grasp(eyes: Eyes, thing: str, *, above_centre_m: float = 0.0) -> Plan:
+def grasp(observed: ObservedState, thing: str, *, above_centre_m: float = 0.0) -> Plan:
     """From above, by two opposite sides."""
 
     def at(height_m: float) -> Vector:
-        return raised(eyes.position(thing), above_centre_m + height_m)
+        return raised(observed.position(thing), above_centre_m + height_m)
 
     def yaw() -> float:
-        return quarter_turn(eyes.yaw(thing))
+        return quarter_turn(observed.yaw(thing))
 
-    yield from travel(eyes, lambda: at(HOVER_M), yaw, OPEN)
-    yield from travel(eyes, lambda: at(0.0), yaw, OPEN)
-    yield from wait(eyes, CLOSED, SQUEEZE_STEPS)
+    yield from travel(observed, lambda: at(HOVER_M), yaw, OPEN)
+    yield from travel(observed, lambda: at(0.0), yaw, OPEN)
+    yield from wait(observed, CLOSED, SQUEEZE_STEPS)
 
 
 @dataclass(frozen=True, slots=True)
-class Stop:
+class Waypoint:
     """Where the centre of a carried thing is to go next, and how nearly."""
 
     goal: Goal
@@ -115,39 +117,48 @@ class Stop:
 
 
 def carry(
-    eyes: Eyes, thing: str, *stops: Stop, yaw: Callable[[], float] | None = None
+    observed: ObservedState,
+    thing: str,
+    *waypoints: Waypoint,
+    yaw: Callable[[], float] | None = None,
 ) -> Generator[Move, None, bool]:
     """Lifts what is gripped straight up, then goes from stop to stop; False if lost.
 
     yaw: of the gripper on the way; without it, as it is.
     """
-    kept = fixed(eyes.hand_yaw)
-    top = raised(level(eyes.position(thing)), CARRY_HEIGHT_M)
-    if not (yield from _bring(eyes, thing, Stop(fixed(top), 2 * ARRIVED_M), kept)):
+    current_yaw = fixed(observed.hand_yaw)
+    top = raised(level(observed.position(thing)), CARRY_HEIGHT_M)
+    if not (
+        yield from _move_carried(
+            observed, thing, Waypoint(fixed(top), 2 * ARRIVED_M), current_yaw
+        )
+    ):
         return False
-    for stop in stops:
-        if not (yield from _bring(eyes, thing, stop, yaw or kept)):
+    for waypoint in waypoints:
+        if not (
+            yield from _move_carried(observed, thing, waypoint, yaw or current_yaw)
+        ):
             return False
     return True
 
 
-def _bring(
-    eyes: Eyes, thing: str, stop: Stop, yaw: Callable[[], float]
+def _move_carried(
+    observed: ObservedState, thing: str, waypoint: Waypoint, yaw: Callable[[], float]
 ) -> Generator[Move, None, bool]:
-    grip = eyes.position(thing) - eyes.hand
-    while _length(stop.goal() - eyes.position(thing)) > stop.within_m:
-        held = eyes.position(thing) - eyes.hand
+    grip = observed.position(thing) - observed.hand
+    while _length(waypoint.goal() - observed.position(thing)) > waypoint.within_m:
+        held = observed.position(thing) - observed.hand
         if _length(held - grip) > LOST_M:
             return False
-        yield Move(stop.goal() - held, yaw(), CLOSED, stop.stride_m)
+        yield Move(waypoint.goal() - held, yaw(), CLOSED, waypoint.stride_m)
     return True
 
 
-def release(eyes: Eyes) -> Plan:
+def release(observed: ObservedState) -> Plan:
     """Opens and goes straight up."""
-    up, yaw = fixed(raised(eyes.hand, HOVER_M)), fixed(eyes.hand_yaw)
-    yield from wait(eyes, OPEN, SQUEEZE_STEPS)
-    yield from travel(eyes, up, yaw, OPEN)
+    up, yaw = fixed(raised(observed.hand, HOVER_M)), fixed(observed.hand_yaw)
+    yield from wait(observed, OPEN, SQUEEZE_STEPS)
+    yield from travel(observed, up, yaw, OPEN)
 
 
 def fixed(value: T) -> Callable[[], T]:

@@ -28,7 +28,7 @@ class TabletopTask:
 
     def reset(self, scene: TabletopScene, rng: np.random.Generator, split: str) -> None:
         look = draw_look(rng, split)
-        scene.dress(look)
+        scene.apply_look(look)
         self.instruction = self.wording.format(**look.colours)
         self.arrange(scene, Placement(rng, split))
 
