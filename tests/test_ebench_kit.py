@@ -47,22 +47,22 @@ def test_the_kit_s_plain_pickles_are_read_by_everybody() -> None:
 
 def test_the_kit_s_arrays_are_numpy_s() -> None:
     numbers = [0.1, -0.0, 5e-324]
-    array = unpickled(pickles.write(pickles.Array(numbers)))
+    array = unpickled(pickles.write(pickles.PickledArray(numbers)))
     assert array.dtype == np.float64
     assert array.tobytes() == np.array(numbers).tobytes()
     for core in ("core", "_core"):
-        found = pickle_reader.read(pickles.write(pickles.Array(numbers, core)))
+        found = pickle_reader.read(pickles.write(pickles.PickledArray(numbers, core)))
         assert found.tobytes() == array.tobytes()
 
 
 def test_the_kit_s_calls_are_calls() -> None:
-    body = pickles.write([pickles.Call("builtins", "len", [[1, 2]])])
+    body = pickles.write([pickles.PickledCall("builtins", "len", [[1, 2]])])
     assert unpickled(body) == [2]
 
 
 @pytest.mark.parametrize("stranger", [Trap(len, [1]), np.zeros(1), {1, 2j}, object()])
 def test_the_kit_reads_no_pickle_that_names_anything(stranger: Any) -> None:
-    with pytest.raises(pickles.NamesSomething):
+    with pytest.raises(pickles.GlobalInPickle):
         pickles.read(pickled([stranger]))
 
 

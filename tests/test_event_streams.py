@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 from starlette.responses import StreamingResponse
 
-from conformance.client.event_reader import Event, Parser
+from conformance.client.event_reader import Event, EventParser
 from reference_server.http import event_streams, views
 from reference_server.http.event_streams import EPISODES_PER_BATCH, EventStream
 from reference_server.rules import effects as rules
@@ -41,7 +41,7 @@ class Stream:
     """The body of an answer as a server takes it: the next part when it has time."""
 
     def __init__(self, parts: AsyncIterator[Any]) -> None:
-        self._parts, self._parser = parts, Parser()
+        self._parts, self._parser = parts, EventParser()
 
     @classmethod
     async def open(cls, reader: EventStream, last_id: str | None = None) -> Stream:

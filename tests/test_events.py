@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from conformance.client.event_reader import Event, Parser
+from conformance.client.event_reader import Event, EventParser
 from reference_server.rules.events import Cursor, EventBatch, is_final, next_batch
 from reference_server.rules.lifecycle import Event as Happening
 from reference_server.rules.lifecycle import legal
@@ -37,7 +37,7 @@ def results_sent(run: Run, cursor: Cursor) -> EventBatch:
 
 def caught_up(run: Run, cursor: Cursor) -> tuple[list[Event], Cursor]:
     """All that there is to tell behind a cursor, and the place behind that."""
-    parser, events = Parser(), []
+    parser, events = EventParser(), []
     while True:
         batch = results_sent(run, cursor)
         events += parser.feed(batch.text)

@@ -17,7 +17,7 @@ from unittest.mock import ANY
 
 import httpx
 
-from conformance.client.event_reader import Event, Parser
+from conformance.client.event_reader import Event, EventParser
 from tests.conftest import PATIENCE_S, TOKENS, House
 from tests.test_event_streams import indices, kinds
 from tests.test_server import predict_body, submit
@@ -30,7 +30,7 @@ def following(
     client: httpx.Client, run_id: str, last_id: str | None = None
 ) -> Iterator[Iterator[Event]]:
     headers = {"Last-Event-ID": last_id} if last_id else {}
-    path, parser = f"/v1/runs/{run_id}/events", Parser()
+    path, parser = f"/v1/runs/{run_id}/events", EventParser()
     with client.stream("GET", path, headers=headers) as answer:
         assert answer.status_code == 200
         assert answer.headers["content-type"].startswith("text/event-stream")
@@ -136,7 +136,7 @@ def test_the_page_on_events_is_right(house: House) -> None:
         environment = {"PATH": os.environ["PATH"], **variables}
         pasted = ["sh", "-c", command]
         done = subprocess.run(pasted, env=environment, capture_output=True, check=True)
-        return Parser().feed(done.stdout)
+        return EventParser().feed(done.stdout)
 
     events = paste(whole)
     assert kinds(events) == ["episode", "episode", "run"]

@@ -10,7 +10,7 @@ from typing import Any
 import httpx
 import pytest
 
-from conformance.policy.chat import Request, ScriptedChat
+from conformance.policy.chat import ChatRequest, ScriptedChat
 from reference_server.http.handlers import Handlers
 from reference_server.profiles import profile_tables
 from reference_server.profiles.flageval.responses import TOLERANCE, status_of
@@ -46,7 +46,7 @@ def test_models_are_evaluated_beside_their_baseline(
 ) -> None:
     """Three models in one request, one of them the baseline; one answers otherwise."""
     words = {"a-nvidia-origin": "1", "a-twin": "1", "a-other": "0.75"}
-    chat.says = lambda request: words[request.body["model"]]
+    chat.reply = lambda request: words[request.body["model"]]
     infos = [info(chat, name) for name in words]
     told = started(client, *infos, user_id=7, special_event="yes", region="sz")
     assert (told["err_code"], told["err_msg"], told["err_message"]) == (
@@ -150,7 +150,7 @@ def test_requests_are_compared_with_the_first(
         f"d-{method}-near": "0.96",
         f"d-{method}-far": "0",
     }
-    chat.says = lambda request: words[request.body["model"]]
+    chat.reply = lambda request: words[request.body["model"]]
     ids = [accepted(client, info(chat, name)) for name in words]
     for request_id in ids:
         finished(client, request_id)
@@ -188,13 +188,13 @@ def test_an_evaluation_is_stopped_and_goes_on_where_it_was(
     """Stopped in the second dataset. Expect C, and the first dataset kept."""
     going, reached = threading.Event(), threading.Event()
 
-    def say(request: Request) -> str:
+    def say(request: ChatRequest) -> str:
         if "count" in request.question and not going.is_set():
             reached.set()
             going.wait(PATIENCE_S)
         return "1"
 
-    chat.says = say
+    chat.reply = say
     request_id = accepted(client, info(chat, "j-stopped"))
     assert reached.wait(PATIENCE_S)
     told = progress(client, request_id)
@@ -225,12 +225,12 @@ def test_a_request_is_stopped_though_one_of_its_models_is_done(
 ) -> None:
     going = threading.Event()
 
-    def say(request: Request) -> str:
+    def say(request: ChatRequest) -> str:
         if request.body["model"] == "k-slow":
             going.wait(PATIENCE_S)
         return "1"
 
-    chat.says = say
+    chat.reply = say
     request_id = accepted(client, info(chat, "k-fast"), info(chat, "k-slow"))
     until(client, request_id.split(".")[0])
     assert post(client, "/stop_evaluation", request_id=request_id)["err_code"] == 0

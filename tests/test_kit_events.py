@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from conformance.cli.settings import Settings
-from conformance.client.check_context import Context, Run, Story
-from conformance.client.event_reader import Event, Parser, reading
+from conformance.client.check_context import CheckContext, RunClient, SharedContext
+from conformance.client.event_reader import Event, EventParser, follow_run
 from conformance.runner.preflight import inspect
 from conformance.verdicts.expect import SetUpFailed, Violation
 from tests import null_servers
@@ -50,7 +50,11 @@ def read(events: list[Event]) -> list[tuple[str, str | None, list[str]]]:
     cuts=st.lists(st.integers(0, 2 * len(TEXT)), max_size=12),
 )
 def test_events_are_read_however_they_are_cut(end: str, cuts: list[int]) -> None:
-    sent, parser, events = TEXT.replace("\n", end).encode(), Parser(), list[Event]()
+    sent, parser, events = (
+        TEXT.replace("\n", end).encode(),
+        EventParser(),
+        list[Event](),
+    )
     places = [0, *sorted(cuts), len(sent)]
     for first, last in pairwise(places):
         events += parser.feed(sent[first:last])
@@ -81,31 +85,35 @@ class House:
 
 
 @contextlib.contextmanager
-def a_run(house: House) -> Iterator[Run]:
+def a_run(house: House) -> Iterator[RunClient]:
     with serving(house) as url:
         settings = Settings(url=url, token="secret")
         inspect(settings)
-        with contextlib.closing(Context.of(settings)) as context:
-            yield Run(story := Story(context, "TEST-001"), null_servers.RUN, story.wire)
+        with contextlib.closing(SharedContext.of(settings)) as shared:
+            yield RunClient(
+                context := CheckContext(shared, "TEST-001"),
+                null_servers.RUN,
+                context.http_client,
+            )
 
 
 def test_a_reader_comes_back_until_it_is_told_not_to() -> None:
     with a_run(House()) as run:
-        with reading(run) as reader:
+        with follow_run(run) as reader:
             reader.until(lambda event: event.id == "3", "with the id 3")
-            assert reader.answered() == 200
-            assert reader.ends()
+            assert reader.first_status() == 200
+            assert reader.wait_for_end()
             with pytest.raises(Violation, match="status 204"):
                 reader.until(lambda _: True, "after the last")
-        assert [event.id for event in reader.told] == ["1", "2", "3"]
-        asked = [one.request_headers for one in run.story.journal.exchanges]
+        assert [event.id for event in reader.received] == ["1", "2", "3"]
+        asked = [one.request_headers for one in run.context.exchange_log.exchanges]
         assert [one.get("Last-Event-ID") for one in asked] == [None, "1", "2", "3"]
-        assert run.story.tally.broken["SVC-003"] == 0
+        assert run.context.tally.broken["SVC-003"] == 0
 
 
 def test_a_reader_that_is_told_at_once_not_to_come_is_answered() -> None:
-    with a_run(House(last=0)) as run, reading(run, "1") as reader:
-        assert reader.answered() == 204
+    with a_run(House(last=0)) as run, follow_run(run, "1") as reader:
+        assert reader.first_status() == 204
 
 
 def test_of_a_stream_the_beginning_is_an_answer() -> None:
@@ -113,4 +121,4 @@ def test_of_a_stream_the_beginning_is_an_answer() -> None:
     with a_run(House()) as run:
         answer = run.call("stream_events")
         assert (answer.status, answer.json) == (200, "id: 1\ndata: {}\n\n")
-        assert run.story.tally.broken["SVC-003"] == 0
+        assert run.context.tally.broken["SVC-003"] == 0

@@ -10,10 +10,10 @@ import httpx
 import pytest
 
 from conformance.cli.settings import Settings
-from conformance.client.check_context import Context, Story
-from conformance.client.exchange_log import Journal
+from conformance.client.check_context import CheckContext, SharedContext
+from conformance.client.exchange_log import ExchangeLog
 from conformance.client.http_client import Answer
-from conformance.client.run_client import Patience
+from conformance.client.run_client import AdaptiveTimeouts
 from conformance.runner.preflight import inspect
 from conformance.runner.pytest_plugin import judge
 from conformance.specification.document import load_spec
@@ -85,45 +85,45 @@ def test_refused_wants_code_status_members_and_pointer() -> None:
 
 def test_given_never_accuses() -> None:
     with pytest.raises(SetUpFailed):
-        expect.given(answer(500), 200, "attach_worker")
+        expect.require(answer(500), 200, "attach_worker")
     with pytest.raises(SetUpFailed, match="lacks the member `b`"):
-        expect.given(answer(200, {"a": 1}), 200, "attach_worker")["b"]
+        expect.require(answer(200, {"a": 1}), 200, "attach_worker")["b"]
 
 
 def test_patience_shrinks_for_the_state_that_did_not_come() -> None:
-    patience = Patience()
-    patience.lose("failed")
-    patience.lose("failed")
-    assert patience.of("failed", 4.0) == 1.0
-    assert patience.of("ready", 4.0) == 4.0
+    timeouts = AdaptiveTimeouts()
+    timeouts.record_miss("failed")
+    timeouts.record_miss("failed")
+    assert timeouts.of("failed", 4.0) == 1.0
+    assert timeouts.of("ready", 4.0) == 4.0
 
 
 def test_check_that_is_led_in_circles_ends() -> None:
-    journal = Journal("T")
-    numbers = (journal.next_number() for _ in range(10**5))
+    exchange_log = ExchangeLog("T")
+    numbers = (exchange_log.next_number() for _ in range(10**5))
     with pytest.raises(SetUpFailed, match="no end in sight"):
         sum(numbers)
 
 
 @pytest.fixture
-def story() -> Iterator[Story]:
+def context() -> Iterator[CheckContext]:
     with serving(null_servers.parrot) as url:
         settings = Settings(url=url, token="secret")
         inspect(settings)
-        with contextlib.closing(Context.of(settings)) as context:
-            yield Story(context, "TEST-001")
+        with contextlib.closing(SharedContext.of(settings)) as shared:
+            yield CheckContext(shared, "TEST-001")
 
 
-def test_server_without_room_is_asked_again(story: Story) -> None:
+def test_server_without_room_is_asked_again(context: CheckContext) -> None:
     full = answer(503, {"code": "no_capacity", "detail": "full"})
     free = answer(200, {})
     answers = iter([full, full, free])
-    assert story._in_time(lambda: next(answers)) is free
-    story.context.patience.lose("room")
+    assert context._retry_while_no_capacity(lambda: next(answers)) is free
+    context.shared.timeouts.record_miss("room")
     with pytest.raises(SetUpFailed, match="no room"):
-        story._in_time(lambda: full)
+        context._retry_while_no_capacity(lambda: full)
     ill = answer(503, {"code": "unavailable", "detail": "ill"})
-    assert story._in_time(lambda: ill) is ill
+    assert context._retry_while_no_capacity(lambda: ill) is ill
 
 
 def test_difference_of_long_values_is_told_by_its_places() -> None:
@@ -146,21 +146,21 @@ def nap(result: int) -> int:
 def test_together_overlaps_keeps_order_and_passes_errors_on() -> None:
     started = time.monotonic()
     thunks = [partial(nap, number) for number in range(4)]
-    assert Story.together(*thunks) == [0, 1, 2, 3]
+    assert CheckContext.call_concurrently(*thunks) == [0, 1, 2, 3]
     assert time.monotonic() - started < 0.6
 
     def fail() -> None:
         raise Violation("a", "b")
 
     with pytest.raises(Violation):
-        Story.together(fail, lambda: None)
+        CheckContext.call_concurrently(fail, lambda: None)
 
 
-def test_story_sends_what_the_document_allows(story: Story) -> None:
-    worker = story.submit("score", idle_timeout_s=2, max_workers=1).worker()
+def test_story_sends_what_the_document_allows(context: CheckContext) -> None:
+    worker = context.submit("score", idle_timeout_s=2, max_workers=1).worker()
     worker.attach()
-    worker.predict(story.action(end=1))
-    exchanges = story.journal.exchanges
+    worker.predict(context.action(end=1))
+    exchanges = context.exchange_log.exchanges
     ids = [exchange.correlation_id for exchange in exchanges]
     assert ids == ["TEST-001/1", "TEST-001/2", "TEST-001/3"]
     spec = load_spec()
@@ -171,20 +171,22 @@ def test_story_sends_what_the_document_allows(story: Story) -> None:
     assert "secret" not in repr(exchanges)
 
 
-def test_kit_accuses_itself_of_a_bad_request(story: Story) -> None:
+def test_kit_accuses_itself_of_a_bad_request(context: CheckContext) -> None:
     with pytest.raises(KitError):
-        story.submit("no_such_task")
+        context.submit("no_such_task")
 
 
-@pytest.mark.parametrize("name", ["wire_2", "wire_read"])
-def test_missing_tokens_are_the_operators_choice(story: Story, name: str) -> None:
+@pytest.mark.parametrize("name", ["second_account", "read_only_account"])
+def test_missing_tokens_are_the_operators_choice(
+    context: CheckContext, name: str
+) -> None:
     with pytest.raises(SetUpFailed) as caught:
-        getattr(story, name)
+        getattr(context, name)
     assert caught.value.allowed
 
 
-def test_story_is_usable_in_threads(story: Story) -> None:
-    run = story.submit("score")
-    story.together(*[run.get] * 8)
-    numbers = [exchange.number for exchange in story.journal.exchanges]
+def test_story_is_usable_in_threads(context: CheckContext) -> None:
+    run = context.submit("score")
+    context.call_concurrently(*[run.get] * 8)
+    numbers = [exchange.number for exchange in context.exchange_log.exchanges]
     assert sorted(numbers) == list(range(1, 10))

@@ -8,7 +8,7 @@ import pytest
 from conformance.client.exchange_log import Exchange
 from conformance.client.http_client import media_type_of, parse
 from conformance.specification.document import load_spec
-from conformance.verdicts.universal_rules import SESSION_WIDE, Judged, Tally
+from conformance.verdicts.universal_rules import UNIVERSAL_RULES, ParsedAnswer, Tally
 
 PROBLEM = {
     "type": "urn:x",
@@ -46,10 +46,10 @@ def breaches(
     exchange = Exchange(1, "T/1", method, "http://x/", None, {}, b"", 0, status)
     tally.observe(
         spec.operations[operation_id] if operation_id else None,
-        Judged(status, headers, media_type_of(headers), data, value, is_readable),
+        ParsedAnswer(status, headers, media_type_of(headers), data, value, is_readable),
         exchange,
     )
-    assert set(tally.broken) <= set(SESSION_WIDE) & set(tally.exercised)
+    assert set(tally.broken) <= set(UNIVERSAL_RULES) & set(tally.exercised)
     assert {breach.requirement_id for breach in tally.breaches} == set(tally.broken)
     return set(tally.broken)
 
@@ -117,7 +117,7 @@ def test_paths_beyond_the_document_are_judged_as_well() -> None:
 def test_tallies_of_several_processes_add_up() -> None:
     whole, part = Tally(load_spec()), Tally(load_spec())
     exchange = Exchange(1, "T/1", "GET", "http://x/", None, {}, b"\xff", 1, 500)
-    part.observe(None, Judged(500, VERSION, "", b"", None, False), exchange)
+    part.observe(None, ParsedAnswer(500, VERSION, "", b"", None, False), exchange)
     for _ in range(2):
         whole.add_plain(json.loads(json.dumps(part.as_plain())))
     assert whole.broken["ERR-012"] == whole.exercised["ERR-012"] == 2

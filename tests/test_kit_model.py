@@ -8,21 +8,21 @@ from typing import Any
 import pytest
 
 from conformance.oracle import allowed_answers, linearizability, run_model
-from conformance.oracle.allowed_answers import Deviation, Models, advance
-from conformance.oracle.linearizability import Exchanged, explained, parts
+from conformance.oracle.allowed_answers import Deviation, PossibleRuns, advance
+from conformance.oracle.linearizability import TimedExchange, explain, split_command
 from conformance.oracle.run_model import (
+    AnswerSummary,
     Attach,
     Detach,
-    Episode,
+    EpisodeModel,
     Heartbeat,
-    Model,
     Predict,
     Read,
     ReadEpisodes,
     Request,
     Resume,
     Rules,
-    Seen,
+    RunModel,
     Step,
     Stop,
 )
@@ -30,12 +30,14 @@ from conformance.specification.document import load_spec
 from conformance.specification.ledger import load_ledger
 
 RULES = Rules.of(load_spec().lifecycle, max_workers=1, max_steps=3, max_attempts=2)
-START: Models = frozenset({Model("ready", (Episode(), Episode()))})
+START: PossibleRuns = frozenset({RunModel("ready", (EpisodeModel(), EpisodeModel()))})
 STEP, END = Step(0.25), Step(0.5, success=1, end=1)
 
 
-def refused(code: str, **members: Any) -> Seen:
-    return Seen(429 if code == "worker_limit" else 409, code, {"code": code, **members})
+def refused(code: str, **members: Any) -> AnswerSummary:
+    return AnswerSummary(
+        429 if code == "worker_limit" else 409, code, {"code": code, **members}
+    )
 
 
 def shown(
@@ -53,12 +55,16 @@ def shown(
     }
 
 
-def turn_0(session: str, index: int | None, step: int = 0, attempt: int = 1) -> Seen:
+def turn_0(
+    session: str, index: int | None, step: int = 0, attempt: int = 1
+) -> AnswerSummary:
     turn = shown(index, step, attempt, session_id=session, seq=0)
-    return Seen(200, None, {**turn, "executed_steps": 0, "rewards": []})
+    return AnswerSummary(200, None, {**turn, "executed_steps": 0, "rewards": []})
 
 
-def turn(session: str, seq: int, steps: list[Step], view: dict[str, Any]) -> Seen:
+def turn(
+    session: str, seq: int, steps: list[Step], view: dict[str, Any]
+) -> AnswerSummary:
     body = {
         "session_id": session,
         "seq": seq,
@@ -69,7 +75,7 @@ def turn(session: str, seq: int, steps: list[Step], view: dict[str, Any]) -> See
         "truncated": False,
         **view,
     }
-    return Seen(200, None, body)
+    return AnswerSummary(200, None, body)
 
 
 def result(index: int, steps: int, attempt: int = 1) -> dict[str, Any]:
@@ -77,20 +83,24 @@ def result(index: int, steps: int, attempt: int = 1) -> dict[str, Any]:
     return {"index": index, "steps": steps, "attempt": attempt, **outcome}
 
 
-def run(state: str, live: int, scored: int, playing: int, pending: int) -> Seen:
+def run(
+    state: str, live: int, scored: int, playing: int, pending: int
+) -> AnswerSummary:
     progress = {
         "episodes_scored": scored,
         "episodes_in_progress": playing,
         "episodes_pending": pending,
     }
     body = {"state": state, "live_workers": live, "progress": progress}
-    return Seen(200, None, body)
+    return AnswerSummary(200, None, body)
 
 
-def after(*told: tuple[Request, Seen], models: Models = START) -> Models:
-    for request, seen in told:
-        for part in parts(request, seen):
-            models = advance(RULES, models, part, seen)
+def after(
+    *told: tuple[Request, AnswerSummary], models: PossibleRuns = START
+) -> PossibleRuns:
+    for request, summary in told:
+        for part in split_command(request, summary):
+            models = advance(RULES, models, part, summary)
     return models
 
 
@@ -107,9 +117,9 @@ ALL = (
 )
 ABORT = (Stop("abort"), run("stopped", 0, 0, 0, 2))
 DRAIN = (Stop("drain"), run("stopping", 1, 0, 1, 1))
-OK, GONE = Seen(200, None, {}), Seen(204, None, None)
+OK, GONE = AnswerSummary(200, None, {}), AnswerSummary(204, None, None)
 
-ALLOWED: dict[str, list[tuple[Request, Seen]]] = {
+ALLOWED: dict[str, list[tuple[Request, AnswerSummary]]] = {
     "a repeated attach": [OPEN, (Attach("a", "k1"), OPEN[1])],
     "a repeated turn": [OPEN, PLAY, PLAY],
     "another body": [
@@ -164,7 +174,7 @@ ALLOWED: dict[str, list[tuple[Request, Seen]]] = {
         (Stop("abort"), run("stopped", 0, 1, 0, 1)),
         (
             ReadEpisodes(),
-            Seen(
+            AnswerSummary(
                 200,
                 None,
                 [
@@ -187,14 +197,14 @@ def test_model_allows(name: str) -> None:
     assert after(*ALLOWED[name])
 
 
-FORBIDDEN: dict[str, tuple[list[tuple[Request, Seen]], str]] = {
+FORBIDDEN: dict[str, tuple[list[tuple[Request, AnswerSummary]], str]] = {
     "an old session_id": ([OPEN, PLAY, (TAKE[0], turn_0("s1", 0, step=1))], "ATT-004"),
     "another turn": ([OPEN, PLAY, (PLAY[0], turn("s1", 1, [END], {}))], "PRED-002"),
     "a lost step": ([OPEN, PLAY, (TAKE[0], turn_0("s2", 0))], "ATT-004"),
     "the wrong episode": ([(OPEN[0], turn_0("s1", 1))], "EPI-001"),
     "a second worker": ([OPEN, (Attach("b", "k2"), turn_0("s2", 1))], "ATT-006"),
     "a living session": ([OPEN, ABORT, (Heartbeat("a", "s1"), OK)], "STOP-002"),
-    "a missing count": ([OPEN, (PLAY[0], Seen(200, None, []))], "PRED-001"),
+    "a missing count": ([OPEN, (PLAY[0], AnswerSummary(200, None, []))], "PRED-001"),
     "an attach when stopped": ([ABORT, OPEN], "LIFE-501"),
     "a run in play": ([OPEN, (Stop("abort"), run("stopped", 1, 0, 1, 1))], "RUN-014"),
 }
@@ -207,54 +217,56 @@ def test_model_forbids(name: str) -> None:
         after(*told)
 
 
-def at(told: tuple[Request, Seen], started_at: float, ended_at: float) -> Exchanged:
-    return Exchanged(*told, started_at, ended_at)
+def at(
+    told: tuple[Request, AnswerSummary], started_at: float, ended_at: float
+) -> TimedExchange:
+    return TimedExchange(*told, started_at, ended_at)
 
 
 def test_requests_at_the_same_time_may_have_any_order() -> None:
     busy = (Attach("a", "k2"), refused("worker_busy"))
-    assert explained(RULES, START, [at(busy, 0, 2), at(OPEN, 0, 2)])
-    assert not explained(RULES, START, [at(busy, 0, 1), at(OPEN, 2, 3)])
+    assert explain(RULES, START, [at(busy, 0, 2), at(OPEN, 0, 2)])
+    assert not explain(RULES, START, [at(busy, 0, 1), at(OPEN, 2, 3)])
     both = [at(OPEN, 0, 2), at((Attach("a", "k2"), turn_0("s2", 0)), 0, 2)]
-    assert not explained(RULES, START, both)
+    assert not explain(RULES, START, both)
 
 
 def test_run_in_an_answer_may_be_seen_later() -> None:
     resumed = (Resume(), run("ready", 0, 0, 0, 2))
     late = (ABORT[0], run("ready", 0, 0, 0, 2))
-    assert explained(RULES, START, [at(late, 0, 9), at(resumed, 1, 8)])
-    assert not explained(RULES, START, [at(late, 0, 1), at(resumed, 2, 3)])
+    assert explain(RULES, START, [at(late, 0, 9), at(resumed, 1, 8)])
+    assert not explain(RULES, START, [at(late, 0, 1), at(resumed, 2, 3)])
 
 
 def test_session_that_ends_in_its_turn_leaves_what_it_has_done() -> None:
     opened, ended = after(OPEN), refused("session_ended")
     cut = at((PLAY[0], ended), 0, 2)
-    found = explained(RULES, opened, [cut, at(ABORT, 0, 2)])
+    found = explain(RULES, opened, [cut, at(ABORT, 0, 2)])
     assert found
     # Nobody ended it: it is not the session that ended.
-    assert not explained(RULES, opened, [cut])
+    assert not explain(RULES, opened, [cut])
     again = (Resume(), run("ready", 0, 0, 0, 2))
     for attempt in (1, 2):
         anew = (Attach("a", "k2"), turn_0("s2", 0, attempt=attempt))
         told = [cut, at(ABORT, 0, 2), at(again, 3, 4), at(anew, 5, 6)]
-        assert explained(RULES, opened, told)
+        assert explain(RULES, opened, told)
 
 
 def test_turn_takes_its_seq_before_it_has_its_effect() -> None:
     opened = after(OPEN)
     long = at(PLAY, 0, 9)
     other = at((replace(PLAY[0], steps=(END,)), refused("seq_conflict")), 0, 1)
-    seen = at((Read(), run("running", 1, 0, 1, 1)), 2, 3)
+    summary = at((Read(), run("running", 1, 0, 1, 1)), 2, 3)
     cut = at((PLAY[0], refused("session_ended")), 0, 9)
-    assert explained(RULES, opened, [other, seen, long])
-    assert explained(RULES, opened, [other, cut, at((Detach("a", "s1"), GONE), 4, 5)])
-    assert not explained(RULES, opened, [other, at(PLAY, 2, 3)])
+    assert explain(RULES, opened, [other, summary, long])
+    assert explain(RULES, opened, [other, cut, at((Detach("a", "s1"), GONE), 4, 5)])
+    assert not explain(RULES, opened, [other, at(PLAY, 2, 3)])
 
 
 def test_session_that_ends_while_it_opens_is_refused() -> None:
     cut = at((OPEN[0], refused("session_ended")), 0, 2)
-    assert explained(RULES, START, [cut, at(ABORT, 0, 2)])
-    assert not explained(RULES, START, [cut])
+    assert explain(RULES, START, [cut, at(ABORT, 0, 2)])
+    assert not explain(RULES, START, [cut])
 
 
 def test_model_cites_rules_that_exist() -> None:

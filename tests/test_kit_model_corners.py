@@ -6,19 +6,19 @@ from typing import Any, cast
 import pytest
 
 from conformance.oracle import allowed_answers, run_model
-from conformance.oracle.allowed_answers import Deviation, Models, advance
-from conformance.oracle.linearizability import Exchanged, explained
+from conformance.oracle.allowed_answers import Deviation, PossibleRuns, advance
+from conformance.oracle.linearizability import TimedExchange, explain
 from conformance.oracle.run_model import (
+    AnswerSummary,
     Attach,
     Detach,
-    Episode,
+    EpisodeModel,
     Heartbeat,
-    Model,
     Predict,
     Read,
     Request,
     Rules,
-    Seen,
+    RunModel,
     Step,
     Stop,
 )
@@ -26,19 +26,19 @@ from conformance.specification.document import load_spec
 
 RULES = Rules.of(load_spec().lifecycle, max_workers=2, max_steps=3, max_attempts=2)
 STEP, END = Step(0.25), Step(0.5, end=1)
-OK, GONE = Seen(200, None, {}), Seen(204, None, None)
+OK, GONE = AnswerSummary(200, None, {}), AnswerSummary(204, None, None)
 
 
-def one(attempt: int = 1) -> Models:
+def one(attempt: int = 1) -> PossibleRuns:
     """A run of one episode."""
-    return frozenset({Model("ready", (Episode(attempt),))})
+    return frozenset({RunModel("ready", (EpisodeModel(attempt),))})
 
 
-def refused(code: str, **members: Any) -> Seen:
-    return Seen(409, code, {"code": code, **members})
+def refused(code: str, **members: Any) -> AnswerSummary:
+    return AnswerSummary(409, code, {"code": code, **members})
 
 
-def turn(session: str, seq: int, steps: list[Step], attempt: int = 1) -> Seen:
+def turn(session: str, seq: int, steps: list[Step], attempt: int = 1) -> AnswerSummary:
     """An answer whose episode goes on, or the one that is done after an end."""
     body: dict[str, Any] = {
         "session_id": session,
@@ -53,37 +53,43 @@ def turn(session: str, seq: int, steps: list[Step], attempt: int = 1) -> Seen:
     if steps and steps[-1].end:
         result = {"index": 0, "outcome": "failure", "score": 0.5}
         result |= {"steps": len(steps), "attempt": attempt}
-        return Seen(200, None, body | {"done": True, "episode_result": result})
+        return AnswerSummary(200, None, body | {"done": True, "episode_result": result})
     episode = {"index": 0, "attempt": attempt, "step": len(steps)}
     observation = {"state": {"count": [len(steps)]}}
-    return Seen(200, None, body | {"episode": episode, "observation": observation})
+    return AnswerSummary(
+        200, None, body | {"episode": episode, "observation": observation}
+    )
 
 
-def shown(state: str, live: int, scored: int, playing: int, pending: int) -> Seen:
+def shown(
+    state: str, live: int, scored: int, playing: int, pending: int
+) -> AnswerSummary:
     progress = {
         "episodes_scored": scored,
         "episodes_in_progress": playing,
         "episodes_pending": pending,
     }
     body = {"state": state, "live_workers": live, "progress": progress}
-    return Seen(200, None, body)
+    return AnswerSummary(200, None, body)
 
 
-def told(models: Models, *exchanges: tuple[Request, Seen]) -> Models:
-    for request, seen in exchanges:
-        models = advance(RULES, models, request, seen)
+def told(
+    models: PossibleRuns, *exchanges: tuple[Request, AnswerSummary]
+) -> PossibleRuns:
+    for request, summary in exchanges:
+        models = advance(RULES, models, request, summary)
     return models
 
 
-def opened(attempt: int = 1) -> tuple[Request, Seen]:
+def opened(attempt: int = 1) -> tuple[Request, AnswerSummary]:
     return Attach("a", "k1"), turn("s1", 0, [], attempt)
 
 
-def two_sessions() -> Models:
+def two_sessions() -> PossibleRuns:
     """s1 of worker a plays the first episode, s2 of worker b the second."""
     second = turn("s2", 0, [])
     second.body["episode"]["index"] = 1
-    two = frozenset({Model("ready", (Episode(), Episode()))})
+    two = frozenset({RunModel("ready", (EpisodeModel(), EpisodeModel()))})
     return told(two, opened(), (Attach("b", "k2"), second))
 
 
@@ -95,7 +101,7 @@ LAST = (Predict("a", "s1", 1, (END,)), turn("s1", 1, [END]))
 
 
 def test_what_is_no_turn_equals_no_turn() -> None:
-    assert run_model.frozen(None) == run_model.frozen([]) == ""
+    assert run_model.turn_text(None) == run_model.turn_text([]) == ""
 
 
 def test_what_must_be_absent_is_named() -> None:
@@ -107,7 +113,9 @@ def test_what_must_be_absent_is_named() -> None:
 
 def test_what_is_no_request_demands_nothing() -> None:
     (model,) = one()
-    assert list(allowed_answers.demands(RULES, model, cast(Any, "get_run"))) == []
+    assert (
+        list(allowed_answers.allowed_answers(RULES, model, cast(Any, "get_run"))) == []
+    )
 
 
 def test_detach_of_what_has_ended_is_done_already() -> None:
@@ -145,20 +153,22 @@ def test_abort_ends_a_session_that_is_done() -> None:
 # --- orders ---
 
 
-def at(request: Request, seen: Seen, started_at: float, ended_at: float) -> Exchanged:
-    return Exchanged(request, seen, started_at, ended_at)
+def at(
+    request: Request, summary: AnswerSummary, started_at: float, ended_at: float
+) -> TimedExchange:
+    return TimedExchange(request, summary, started_at, ended_at)
 
 
 def test_an_order_that_led_nowhere_is_not_tried_again() -> None:
     models = told(one(), opened())
     beats = [at(Heartbeat("a", "s1"), OK, 0, 9) for _ in range(6)]
-    assert explained(RULES, models, beats)
+    assert explain(RULES, models, beats)
     wrong = at(Read(), shown("ready", 0, 0, 0, 1), 0, 9)
-    assert not explained(RULES, models, [*beats, wrong])
+    assert not explain(RULES, models, [*beats, wrong])
 
 
 @pytest.mark.parametrize(
-    ("beside", "seen"),
+    ("beside", "summary"),
     [
         # It was refused itself: it never took its seq.
         (PLAY, refused("worker_busy")),
@@ -170,10 +180,12 @@ def test_an_order_that_led_nowhere_is_not_tried_again() -> None:
     ],
     ids=["a refused turn", "a later turn", "another's turn", "no turn"],
 )
-def test_only_a_turn_that_has_begun_takes_its_seq(beside: Request, seen: Seen) -> None:
+def test_only_a_turn_that_has_begun_takes_its_seq(
+    beside: Request, summary: AnswerSummary
+) -> None:
     models = two_sessions()
     other = at(replace(PLAY, steps=(END,)), refused("seq_conflict"), 0, 9)
-    assert not explained(RULES, models, [other, at(beside, seen, 0, 9)])
+    assert not explain(RULES, models, [other, at(beside, summary, 0, 9)])
 
 
 def test_a_turn_that_has_begun_explains_only_what_follows_from_it() -> None:
@@ -182,5 +194,5 @@ def test_a_turn_that_has_begun_explains_only_what_follows_from_it() -> None:
     for due, is_so in ((2, True), (3, False)):
         ahead = refused("seq_out_of_order", expected_seq=due)
         other = at(replace(PLAY, seq=3), ahead, 0, 1)
-        found = explained(RULES, models, [other, replace(begun, started_at=0.5)])
+        found = explain(RULES, models, [other, replace(begun, started_at=0.5)])
         assert bool(found) == is_so

@@ -13,7 +13,7 @@ import jsonschema
 import pytest
 
 from conformance.policy import push_run, turns
-from conformance.policy.scripted import Call, ScriptedPolicy, busy
+from conformance.policy.scripted import PolicyCall, ScriptedPolicy, busy_reply
 from conformance.specification.document import load_policy_spec, load_spec
 from conformance.verdicts.expect import SetUpFailed, Violation
 from tests.conftest import TOKENS, House
@@ -59,25 +59,25 @@ class FakeRun:
 
 
 def test_a_run_that_never_ends_is_a_violation(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(push_run, "LONGEST_S", 0.05)
+    monkeypatch.setattr(push_run, "END_TIMEOUT_S", 0.05)
     run: Any = FakeRun("running")
     with pytest.raises(Violation, match="`running` after"):
-        push_run.ended(run, "completed")
+        push_run.expect_end(run, "completed")
     run = FakeRun("failed")
     with pytest.raises(Violation, match="because"):
-        push_run.ended(run, "completed")
-    assert push_run.ended(run, "failed")["state"] == "failed"
+        push_run.expect_end(run, "completed")
+    assert push_run.expect_end(run, "failed")["state"] == "failed"
 
 
 def test_a_fault_that_is_not_told_is_a_violation() -> None:
     silent: Any = FakeRun("running")
     with pytest.raises(Violation, match="policy_fault"):
-        push_run.faulted(silent, 0.05)
+        push_run.expect_policy_fault(silent, 0.05)
     empty: Any = FakeRun("running", policy_fault="")
     with pytest.raises(Violation, match="a text"):
-        push_run.faulted(empty)
+        push_run.expect_policy_fault(empty)
     told: Any = FakeRun("running", policy_fault="It said nonsense.")
-    assert push_run.faulted(told)["policy_fault"] == "It said nonsense."
+    assert push_run.expect_policy_fault(told)["policy_fault"] == "It said nonsense."
 
 
 @pytest.mark.parametrize(
@@ -110,7 +110,7 @@ def test_what_the_kits_policy_says_is_as_the_document_has_it() -> None:
             if body is not None:
                 content = described["requestBody"]["content"]["application/json"]
                 jsonschema.validate(body, content["schema"])
-            reply = policy.answer(Call(operation, {}, body, b"", 0.0))
+            reply = policy.answer(PolicyCall(operation, {}, body, b"", 0.0))
             content = described["responses"]["200"]["content"]["application/json"]
-            jsonschema.validate(json.loads(reply.written()), content["schema"])
-    jsonschema.validate(busy().body, load_spec().schema("Problem"))
+            jsonschema.validate(json.loads(reply.encoded()), content["schema"])
+    jsonschema.validate(busy_reply().body, load_spec().schema("Problem"))

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from conformance.runner.server_process import ServerProcess, Tokens
+from conformance.runner.server_process import AccountTokens, ServerProcess
 
 ROOT = Path(__file__).parents[1]
 TOOLS = ("bash", "base64", "curl", "python3", "sleep", "tee")
@@ -35,7 +35,7 @@ def few_tools(tmp_path: Path) -> Path:
 @contextmanager
 def a_fresh(mutant: str, directory: Path) -> Iterator[dict[str, str]]:
     """A mutant that nobody has talked to, as the variables of the script."""
-    tokens = Tokens.fresh()
+    tokens = AccountTokens.generate()
     command = f"{sys.executable} -m tests.mutants.serve {mutant}"
     server = ServerProcess(command, tokens, directory, directory / "server.log")
     try:

@@ -18,7 +18,7 @@ from conformance.reports.html import page
 from conformance.specification import ledger
 from conformance.specification.document import load_spec
 from conformance.verdicts.result import Result, as_plain, conclude
-from conformance.verdicts.universal_rules import Judged, Tally
+from conformance.verdicts.universal_rules import ParsedAnswer, Tally
 from conformance.verdicts.verdict import Outcome, Verdict
 
 SCHEMA = json.loads(
@@ -222,7 +222,7 @@ def test_bodies_survive_json() -> None:
 def test_answer_that_breaks_a_rule_for_all_fails_its_row() -> None:
     tally = Tally(load_spec())
     sent = exchange(1, "GET", "/v1", status=500)
-    tally.observe(None, Judged(500, {}, "", b"", None, False), sent)
+    tally.observe(None, ParsedAnswer(500, {}, "", b"", None, False), sent)
     judged = Result(Settings(url="http://host", only=["ERR-012"], profiles=PROFILES))
     conclude(judged, {"ERR-012": Verdict("ERR-012", Outcome.PASSED)}, tally, set())
     assert judged.rows["ERR-012"].outcome == Outcome.FAILED

@@ -6,7 +6,12 @@ from typing import Any
 
 import pytest
 
-from conformance.policy.scripted import Call, Reply, ScriptedPolicy, busy
+from conformance.policy.scripted import (
+    PolicyCall,
+    PolicyReply,
+    ScriptedPolicy,
+    busy_reply,
+)
 from reference_client import ProctorError, evaluate
 from reference_client.policies.policy_server import PolicyServerClient
 from tests.conftest import TOKENS, House
@@ -60,11 +65,11 @@ def _timeless(body: dict[str, Any]) -> dict[str, Any]:
 def test_a_call_that_was_not_answered_is_made_again(house: House) -> None:
     turned_away = threading.Event()
 
-    def once(call: Call) -> Reply:
+    def once(call: PolicyCall) -> PolicyReply:
         if turned_away.is_set():
-            return policy.played(call)
+            return policy.final_action_reply(call)
         turned_away.set()
-        return busy()
+        return busy_reply()
 
     with ScriptedPolicy() as policy:
         policy.on("predict", once)
@@ -74,18 +79,18 @@ def test_a_call_that_was_not_answered_is_made_again(house: House) -> None:
 @pytest.mark.parametrize(
     ("operation", "reply", "said"),
     [
-        ("describe_policy", Reply({}), "does not describe itself"),
-        ("describe_policy", Reply(b"no"), "no JSON"),
-        ("describe_policy", Reply([]), "no object"),
-        ("describe_policy", Reply(b"", 404), "status 404"),
-        ("reset", Reply({"session_id": "x"}), "another reset"),
-        ("predict", Reply({"session_id": "x", "seq": 1}), "another turn"),
-        ("predict", Reply(b"", 302, {"Location": "/"}), "status 302"),
-        ("predict", Reply({"detail": "Too\nhot."}, 400), "Too\nhot."),
+        ("describe_policy", PolicyReply({}), "does not describe itself"),
+        ("describe_policy", PolicyReply(b"no"), "no JSON"),
+        ("describe_policy", PolicyReply([]), "no object"),
+        ("describe_policy", PolicyReply(b"", 404), "status 404"),
+        ("reset", PolicyReply({"session_id": "x"}), "another reset"),
+        ("predict", PolicyReply({"session_id": "x", "seq": 1}), "another turn"),
+        ("predict", PolicyReply(b"", 302, {"Location": "/"}), "status 302"),
+        ("predict", PolicyReply({"detail": "Too\nhot."}, 400), "Too\nhot."),
     ],
 )
 def test_what_a_policy_server_does_wrong_is_told(
-    house: House, operation: str, reply: Reply, said: str
+    house: House, operation: str, reply: PolicyReply, said: str
 ) -> None:
     with ScriptedPolicy() as policy:
         policy.on(operation, lambda _: reply)
@@ -97,9 +102,9 @@ def test_what_a_policy_server_does_wrong_is_told(
 def test_actions_that_are_none_are_told(house: House) -> None:
     with ScriptedPolicy() as policy:
 
-        def nothing(call: Call) -> Reply:
-            body = dict(policy.answered(call).body)
-            return Reply(body | {"actions": [7]})
+        def nothing(call: PolicyCall) -> PolicyReply:
+            body = dict(policy.actions_reply(call).body)
+            return PolicyReply(body | {"actions": [7]})
 
         policy.on("predict", nothing)
         with pytest.raises(ProctorError, match="answered without actions"):

@@ -13,8 +13,8 @@ from typing import Any
 import httpx
 import pytest
 
-from conformance.client.check_context import Story
-from conformance.policy.scripted import Call, Reply, ScriptedPolicy
+from conformance.client.check_context import CheckContext
+from conformance.policy.scripted import PolicyCall, PolicyReply, ScriptedPolicy
 from reference_server.generated import models
 from reference_server.http.codec import validate
 from tests.conftest import PATIENCE_S, House
@@ -81,13 +81,13 @@ def test_a_worker_plays_many_steps_and_chunks(
     """Turns are the same as a worker's: seq grows, what is left of a chunk is not
     executed, and each episode begins with a reset."""
 
-    def three_then_end(call: Call) -> Reply:
+    def three_then_end(call: PolicyCall) -> PolicyReply:
         step = call.body["episode"]["step"]
         assert call.body["observation"]["state"]["count"] == [step]
-        actions = [Story.action(score=1) for _ in range(3)]
+        actions = [CheckContext.action(score=1) for _ in range(3)]
         if step == 3:
-            actions[1] = Story.action(score=1, end=1)
-        return policy.answered(call, *actions)
+            actions[1] = CheckContext.action(score=1, end=1)
+        return policy.actions_reply(call, *actions)
 
     policy.on("predict", three_then_end)
     run = played(pushing, policy.url, "score", "count", max_concurrent=1)
@@ -100,7 +100,7 @@ def test_a_worker_plays_many_steps_and_chunks(
         *[("reset", "e0000"), ("predict", "e0000"), ("predict", "e0000")],
         *[("reset", "e0001"), ("predict", "e0001"), ("predict", "e0001")],
     ]
-    assert [call.body["seq"] for call in policy.called("predict")] == [0, 1, 2, 3]
+    assert [call.body["seq"] for call in policy.calls_of("predict")] == [0, 1, 2, 3]
 
 
 def test_a_simulator_that_breaks_begins_the_attempt_anew(
@@ -109,16 +109,16 @@ def test_a_simulator_that_breaks_begins_the_attempt_anew(
     """FAULT-001 in this direction: another reset, the same attempt."""
     broke = threading.Event()
 
-    def break_once(call: Call) -> Reply:
+    def break_once(call: PolicyCall) -> PolicyReply:
         if broke.is_set():
-            return policy.played(call)
+            return policy.final_action_reply(call)
         broke.set()
-        return policy.answered(call, Story.action(fault=1))
+        return policy.actions_reply(call, CheckContext.action(fault=1))
 
     policy.on("predict", break_once)
     run = played(pushing, policy.url, "fault")
     assert run["state"] == "completed"
-    resets = [call.body["episode"]["attempt"] for call in policy.called("reset")]
+    resets = [call.body["episode"]["attempt"] for call in policy.calls_of("reset")]
     assert resets == [1, 1]
     assert run["episodes"][0]["faults"] == 1
 
@@ -183,9 +183,9 @@ def held(policy: ScriptedPolicy) -> threading.Event:
     """Let predict wait for the event that is returned."""
     going = threading.Event()
 
-    def wait(call: Call) -> Reply:
+    def wait(call: PolicyCall) -> PolicyReply:
         going.wait(PATIENCE_S)
-        return policy.played(call)
+        return policy.final_action_reply(call)
 
     policy.on("predict", wait)
     return going
@@ -207,9 +207,9 @@ def test_nobody_attaches_to_a_run_of_the_server(
         )
         assert answer.json()["state"] == "running"
     # What the policy server was told of the session opens nothing either.
-    turn = policy.called("predict")[0].body
+    turn = policy.calls_of("predict")[0].body
     session = {"session_id": turn["session_id"]}
-    play = {"seq": turn["seq"] + 1, "actions": [Story.action(end=1)]}
+    play = {"seq": turn["seq"] + 1, "actions": [CheckContext.action(end=1)]}
     for answer in (
         client.post(f"{path}/predict", json=session | play),
         client.post(f"{path}/heartbeat", json=session),
@@ -218,7 +218,7 @@ def test_nobody_attaches_to_a_run_of_the_server(
         assert answer.json()["code"] == "illegal_transition"
     going.set()
     assert until(client, run_id)["state"] == "completed"
-    assert len(policy.called("reset")) == 1
+    assert len(policy.calls_of("reset")) == 1
     (episode,) = episodes(client, run_id)
     assert episode["result"]["score"] == 0.25
 
@@ -258,11 +258,11 @@ def test_a_drain_plays_the_episode_to_its_end(
 def test_a_policy_that_goes_down_fails_the_run_and_a_resume_goes_on(
     client: httpx.Client, policy: ScriptedPolicy
 ) -> None:
-    def down_at_the_third(call: Call) -> Reply:
+    def down_at_the_third(call: PolicyCall) -> PolicyReply:
         if call.body["episode"]["index"] < 2:
-            return policy.played(call)
-        policy.on("describe_policy", lambda _: Reply(b"", 500))
-        return Reply(b"", 500)
+            return policy.final_action_reply(call)
+        policy.on("describe_policy", lambda _: PolicyReply(b"", 500))
+        return PolicyReply(b"", 500)
 
     policy.on("predict", down_at_the_third)
     run_id = submitted(client, policy.url, *["score"] * 4, max_concurrent=1)
@@ -274,7 +274,7 @@ def test_a_policy_that_goes_down_fails_the_run_and_a_resume_goes_on(
     before = episodes(client, run_id)
     assert [e["status"] for e in before] == ["scored"] * 2 + ["pending"] * 2
     assert "(predict)" in before[2]["policy_fault"]
-    policy.on("predict", policy.played)
+    policy.on("predict", policy.final_action_reply)
     policy.on("describe_policy", policy.description)
     assert client.post(f"/v1/runs/{run_id}/resume").status_code == 200
     assert until(client, run_id)["state"] == "completed"

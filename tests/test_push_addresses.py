@@ -13,7 +13,7 @@ from typing import Any
 import httpx
 import pytest
 
-from conformance.policy.scripted import Call, Reply, ScriptedPolicy
+from conformance.policy.scripted import PolicyCall, PolicyReply, ScriptedPolicy
 from reference_server.push import egress
 from reference_server.push.egress import (
     AddressNotAllowed,
@@ -295,8 +295,8 @@ def test_a_redirect_leads_nowhere(tmp_path: Any, policy: ScriptedPolicy) -> None
     house = House(tmp_path, **LOOPBACK)
     with ScriptedPolicy() as target:
 
-        def elsewhere(_call: Call) -> Reply:
-            return Reply(b"", 307, {"Location": f"{target.url}/v1/policy"})
+        def elsewhere(_call: PolicyCall) -> PolicyReply:
+            return PolicyReply(b"", 307, {"Location": f"{target.url}/v1/policy"})
 
         policy.on("describe_policy", elsewhere)
         ended = played(house, policy.url, api_key="sesame")

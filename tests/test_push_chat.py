@@ -145,7 +145,7 @@ def test_a_model_is_asked_once_for_each_episode(
 def test_words_are_no_fault(
     client: httpx.Client, chat: ScriptedChat, said: Any, score: float
 ) -> None:
-    chat.says = said
+    chat.reply = said
     run_id = ask(client, chat, "score")
     assert until(client, run_id)["state"] == "completed"
     (episode,) = episodes(client, run_id)
@@ -194,7 +194,7 @@ def test_questions_come_with_their_pictures(
     client: httpx.Client, chat: ScriptedChat
 ) -> None:
     """Every answer is A. Expect what the scenes say of that, item by item."""
-    chat.says = "A"
+    chat.reply = "A"
     body = submission(chat.url, protocol="openai_chat", max_concurrent=2) | {
         "benchmark_id": "question_answering",
         "images": {"codec": "png", "width": 320, "height": 240},
@@ -202,7 +202,7 @@ def test_questions_come_with_their_pictures(
     del body["options"]
     run_id = client.post("/v1/runs", json=body).json()["run_id"]
     enough = threading.Event()
-    chat.after(18, enough)
+    chat.set_after(18, enough)
     assert enough.wait(60), client.get(f"/v1/runs/{run_id}").text
     assert client.post(f"/v1/runs/{run_id}/stop", json={}).status_code == 200
     scored = [e["result"] for e in episodes(client, run_id) if "result" in e]
@@ -216,7 +216,7 @@ def test_questions_come_with_their_pictures(
         texts.add(question.text)
     assert len({result["score"] for result in scored}) == 2
     for request in chat.requests:
-        (url,) = request.pictures
+        (url,) = request.image_urls
         head, _, data = url.partition(",")
         assert head == "data:image/png;base64"
         with Image.open(io.BytesIO(base64.b64decode(data))) as picture:

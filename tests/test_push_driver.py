@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from conformance.policy.scripted import Call, Reply, ScriptedPolicy
+from conformance.policy.scripted import PolicyCall, PolicyReply, ScriptedPolicy
 from reference_server.generated import models
 from reference_server.http.problems import PROBLEM_JSON, Refused
 from reference_server.push import driver
@@ -245,7 +245,7 @@ def test_no_part_of_a_key_is_told_where_a_text_is_cut(
     policy: ScriptedPolicy, before: int
 ) -> None:
     problem = {"detail": "x" * before + LONG_KEY}
-    reply = Reply(problem, 401, {"Content-Type": PROBLEM_JSON})
+    reply = PolicyReply(problem, 401, {"Content-Type": PROBLEM_JSON})
     policy.on("describe_policy", lambda _: reply)
     text = told(policy, LONG_KEY)
     assert "status 401" in text
@@ -254,7 +254,7 @@ def test_no_part_of_a_key_is_told_where_a_text_is_cut(
 
 def test_a_key_in_a_media_type_is_not_told(policy: ScriptedPolicy) -> None:
     named = {"Content-Type": "text/" + "x" * 40 + LONG_KEY.upper()}
-    policy.on("describe_policy", lambda _: Reply(b"", 200, named))
+    policy.on("describe_policy", lambda _: PolicyReply(b"", 200, named))
     text = told(policy, LONG_KEY.upper())
     assert "answered with text/xx" in text
     assert LONG_KEY[:4] not in text.lower()
@@ -264,9 +264,9 @@ def test_a_key_in_a_media_type_is_not_told(policy: ScriptedPolicy) -> None:
 def test_a_key_as_a_name_is_not_told(policy: ScriptedPolicy, length: int) -> None:
     """A JSON pointer writes a slash otherwise, and long lists are cut."""
 
-    def wrong(call: Call) -> Reply:
-        right: dict[str, Any] = dict(policy.played(call).body)
-        return Reply(right | {"x" * length + SLASHED: 1})
+    def wrong(call: PolicyCall) -> PolicyReply:
+        right: dict[str, Any] = dict(policy.final_action_reply(call).body)
+        return PolicyReply(right | {"x" * length + SLASHED: 1})
 
     policy.on("predict", wrong)
     text = told(policy, SLASHED, "predict")

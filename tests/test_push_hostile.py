@@ -12,8 +12,13 @@ from typing import Any
 
 import pytest
 
-from conformance.client.check_context import Story
-from conformance.policy.scripted import Call, Reply, ScriptedPolicy, busy
+from conformance.client.check_context import CheckContext
+from conformance.policy.scripted import (
+    PolicyCall,
+    PolicyReply,
+    ScriptedPolicy,
+    busy_reply,
+)
 from tests import push_parts
 from tests.conftest import House
 from tests.push_parts import bare_server, calling, played
@@ -73,21 +78,21 @@ def test_a_name_without_address_fails_the_run(pushing: House) -> None:
     assert "nobody.invalid has no address" in run["reason"]
 
 
-Wrong = Callable[[Call], Reply]
+Wrong = Callable[[PolicyCall], PolicyReply]
 
 
 def body(text: bytes, media_type: str = "application/json") -> Wrong:
-    return lambda _: Reply(text, 200, {"Content-Type": media_type})
+    return lambda _: PolicyReply(text, 200, {"Content-Type": media_type})
 
 
 def status(number: int, **headers: str) -> Wrong:
     named = {name.replace("_", "-"): value for name, value in headers.items()}
-    return lambda _: Reply(b"{}", number, named)
+    return lambda _: PolicyReply(b"{}", number, named)
 
 
 def described(**lies: Any) -> Wrong:
     truth = {"name": "x", "protocol": {"min": "1.0", "max": "1.0"}, "max_sessions": 1}
-    return lambda _: Reply(truth | lies)
+    return lambda _: PolicyReply(truth | lies)
 
 
 DESCRIPTIONS: dict[str, tuple[Wrong, str]] = {
@@ -126,28 +131,28 @@ def test_a_bad_description_fails_the_run(
     run = played(pushing, policy.url)
     assert (run["state"], run["retryable"]) == ("failed", True)
     assert re.search(reason, run["reason"])
-    assert policy.called("predict") == []
+    assert policy.calls_of("predict") == []
 
 
 def acted(change: Callable[[dict[str, Any]], Any]) -> Wrong:
     """An answer to predict that was right before the change."""
 
-    def wrong(call: Call) -> Reply:
-        action = Story.action(score=1, end=1)
+    def wrong(call: PolicyCall) -> PolicyReply:
+        action = CheckContext.action(score=1, end=1)
         answer = {
             "session_id": call.body["session_id"],
             "seq": call.body["seq"] + 1,
             "actions": [action],
         }
         change(answer)
-        return Reply(answer)
+        return PolicyReply(answer)
 
     return wrong
 
 
-def written(find: bytes, replace: bytes) -> Wrong:
+def encoded(find: bytes, replace: bytes) -> Wrong:
     right = acted(lambda _answer: None)
-    return lambda call: Reply(right(call).written().replace(find, replace))
+    return lambda call: PolicyReply(right(call).encoded().replace(find, replace))
 
 
 def values(answer: dict[str, Any]) -> dict[str, Any]:
@@ -156,9 +161,9 @@ def values(answer: dict[str, Any]) -> dict[str, Any]:
 
 
 ANSWERS: dict[str, tuple[Wrong, str]] = {
-    "nan": (written(b'"score": [1]', b'"score": [NaN]'), "no JSON"),
-    "infinity": (written(b'"score": [1]', b'"score": [1e999]'), "no JSON"),
-    "surrogate": (written(b'"score"', b'"\\ud800"'), "no JSON"),
+    "nan": (encoded(b'"score": [1]', b'"score": [NaN]'), "no JSON"),
+    "infinity": (encoded(b'"score": [1]', b'"score": [1e999]'), "no JSON"),
+    "surrogate": (encoded(b'"score"', b'"\\ud800"'), "no JSON"),
     "text": (acted(lambda a: values(a).update(score="1")), "/actions/0/values/score"),
     "boolean": (acted(lambda a: values(a).update(score=[True])), "/values/score/0"),
     "length": (acted(lambda a: values(a).update(score=[1, 1])), "/values/score"),
@@ -171,7 +176,7 @@ ANSWERS: dict[str, tuple[Wrong, str]] = {
     "session": (acted(lambda a: a.update(session_id="x")), "another turn"),
     "seq": (acted(lambda a: a.update(seq=7)), "another turn"),
     "observe": (acted(lambda a: a.update(observe="some")), "/observe"),
-    "list": (lambda _: Reply([]), "refused"),
+    "list": (lambda _: PolicyReply([]), "refused"),
     "redirect": (status(307, Location="http://127.0.0.1:1/"), "redirects"),
     "refusal": (status(422), "status 422"),
     "error": (status(500), "status 500"),
@@ -191,7 +196,7 @@ def test_a_bad_answer_ends_the_attempt_unexecuted(
     (episode,) = run["episodes"]
     assert (episode["status"], episode["attempt"]) == ("pending", 1)
     assert episode["policy_fault"] == run["reason"]
-    assert len(policy.called("predict")) == 3
+    assert len(policy.calls_of("predict")) == 3
 
 
 RESETS: dict[str, tuple[Callable[[dict[str, Any]], Any], str]] = {
@@ -208,16 +213,16 @@ def test_an_episode_does_not_begin_without_its_reset(
 ) -> None:
     change, reason = RESETS[name]
 
-    def wrong(call: Call) -> Reply:
-        answer = dict(policy.acknowledged(call).body)
+    def wrong(call: PolicyCall) -> PolicyReply:
+        answer = dict(policy.reset_reply(call).body)
         change(answer)
-        return Reply(answer)
+        return PolicyReply(answer)
 
     policy.on("reset", wrong)
     run = played(pushing, policy.url)
     assert run["state"] == "failed"
     assert re.search(reason, run["reason"])
-    assert policy.called("predict") == []
+    assert policy.calls_of("predict") == []
 
 
 def test_an_executed_action_makes_the_attempt_count(
@@ -225,10 +230,10 @@ def test_an_executed_action_makes_the_attempt_count(
 ) -> None:
     """A policy that always dies in the middle is abandoned, and the run completes."""
 
-    def dies(call: Call) -> Reply:
+    def dies(call: PolicyCall) -> PolicyReply:
         if call.body["episode"]["step"] == 0:
-            return policy.answered(call, Story.action(score=1))
-        return Reply(b"", 400)
+            return policy.actions_reply(call, CheckContext.action(score=1))
+        return PolicyReply(b"", 400)
 
     policy.on("predict", dies)
     run = played(pushing, policy.url, options={"max_attempts": 2})
@@ -244,14 +249,14 @@ def test_a_call_is_repeated_with_the_same_body_until_it_is_answered(
 ) -> None:
     turns = itertools.count()
 
-    def busy_at_first(call: Call) -> Reply:
-        return busy() if next(turns) % 3 < 2 else policy.played(call)
+    def busy_at_first(call: PolicyCall) -> PolicyReply:
+        return busy_reply() if next(turns) % 3 < 2 else policy.final_action_reply(call)
 
     policy.on("predict", busy_at_first)
     run = played(pushing, policy.url, "score", "score", max_retries=2, max_concurrent=1)
     assert run["state"] == "completed"
     assert [e["result"]["steps"] for e in run["episodes"]] == [1, 1]
-    asked = [call.raw for call in policy.called("predict")]
+    asked = [call.raw for call in policy.calls_of("predict")]
     assert len(asked) == 6
     assert len(set(asked[:3])) == len(set(asked[3:])) == 1
 
@@ -262,9 +267,9 @@ def test_a_policy_that_is_sometimes_slow_is_waited_for(
     """For longer than the lease of a run's workers: the server's own have none."""
     thought = threading.Event()
 
-    def slow(call: Call) -> Reply:
+    def slow(call: PolicyCall) -> PolicyReply:
         thought.wait(1.4)
-        return policy.played(call)
+        return policy.final_action_reply(call)
 
     policy.on("predict", slow)
     run = played(pushing, policy.url, idle_timeout_s=1.0)
@@ -278,14 +283,14 @@ def test_no_more_calls_are_in_flight_than_allowed(
 ) -> None:
     met = threading.Barrier(3)
 
-    def together(call: Call) -> Reply:
+    def together(call: PolicyCall) -> PolicyReply:
         met.wait(10)
-        return policy.played(call)
+        return policy.final_action_reply(call)
 
     policy.on("predict", together)
     run = played(pushing, policy.url, *["score"] * 9, max_concurrent=3)
     assert run["state"] == "completed"
-    assert policy.in_flight_most == 3
+    assert policy.max_in_flight == 3
 
 
 def test_a_policy_with_little_room_is_not_overrun(
@@ -294,13 +299,13 @@ def test_a_policy_with_little_room_is_not_overrun(
     policy.max_sessions = 1
     run = played(pushing, policy.url, *["score"] * 4)
     assert run["state"] == "completed"
-    assert len({call.body["session_id"] for call in policy.called("reset")}) == 1
+    assert len({call.body["session_id"] for call in policy.calls_of("reset")}) == 1
 
 
 def test_what_a_policy_says_of_itself_is_told(
     pushing: House, policy: ScriptedPolicy
 ) -> None:
-    policy.on("describe_policy", lambda _: busy())
+    policy.on("describe_policy", lambda _: busy_reply())
     run = played(pushing, policy.url)
     assert "unavailable: The kit wants this call once more." in run["reason"]
 

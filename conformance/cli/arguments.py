@@ -99,13 +99,15 @@ def read_choice(options: argparse.Namespace) -> Settings:
 
 def _suggestion(wanted: str) -> str:
     areas = dict.fromkeys(row.area for row in load_ledger().values())
-    close = _alike(wanted, load_ledger()) or _alike(wanted.partition("-")[0], areas)
+    close = _close_matches(wanted, load_ledger()) or _close_matches(
+        wanted.partition("-")[0], areas
+    )
     if close:
         return f"; did you mean {' or '.join(close)}?"
     return f"; the areas are {', '.join(areas)}"
 
 
-def _alike(wanted: str, known: Iterable[str]) -> list[str]:
+def _close_matches(wanted: str, known: Iterable[str]) -> list[str]:
     return difflib.get_close_matches(wanted.upper(), list(known), n=3, cutoff=0.6)
 
 

@@ -50,7 +50,7 @@ class Terminal:
         )
         self._seen = 0
         self._failed = 0
-        self._last_word = time.monotonic()
+        self._last_line_at = time.monotonic()
 
     def say(self, text: str, style: str = "") -> None:
         """Write one line."""
@@ -65,8 +65,8 @@ class Terminal:
         if self._console.is_terminal:
             sys.stdout.write(f"\r\x1b[K{line}  {verdict.requirement_id}")
             sys.stdout.flush()
-        elif time.monotonic() - self._last_word > _EVERY_S:
-            self._last_word = time.monotonic()
+        elif time.monotonic() - self._last_line_at > _EVERY_S:
+            self._last_line_at = time.monotonic()
             self.say(line)
 
     def report(self, result: Result) -> None:
@@ -107,8 +107,8 @@ class Terminal:
             word = "known fail."
         line.append(f"{word:<13}", _STYLES[verdict.outcome])
         is_plain = verdict.outcome == Outcome.PASSED or not verdict.reason
-        told = row.text if is_plain else verdict.reason.split("\n")[0]
-        line.append(_cut(told, _WIDTH - len(line)))
+        summary = row.text if is_plain else verdict.reason.split("\n")[0]
+        line.append(_cut(summary, _WIDTH - len(line)))
         self._console.print(line, soft_wrap=True)
 
     def _card(self, verdict: Verdict, result: Result) -> None:

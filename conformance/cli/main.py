@@ -21,7 +21,7 @@ from conformance.cli.console import Terminal
 from conformance.cli.settings import Settings
 from conformance.reports.files import write_reports
 from conformance.runner.preflight import CannotJudge, inspect
-from conformance.runner.server_process import ServerProcess, StartFailed, Tokens
+from conformance.runner.server_process import AccountTokens, ServerProcess, StartFailed
 from conformance.specification.document import load_spec, spec_name
 from conformance.verdicts.result import Result, conclude, select
 from conformance.verdicts.universal_rules import Tally
@@ -35,7 +35,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     result = Result(Settings(report=_report_directory(given)))
     result.started_at = datetime.now(UTC).isoformat(timespec="seconds")
     began_at = time.monotonic()
-    signal.signal(signal.SIGTERM, _end)
+    signal.signal(signal.SIGTERM, _raise_interrupt)
     known: set[str] = set()
     try:
         options = parser.parse_args(given)
@@ -55,7 +55,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     result.elapsed_s = time.monotonic() - began_at
     if result.problem is not None and not result.rows:
         conclude(result, {}, Tally(load_spec()), set())
-    with _complaint_about(terminal, result):
+    with _report_write_errors(terminal, result):
         write_reports(result)
     terminal.report(result)
     return result.exit_code
@@ -84,10 +84,10 @@ def _judge(result: Result, known: set[str], processes: int, terminal: Terminal) 
     from conformance.runner.execution import execute
 
     # Crash checks by a hook restart the server under all other checks.
-    alone = settings.restart_cmd is not None
-    gathered = execute(settings, 1 if alone else processes, terminal.progress)
-    result.problem = gathered.problem
-    conclude(result, gathered.verdicts, gathered.tally, known)
+    is_exclusive = settings.restart_cmd is not None
+    collector = execute(settings, 1 if is_exclusive else processes, terminal.progress)
+    result.problem = collector.problem
+    conclude(result, collector.verdicts, collector.tally, known)
 
 
 @contextlib.contextmanager
@@ -96,7 +96,7 @@ def _server(settings: Settings) -> Iterator[None]:
     if settings.start_cmd is None:
         yield
         return
-    tokens = Tokens.fresh()
+    tokens = AccountTokens.generate()
     settings.token, settings.token_2 = tokens.alice, tokens.bob
     settings.token_read = tokens.reader
     log = Path(settings.report) / "server.log"
@@ -130,10 +130,10 @@ def _dry_run(settings: Settings) -> int:
         if row.id not in names:
             continue
         print(f"{row.id}  {row.level}  {row.profile}  {row.text}\n    {names[row.id]}")
-    unseen = sum(not row.is_observable for row in rows)
+    unobservable = sum(not row.is_observable for row in rows)
     print(
         f"{len(checks)} checks of {spec_name()} would run, nothing was sent; "
-        f"{unseen} of the {len(rows)} rules selected cannot be observed"
+        f"{unobservable} of the {len(rows)} rules selected cannot be observed"
     )
     return 0 if checks else 2
 
@@ -149,7 +149,7 @@ def _report_directory(given: Sequence[str]) -> str:
 
 
 @contextlib.contextmanager
-def _complaint_about(terminal: Terminal, result: Result) -> Iterator[None]:
+def _report_write_errors(terminal: Terminal, result: Result) -> Iterator[None]:
     try:
         yield
     except OSError as error:
@@ -157,6 +157,6 @@ def _complaint_about(terminal: Terminal, result: Result) -> Iterator[None]:
         result.problem = result.problem or f"no reports: {error}"
 
 
-def _end(_number: int, _frame: FrameType | None) -> None:
+def _raise_interrupt(_number: int, _frame: FrameType | None) -> None:
     """End as with Ctrl-C, so that a server that the kit started ends as well."""
     raise KeyboardInterrupt

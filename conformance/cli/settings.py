@@ -40,11 +40,11 @@ class Settings:
         """Whether no further check may start."""
         return self.deadline is not None and time.monotonic() >= self.deadline
 
-    def hand_over(self) -> None:
+    def store_in_environment(self) -> None:
         """Leave the settings to the processes started from here."""
         os.environ[VARIABLE] = json.dumps(asdict(self))
 
     @classmethod
-    def take_over(cls) -> "Settings":
+    def load_from_environment(cls) -> "Settings":
         """Read what the command line left."""
         return cls(**json.loads(os.environ[VARIABLE]))

@@ -24,9 +24,9 @@ from urllib.parse import quote
 import msgspec
 
 from conformance.cli.settings import Settings
-from conformance.client.exchange_log import Journal
-from conformance.client.http_client import Answer, ClientPool, NoAnswer, Wire
-from conformance.client.run_client import Patience, Run, Worker
+from conformance.client.exchange_log import ExchangeLog
+from conformance.client.http_client import Answer, ClientPool, HttpClient, NoAnswer
+from conformance.client.run_client import AdaptiveTimeouts, RunClient, WorkerClient
 from conformance.specification.document import (
     MSGPACK,
     Spec,
@@ -34,20 +34,20 @@ from conformance.specification.document import (
     load_spec,
 )
 from conformance.specification.ledger import NEVER_ANNOUNCED, POLICY
-from conformance.verdicts.expect import KitError, SetUpFailed, given, told
+from conformance.verdicts.expect import KitError, SetUpFailed, describe_answer, require
 from conformance.verdicts.universal_rules import Tally
 
 if TYPE_CHECKING:
     from conformance.runner.private_server import PrivateServer
 
-__all__ = ["Context", "Run", "Story", "Worker"]
+__all__ = ["SharedContext", "RunClient", "CheckContext", "WorkerClient"]
 
-_NO_ROOM = "no_capacity"
-_COME_BACK = (_NO_ROOM, "unavailable")
-_ROOM_S = 5.0
-_ROOM_POLL_S = 0.1
+_NO_CAPACITY = "no_capacity"
+_RETRIED_CODES = (_NO_CAPACITY, "unavailable")
+_CAPACITY_TIMEOUT_S = 5.0
+_CAPACITY_POLL_S = 0.1
 # Capacity may have to be made first: a simulator started, a robot freed.
-_READY_S = 30.0
+_READY_TIMEOUT_S = 30.0
 # Name → size, from calibration.md.
 ACTION_SIZES = {
     "score": 1,
@@ -61,16 +61,16 @@ ACTION_SIZES = {
 
 
 @dataclass(frozen=True)
-class Context:
+class SharedContext:
     """What all stories of one process share."""
 
     settings: Settings
     clients: ClientPool
     spec: Spec
-    patience: Patience = field(default_factory=Patience)
+    timeouts: AdaptiveTimeouts = field(default_factory=AdaptiveTimeouts)
 
     @classmethod
-    def of(cls, settings: Settings) -> "Context":
+    def of(cls, settings: Settings) -> "SharedContext":
         """Open the connections for one run of the kit."""
         is_policy = settings.profiles == [POLICY]
         spec = load_policy_spec() if is_policy else load_spec()
@@ -81,39 +81,41 @@ class Context:
         self.clients.close()
 
 
-class Story:
+class CheckContext:
     """One check's view of the server."""
 
     def __init__(
         self,
-        context: Context,
+        shared: SharedContext,
         name: str,
         base_url: str | None = None,
-        teller: "Story | None" = None,
+        parent: "CheckContext | None" = None,
     ) -> None:
-        self.context = context
+        self.shared = shared
         self.name = name
-        self.spec = context.spec
-        self.service: dict[str, Any] = context.settings.service
+        self.spec = shared.spec
+        self.service: dict[str, Any] = shared.settings.service
         self.limits: dict[str, Any] = self.service.get("limits", {})
-        self.benchmark: dict[str, Any] = context.settings.benchmark
-        self.tolerance_s = context.settings.tolerance_s
-        self.journal: Journal = teller.journal if teller else Journal(name)
-        self.tally: Tally = teller.tally if teller else Tally(context.spec)
+        self.benchmark: dict[str, Any] = shared.settings.benchmark
+        self.tolerance_s = shared.settings.tolerance_s
+        self.exchange_log: ExchangeLog = (
+            parent.exchange_log if parent else ExchangeLog(name)
+        )
+        self.tally: Tally = parent.tally if parent else Tally(shared.spec)
         # The same seed gives the same requests.
-        self.random = random.Random(f"{context.settings.seed}/{name}")
-        self._base_url = base_url or context.settings.url
-        self._runs: list[Run] = []
-        self.wire = self._open_wire(context.settings.token, "TOKEN")
+        self.random = random.Random(f"{shared.settings.seed}/{name}")
+        self._base_url = base_url or shared.settings.url
+        self._runs: list[RunClient] = []
+        self.http_client = self._open_client(shared.settings.token, "TOKEN")
 
-    def _open_wire(self, token: str | None, name: str) -> Wire:
-        return Wire(
-            clients=self.context.clients,
+    def _open_client(self, token: str | None, name: str) -> HttpClient:
+        return HttpClient(
+            clients=self.shared.clients,
             spec=self.spec,
             base_url=self._base_url,
             token=token,
             token_name=name,
-            journal=self.journal,
+            exchange_log=self.exchange_log,
             tally=self.tally,
         )
 
@@ -126,25 +128,25 @@ class Story:
         """Whether the server has a part of the protocol."""
         return profile in NEVER_ANNOUNCED or profile in self.service["profiles"]
 
-    def wire_of(self, token: str | None) -> Wire:
+    def client_with_token(self, token: str | None) -> HttpClient:
         """A caller with any token, or without one."""
-        return self._open_wire(token, "WRONG_TOKEN")
+        return self._open_client(token, "WRONG_TOKEN")
 
     @property
-    def wire_2(self) -> Wire:
+    def second_account(self) -> HttpClient:
         """Another account."""
-        token = self.context.settings.token_2
+        token = self.shared.settings.token_2
         if token is None:
             raise SetUpFailed("no second token given", allowed=True)
-        return self._open_wire(token, "TOKEN_2")
+        return self._open_client(token, "TOKEN_2")
 
     @property
-    def wire_read(self) -> Wire:
+    def read_only_account(self) -> HttpClient:
         """The first account with a token that may only read."""
-        token = self.context.settings.token_read
+        token = self.shared.settings.token_read
         if token is None:
             raise SetUpFailed("no read token given", allowed=True)
-        return self._open_wire(token, "TOKEN_READ")
+        return self._open_client(token, "TOKEN_READ")
 
     def call(
         self,
@@ -152,7 +154,7 @@ class Story:
         *,
         json: Any = None,
         content: Any = None,
-        wire: Wire | None = None,
+        http_client: HttpClient | None = None,
         headers: Mapping[str, str] | None = None,
         params: Mapping[str, Any] | None = None,
         msgpack: bool = False,
@@ -166,18 +168,18 @@ class Story:
         MessagePack and accepts nothing else.
         """
         operation = self.spec.operations[operation_id]
-        wire = wire or self.wire
+        http_client = http_client or self.http_client
         path = operation.path.format(
             **{name: quote(value, safe="") for name, value in path_params.items()}
         )
-        base_url = wire.base_url
+        base_url = http_client.base_url
         if operation.is_data_plane and endpoint is not None:
             base_url = endpoint.rstrip("/")
         if msgpack:
             content, json = msgspec.msgpack.encode(json), None
             headers = {"Content-Type": MSGPACK, "Accept": MSGPACK, **(headers or {})}
         send = partial(
-            wire.request,
+            http_client.request,
             operation.method,
             base_url + path,
             json=json,
@@ -187,28 +189,30 @@ class Story:
             timeout_s=timeout_s,
             operation=operation,
         )
-        return self._in_time(send)
+        return self._retry_while_no_capacity(send)
 
-    def _in_time(self, send: Callable[[], Answer]) -> Answer:
+    def _retry_while_no_capacity(self, send: Callable[[], Answer]) -> Answer:
         """Repeat while the server has no room, as every client must; then give up.
 
         To have no room is no violation of any rule, and no proof that one is kept.
         """
-        patience = self.context.patience
-        until = time.monotonic() + patience.of("room", _ROOM_S)
-        while (answer := send()).code in _COME_BACK:
+        timeouts = self.shared.timeouts
+        until = time.monotonic() + timeouts.of("room", _CAPACITY_TIMEOUT_S)
+        while (answer := send()).code in _RETRIED_CODES:
             if time.monotonic() > until:
-                patience.lose("room")
-                if answer.code == _NO_ROOM:
-                    raise SetUpFailed(f"the server has no room: {told(answer)}")
+                timeouts.record_miss("room")
+                if answer.code == _NO_CAPACITY:
+                    raise SetUpFailed(
+                        f"the server has no room: {describe_answer(answer)}"
+                    )
                 return answer
-            time.sleep(_ROOM_POLL_S)
+            time.sleep(_CAPACITY_POLL_S)
         return answer
 
-    def given(self, step: Callable[[], Answer], status: int, name: str) -> Any:
+    def require(self, step: Callable[[], Answer], status: int, name: str) -> Any:
         """Take a set-up step and give its body; whatever goes wrong is no violation."""
         try:
-            return given(step(), status, f"`{name}`")
+            return require(step(), status, f"`{name}`")
         except NoAnswer as error:
             raise SetUpFailed(f"`{name}` got no answer: {error.observed}") from error
 
@@ -216,34 +220,36 @@ class Story:
         self,
         *tasks: str,
         wait_ready: bool = True,
-        wire: Wire | None = None,
+        http_client: HttpClient | None = None,
         max_workers: int | None = None,
         idle_timeout_s: float | None = None,
         images: Mapping[str, Any] | None = None,
         headers: Mapping[str, str] | None = None,
         **options: Any,
-    ) -> Run:
+    ) -> RunClient:
         """Submit a calibration run, one episode per task; wait until it is ready."""
         if tasks:
             options["tasks"] = list(tasks)
-        asked: dict[str, Any] = {
+        members: dict[str, Any] = {
             "max_workers": max_workers,
             "idle_timeout_s": idle_timeout_s,
             "images": images,
             "options": options or None,
         }
-        body = self.submit_body(**asked)
+        body = self.submit_body(**members)
         faults = self.spec.request_faults(self.spec.operations["submit_run"], body)
         if faults:
             raise KitError(f"the kit's own submit_run is invalid: {faults}")
-        accepted = self.given(
-            lambda: self.call("submit_run", json=body, wire=wire, headers=headers),
+        accepted = self.require(
+            lambda: self.call(
+                "submit_run", json=body, http_client=http_client, headers=headers
+            ),
             201,
             "submit_run",
         )
-        run = self.adopt(accepted, wire)
+        run = self.adopt(accepted, http_client)
         if wait_ready and run.body["state"] != "ready":
-            run.until("ready", _READY_S)
+            run.until("ready", _READY_TIMEOUT_S)
         return run
 
     @staticmethod
@@ -252,9 +258,11 @@ class Story:
         body = {"benchmark_id": "calibration", "policy": {"name": "conformance kit"}}
         return body | {k: v for k, v in members.items() if v is not None}
 
-    def adopt(self, body: dict[str, Any], wire: Wire | None = None) -> Run:
+    def adopt(
+        self, body: dict[str, Any], http_client: HttpClient | None = None
+    ) -> RunClient:
         """Handle a run that a raw request made; it is stopped after the check."""
-        run = Run(self, body, wire or self.wire)
+        run = RunClient(self, body, http_client or self.http_client)
         self._runs.append(run)
         return run
 
@@ -267,7 +275,7 @@ class Story:
         return {"values": vectors}
 
     @staticmethod
-    def together(*thunks: Callable[[], Any]) -> list[Any]:
+    def call_concurrently(*thunks: Callable[[], Any]) -> list[Any]:
         """Call all at the same time, each in its thread; results in their order."""
         barrier = threading.Barrier(len(thunks))
         results: list[Any] = [None] * len(thunks)
@@ -292,9 +300,9 @@ class Story:
             raise errors[0]
         return results
 
-    def at(self, base_url: str) -> "Story":
+    def for_base_url(self, base_url: str) -> "CheckContext":
         """Tell the same story to another server, in the same journal."""
-        return Story(self.context, self.name, base_url, self)
+        return CheckContext(self.shared, self.name, base_url, self)
 
     @contextlib.contextmanager
     def private_server(self) -> Iterator["PrivateServer"]:
@@ -307,4 +315,4 @@ class Story:
     def tidy_up(self) -> None:
         """End the runs of this story, so that they hold no simulator; best effort."""
         while self._runs:
-            self._runs.pop().abandon()
+            self._runs.pop().clean_up()

@@ -17,10 +17,10 @@ from typing import Any
 from conformance.client.exchange_log import Exchange
 from conformance.specification.document import EVENT_STREAM
 
-_CAUGHT = {"run_id": "RUN", "session_id": "SESSION", "next_cursor": "CURSOR"}
-_PAUSE_WORTH_REPEATING_S = 0.3
+_CAPTURED_MEMBERS = {"run_id": "RUN", "session_id": "SESSION", "next_cursor": "CURSOR"}
+_MIN_PAUSE_S = 0.3
 _HEAD_START_S = 0.02  # of one request before another that runs beside it
-_ID_LEAST_LENGTH = 4
+_ID_MIN_LENGTH = 4
 _TOKENS = {
     "TOKEN": "${TOKEN:?a token with the scopes read and run}",
     "TOKEN_2": "${TOKEN_2:?a token of another account}",
@@ -66,19 +66,19 @@ class Script:
             ended_at = exchange.started_at + exchange.elapsed_s
             is_last = index + 1 == len(groups)
             state = None if is_last else self._new_state(exchange)
-            least_s = _PAUSE_WORTH_REPEATING_S if is_alone else _HEAD_START_S
-            if pause_s > least_s and state is None:
+            min_pause_s = _MIN_PAUSE_S if is_alone else _HEAD_START_S
+            if pause_s > min_pause_s and state is None:
                 yield f"sleep {max(pause_s, 0.1):.1f}"
-            if _is_cut(exchange):
+            if _is_truncated(exchange):
                 size = exchange.request_size
-                told = "streamed" if size is None else f"of {size} bytes"
-                yield f"# the file `body` is yours to make: it was {told}"
-            goes_on = not is_last and groups[index + 1][0].started_at < ended_at
+                size_text = "streamed" if size is None else f"of {size} bytes"
+                yield f"# the file `body` is yours to make: it was {size_text}"
+            overlaps_next = not is_last and groups[index + 1][0].started_at < ended_at
             later = "\n".join(texts[index + 1 :])
-            command = self._catch(exchange, self._command(exchange), later)
+            command = self._capture_ids(exchange, self._command(exchange), later)
             if state is not None:
                 command = f"wait_for state {state} {command}"
-            elif goes_on and command.startswith("curl"):
+            elif overlaps_next and command.startswith("curl"):
                 # The check sent the next request before this one was answered.
                 beside_until = max(beside_until, ended_at)
                 command, is_alone, ended_at = f"{command} &", False, exchange.started_at
@@ -119,7 +119,7 @@ class Script:
             parts.append(f'-H "Authorization: Bearer ${exchange.token_name}"')
         for name, value in exchange.request_headers.items():
             parts.append(f"-H {self._quoted(f'{name}: {value}')}")
-        if _is_cut(exchange):
+        if _is_truncated(exchange):
             parts.append("--data-binary @body")
         elif exchange.request_body:
             parts.append(self._body(exchange.request_body))
@@ -154,28 +154,28 @@ class Script:
             text = text.replace(value, f"'\"${name}\"'" if quoted else f"${{{name}}}")
         return text
 
-    def _catch(self, exchange: Exchange, command: str, later: str) -> str:
+    def _capture_ids(self, exchange: Exchange, command: str, later: str) -> str:
         """Keep what the answer made up, if later requests need it."""
         if _is_stream(exchange):
-            return self._catch_events(exchange, command, later)
-        for member, value in _made_up(exchange):
+            return self._capture_event_ids(exchange, command, later)
+        for member, value in _server_made_ids(exchange):
             if value in self._variables or value not in later:
                 continue
-            stem = _CAUGHT[member]
+            stem = _CAPTURED_MEMBERS[member]
             self._counts[stem] = self._counts.get(stem, 0) + 1
             name = f"{stem}_{self._counts[stem]}"
             self._variables[value] = name
             return f"{name}=$({command} | keep {member})"
         return command
 
-    def _catch_events(self, exchange: Exchange, command: str, later: str) -> str:
+    def _capture_event_ids(self, exchange: Exchange, command: str, later: str) -> str:
         """Keep events in a file, if later requests go on behind some of them."""
         text = exchange.answer_body.decode("utf-8", "replace")
-        told = re.findall(r"^id: *(\S+)", text, re.MULTILINE)
+        event_ids = re.findall(r"^id: *(\S+)", text, re.MULTILINE)
         new = {
             id_: number
-            for number, id_ in enumerate(told, start=1)
-            if f": {id_}" in later and len(id_) >= _ID_LEAST_LENGTH
+            for number, id_ in enumerate(event_ids, start=1)
+            if f": {id_}" in later and len(id_) >= _ID_MIN_LENGTH
         }
         if not new.keys() - self._variables.keys():
             return f"{command} || :"  # where it was left off is no failure
@@ -195,7 +195,7 @@ def _is_stream(exchange: Exchange) -> bool:
     return exchange.answer_headers.get("content-type", "").startswith(EVENT_STREAM)
 
 
-def _is_cut(exchange: Exchange) -> bool:
+def _is_truncated(exchange: Exchange) -> bool:
     size = exchange.request_size
     return size is None or size > len(exchange.request_body)
 
@@ -204,7 +204,7 @@ def _without_polls(exchanges: Iterable[Exchange]) -> Iterator[list[Exchange]]:
     """Group what was asked again and again without anything between."""
     group: list[Exchange] = []
     for exchange in sorted(exchanges, key=lambda item: item.started_at):
-        if group and _asks_again(exchange, group[-1]):
+        if group and _is_repeated_poll(exchange, group[-1]):
             group.append(exchange)
             continue
         if group:
@@ -214,7 +214,7 @@ def _without_polls(exchanges: Iterable[Exchange]) -> Iterator[list[Exchange]]:
         yield group
 
 
-def _asks_again(exchange: Exchange, before: Exchange) -> bool:
+def _is_repeated_poll(exchange: Exchange, before: Exchange) -> bool:
     return (
         exchange.method == before.method == "GET"
         and exchange.url == before.url
@@ -234,13 +234,13 @@ def _read(exchange: Exchange) -> dict[str, Any]:
     return body if isinstance(body, dict) else {}
 
 
-def _made_up(exchange: Exchange) -> Iterator[tuple[str, str]]:
+def _server_made_ids(exchange: Exchange) -> Iterator[tuple[str, str]]:
     if exchange.status is None or exchange.status >= 300:
         return
     body = _read(exchange)
-    for member in _CAUGHT:
+    for member in _CAPTURED_MEMBERS:
         value = body.get(member)
-        if isinstance(value, str) and len(value) >= _ID_LEAST_LENGTH:
+        if isinstance(value, str) and len(value) >= _ID_MIN_LENGTH:
             yield member, value
 
 
@@ -249,21 +249,26 @@ def outcome_of(exchange: Exchange) -> str:
     if exchange.status is None:
         return f"no answer: {exchange.error}"
     code = _read(exchange).get("code")
-    told = f" {code}" if exchange.status >= 400 and isinstance(code, str) else ""
-    return f"{exchange.status}{told} after {1000 * exchange.elapsed_s:.0f} ms"
+    code_text = f" {code}" if exchange.status >= 400 and isinstance(code, str) else ""
+    return f"{exchange.status}{code_text} after {1000 * exchange.elapsed_s:.0f} ms"
 
 
-def needed_for(number: int | None, exchanges: Iterable[Exchange]) -> list[Exchange]:
+def select_exchanges_for(
+    number: int | None, exchanges: Iterable[Exchange]
+) -> list[Exchange]:
     """Keep one exchange, and those that made up the ids in it."""
     known = list(exchanges)
     wanted = [exchange for exchange in known if exchange.number == number]
     text = "".join(_text_of(one) for one in wanted)
-    makers: dict[str, Exchange] = {}
+    id_sources: dict[str, Exchange] = {}
     for exchange in known:
-        for _, value in _made_up(exchange):
+        for _, value in _server_made_ids(exchange):
             if value in text:
-                makers.setdefault(value, exchange)
-    return [*makers.values(), *(one for one in wanted if one not in makers.values())]
+                id_sources.setdefault(value, exchange)
+    return [
+        *id_sources.values(),
+        *(one for one in wanted if one not in id_sources.values()),
+    ]
 
 
 def script(exchanges: Iterable[Exchange], base_url: str) -> list[str]:

@@ -1,6 +1,6 @@
 """Server-sent events as any client reads them: what the HTML standard says and no more.
 
-A `Reader` follows one run in a thread of its own. It passes comments over, and when a
+A `EventReader` follows one run in a thread of its own. It passes comments over, and when a
 stream ends it comes back with the last id until it is told not to. What was told when
 is kept in order; whether that was right is for the checks to say.
 """
@@ -16,12 +16,17 @@ from typing import Any
 
 import msgspec
 
-from conformance.client.http_client import Answer, Stream
-from conformance.client.run_client import Run
-from conformance.verdicts.expect import Given, SetUpFailed, Violation, told
+from conformance.client.http_client import Answer, AnswerStream
+from conformance.client.run_client import RunClient
+from conformance.verdicts.expect import (
+    SetUpBody,
+    SetUpFailed,
+    Violation,
+    describe_answer,
+)
 
 # For what has no limit of its own: longer than a busy machine needs.
-PATIENCE_S = 5.0
+ANSWER_TIMEOUT_S = 5.0
 # How soon it comes back, whatever `retry` says: checks have little time.
 _RETRY_S = 0.2
 _END_OF_LINE = re.compile(rb"\r\n|\n|\r")
@@ -47,10 +52,10 @@ class Event:
             ) from error
         if not isinstance(body, dict):
             raise SetUpFailed("data of an event is no object; see EVT-001")
-        return Given(body)
+        return SetUpBody(body)
 
 
-class Parser:
+class EventParser:
     """Bytes in, events out; whatever is cut off waits for the rest."""
 
     def __init__(self) -> None:
@@ -83,20 +88,20 @@ class Parser:
         return Event(kind, id_, fields["data"], time.monotonic())
 
 
-class Reader:
-    """Somebody who follows a run; made by `reading`."""
+class EventReader:
+    """Somebody who follows a run; made by `follow_run`."""
 
-    def __init__(self, run: Run, after: str | None) -> None:
+    def __init__(self, run: RunClient, after: str | None) -> None:
         self.last_id = after
-        self.told: list[Event] = []  # what was taken from it, in order
-        self.heard_at: list[float] = []  # when anything came, comments too
+        self.received: list[Event] = []  # what was taken from it, in order
+        self.received_at: list[float] = []  # when anything came, comments too
         self._status: int | None = None
         self._has_answer, self._has_ended = threading.Event(), threading.Event()
         self._run = run
         self._is_closed = threading.Event()
-        self._stream: Stream | None = None
-        self._found: queue.Queue[Event | Answer | Exception] = queue.Queue()
-        self._thread = threading.Thread(target=self._follow, daemon=True)
+        self._stream: AnswerStream | None = None
+        self._queue: queue.Queue[Event | Answer | Exception] = queue.Queue()
+        self._thread = threading.Thread(target=self._run_thread, daemon=True)
         self._thread.start()
 
     def close(self) -> None:
@@ -104,17 +109,17 @@ class Reader:
         self._is_closed.set()
         stream = self._stream
         if stream is not None:
-            stream.hang_up()
-        self._thread.join(PATIENCE_S)
+            stream.shut_down()
+        self._thread.join(ANSWER_TIMEOUT_S)
 
-    def _follow(self) -> None:
+    def _run_thread(self) -> None:
         try:
-            while not self._is_closed.is_set() and self._has_more():
+            while not self._is_closed.is_set() and self._read_stream():
                 self._is_closed.wait(_RETRY_S)
         except Exception as error:  # noqa: BLE001 - raised where it is waited for
-            self._found.put(error)
+            self._queue.put(error)
 
-    def _has_more(self) -> bool:
+    def _read_stream(self) -> bool:
         """Read one stream to its end; whether to come back."""
         last = {} if self.last_id is None else {"Last-Event-ID": self.last_id}
         with self._run.stream("stream_events", headers=last) as opened:
@@ -122,43 +127,43 @@ class Reader:
             self._status = self._status or status
             self._has_answer.set()
             if isinstance(opened, Answer):
-                self._found.put(opened)
+                self._queue.put(opened)
                 return False
-            self._stream, parser = opened, Parser()
+            self._stream, parser = opened, EventParser()
             if self._is_closed.is_set():
                 return False
-            self.heard_at.append(time.monotonic())
+            self.received_at.append(time.monotonic())
             for part in opened.parts():
-                self.heard_at.append(time.monotonic())
+                self.received_at.append(time.monotonic())
                 for event in parser.feed(part):
                     self.last_id = event.id or self.last_id
-                    self._found.put(event)
+                    self._queue.put(event)
             self._has_ended.set()
         return True
 
-    def ends(self) -> bool:
+    def wait_for_end(self) -> bool:
         """Whether a stream ends, or has ended; PATIENCE_S at the most."""
-        return self._has_ended.wait(PATIENCE_S)
+        return self._has_ended.wait(ANSWER_TIMEOUT_S)
 
-    def answered(self) -> int:
+    def first_status(self) -> int:
         """Give the status of the first answer; PATIENCE_S at the most."""
-        self._has_answer.wait(PATIENCE_S)
+        self._has_answer.wait(ANSWER_TIMEOUT_S)
         if self._status is None:
-            raise Violation("an answer", f"none within {PATIENCE_S:g} s")
+            raise Violation("an answer", f"none within {ANSWER_TIMEOUT_S:g} s")
         return self._status
 
     def _next(self, within_s: float) -> Event | Answer | None:
         try:
-            found = self._found.get(timeout=max(0.0, within_s))
+            found = self._queue.get(timeout=max(0.0, within_s))
         except queue.Empty:
             return None
         if isinstance(found, Exception):
             raise found
         if isinstance(found, Event):
-            self.told.append(found)
+            self.received.append(found)
         return found
 
-    def during(self, seconds: float) -> list[Event]:
+    def collect_for(self, seconds: float) -> list[Event]:
         """Give what is told in this time."""
         until, events = time.monotonic() + seconds, list[Event]()
         while isinstance(found := self._next(until - time.monotonic()), Event):
@@ -166,14 +171,19 @@ class Reader:
         return events
 
     def until(
-        self, is_it: Callable[[Event], bool], what: str, within_s: float = PATIENCE_S
+        self,
+        is_it: Callable[[Event], bool],
+        what: str,
+        within_s: float = ANSWER_TIMEOUT_S,
     ) -> list[Event]:
         """Expect an event; give all up to it."""
         until, events = time.monotonic() + within_s, list[Event]()
         while True:
             found = self._next(until - time.monotonic())
             if isinstance(found, Answer):
-                raise Violation(f"an event {what}", told(found), found.exchange)
+                raise Violation(
+                    f"an event {what}", describe_answer(found), found.exchange
+                )
             if found is None:
                 kinds = ", ".join(event.kind for event in events) or "nothing"
                 raise Violation(f"an event {what}", f"{kinds} in {within_s:g} s")
@@ -183,9 +193,9 @@ class Reader:
 
 
 @contextmanager
-def reading(run: Run, after: str | None = None) -> Iterator[Reader]:
+def follow_run(run: RunClient, after: str | None = None) -> Iterator[EventReader]:
     """Follow a run, behind an event or from the beginning."""
-    reader = Reader(run, after)
+    reader = EventReader(run, after)
     try:
         yield reader
     finally:

@@ -10,9 +10,9 @@ from typing import Any
 
 from conformance.verdicts.expect import SetUpFailed
 
-_BODY_KEPT = 4096
-_EXCHANGES_KEPT = 120
-_EXCHANGES_MOST = 1500
+_BODY_BYTES_STORED = 4096
+_EXCHANGES_STORED = 120
+_EXCHANGES_MAX = 1500
 
 
 @dataclass
@@ -51,7 +51,7 @@ class Exchange:
         return cls(**(plain | bodies))
 
 
-class Journal:
+class ExchangeLog:
     """The exchanges of one check, in order; safe for several threads."""
 
     def __init__(self, name: str) -> None:
@@ -65,16 +65,16 @@ class Journal:
         """Count one exchange more; too many mean that the check is led in circles."""
         with self._lock:
             self._count += 1
-            if self._count > _EXCHANGES_MOST:
-                raise SetUpFailed(f"no end in sight after {_EXCHANGES_MOST} requests")
+            if self._count > _EXCHANGES_MAX:
+                raise SetUpFailed(f"no end in sight after {_EXCHANGES_MAX} requests")
             return self._count
 
     def add(self, exchange: Exchange) -> None:
         """Keep an exchange; of very many, the first half and the latest."""
-        exchange.request_body = exchange.request_body[:_BODY_KEPT]
-        exchange.answer_body = exchange.answer_body[:_BODY_KEPT]
+        exchange.request_body = exchange.request_body[:_BODY_BYTES_STORED]
+        exchange.answer_body = exchange.answer_body[:_BODY_BYTES_STORED]
         with self._lock:
             self.exchanges.append(exchange)
-            if len(self.exchanges) > _EXCHANGES_KEPT:
-                del self.exchanges[_EXCHANGES_KEPT // 2]
+            if len(self.exchanges) > _EXCHANGES_STORED:
+                del self.exchanges[_EXCHANGES_STORED // 2]
                 self.dropped += 1

@@ -24,7 +24,7 @@ from urllib.parse import urlsplit
 import httpx
 import msgspec
 
-from conformance.client.exchange_log import Exchange, Journal
+from conformance.client.exchange_log import Exchange, ExchangeLog
 from conformance.specification.document import (
     EVENT_STREAM,
     JSON,
@@ -34,12 +34,12 @@ from conformance.specification.document import (
     Spec,
 )
 from conformance.verdicts.expect import Violation
-from conformance.verdicts.universal_rules import Judged, Tally
+from conformance.verdicts.universal_rules import ParsedAnswer, Tally
 
 OWN_TOKEN = "own"
 # Of an answer that goes on: what is kept, and how long its beginning is waited for.
-_STREAM_KEPT = 4096
-_BEGINNING_S = 3.0
+_STREAM_BYTES_STORED = 4096
+_FIRST_EVENT_TIMEOUT_S = 3.0
 _FIRST_EVENT = re.compile(rb"^data[^\r\n]*(\r\n|\n|\r){2}", re.MULTILINE)
 _LIMITS = httpx.Limits(
     max_connections=4, max_keepalive_connections=2, keepalive_expiry=2.0
@@ -156,7 +156,7 @@ def _is_this_machine(url: str) -> bool:
         return host == "localhost"
 
 
-class Stream:
+class AnswerStream:
     """An answer that goes on: what comes of it, until it ends or somebody hangs up."""
 
     def __init__(self, response: httpx.Response) -> None:
@@ -167,19 +167,19 @@ class Stream:
         """Give what comes while it comes; a stream that breaks off has ended."""
         with contextlib.suppress(httpx.TransportError, OSError):
             for part in self._response.iter_bytes():
-                self.body += part[: max(0, _STREAM_KEPT - len(self.body))]
+                self.body += part[: max(0, _STREAM_BYTES_STORED - len(self.body))]
                 yield part
 
-    def hang_up(self) -> None:
+    def shut_down(self) -> None:
         """End it from another thread than the one that reads it."""
         network = self._response.extensions["network_stream"]
         with contextlib.suppress(OSError):
             network.get_extra_info("socket").shutdown(socket.SHUT_RDWR)
 
 
-def _beginning(response: httpx.Response) -> bytes:
+def _read_first_event(response: httpx.Response) -> bytes:
     """Read the first of events that may have no end."""
-    stream, until = Stream(response), time.monotonic() + _BEGINNING_S
+    stream, until = AnswerStream(response), time.monotonic() + _FIRST_EVENT_TIMEOUT_S
     with contextlib.closing(response):
         for _ in stream.parts():
             if _FIRST_EVENT.search(stream.body) or time.monotonic() > until:
@@ -187,7 +187,7 @@ def _beginning(response: httpx.Response) -> bytes:
     return stream.body
 
 
-class Wire:
+class HttpClient:
     """Requests of one account to one server; safe for several threads."""
 
     def __init__(
@@ -198,7 +198,7 @@ class Wire:
         base_url: str,
         token: str | None,
         token_name: str,
-        journal: Journal,
+        exchange_log: ExchangeLog,
         tally: Tally,
     ) -> None:
         self.base_url = base_url.rstrip("/")
@@ -206,7 +206,7 @@ class Wire:
         self._token_name = token_name
         self._clients = clients
         self._spec = spec
-        self._journal = journal
+        self._journal = exchange_log
         self._tally = tally
 
     def request(
@@ -231,7 +231,7 @@ class Wire:
             content = json_module.dumps(json).encode()
             headers = {"Content-Type": JSON, **(headers or {})}
         with self._clients.borrow() as client:
-            request, exchange = self._prepared(
+            request, exchange = self._prepare(
                 client,
                 method,
                 path,
@@ -243,33 +243,35 @@ class Wire:
             )
             if operation is None:
                 operation = self._operation_of(method, str(request.url))
-            goes_on = operation is not None and operation.goes_on
-            response = self._sent(client, request, exchange, goes_on)
+            is_event_stream = operation is not None and operation.is_event_stream
+            response = self._send(client, request, exchange, is_event_stream)
             is_read = response.is_stream_consumed
-            body = response.content if is_read else _beginning(response)
-        return self._answered(response, body, exchange, operation)
+            body = response.content if is_read else _read_first_event(response)
+        return self._log_and_judge(response, body, exchange, operation)
 
     @contextlib.contextmanager
     def stream(
         self, operation: Operation, path: str, headers: Mapping[str, str]
-    ) -> Iterator[Stream | Answer]:
+    ) -> Iterator[AnswerStream | Answer]:
         """Send a GET whose answer goes on; an Answer when it does not."""
         # Whoever hangs up ends a connection that nobody else will have.
         headers = {"Connection": "close", **headers}
         with self._clients.borrow() as client:
-            request, exchange = self._prepared(client, "GET", path, headers=headers)
-            response = self._sent(client, request, exchange, goes_on=True)
+            request, exchange = self._prepare(client, "GET", path, headers=headers)
+            response = self._send(client, request, exchange, is_event_stream=True)
             if response.is_stream_consumed:
-                yield self._answered(response, response.content, exchange, operation)
+                yield self._log_and_judge(
+                    response, response.content, exchange, operation
+                )
                 return
-            stream = Stream(response)
+            stream = AnswerStream(response)
             try:
                 yield stream
             finally:
                 response.close()
-                self._answered(response, stream.body, exchange, operation)
+                self._log_and_judge(response, stream.body, exchange, operation)
 
-    def _prepared(
+    def _prepare(
         self,
         client: httpx.Client,
         method: str,
@@ -313,12 +315,12 @@ class Wire:
         )
         return request, exchange
 
-    def _sent(
+    def _send(
         self,
         client: httpx.Client,
         request: httpx.Request,
         exchange: Exchange,
-        goes_on: bool,
+        is_event_stream: bool,
     ) -> httpx.Response:
         """Give the answer; of events only the head.
 
@@ -327,7 +329,7 @@ class Wire:
         """
         exchange.started_at = time.monotonic()
         try:
-            response = client.send(request, stream=goes_on)
+            response = client.send(request, stream=is_event_stream)
             if media_type_of(response.headers) != EVENT_STREAM:
                 response.read()
         except httpx.LocalProtocolError:
@@ -339,7 +341,7 @@ class Wire:
             raise NoAnswer("an answer", exchange.error, exchange.number) from error
         return response
 
-    def _answered(
+    def _log_and_judge(
         self,
         response: httpx.Response,
         body: bytes,
@@ -354,7 +356,7 @@ class Wire:
         exchange.answer_headers = dict(response.headers)
         exchange.answer_body = body
         self._journal.add(exchange)
-        judged = Judged(
+        parsed = ParsedAnswer(
             status=response.status_code,
             headers=response.headers,
             media_type=media_type_of(response.headers),
@@ -362,7 +364,7 @@ class Wire:
             value=value,
             is_readable=is_readable,
         )
-        self._tally.observe(operation, judged, exchange)
+        self._tally.observe(operation, parsed, exchange)
         return Answer(
             status=response.status_code,
             headers=response.headers,

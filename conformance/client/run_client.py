@@ -13,23 +13,23 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
-from conformance.client.http_client import Answer, Stream, Wire
+from conformance.client.http_client import Answer, AnswerStream, HttpClient
 from conformance.specification.document import Operation
 from conformance.verdicts.expect import SetUpFailed, Violation
 
 if TYPE_CHECKING:
-    from conformance.client.check_context import Story
+    from conformance.client.check_context import CheckContext
 
 _ENDED = ("completed", "failed", "stopped")
-_ABANDON_S = 5.0
+_CLEAN_UP_TIMEOUT_S = 5.0
 _POLL_FIRST_S = 0.004
 _POLL_LONGEST_S = 0.1
-_PATIENCE_LEAST_S = 0.5
+_TIMEOUT_MIN_S = 0.5
 _VOLATILE = ("updated_at", "queue_position")
-_SURELY_ENOUGH_PAGES = 2000
+_MAX_PAGES = 2000
 
 
-class Patience:
+class AdaptiveTimeouts:
     """How long to wait for something: less, the more often it did not come.
 
     A server that never gets there would otherwise cost minutes. What is lost is never
@@ -37,24 +37,26 @@ class Patience:
     """
 
     def __init__(self) -> None:
-        self._disappointments: Counter[str] = Counter()
+        self._misses: Counter[str] = Counter()
 
     def of(self, what: str, wanted_s: float) -> float:
         """Give the time to wait for it, in seconds."""
-        share: float = 0.5 ** self._disappointments[what]
-        return max(_PATIENCE_LEAST_S, share * wanted_s)
+        share: float = 0.5 ** self._misses[what]
+        return max(_TIMEOUT_MIN_S, share * wanted_s)
 
-    def lose(self, what: str) -> None:
+    def record_miss(self, what: str) -> None:
         """Note that it did not come."""
-        self._disappointments[what] += 1
+        self._misses[what] += 1
 
 
-class Run:
+class RunClient:
     """A run that a check submitted; `body` is the run as last seen."""
 
-    def __init__(self, story: "Story", body: dict[str, Any], wire: Wire) -> None:
-        self.story = story
-        self.wire = wire
+    def __init__(
+        self, context: "CheckContext", body: dict[str, Any], http_client: HttpClient
+    ) -> None:
+        self.context = context
+        self.http_client = http_client
         self.body = body
         self.id: str = body["run_id"]
         self._worker_numbers = itertools.count(1)
@@ -62,42 +64,42 @@ class Run:
 
     def call(self, operation_id: str, **how: Any) -> Answer:
         """Send an operation on this run; the answer is raw."""
-        how.setdefault("wire", self.wire)
+        how.setdefault("http_client", self.http_client)
         how.setdefault("run_id", self.id)
-        answer = self.story.call(operation_id, endpoint=self.body["endpoint"], **how)
+        answer = self.context.call(operation_id, endpoint=self.body["endpoint"], **how)
         if operation_id == "attach_worker" and answer.status == 200:
-            self._remember(str(how.get("worker_id")), answer.json)
+            self._store_session_id(str(how.get("worker_id")), answer.json)
         return answer
 
     @contextlib.contextmanager
     def stream(
         self, operation_id: str, headers: Mapping[str, str]
-    ) -> Iterator[Stream | Answer]:
+    ) -> Iterator[AnswerStream | Answer]:
         """Read what an operation on this run tells of it, while it is told."""
-        operation = self.story.spec.operations[operation_id]
+        operation = self.context.spec.operations[operation_id]
         path = self.base_url_of(operation) + operation.path.format(run_id=self.id)
-        with self.wire.stream(operation, path, headers) as opened:
+        with self.http_client.stream(operation, path, headers) as opened:
             yield opened
 
     def base_url_of(self, operation: Operation) -> str:
         """Where an operation on this run is served: its endpoint, or the service."""
         if operation.is_data_plane:
             return str(self.body["endpoint"]).rstrip("/")
-        return self.wire.base_url
+        return self.http_client.base_url
 
-    def _remember(self, worker_id: str, turn: Any) -> None:
+    def _store_session_id(self, worker_id: str, turn: Any) -> None:
         session_id = turn.get("session_id") if isinstance(turn, dict) else None
         if isinstance(session_id, str):
             self._sessions[worker_id] = session_id
 
-    def abandon(self) -> None:
+    def clean_up(self) -> None:
         """Stop the run, so that it holds no simulator; best effort.
 
         A server that cannot stop is asked to end the sessions one by one.
         """
         with contextlib.suppress(Violation, SetUpFailed):
             abort = {"mode": "abort"}
-            stopped = self.call("stop_run", json=abort, timeout_s=_ABANDON_S)
+            stopped = self.call("stop_run", json=abort, timeout_s=_CLEAN_UP_TIMEOUT_S)
             if stopped.status == 200:
                 return
             if not self._sessions or self.get()["state"] in _ENDED:
@@ -107,30 +109,30 @@ class Run:
                     "detach_worker",
                     worker_id=worker_id,
                     params={"session_id": session_id},
-                    timeout_s=_ABANDON_S,
+                    timeout_s=_CLEAN_UP_TIMEOUT_S,
                 )
 
-    def _given(self, operation_id: str, status: int = 200, **how: Any) -> Any:
-        return self.story.given(
+    def _require(self, operation_id: str, status: int = 200, **how: Any) -> Any:
+        return self.context.require(
             lambda: self.call(operation_id, **how), status, operation_id
         )
 
     def get(self) -> dict[str, Any]:
         """Read the run."""
-        self.body = self._given("get_run")
+        self.body = self._require("get_run")
         return self.body
 
     def score(self) -> dict[str, Any]:
         """Read the score."""
-        score: dict[str, Any] = self._given("get_score")
+        score: dict[str, Any] = self._require("get_score")
         return score
 
     def episodes(self) -> list[dict[str, Any]]:
         """Read all pages of the episodes."""
         episodes: list[dict[str, Any]] = []
         params: dict[str, Any] = {}
-        for _ in range(_SURELY_ENOUGH_PAGES):
-            page = self._given("list_episodes", params=params)
+        for _ in range(_MAX_PAGES):
+            page = self._require("list_episodes", params=params)
             episodes += page["episodes"]
             if page["next_cursor"] is None:
                 return episodes
@@ -139,22 +141,22 @@ class Run:
 
     def stop(self, mode: str = "abort") -> dict[str, Any]:
         """Stop the run."""
-        self.body = self._given("stop_run", json={"mode": mode})
+        self.body = self._require("stop_run", json={"mode": mode})
         return self.body
 
     def resume(self) -> dict[str, Any]:
         """Resume the run."""
-        self.body = self._given("resume_run")
+        self.body = self._require("resume_run")
         return self.body
 
     def until(self, state: str, timeout_s: float = 5.0) -> dict[str, Any]:
         """Poll until the run is in a state."""
-        timeout_s = self.story.context.patience.of(state, timeout_s)
+        timeout_s = self.context.shared.timeouts.of(state, timeout_s)
         deadline = time.monotonic() + timeout_s
         pause_s = _POLL_FIRST_S
         while self.get()["state"] != state:
             if time.monotonic() > deadline:
-                self.story.context.patience.lose(state)
+                self.context.shared.timeouts.record_miss(state)
                 raise SetUpFailed(
                     f"the run did not become `{state}` within {timeout_s:g} s; "
                     f"it is `{self.body['state']}`"
@@ -163,9 +165,9 @@ class Run:
             pause_s = min(2 * pause_s, _POLL_LONGEST_S)
         return self.body
 
-    def worker(self, worker_id: str | None = None) -> "Worker":
+    def worker(self, worker_id: str | None = None) -> "WorkerClient":
         """Name a worker of this run; nothing is sent."""
-        return Worker(self, worker_id or f"worker-{next(self._worker_numbers)}")
+        return WorkerClient(self, worker_id or f"worker-{next(self._worker_numbers)}")
 
     def snapshot(self) -> dict[str, Any]:
         """Read everything of the run that only a command may change."""
@@ -173,10 +175,10 @@ class Run:
         return {"run": run, "episodes": self.episodes(), "score": self.score()}
 
 
-class Worker:
+class WorkerClient:
     """A worker with its latest session, the last seq it used, and its last turn."""
 
-    def __init__(self, run: Run, worker_id: str) -> None:
+    def __init__(self, run: RunClient, worker_id: str) -> None:
         self.run = run
         self.id = worker_id
         self.attach_key = ""
@@ -212,7 +214,7 @@ class Worker:
     ) -> dict[str, Any]:
         """Open a session and give its turn 0."""
         key = attach_key or uuid.uuid4().hex
-        turn: dict[str, Any] = self.run.story.given(
+        turn: dict[str, Any] = self.run.context.require(
             lambda: self.try_attach(takeover, key, assumes, **how), 200, "attach_worker"
         )
         self.attach_key = key
@@ -248,7 +250,7 @@ class Worker:
         **how: Any,
     ) -> dict[str, Any]:
         """Play a chunk under the next seq and give the turn."""
-        turn: dict[str, Any] = self.run.story.given(
+        turn: dict[str, Any] = self.run.context.require(
             lambda: self.try_predict(*actions, observe=observe, msgpack=msgpack, **how),
             200,
             "predict",
@@ -261,13 +263,15 @@ class Worker:
         self, score: float = 0.5, success: float = 0, steps: int = 1
     ) -> dict[str, Any]:
         """Play the current episode to its end; give the turn that ended it."""
-        story = self.run.story
-        actions = [story.action(score=score, success=success) for _ in range(steps - 1)]
-        actions.append(story.action(score=score, success=success, end=1))
+        context = self.run.context
+        actions = [
+            context.action(score=score, success=success) for _ in range(steps - 1)
+        ]
+        actions.append(context.action(score=score, success=success, end=1))
         turn: dict[str, Any] = {}
-        longest = story.limits["max_chunk"]
-        for first in range(0, steps, longest):
-            turn = self.predict(*actions[first : first + longest])
+        max_chunk = context.limits["max_chunk"]
+        for first in range(0, steps, max_chunk):
+            turn = self.predict(*actions[first : first + max_chunk])
         if "episode_result" not in turn:
             raise SetUpFailed("an action with `end` 1 did not end the episode")
         return turn
@@ -279,7 +283,7 @@ class Worker:
 
     def heartbeat(self) -> dict[str, Any]:
         """Extend the lease."""
-        lease: dict[str, Any] = self.run.story.given(
+        lease: dict[str, Any] = self.run.context.require(
             self.try_heartbeat, 200, "heartbeat"
         )
         return lease
@@ -291,4 +295,4 @@ class Worker:
 
     def detach(self) -> None:
         """Close the session."""
-        self.run.story.given(self.try_detach, 204, "detach_worker")
+        self.run.context.require(self.try_detach, 204, "detach_worker")

@@ -9,29 +9,29 @@ from typing import Any
 
 from conformance.oracle.run_model import (
     ABSENT,
+    AllowedAnswer,
+    AnswerSummary,
     Attach,
-    Demand,
     Detach,
     Heartbeat,
-    Model,
     Predict,
     Read,
     ReadEpisodes,
     Request,
     Resume,
     Rules,
-    Seen,
-    Session,
+    RunModel,
+    SessionModel,
     Step,
     Stop,
-    close,
+    apply_automatic_events,
+    close_session,
     closure,
-    frozen,
     hand_out,
-    settled,
+    turn_text,
 )
 
-Models = frozenset[Model]
+PossibleRuns = frozenset[RunModel]
 
 
 class Deviation(Exception):
@@ -42,24 +42,28 @@ class Deviation(Exception):
         self.expected = expected
 
 
-def advance(rules: Rules, models: Models, request: Request, seen: Seen) -> Models:
+def advance(
+    rules: Rules, models: PossibleRuns, request: Request, summary: AnswerSummary
+) -> PossibleRuns:
     """Give the runs that the server may be in after an answer, or raise Deviation."""
-    after: set[Model] = set()
-    missed: dict[str, None] = {}
+    after: set[RunModel] = set()
+    mismatches: dict[str, None] = {}
     for before in models:
         for model in closure(rules, before):
-            for demand in demands(rules, model, request):
-                text = demand.miss(seen)
+            for allowed in allowed_answers(rules, model, request):
+                text = allowed.mismatch(summary)
                 if text is None:
-                    after.add(demand.after(seen))
+                    after.add(allowed.after(summary))
                 else:
-                    missed[text] = None
+                    mismatches[text] = None
     if not after:
-        raise Deviation("; or ".join(missed))
+        raise Deviation("; or ".join(mismatches))
     return frozenset(after)
 
 
-def demands(rules: Rules, model: Model, request: Request) -> Iterator[Demand]:
+def allowed_answers(
+    rules: Rules, model: RunModel, request: Request
+) -> Iterator[AllowedAnswer]:
     """Give every answer that is allowed."""
     match request:
         case Attach():
@@ -67,7 +71,7 @@ def demands(rules: Rules, model: Model, request: Request) -> Iterator[Demand]:
         case Predict():
             yield from _predict(rules, model, request)
         case Heartbeat() | Detach():
-            yield from _touch(rules, model, request)
+            yield from _heartbeat_or_detach(rules, model, request)
         case Stop(mode):
             yield from _command(rules, model, f"stop_{mode}")
         case Resume():
@@ -78,58 +82,62 @@ def demands(rules: Rules, model: Model, request: Request) -> Iterator[Demand]:
             yield from _read_episodes(model)
 
 
-def refuse(rule: str, model: Model, code: str, **members: Any) -> Demand:
+def refusal(rule: str, model: RunModel, code: str, **members: Any) -> AllowedAnswer:
     """Demand a refusal, which changes nothing."""
     status = 429 if code == "worker_limit" else 409
-    return Demand(rule, status, lambda _: model, code, members)
+    return AllowedAnswer(rule, status, lambda _: model, code, members)
 
 
 # --- attach ---
 
 
-def _attach(rules: Rules, model: Model, request: Attach) -> Iterator[Demand]:
+def _attach(rules: Rules, model: RunModel, request: Attach) -> Iterator[AllowedAnswer]:
     rule, to = rules.table[model.state, "attach_worker"]
     current = model.live(request.worker)
     is_busy = current is not None and not current.is_done
     if to == "refused":
-        yield refuse(rule, model, "illegal_transition", state=model.state)
+        yield refusal(rule, model, "illegal_transition", state=model.state)
     if current is not None and current.key == request.key:
-        yield Demand("ATT-002", 200, lambda _: model, same_turn=current.turn)
+        yield AllowedAnswer("ATT-002", 200, lambda _: model, same_turn=current.turn)
     elif current is not None and not request.takeover:
         # A session that is done may count as live or not.
-        yield refuse("ATT-003", model, "worker_busy")
+        yield refusal("ATT-003", model, "worker_busy")
     elif current is not None and is_busy:
         yield from _take_over(model, current, request)
     if to != "refused" and not is_busy:
         yield from _enter(rules, model, request, to)
 
 
-def _take_over(model: Model, old: Session, request: Attach) -> Iterator[Demand]:
+def _take_over(
+    model: RunModel, old: SessionModel, request: Attach
+) -> Iterator[AllowedAnswer]:
     assert old.episode is not None, "a session that holds a slot plays an episode"
     episode = _view(model, old)
 
-    def after(seen: Seen) -> Model:
+    def after(summary: AnswerSummary) -> RunModel:
         new = replace(
-            opened(request, seen, len(model.sessions)),
+            new_session(request, summary, len(model.sessions)),
             episode=old.episode,
             is_done=False,
             steps=old.steps,
             success=old.success,
         )
-        gone = replace(old, status="superseded", episode=None)
-        return model.with_session(gone).with_session(new)
+        superseded = replace(old, status="superseded", episode=None)
+        return model.with_session(superseded).with_session(new)
 
     known = [s.id for s in model.sessions]
     members = {"seq": 0, "done": False, **episode}
-    yield Demand("ATT-004", 200, after, members=members, new_among=known)
+    yield AllowedAnswer("ATT-004", 200, after, members=members, new_among=known)
 
 
-def _enter(rules: Rules, model: Model, request: Attach, to: str) -> Iterator[Demand]:
+def _enter(
+    rules: Rules, model: RunModel, request: Attach, to: str
+) -> Iterator[AllowedAnswer]:
     others = [
         s for s in model.sessions if s.status == "live" and s.worker != request.worker
     ]
     if len(others) >= rules.max_workers:
-        yield refuse("ATT-006", model, "worker_limit")
+        yield refusal("ATT-006", model, "worker_limit")
     if sum(not s.is_done for s in others) >= rules.max_workers:
         return
     sessions = tuple(
@@ -140,11 +148,11 @@ def _enter(rules: Rules, model: Model, request: Attach, to: str) -> Iterator[Dem
     )
     before = replace(model, state=to, sessions=sessions)
 
-    def after(seen: Seen) -> Model:
-        new = opened(request, seen, len(model.sessions))
-        return settled(rules, hand_out(before, new))
+    def after(summary: AnswerSummary) -> RunModel:
+        new = new_session(request, summary, len(model.sessions))
+        return apply_automatic_events(rules, hand_out(before, new))
 
-    shown = after(Seen(200, None, {"session_id": "new"}))
+    shown = after(AnswerSummary(200, None, {"session_id": "new"}))
     session = shown.session("new")
     members = {
         "seq": 0,
@@ -156,23 +164,23 @@ def _enter(rules: Rules, model: Model, request: Attach, to: str) -> Iterator[Dem
     }
     rule = "ATT-012" if session.is_done else "ATT-001, EPI-001"
     known = [s.id for s in model.sessions]
-    yield Demand(rule, 200, after, members=members, new_among=known)
+    yield AllowedAnswer(rule, 200, after, members=members, new_among=known)
 
 
-def opened(request: Attach, seen: Seen, number: int) -> Session:
+def new_session(request: Attach, summary: AnswerSummary, number: int) -> SessionModel:
     """Make the session that an attach opened."""
-    body = seen.body if isinstance(seen.body, dict) else {}
-    return Session(
+    body = summary.body if isinstance(summary.body, dict) else {}
+    return SessionModel(
         id=str(body.get("session_id", f"unnamed {number}")),
         worker=request.worker,
         key=request.key,
         episode=None,
         is_done=True,
-        turn=frozen(body),
+        turn=turn_text(body),
     )
 
 
-def _view(model: Model, session: Session) -> dict[str, Any]:
+def _view(model: RunModel, session: SessionModel) -> dict[str, Any]:
     if session.episode is None:
         return {"episode": ABSENT, "observation": ABSENT}
     return {
@@ -186,39 +194,45 @@ def _view(model: Model, session: Session) -> dict[str, Any]:
 # --- requests of a session ---
 
 
-def _ends(model: Model, session: Session) -> Iterator[Demand]:
+def _ended_session_refusals(
+    model: RunModel, session: SessionModel
+) -> Iterator[AllowedAnswer]:
     """Give the refusals of a request whose session is not the live one any more."""
     successor = model.live(session.worker)
     if session.status == "live":
         return
     if successor is not None or session.status == "superseded":
-        yield refuse("ATT-005", model, "session_superseded")
+        yield refusal("ATT-005", model, "session_superseded")
     is_held = successor is not None and not (successor.is_done or session.is_done)
     if not (session.status == "superseded" and is_held):
-        yield refuse("STOP-002, DET-001", model, "session_ended")
+        yield refusal("STOP-002, DET-001", model, "session_ended")
 
 
-def _predict(rules: Rules, model: Model, request: Predict) -> Iterator[Demand]:
+def _predict(
+    rules: Rules, model: RunModel, request: Predict
+) -> Iterator[AllowedAnswer]:
     session = model.session(request.session)
-    yield from _ends(model, session)
+    yield from _ended_session_refusals(model, session)
     if session.status != "live" and not session.is_done:
         return
     if request.seq == session.seq:
         if request.steps != session.request:
-            yield refuse("PRED-003", model, "seq_conflict")
+            yield refusal("PRED-003", model, "seq_conflict")
             return
         rule = "PRED-010" if session.is_done else "PRED-002"
-        yield Demand(rule, 200, lambda _: model, same_turn=session.turn)
+        yield AllowedAnswer(rule, 200, lambda _: model, same_turn=session.turn)
     elif request.seq != session.seq + 1:
         due = session.seq + 1
-        yield refuse("PRED-004", model, "seq_out_of_order", expected_seq=due)
+        yield refusal("PRED-004", model, "seq_out_of_order", expected_seq=due)
     elif session.is_done:
-        yield refuse("PRED-011", model, "no_episode")
+        yield refusal("PRED-011", model, "no_episode")
     else:
         yield _execute(rules, model, session, request)
 
 
-def played(rules: Rules, model: Model, request: Predict) -> tuple[Model, list[Step]]:
+def play_chunk(
+    rules: Rules, model: RunModel, request: Predict
+) -> tuple[RunModel, list[Step]]:
     """Execute a chunk: the run then, and the actions that were executed."""
     session = model.session(request.session)
     index = session.episode
@@ -241,11 +255,13 @@ def played(rules: Rules, model: Model, request: Predict) -> tuple[Model, list[St
     model = model.with_episode(
         index, is_held=False, outcome=outcome, score=done[-1].score
     )
-    return settled(rules, hand_out(model, session)), done
+    return apply_automatic_events(rules, hand_out(model, session)), done
 
 
-def _execute(rules: Rules, model: Model, session: Session, request: Predict) -> Demand:
-    after, done = played(rules, model, request)
+def _execute(
+    rules: Rules, model: RunModel, session: SessionModel, request: Predict
+) -> AllowedAnswer:
+    after, done = play_chunk(rules, model, request)
     index = session.episode
     assert index is not None, "a session that is not done plays an episode"
     now = after.session(session.id)
@@ -275,52 +291,54 @@ def _execute(rules: Rules, model: Model, session: Session, request: Predict) -> 
         }
         members |= {f"episode_result.{k}": v for k, v in expected.items()}
 
-    def then(seen: Seen) -> Model:
-        return after.with_session(replace(now, turn=frozen(seen.body)))
+    def then(summary: AnswerSummary) -> RunModel:
+        return after.with_session(replace(now, turn=turn_text(summary.body)))
 
     rule = "PRED-007, PRED-008, PRED-009, STOP-004" if ended else "PRED-001, CAL-003"
-    return Demand(rule, 200, then, members=members)
+    return AllowedAnswer(rule, 200, then, members=members)
 
 
-def _touch(rules: Rules, model: Model, request: Heartbeat | Detach) -> Iterator[Demand]:
+def _heartbeat_or_detach(
+    rules: Rules, model: RunModel, request: Heartbeat | Detach
+) -> Iterator[AllowedAnswer]:
     session = model.session(request.session)
-    refusals = list(_ends(model, session))
+    refusals = list(_ended_session_refusals(model, session))
     if isinstance(request, Heartbeat):
         yield from refusals
         if session.status == "live" or session.is_done:
-            yield Demand("LEASE-003", 200, lambda _: model)
+            yield AllowedAnswer("LEASE-003", 200, lambda _: model)
     elif session.status == "live":
-        after = settled(rules, close(rules, model, session))
-        yield Demand("DET-001", 204, lambda _: after)
+        after = apply_automatic_events(rules, close_session(rules, model, session))
+        yield AllowedAnswer("DET-001", 204, lambda _: after)
     else:
         if session.status == "superseded":
             yield from (r for r in refusals if r.code == "session_superseded")
         if session.status == "ended" or len(refusals) > 1:
-            yield Demand("DET-002", 204, lambda _: model)
+            yield AllowedAnswer("DET-002", 204, lambda _: model)
 
 
 # --- commands on the run, and what it shows ---
 
 
-def _command(rules: Rules, model: Model, command: str) -> Iterator[Demand]:
+def _command(rules: Rules, model: RunModel, command: str) -> Iterator[AllowedAnswer]:
     rule, to = rules.table[model.state, command]
     if to == "refused":
-        yield refuse(rule, model, "illegal_transition", state=model.state)
+        yield refusal(rule, model, "illegal_transition", state=model.state)
         return
     after = model
     if command == "stop_abort":
         for session in model.sessions:
             if session.status == "live":
-                after = close(rules, after, session)
+                after = close_session(rules, after, session)
         if after.all_scored and not model.all_scored:
             # The last attempts were closed: LIFE-804 speaks as well as the command.
-            complete = settled(rules, after)
-            yield Demand("LIFE-804, LIFE-805", 200, lambda _: complete)
-    moved = settled(rules, replace(after, state=to))
-    yield Demand(rule, 200, lambda _: moved)
+            complete = apply_automatic_events(rules, after)
+            yield AllowedAnswer("LIFE-804, LIFE-805", 200, lambda _: complete)
+    moved = apply_automatic_events(rules, replace(after, state=to))
+    yield AllowedAnswer(rule, 200, lambda _: moved)
 
 
-def _read(model: Model) -> Iterator[Demand]:
+def _read(model: RunModel) -> Iterator[AllowedAnswer]:
     holders = len(model.holders)
     live = sum(s.status == "live" for s in model.sessions)
     members = {
@@ -330,10 +348,10 @@ def _read(model: Model) -> Iterator[Demand]:
         "progress.episodes_in_progress": sum(e.is_held for e in model.episodes),
         "progress.episodes_pending": sum(e.is_pending for e in model.episodes),
     }
-    yield Demand("LIFE, RUN-014", 200, lambda _: model, members=members)
+    yield AllowedAnswer("LIFE, RUN-014", 200, lambda _: model, members=members)
 
 
-def _read_episodes(model: Model) -> Iterator[Demand]:
+def _read_episodes(model: RunModel) -> Iterator[AllowedAnswer]:
     members: dict[str, Any] = {}
     for index, episode in enumerate(model.episodes):
         status = "in_progress" if episode.is_held else "scored"
@@ -349,4 +367,6 @@ def _read_episodes(model: Model) -> Iterator[Demand]:
             expected["result.score"] = episode.score
         members |= {f"{index}.{name}": value for name, value in expected.items()}
     members[str(len(model.episodes))] = ABSENT
-    yield Demand("EPI-003, EPI-005, EPI-006", 200, lambda _: model, members=members)
+    yield AllowedAnswer(
+        "EPI-003, EPI-005, EPI-006", 200, lambda _: model, members=members
+    )

@@ -20,22 +20,22 @@ def expected_comparison(
     baseline: Sequence[Episode], run: Sequence[Episode], tolerance: float
 ) -> dict[str, Any]:
     """Compare two runs of one manifest."""
-    couples = list(zip(baseline, run, strict=True))
-    pairs = [c for c in couples if all(episode["outcome"] for episode in c)]
+    all_pairs = list(zip(baseline, run, strict=True))
+    pairs = [c for c in all_pairs if all(episode["outcome"] for episode in c)]
     whole = _group(pairs)
     tasks = {
         task: _group([pair for pair in pairs if pair[1]["task"] == task])
         for task in dict.fromkeys(episode["task"] for episode in run)
     }
-    wins, losses = _alone(pairs, 1), _alone(pairs, 0)
-    is_complete = len(pairs) == len(couples)
+    wins, losses = _count_one_sided(pairs, 1), _count_one_sided(pairs, 0)
+    is_complete = len(pairs) == len(all_pairs)
     limit = Fraction(tolerance) + ROUNDING
-    is_near = is_complete and all(
+    is_within_tolerance = is_complete and all(
         abs(group["difference"]) <= limit for group in (whole, *tasks.values())
     )
     return {
         "complete": is_complete,
-        "release": is_near,
+        "release": is_within_tolerance,
         **whole,
         "wins": wins,
         "losses": losses,
@@ -52,7 +52,7 @@ def mcnemar(wins: int, losses: int) -> Fraction:
     return min(Fraction(1), Fraction(2 * tail, 2**n))
 
 
-def _alone(pairs: Sequence[Pair], side: int) -> int:
+def _count_one_sided(pairs: Sequence[Pair], side: int) -> int:
     """Count the pairs in which one side succeeds and the other does not."""
     return sum(
         pair[side]["outcome"] == "success" != pair[1 - side]["outcome"]
@@ -65,7 +65,7 @@ def _group(pairs: Sequence[Pair]) -> dict[str, Any]:
         nothing = dict.fromkeys(("baseline_mean", "mean", "difference"))
         return {"paired": 0, **nothing}
     base, run = (
-        sum((_earned(pair[side]) for pair in pairs), Fraction(0)) / len(pairs)
+        sum((_score_of(pair[side]) for pair in pairs), Fraction(0)) / len(pairs)
         for side in (0, 1)
     )
     return {
@@ -76,6 +76,6 @@ def _group(pairs: Sequence[Pair]) -> dict[str, Any]:
     }
 
 
-def _earned(episode: Episode) -> Fraction:
+def _score_of(episode: Episode) -> Fraction:
     # SCORE-004: nothing, whatever it had reached.
     return Fraction(0 if episode["outcome"] == "abandoned" else episode["score"])

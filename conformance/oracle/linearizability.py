@@ -10,81 +10,88 @@ from dataclasses import dataclass, replace
 
 from conformance.oracle.allowed_answers import (
     Deviation,
-    Models,
+    PossibleRuns,
     advance,
-    demands,
-    opened,
-    played,
+    allowed_answers,
+    new_session,
+    play_chunk,
 )
 from conformance.oracle.run_model import (
+    AnswerSummary,
     Attach,
     Predict,
     Read,
     Request,
     Resume,
     Rules,
-    Seen,
-    Session,
+    SessionModel,
     Stop,
     closure,
 )
 
 
 @dataclass(frozen=True, slots=True)
-class Exchanged:
+class TimedExchange:
     """A request with its answer, sent and answered at these times."""
 
     request: Request
-    seen: Seen
+    summary: AnswerSummary
     started_at: float
     ended_at: float
 
 
-def parts(request: Request, seen: Seen) -> Iterator[Request]:
+def split_command(request: Request, summary: AnswerSummary) -> Iterator[Request]:
     """Split a command that answers with the run "as it is now" from that look at it."""
     yield request
-    if isinstance(request, Stop | Resume) and seen.status == 200:
+    if isinstance(request, Stop | Resume) and summary.status == 200:
         yield Read()
 
 
-def explained(rules: Rules, models: Models, history: Sequence[Exchanged]) -> Models:
+def explain(
+    rules: Rules, models: PossibleRuns, history: Sequence[TimedExchange]
+) -> PossibleRuns:
     """Give the runs in which an order of the history may end; none if it has none."""
-    pieces = [list(parts(one.request, one.seen)) for one in history]
-    dead: set[tuple[tuple[int, ...], Models]] = set()
+    pieces = [list(split_command(one.request, one.summary)) for one in history]
+    without_explanation: set[tuple[tuple[int, ...], PossibleRuns]] = set()
 
-    def search(placed: tuple[int, ...], now: Models) -> Models:
+    def search(placed: tuple[int, ...], now: PossibleRuns) -> PossibleRuns:
         left = [i for i, n in enumerate(placed) if n < len(pieces[i])]
         if not left:
-            return frozenset(m for m in now if not _cut_and_live(m.sessions))
-        if (placed, now) in dead:
+            return frozenset(m for m in now if not _has_live_interrupted(m.sessions))
+        if (placed, now) in without_explanation:
             return frozenset()
         first_end = min(history[i].ended_at for i in left)
         for i in left:
             if history[i].started_at > first_end:
                 continue
-            piece, seen = pieces[i][placed[i]], history[i].seen
-            after = _after(rules, now, piece, seen)
-            if not after and seen.code in ("seq_conflict", "seq_out_of_order"):
+            piece, summary = pieces[i][placed[i]], history[i].summary
+            after = _advance_or_interrupt(rules, now, piece, summary)
+            if not after and summary.code in ("seq_conflict", "seq_out_of_order"):
                 begun = [history[j] for j in left if history[j] is not history[i]]
-                after = _beside(rules, now, history[i], begun)
+                after = _refused_during_turn(rules, now, history[i], begun)
             if not after:
                 continue
             more = (*placed[:i], placed[i] + 1, *placed[i + 1 :])
             if found := search(more, after):
                 return found
-        dead.add((placed, now))
+        without_explanation.add((placed, now))
         return frozenset()
 
     return search((0,) * len(history), models)
 
 
-def _cut_and_live(sessions: Sequence[Session]) -> bool:
-    return any(session.is_cut and session.status == "live" for session in sessions)
+def _has_live_interrupted(sessions: Sequence[SessionModel]) -> bool:
+    return any(
+        session.is_interrupted and session.status == "live" for session in sessions
+    )
 
 
-def _beside(
-    rules: Rules, models: Models, refused: Exchanged, begun: Sequence[Exchanged]
-) -> Models:
+def _refused_during_turn(
+    rules: Rules,
+    models: PossibleRuns,
+    refused: TimedExchange,
+    begun: Sequence[TimedExchange],
+) -> PossibleRuns:
     """A turn takes its seq when it begins and has its effect when it ends: another
     seq, or another body, may be refused in between, and the refusal changes nothing."""
     after = set()
@@ -96,45 +103,53 @@ def _beside(
             if turn.session != request.session or one.started_at > refused.ended_at:
                 continue
             session = model.session(turn.session)
-            has_begun = one.seen.code in (None, "session_ended")
+            has_begun = one.summary.code in (None, "session_ended")
             if not has_begun or turn.seq != session.seq + 1:
                 continue
             taken = replace(session, seq=turn.seq, request=turn.steps)
             in_play = frozenset({model.with_session(taken)})
-            if _after(rules, in_play, request, refused.seen):
+            if _advance_or_interrupt(rules, in_play, request, refused.summary):
                 after.add(model)
     return frozenset(after)
 
 
-def _after(rules: Rules, models: Models, request: Request, seen: Seen) -> Models:
+def _advance_or_interrupt(
+    rules: Rules, models: PossibleRuns, request: Request, summary: AnswerSummary
+) -> PossibleRuns:
     try:
-        after = advance(rules, models, request, seen)
+        after = advance(rules, models, request, summary)
     except Deviation:
         after = frozenset()
-    if seen.code == "session_ended" and isinstance(request, Attach | Predict):
-        after |= _cut(rules, models, request)
+    if summary.code == "session_ended" and isinstance(request, Attach | Predict):
+        after |= _interrupted_runs(rules, models, request)
     return after
 
 
-def _cut(rules: Rules, models: Models, request: Attach | Predict) -> Models:
+def _interrupted_runs(
+    rules: Rules, models: PossibleRuns, request: Attach | Predict
+) -> PossibleRuns:
     """A session may end while its request is carried out: the request is refused, but
     what it had done by then stays done, wholly or in part."""
     after = set()
     for model in (late for before in models for late in closure(rules, before)):
-        for demand in demands(rules, model, request):
-            if demand.code is not None or demand.same_turn is not None:
+        for allowed in allowed_answers(rules, model, request):
+            if allowed.code is not None or allowed.same_turn is not None:
                 continue
             if isinstance(request, Attach):
-                then = demand.after(Seen(200, None, {}))
-                name = opened(request, Seen(200, None, {}), len(model.sessions)).id
-                after.add(then.with_session(replace(then.session(name), is_cut=True)))
+                then = allowed.after(AnswerSummary(200, None, {}))
+                name = new_session(
+                    request, AnswerSummary(200, None, {}), len(model.sessions)
+                ).id
+                after.add(
+                    then.with_session(replace(then.session(name), is_interrupted=True))
+                )
                 continue
-            whole, _ = played(rules, model, request)
+            whole, _ = play_chunk(rules, model, request)
             before_it = model.session(request.session)
             begun = replace(before_it, seq=request.seq, steps=before_it.steps + 1)
             for then, session in (
                 (whole, whole.session(request.session)),
                 (model, begun),
             ):
-                after.add(then.with_session(replace(session, is_cut=True)))
+                after.add(then.with_session(replace(session, is_interrupted=True)))
     return frozenset(after)

@@ -105,7 +105,7 @@ Request = Attach | Predict | Heartbeat | Detach | Stop | Resume | Read | ReadEpi
 
 
 @dataclass(frozen=True, slots=True)
-class Seen:
+class AnswerSummary:
     """An answer: status, problem code, body."""
 
     status: int
@@ -114,7 +114,7 @@ class Seen:
 
 
 @dataclass(frozen=True, slots=True)
-class Episode:
+class EpisodeModel:
     """One episode; `outcome` is None until it is scored."""
 
     attempt: int = 1
@@ -129,7 +129,7 @@ class Episode:
 
 
 @dataclass(frozen=True, slots=True)
-class Session:
+class SessionModel:
     """One session; `steps` and `success` are those of the attempt in play.
 
     is_cut: its latest request was answered with the session's end, see linear.py.
@@ -146,28 +146,28 @@ class Session:
     request: tuple[Step, ...] = ()
     turn: str = ""
     status: Status = "live"
-    is_cut: bool = False
+    is_interrupted: bool = False
 
 
 @dataclass(frozen=True, slots=True)
-class Model:
+class RunModel:
     """A run that the server may be in."""
 
     state: str
-    episodes: tuple[Episode, ...]
-    sessions: tuple[Session, ...] = ()
+    episodes: tuple[EpisodeModel, ...]
+    sessions: tuple[SessionModel, ...] = ()
 
-    def session(self, session_id: str) -> Session:
+    def session(self, session_id: str) -> SessionModel:
         """Find a session by its id."""
         return next(one for one in self.sessions if one.id == session_id)
 
-    def live(self, worker: str | None = None) -> Session | None:
+    def live(self, worker: str | None = None) -> SessionModel | None:
         """Give the live session of a worker."""
         of_worker = (s for s in self.sessions if s.worker == worker)
         return next((s for s in of_worker if s.status == "live"), None)
 
     @property
-    def holders(self) -> list[Session]:
+    def holders(self) -> list[SessionModel]:
         """Live sessions that hold a slot."""
         return [s for s in self.sessions if s.status == "live" and not s.is_done]
 
@@ -176,7 +176,7 @@ class Model:
         """Whether nothing is left to score."""
         return all(episode.outcome is not None for episode in self.episodes)
 
-    def with_session(self, session: Session) -> "Model":
+    def with_session(self, session: SessionModel) -> "RunModel":
         """Replace a session, or add it."""
         known = any(s.id == session.id for s in self.sessions)
         if not known:
@@ -184,19 +184,19 @@ class Model:
         sessions = tuple(session if s.id == session.id else s for s in self.sessions)
         return replace(self, sessions=sessions)
 
-    def with_episode(self, index: int, **changes: Any) -> "Model":
+    def with_episode(self, index: int, **changes: Any) -> "RunModel":
         """Change an episode."""
         episodes = list(self.episodes)
         episodes[index] = replace(episodes[index], **changes)
         return replace(self, episodes=tuple(episodes))
 
 
-After = Callable[[Seen], Model]
+After = Callable[[AnswerSummary], RunModel]
 ABSENT = object()
 
 
 @dataclass(frozen=True, slots=True)
-class Demand:
+class AllowedAnswer:
     """An answer that rules allow: status, code, members (path → value), and what then.
 
     `same_turn`: the whole answer but its times, as `frozen` writes it.
@@ -210,27 +210,27 @@ class Demand:
     same_turn: str | None = None
     new_among: Sequence[str] | None = None
 
-    def miss(self, seen: Seen) -> str | None:
+    def mismatch(self, summary: AnswerSummary) -> str | None:
         """Say what would have been right, if the answer is not; None if it is."""
         kind = f" with code `{self.code}`" if self.code else ""
-        if seen.status != self.status or (self.code and seen.code != self.code):
+        if summary.status != self.status or (self.code and summary.code != self.code):
             return f"status {self.status}{kind} ({self.rules})"
-        if self.same_turn is not None and frozen(seen.body) != self.same_turn:
+        if self.same_turn is not None and turn_text(summary.body) != self.same_turn:
             return f"the same turn again ({self.rules})"
-        if self.new_among is not None and _at(seen.body, "session_id") in (
+        if self.new_among is not None and _at(summary.body, "session_id") in (
             *self.new_among,
             ABSENT,
         ):
             return f"another session_id ({self.rules})"
         wrong = [
-            f"{path} {_in_words(value)}"
+            f"{path} {_format_expected(value)}"
             for path, value in self.members.items()
-            if not _agrees(_at(seen.body, path), value)
+            if not _matches(_at(summary.body, path), value)
         ]
         return f"{', '.join(wrong)} ({self.rules})" if wrong else None
 
 
-def frozen(body: Any) -> str:
+def turn_text(body: Any) -> str:
     """Write a turn without its times, which may differ in a repeated answer."""
     if not isinstance(body, dict):
         return ""
@@ -249,7 +249,7 @@ def _at(body: Any, path: str) -> Any:
     return body
 
 
-def _in_words(value: Any) -> str:
+def _format_expected(value: Any) -> str:
     if value is ABSENT:
         return "absent"
     if isinstance(value, range):
@@ -257,7 +257,7 @@ def _in_words(value: Any) -> str:
     return json.dumps(value)
 
 
-def _agrees(observed: Any, expected: Any) -> bool:
+def _matches(observed: Any, expected: Any) -> bool:
     if isinstance(expected, range):
         return observed in expected
     if isinstance(expected, bool) or observed is ABSENT or expected is ABSENT:
@@ -268,7 +268,7 @@ def _agrees(observed: Any, expected: Any) -> bool:
 # --- what happens by itself ---
 
 
-def closure(rules: Rules, model: Model) -> Iterator[Model]:
+def closure(rules: Rules, model: RunModel) -> Iterator[RunModel]:
     """Give the run, and what it may have become without a request."""
     yield model
     if model.state == "queued":
@@ -278,12 +278,12 @@ def closure(rules: Rules, model: Model) -> Iterator[Model]:
         yield _event(rules, model, "last_lease_ends")
 
 
-def _event(rules: Rules, model: Model, event: str) -> Model:
+def _event(rules: Rules, model: RunModel, event: str) -> RunModel:
     row = rules.table.get((model.state, event))
     return model if row is None else replace(model, state=row[1])
 
 
-def settled(rules: Rules, model: Model) -> Model:
+def apply_automatic_events(rules: Rules, model: RunModel) -> RunModel:
     """LIFE-802 to LIFE-805: what must follow at once."""
     if model.all_scored:
         return _event(rules, model, "all_scored")
@@ -292,7 +292,7 @@ def settled(rules: Rules, model: Model) -> Model:
     return model
 
 
-def close(rules: Rules, model: Model, session: Session) -> Model:
+def close_session(rules: Rules, model: RunModel, session: SessionModel) -> RunModel:
     """End a session; its attempt is closed unscored (EPI-002, EPI-003, EPI-004)."""
     index = session.episode
     model = model.with_session(replace(session, status="ended", episode=None))
@@ -306,7 +306,7 @@ def close(rules: Rules, model: Model, session: Session) -> Model:
     return model.with_episode(index, is_held=False, outcome="abandoned", score=0.0)
 
 
-def hand_out(model: Model, session: Session) -> Model:
+def hand_out(model: RunModel, session: SessionModel) -> RunModel:
     """EPI-001: give a session the first pending episode; done when there is none."""
     pending = (i for i, episode in enumerate(model.episodes) if episode.is_pending)
     index = None if model.state == "stopping" else next(pending, None)

@@ -17,13 +17,13 @@ from typing import Any
 
 from conformance.cli.console import Terminal
 from conformance.cli.settings import Settings
-from conformance.client.check_context import Context, Story
+from conformance.client.check_context import CheckContext, SharedContext
 from conformance.policy.turns import calibration
 from conformance.reports.files import write_reports
 from conformance.runner.preflight import CannotJudge
 from conformance.specification.document import load_policy_spec, spec_name
 from conformance.specification.ledger import POLICY, load_ledger
-from conformance.verdicts.expect import Violation, told
+from conformance.verdicts.expect import Violation, describe_answer
 from conformance.verdicts.result import Result, conclude
 from conformance.verdicts.universal_rules import Tally
 
@@ -116,28 +116,32 @@ def _judge(result: Result, terminal: Terminal) -> None:
     # It brings pytest, which no earlier exit needs.
     from conformance.runner.execution import execute
 
-    gathered = execute(settings, 1, terminal.progress)
-    result.problem = gathered.problem
-    conclude(result, gathered.verdicts, gathered.tally, set())
+    collector = execute(settings, 1, terminal.progress)
+    result.problem = collector.problem
+    conclude(result, collector.verdicts, collector.tally, set())
 
 
 def _description(settings: Settings) -> dict[str, Any]:
     """Look whether there is a policy server that can be judged."""
-    context = Context.of(settings)
+    shared = SharedContext.of(settings)
     try:
-        answer = Story(context, "preflight").call("describe_policy", timeout_s=10.0)
+        answer = CheckContext(shared, "preflight").call(
+            "describe_policy", timeout_s=10.0
+        )
     except Violation as error:
         raise CannotJudge(
             f"nothing answers GET {settings.url}/v1/policy ({error.observed}): start "
             "the policy server, or correct --url"
         ) from error
     finally:
-        context.close()
+        shared.close()
     body = answer.json
     if answer.status in (401, 403):
-        raise CannotJudge(f"the key is refused: {told(answer)}; use PROCTOR_POLICY_KEY")
+        raise CannotJudge(
+            f"the key is refused: {describe_answer(answer)}; use PROCTOR_POLICY_KEY"
+        )
     if answer.status != 200 or not isinstance(body, dict):
-        raise CannotJudge(f"this is not a policy server: {told(answer)}")
+        raise CannotJudge(f"this is not a policy server: {describe_answer(answer)}")
     return body
 
 

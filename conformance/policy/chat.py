@@ -16,7 +16,7 @@ from typing import Any, Self
 
 
 @dataclass(frozen=True)
-class Request:
+class ChatRequest:
     """One request as it came."""
 
     path: str
@@ -35,7 +35,7 @@ class Request:
         return "".join(p["text"] for p in self._content if p["type"] == "text")
 
     @property
-    def pictures(self) -> list[str]:
+    def image_urls(self) -> list[str]:
         """The URLs of what was shown."""
         urls = [p["image_url"] for p in self._content if p["type"] == "image_url"]
         return [url["url"] for url in urls]
@@ -48,14 +48,14 @@ class ScriptedChat:
     body: a whole answer, instead. status: of every answer. delay_s: before it.
     """
 
-    def __init__(self, says: Any = "1", host: str = "127.0.0.1") -> None:
-        self.says = says
+    def __init__(self, reply: Any = "1", host: str = "127.0.0.1") -> None:
+        self.reply = reply
         self.body: Any = None
         self.status = 200
         self.delay_s = 0.0
-        self.requests: list[Request] = []
+        self.requests: list[ChatRequest] = []
         self.is_closed = False
-        self._marks: list[tuple[int, threading.Event]] = []
+        self._events_by_count: list[tuple[int, threading.Event]] = []
         self._lock = threading.Lock()
         self._server = _Server((host, 0), _handler_of(self))
         self.url = f"http://{host}:{self._server.server_port}/v1"
@@ -76,29 +76,29 @@ class ScriptedChat:
         self._server.shutdown()
         self._server.server_close()
 
-    def after(self, number: int, happened: threading.Event) -> None:
+    def set_after(self, number: int, event: threading.Event) -> None:
         """Set the event when so many requests have been answered."""
-        self._marks.append((number, happened))
+        self._events_by_count.append((number, event))
 
-    def answered(self, request: Request) -> tuple[int, bytes]:
+    def answer_request(self, request: ChatRequest) -> tuple[int, bytes]:
         """Give status and body of the answer to a request."""
         with self._lock:
             self.requests.append(request)
         until = time.monotonic() + self.delay_s
         while time.monotonic() < until and not self.is_closed:
             time.sleep(0.005)
-        says: Any = self.says(request) if callable(self.says) else self.says
-        message = {"role": "assistant", "content": says}
+        reply: Any = self.reply(request) if callable(self.reply) else self.reply
+        message = {"role": "assistant", "content": reply}
         body = {"object": "chat.completion", "choices": [{"message": message}]}
         return self.status, json.dumps(
             body if self.body is None else self.body
         ).encode()
 
-    def sent(self) -> None:
+    def notify_sent(self) -> None:
         """Note that an answer has left."""
-        for number, happened in self._marks:
+        for number, event in self._events_by_count:
             if len(self.requests) >= number:
-                happened.set()
+                event.set()
 
 
 class _Server(ThreadingHTTPServer):
@@ -119,8 +119,8 @@ def _handler_of(chat: ScriptedChat) -> type[BaseHTTPRequestHandler]:
             headers = {name.lower(): value for name, value in self.headers.items()}
             status, body = 404, b"{}"
             if self.path.endswith("/v1/chat/completions"):
-                request = Request(self.path, headers, json.loads(raw), raw)
-                status, body = chat.answered(request)
+                request = ChatRequest(self.path, headers, json.loads(raw), raw)
+                status, body = chat.answer_request(request)
             self.send_response(status)
             self.send_header("Content-Type", "application/json")
             self.send_header("Content-Length", str(len(body)))
@@ -128,7 +128,7 @@ def _handler_of(chat: ScriptedChat) -> type[BaseHTTPRequestHandler]:
             with contextlib.suppress(OSError):
                 self.end_headers()
                 self.wfile.write(body)
-            chat.sent()
+            chat.notify_sent()
 
         def log_message(self, *_: object) -> None:
             """Stay silent."""

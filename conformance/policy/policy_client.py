@@ -7,7 +7,7 @@ test. The `try_` verbs give the raw answer, for `expect` to judge.
 import itertools
 from typing import Any
 
-from conformance.client.check_context import Story
+from conformance.client.check_context import CheckContext
 from conformance.client.http_client import Answer
 from conformance.policy import turns
 from conformance.verdicts.expect import SetUpFailed
@@ -15,13 +15,13 @@ from conformance.verdicts.expect import SetUpFailed
 _numbers = itertools.count(1)
 
 
-class Asked:
+class PolicySession:
     """One session; `seq` is that of its next turn."""
 
-    def __init__(self, story: Story) -> None:
-        self.story = story
-        self.benchmark = story.benchmark
-        self.session_id = f"kit-{story.random.randrange(10**9)}-{next(_numbers)}"
+    def __init__(self, context: CheckContext) -> None:
+        self.context = context
+        self.benchmark = context.benchmark
+        self.session_id = f"kit-{context.random.randrange(10**9)}-{next(_numbers)}"
         self.seq = 0
         self.view = turns.episode(self.benchmark)
 
@@ -38,24 +38,24 @@ class Asked:
     def try_reset(self, index: int = 0, attempt: int = 1, **members: Any) -> Answer:
         """Ask for a reset, with further members if there are any."""
         body = self.reset_body(index, attempt) | members
-        return self.story.call("reset", json=body)
+        return self.context.call("reset", json=body)
 
     def reset(self, index: int = 0, attempt: int = 1) -> None:
         """Begin an attempt."""
-        self.story.given(lambda: self.try_reset(index, attempt), 200, "reset")
+        self.context.require(lambda: self.try_reset(index, attempt), 200, "reset")
 
     def turn(self, **members: Any) -> dict[str, Any]:
         """Give the next turn."""
-        made = turns.turn(self.benchmark, self.session_id, self.seq, self.view)
-        return made | members
+        turn_body = turns.turn(self.benchmark, self.session_id, self.seq, self.view)
+        return turn_body | members
 
     def try_predict(self, turn: dict[str, Any] | None = None, **how: Any) -> Answer:
         """Ask for actions; the session's own count does not move."""
-        return self.story.call("predict", json=turn or self.turn(), **how)
+        return self.context.call("predict", json=turn or self.turn(), **how)
 
     def predict(self) -> list[Any]:
         """Ask for actions, and go on as if they had been executed."""
-        answer = self.story.given(self.try_predict, 200, "predict")
+        answer = self.context.require(self.try_predict, 200, "predict")
         actions: list[Any] = answer["actions"]
         if not actions:
             raise SetUpFailed("`predict` was answered with no action")

@@ -8,55 +8,62 @@ from collections.abc import Iterator
 from typing import Any
 from urllib.parse import urlsplit
 
-from conformance.client.check_context import Run, Story
+from conformance.client.check_context import CheckContext, RunClient
 from conformance.client.http_client import Answer
 from conformance.policy.chat import ScriptedChat
 from conformance.policy.scripted import ScriptedPolicy
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed, Violation
 
-LONGEST_S = 15.0
+END_TIMEOUT_S = 15.0
 ENDED = ("completed", "failed", "stopped")
-_FIRST_CALL_S = 5.0
+_FIRST_CALL_TIMEOUT_S = 5.0
 _POLL_S = 0.01
 
 
 @contextlib.contextmanager
-def policy_server(story: Story) -> Iterator[ScriptedPolicy]:
+def policy_server(context: CheckContext) -> Iterator[ScriptedPolicy]:
     """Serve a policy where the judged server can find it."""
-    with ScriptedPolicy(own_address(story.context.settings.url)) as policy:
+    with ScriptedPolicy(own_address(context.shared.settings.url)) as policy:
         yield policy
 
 
 @contextlib.contextmanager
-def chat_server(story: Story, says: Any = "1") -> Iterator[ScriptedChat]:
+def chat_server(context: CheckContext, reply: Any = "1") -> Iterator[ScriptedChat]:
     """Serve a chat model where the judged server can find it."""
-    with ScriptedChat(says, own_address(story.context.settings.url)) as chat:
+    with ScriptedChat(reply, own_address(context.shared.settings.url)) as chat:
         yield chat
 
 
-def push_body(url: str, *tasks: str, **order: Any) -> dict[str, Any]:
+def push_body(url: str, *tasks: str, **config: Any) -> dict[str, Any]:
     """Give a body of submit_run; `options` are the run's, the rest is the order's."""
-    options = {"tasks": list(tasks or ("score",)), **order.pop("options", {})}
-    given = {"url": url, "protocol": "proctor", "call_timeout_s": 5.0, "max_retries": 0}
-    return Story.submit_body(
-        mode="push", policy_server={**given, **order}, options=options
+    options = {"tasks": list(tasks or ("score",)), **config.pop("options", {})}
+    server = {
+        "url": url,
+        "protocol": "proctor",
+        "call_timeout_s": 5.0,
+        "max_retries": 0,
+    }
+    return CheckContext.submit_body(
+        mode="push", policy_server={**server, **config}, options=options
     )
 
 
-def pushed(story: Story, policy: ScriptedPolicy, *tasks: str, **order: Any) -> Run:
+def submit_push_run(
+    context: CheckContext, policy: ScriptedPolicy, *tasks: str, **config: Any
+) -> RunClient:
     """Submit a run and wait for the first call; SetUpFailed if there is none."""
-    body = push_body(policy.url, *tasks, **order)
+    body = push_body(policy.url, *tasks, **config)
     before = len(policy.calls)
-    answer = story.call("submit_run", json=body)
+    answer = context.call("submit_run", json=body)
     require_permitted(answer, policy.url)
-    run = story.adopt(expect.given(answer, 201, "`submit_run` with mode push"))
-    deadline = time.monotonic() + _FIRST_CALL_S
+    run = context.adopt(expect.require(answer, 201, "`submit_run` with mode push"))
+    deadline = time.monotonic() + _FIRST_CALL_TIMEOUT_S
     while len(policy.calls) == before and run.get()["state"] not in ENDED:
         if time.monotonic() > deadline:
             raise Violation(
                 f"a call of the policy server at {policy.url}",
-                f"none within {_FIRST_CALL_S:g} s in a run that is "
+                f"none within {_FIRST_CALL_TIMEOUT_S:g} s in a run that is "
                 f"`{run.body['state']}`",
             )
         time.sleep(_POLL_S)
@@ -64,7 +71,7 @@ def pushed(story: Story, policy: ScriptedPolicy, *tasks: str, **order: Any) -> R
         raise SetUpFailed(
             f"the server does not reach the kit's policy server at {policy.url}: "
             f"{run.body['reason']}",
-            allowed=not is_here(story.context.settings.url),
+            allowed=not is_local(context.shared.settings.url),
         )
     return run
 
@@ -79,37 +86,39 @@ def require_permitted(answer: Answer, url: str) -> None:
     """Raise SetUpFailed when the server's operator does not let it call this URL."""
     if "/policy_server/url" in pointers_of(answer):
         raise SetUpFailed(
-            f"the server does not call policies at {url}: {expect.told(answer)} "
+            f"the server does not call policies at {url}: {expect.describe_answer(answer)} "
             "Allow it to call that address (the reference server: "
             "`--allow-private-policies 127.0.0.1`), or let the kit start the server.",
             allowed=True,
         )
 
 
-def ended(run: Run, state: str) -> dict[str, Any]:
+def expect_end(run: RunClient, state: str) -> dict[str, Any]:
     """Expect a run to end in a state, and give it."""
-    deadline = time.monotonic() + LONGEST_S
+    deadline = time.monotonic() + END_TIMEOUT_S
     while (body := run.get())["state"] not in ENDED:
         if time.monotonic() > deadline:
             raise Violation(
                 f"a run that becomes `{state}`",
-                f"`{body['state']}` after {LONGEST_S:g} s",
+                f"`{body['state']}` after {END_TIMEOUT_S:g} s",
             )
         time.sleep(_POLL_S)
     if body["state"] != state:
-        told = f"a run that is `{body['state']}` ({body['reason']})"
-        raise Violation(f"a run that becomes `{state}`", told)
+        observed = f"a run that is `{body['state']}` ({body['reason']})"
+        raise Violation(f"a run that becomes `{state}`", observed)
     return body
 
 
-def faulted(run: Run, within_s: float = LONGEST_S) -> dict[str, Any]:
+def expect_policy_fault(
+    run: RunClient, within_s: float = END_TIMEOUT_S
+) -> dict[str, Any]:
     """Expect the policy's fault to be told with the first episode, and give that."""
     deadline = time.monotonic() + within_s
     while "policy_fault" not in (episode := run.episodes()[0]):
         if time.monotonic() > deadline:
             raise Violation(
                 f"`policy_fault` of an episode within {within_s:g} s",
-                expect.shown(dict(episode)),
+                expect.format_value(dict(episode)),
             )
         time.sleep(_POLL_S)
     expect.true(episode["policy_fault"], "a text in `policy_fault`")
@@ -119,7 +128,7 @@ def faulted(run: Run, within_s: float = LONGEST_S) -> dict[str, Any]:
 def own_address(url: str) -> str:
     """Give the address of this machine by which the server at a URL can reach it."""
     parts = urlsplit(url)
-    if is_here(url):
+    if is_local(url):
         return "127.0.0.1"
     port = parts.port or (443 if parts.scheme == "https" else 80)
     try:
@@ -131,7 +140,7 @@ def own_address(url: str) -> str:
         raise SetUpFailed(reason, allowed=True) from error
 
 
-def is_here(url: str) -> bool:
+def is_local(url: str) -> bool:
     host = urlsplit(url).hostname or ""
     try:
         return ipaddress.ip_address(host).is_loopback

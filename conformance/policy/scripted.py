@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any, Self
 
-from conformance.client.check_context import Story
+from conformance.client.check_context import CheckContext
 from conformance.specification.document import JSON, PROBLEM_JSON, load_spec
 
 OPERATIONS = {
@@ -22,12 +22,12 @@ OPERATIONS = {
     ("POST", "/v1/policy/predict"): "predict",
 }
 _POLL_S = 0.005
-_DRIP_S = 0.05
-_SURELY_TOO_LONG = 60_000
+_BYTE_INTERVAL_S = 0.05
+_UNREACHED_LENGTH = 60_000
 
 
 @dataclass(frozen=True)
-class Call:
+class PolicyCall:
     """One request as it came; `body` is None where there is none."""
 
     operation: str
@@ -38,25 +38,25 @@ class Call:
 
 
 @dataclass(frozen=True)
-class Reply:
+class PolicyReply:
     """An answer; `body` is written as JSON unless it is bytes already.
 
-    `drips`: instead of the body one byte now and then, and never an end.
+    `never_ends`: instead of the body one byte now and then, and never an end.
     """
 
     body: Any = b""
     status: int = 200
     headers: Mapping[str, str] = field(default_factory=dict)
-    drips: bool = False
+    never_ends: bool = False
 
-    def written(self) -> bytes:
+    def encoded(self) -> bytes:
         """Give the bytes of the body."""
         if isinstance(self.body, bytes):
             return self.body
         return json.dumps(self.body).encode()
 
 
-Answer = Callable[[Call], Reply]
+ReplyFunction = Callable[[PolicyCall], PolicyReply]
 
 
 class ScriptedPolicy:
@@ -65,15 +65,15 @@ class ScriptedPolicy:
     def __init__(self, host: str = "127.0.0.1", score: float = 0.5) -> None:
         self.score = score
         self.max_sessions = 16
-        self.calls: list[Call] = []
-        self.in_flight_most = 0
+        self.calls: list[PolicyCall] = []
+        self.max_in_flight = 0
         self.is_closed = False
         self._in_flight = 0
         self._lock = threading.Lock()
-        self._answers: dict[str, Answer] = {
+        self._answers: dict[str, ReplyFunction] = {
             "describe_policy": self.description,
-            "reset": self.acknowledged,
-            "predict": self.played,
+            "reset": self.reset_reply,
+            "predict": self.final_action_reply,
         }
         self._server = ThreadingHTTPServer((host, 0), _handler_of(self))
         self._server.daemon_threads = True
@@ -92,11 +92,11 @@ class ScriptedPolicy:
         self._server.shutdown()
         self._server.server_close()
 
-    def on(self, operation: str, answer: Answer) -> None:
+    def on(self, operation: str, answer: ReplyFunction) -> None:
         """Answer an operation like this from now on."""
         self._answers[operation] = answer
 
-    def called(self, operation: str) -> list[Call]:
+    def calls_of(self, operation: str) -> list[PolicyCall]:
         """Give the calls of an operation so far, in the order in which they came."""
         with self._lock:
             return [call for call in self.calls if call.operation == operation]
@@ -104,16 +104,16 @@ class ScriptedPolicy:
     def wait_for(self, operation: str, count: int = 1, timeout_s: float = 5.0) -> bool:
         """Wait until an operation was called so often; say whether it was in time."""
         deadline = time.monotonic() + timeout_s
-        while len(self.called(operation)) < count:
+        while len(self.calls_of(operation)) < count:
             if time.monotonic() > deadline:
                 return False
             time.sleep(_POLL_S)
         return True
 
-    def description(self, _call: Call) -> Reply:
+    def description(self, _call: PolicyCall) -> PolicyReply:
         """Describe a policy that takes nothing for granted."""
         version = load_spec().version.rpartition(".")[0]
-        return Reply(
+        return PolicyReply(
             {
                 "name": "the kit's own policy",
                 "protocol": {"min": version, "max": version},
@@ -121,10 +121,10 @@ class ScriptedPolicy:
             }
         )
 
-    def acknowledged(self, call: Call) -> Reply:
+    def reset_reply(self, call: PolicyCall) -> PolicyReply:
         """Acknowledge a reset."""
         episode = call.body["episode"]
-        return Reply(
+        return PolicyReply(
             {
                 "session_id": call.body["session_id"],
                 "episode_id": episode["episode_id"],
@@ -132,14 +132,16 @@ class ScriptedPolicy:
             }
         )
 
-    def played(self, call: Call) -> Reply:
+    def final_action_reply(self, call: PolicyCall) -> PolicyReply:
         """End the episode with the score."""
-        return self.answered(call, Story.action(score=self.score, end=1))
+        return self.actions_reply(call, CheckContext.action(score=self.score, end=1))
 
-    def answered(self, call: Call, *actions: Mapping[str, Any]) -> Reply:
+    def actions_reply(
+        self, call: PolicyCall, *actions: Mapping[str, Any]
+    ) -> PolicyReply:
         """Answer a turn with these actions."""
         turn = call.body
-        return Reply(
+        return PolicyReply(
             {
                 "session_id": turn["session_id"],
                 "seq": turn["seq"] + 1,
@@ -147,12 +149,12 @@ class ScriptedPolicy:
             }
         )
 
-    def answer(self, call: Call) -> Reply:
+    def answer(self, call: PolicyCall) -> PolicyReply:
         """Note a call and answer it."""
         with self._lock:
             self.calls.append(call)
             self._in_flight += 1
-            self.in_flight_most = max(self.in_flight_most, self._in_flight)
+            self.max_in_flight = max(self.max_in_flight, self._in_flight)
         try:
             return self._answers[call.operation](call)
         finally:
@@ -160,7 +162,7 @@ class ScriptedPolicy:
                 self._in_flight -= 1
 
 
-def busy() -> Reply:
+def busy_reply() -> PolicyReply:
     """Ask the caller to come again."""
     entry = load_spec().problems["unavailable"]
     problem = {
@@ -173,7 +175,7 @@ def busy() -> Reply:
         "side_effects": entry["side_effects"],
     }
     headers = {"Content-Type": PROBLEM_JSON, "Retry-After": "0"}
-    return Reply(problem, entry["status"], headers)
+    return PolicyReply(problem, entry["status"], headers)
 
 
 def _handler_of(policy: ScriptedPolicy) -> type[BaseHTTPRequestHandler]:
@@ -186,27 +188,27 @@ def _handler_of(policy: ScriptedPolicy) -> type[BaseHTTPRequestHandler]:
             raw = self.rfile.read(size)
             operation = OPERATIONS.get((self.command, self.path))
             if operation is None:
-                self._send(Reply(status=404))
+                self._send(PolicyReply(status=404))
                 return
             headers = {name.lower(): value for name, value in self.headers.items()}
             body = json.loads(raw) if raw else None
-            call = Call(operation, headers, body, raw, time.monotonic())
+            call = PolicyCall(operation, headers, body, raw, time.monotonic())
             self._send(policy.answer(call))
 
         do_GET = do_POST = _serve  # noqa: N815 - names of http.server
 
-        def _send(self, reply: Reply) -> None:
-            body = reply.written()
-            size = _SURELY_TOO_LONG if reply.drips else len(body)
+        def _send(self, reply: PolicyReply) -> None:
+            body = reply.encoded()
+            size = _UNREACHED_LENGTH if reply.never_ends else len(body)
             self.send_response(reply.status)
             named = {"Content-Type": JSON, "Content-Length": str(size)}
             for name, value in {**named, **reply.headers}.items():
                 self.send_header(name, value)
             self.end_headers()
             self.wfile.write(body)
-            while reply.drips and not policy.is_closed:
+            while reply.never_ends and not policy.is_closed:
                 self.wfile.write(b" ")
-                time.sleep(_DRIP_S)
+                time.sleep(_BYTE_INTERVAL_S)
 
         def handle(self) -> None:
             try:

@@ -14,7 +14,7 @@ from conformance.client.check_context import ACTION_SIZES
 _BYTES = {"bool": 1, "int8": 1, "uint8": 1, "int16": 2, "uint16": 2, "float16": 2}
 _BYTES |= {"int32": 4, "uint32": 4, "float32": 4, "int64": 8, "uint64": 8, "float64": 8}
 _CONVENTIONS = {"unit": "1", "rotation": "none", "frame": "none", "relative": False}
-_LONGEST = {"delay_s": 5, "fault": 2}
+_MAXIMA = {"delay_s": 5, "fault": 2}
 TIME = "2026-01-01T00:00:00Z"
 
 
@@ -26,7 +26,7 @@ def calibration() -> dict[str, Any]:
         if name != "vector":
             low = -1 if name == "clipped" else 0
             space["minimum"] = [low] * size
-            space["maximum"] = [_LONGEST.get(name, 1)] * size
+            space["maximum"] = [_MAXIMA.get(name, 1)] * size
             space["out_of_range"] = "clip" if name == "clipped" else "refuse"
         actions[name] = space
     sizes = {"count": 1, "vector": 8, "clipped": 2}
@@ -96,7 +96,7 @@ def turn(
     }
 
 
-def misfits(benchmark: Mapping[str, Any], actions: Any) -> list[str]:
+def action_faults(benchmark: Mapping[str, Any], actions: Any) -> list[str]:
     """List how actions do not fit the benchmark; as PRED-013 to PRED-017 have it."""
     found: list[str] = []
     if len(actions) > benchmark["max_chunk"]:

@@ -9,30 +9,36 @@ import struct
 from collections.abc import Mapping
 from typing import Any
 
-from conformance.client.check_context import ACTION_SIZES, Run, Story
-from conformance.client.http_client import Answer, Wire
+from conformance.client.check_context import ACTION_SIZES, CheckContext, RunClient
+from conformance.client.http_client import Answer, HttpClient
 from conformance.profiles import pickles
-from conformance.verdicts.expect import Given, SetUpFailed, Violation, ok, told
+from conformance.verdicts.expect import (
+    SetUpBody,
+    SetUpFailed,
+    Violation,
+    describe_answer,
+    ok,
+)
 
 _CONTROL = "/api/v1/benchmark/onlineEvaluation"
-_PICKLED = {"Content-Type": "application/octet-stream"}
+_PICKLE_HEADERS = {"Content-Type": "application/octet-stream"}
 
 
-class Door:
+class EBenchRun:
     """A run behind the wire, and what its endpoint is called with."""
 
-    def __init__(self, run: Run, endpoint: str) -> None:
+    def __init__(self, run: RunClient, endpoint: str) -> None:
         self.run = run
-        self.wire = run.wire
+        self.http_client = run.http_client
         self.endpoint = endpoint
 
     def try_send(self, verb: str, body: bytes, **how: Any) -> Answer:
         """Post a pickle to the endpoint."""
-        headers = _PICKLED | {"run_id": self.run.id}
+        headers = _PICKLE_HEADERS | {"run_id": self.run.id}
         url = f"{self.endpoint}/{verb}"
-        how.setdefault("wire", self.wire)
-        wire: Wire = how.pop("wire")
-        return wire.request("POST", url, content=body, headers=headers, **how)
+        how.setdefault("http_client", self.http_client)
+        http_client: HttpClient = how.pop("http_client")
+        return http_client.request("POST", url, content=body, headers=headers, **how)
 
     def try_step(self, actions: Any, **how: Any) -> Answer:
         """Step; `actions` is {worker: action}, or a list of such."""
@@ -48,96 +54,105 @@ class Door:
         body = {"data": {"worker_ids": list(workers)}}
         headers = {"run_id": self.run.id}
         url = f"{self.endpoint}/{verb}"
-        return self.wire.request("POST", url, json=body, headers=headers)
+        return self.http_client.request("POST", url, json=body, headers=headers)
 
     def try_get(self, verb: str) -> Answer:
         """Get a page of the endpoint."""
         params = {"run_id": self.run.id} if verb == "status" else None
-        return self.wire.request("GET", f"{self.endpoint}/{verb}", params=params)
+        return self.http_client.request("GET", f"{self.endpoint}/{verb}", params=params)
 
     def try_stop(self, at: str | None = None) -> Answer:
         """Stop the run, at the endpoint or elsewhere."""
         url = f"{at or self.endpoint}/stop"
         params = {"run_id": self.run.id, "user_id": "kit"}
-        return self.wire.request("POST", url, params=params)
+        return self.http_client.request("POST", url, params=params)
 
     def step(self, actions: Any) -> Any:
         """Step and see."""
-        return given_seen(self.try_step(actions), "step")
+        return require_workers(self.try_step(actions), "step")
 
     def reset(self, *workers: str) -> Any:
         """Reset and see."""
-        return given_seen(self.try_reset(*workers), "reset")
+        return require_workers(self.try_reset(*workers), "reset")
 
     def status(self) -> dict[str, Any]:
         """Read the status."""
         answer = self.try_get("status")
         if answer.status != 200 or not isinstance(answer.json, dict):
-            raise SetUpFailed(f"`status` was not answered: {told(answer)}")
-        return Given(answer.json["data"])
+            raise SetUpFailed(f"`status` was not answered: {describe_answer(answer)}")
+        return SetUpBody(answer.json["data"])
 
 
-def control(
-    story: Story, name: str, body: Mapping[str, Any], wire: Wire | None = None
+def call_control_plane(
+    context: CheckContext,
+    name: str,
+    body: Mapping[str, Any],
+    http_client: HttpClient | None = None,
 ) -> Answer:
     """Ask the control plane; the answer is raw."""
-    return (wire or story.wire).request("POST", f"{_CONTROL}/{name}", json=body)
+    return (http_client or context.http_client).request(
+        "POST", f"{_CONTROL}/{name}", json=body
+    )
 
 
-def opened(story: Story, *tasks: str, **options: Any) -> Door:
+def submit_ebench_run(context: CheckContext, *tasks: str, **options: Any) -> EBenchRun:
     """Submit a calibration run by our own door, and find its endpoint."""
-    run = story.submit(*tasks, **options)
-    return door_of(story, run)
+    run = context.submit(*tasks, **options)
+    return open_endpoint(context, run)
 
 
-def door_of(story: Story, run: Run) -> Door:
+def open_endpoint(context: CheckContext, run: RunClient) -> EBenchRun:
     """Find the endpoint of a run that is ready."""
-    answer = control(story, "ready", {"task_id": run.id}, run.wire)
+    answer = call_control_plane(context, "ready", {"task_id": run.id}, run.http_client)
     data = answer.json.get("data") if isinstance(answer.json, dict) else None
     if answer.status != 200 or not isinstance(data, dict) or not data.get("endpoint"):
-        raise SetUpFailed(f"`ready` gave no endpoint: {told(answer)}; see EBE-003")
-    return Door(run, str(data["endpoint"]).rstrip("/"))
+        raise SetUpFailed(
+            f"`ready` gave no endpoint: {describe_answer(answer)}; see EBE-003"
+        )
+    return EBenchRun(run, str(data["endpoint"]).rstrip("/"))
 
 
-def envelope(answer: Answer) -> dict[str, Any]:
+def expect_success(answer: Answer) -> dict[str, Any]:
     """Expect an envelope of success, and give its data."""
     body = ok(answer)
     if body["code"] != 0:
-        raise Violation("an envelope with `code` 0", told(answer), answer.exchange)
+        raise Violation(
+            "an envelope with `code` 0", describe_answer(answer), answer.exchange
+        )
     data: dict[str, Any] = body["data"]
     return data
 
 
-def refusal(answer: Answer) -> None:
+def expect_refusal(answer: Answer) -> None:
     """Expect an envelope that refuses."""
     body = ok(answer)
     if body["code"] == 0 or not body["msg"]:
         expected = "an envelope with another `code` than 0 and a `msg`"
-        raise Violation(expected, told(answer), answer.exchange)
+        raise Violation(expected, describe_answer(answer), answer.exchange)
 
 
-def seen(answer: Answer) -> Any:
+def expect_workers(answer: Answer) -> Any:
     """Expect an answer of `step` or `reset`, and give what each worker sees."""
     try:
-        return plain(answer)
-    except pickles.NamesSomething as error:
+        return expect_plain_pickle(answer)
+    except pickles.GlobalInPickle as error:
         raise SetUpFailed(f"an answer names {error}; see EBE-020") from error
 
 
-def plain(answer: Answer) -> Any:
+def expect_plain_pickle(answer: Answer) -> Any:
     """Read a pickle with nothing but data in it; raises pickles.NamesSomething."""
     if answer.status != 200:
-        raise Violation("status 200", told(answer), answer.exchange)
+        raise Violation("status 200", describe_answer(answer), answer.exchange)
     try:
         return _decoded(pickles.read(answer.body))
     except ValueError as error:
         raise Violation("a pickle", str(error), answer.exchange) from error
 
 
-def given_seen(answer: Answer, name: str) -> Any:
+def require_workers(answer: Answer, name: str) -> Any:
     """Take an answer of set-up: whatever is wrong with it proves nothing."""
     try:
-        return seen(answer)
+        return expect_workers(answer)
     except Violation as error:
         raise SetUpFailed(f"`{name}`: {error.observed}") from error
 
@@ -149,12 +164,12 @@ def action(**values: Any) -> dict[str, Any]:
 
 def numbers(**values: Any) -> list[float]:
     """Put the vectors of an action together, by name."""
-    together: list[float] = []
+    vector: list[float] = []
     for name in sorted(ACTION_SIZES):
         value = values.get(name, 0.0)
         size = ACTION_SIZES[name]
-        together += value if isinstance(value, list) else [float(value)] * size
-    return together
+        vector += value if isinstance(value, list) else [float(value)] * size
+    return vector
 
 
 def count(worker: Mapping[str, Any]) -> int:

@@ -9,127 +9,137 @@ import uuid
 from dataclasses import dataclass
 from typing import Any
 
-from conformance.client.check_context import Story
-from conformance.client.http_client import Wire
+from conformance.client.check_context import CheckContext
+from conformance.client.http_client import HttpClient
 from conformance.policy.chat import ScriptedChat
-from conformance.policy.push_run import is_here
+from conformance.policy.push_run import is_local
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed, Violation
 
-LONGEST_S = 15.0
+END_TIMEOUT_S = 15.0
 # Of `calibration`, as profiles/flageval.yaml has it.
 DATASETS = {"score": 4, "count": 2}
 _POLL_S = 0.02
 
 
-def fresh(name: str) -> str:
+def unique_name(name: str) -> str:
     """Give a name that nobody has used yet."""
     return f"{uuid.uuid4().hex[:12]}-{name}"
 
 
 def info(chat: ScriptedChat, name: str, **members: Any) -> dict[str, Any]:
     """Give one of eval_infos; the model is asked by the evaluation's name."""
-    given = {"eval_model": name, "model": name, "eval_url": chat.completions_url}
-    return given | {"tokenizer": "none", "num_retry": 0} | members
+    defaults = {"eval_model": name, "model": name, "eval_url": chat.completions_url}
+    return defaults | {"tokenizer": "none", "num_retry": 0} | members
 
 
-def ask(
-    story: Story,
+def call_flageval(
+    context: CheckContext,
     path: str,
     body: Any,
     *,
     method: str = "POST",
-    wire: Wire | None = None,
+    http_client: HttpClient | None = None,
 ) -> dict[str, Any]:
     """Send a request; its answer has status 200 in any case."""
-    wire = wire or story.wire
-    answer = wire.request(method, f"{wire.base_url}{path}", json=body)
+    http_client = http_client or context.http_client
+    answer = http_client.request(method, f"{http_client.base_url}{path}", json=body)
     return dict(expect.ok(answer))
 
 
-def refused(told: dict[str, Any]) -> None:
+def expect_refused(answer: dict[str, Any]) -> None:
     """Expect a refusal."""
-    expect.equal(told.get("err_code"), 1, "err_code")
+    expect.equal(answer.get("err_code"), 1, "err_code")
 
 
-def refused_in_form(told: dict[str, Any]) -> None:
+def expect_refused_in_form(answer: dict[str, Any]) -> None:
     """Expect a refusal as FLE-002 has it."""
-    refused(told)
-    messages = [told.get("err_msg"), told.get("err_message")]
+    expect_refused(answer)
+    messages = [answer.get("err_msg"), answer.get("err_message")]
     expect.true(
         messages[0] and messages[0] == messages[1],
         "one text in err_msg and err_message",
         messages,
     )
-    expect.true("request_id" not in told, "no request_id", told)
+    expect.true("request_id" not in answer, "no request_id", answer)
 
 
-def succeeded(told: dict[str, Any]) -> dict[str, Any]:
+def expect_success(answer: dict[str, Any]) -> dict[str, Any]:
     """Expect success; what was asked for."""
-    expect.equal(told.get("err_code"), 0, "err_code")
-    return expect.Expected(told)
+    expect.equal(answer.get("err_code"), 0, "err_code")
+    return expect.ExpectedBody(answer)
 
 
-def try_begin(story: Story, *infos: dict[str, Any], **members: Any) -> dict[str, Any]:
+def try_begin(
+    context: CheckContext, *infos: dict[str, Any], **members: Any
+) -> dict[str, Any]:
     """Ask for evaluations on calibration; the answer is raw."""
     body = {"eval_infos": list(infos), "domain": "MM", "mode": "calibration"}
-    told = ask(story, "/evaluation", body | members)
-    for task in told.get("eval_tasks", []):
-        shown = story.call("get_run", run_id=str(task.get("run_id")))
-        if shown.status == 200:
-            story.adopt(shown.json)
-    return told
+    answer = call_flageval(context, "/evaluation", body | members)
+    for task in answer.get("eval_tasks", []):
+        run_answer = context.call("get_run", run_id=str(task.get("run_id")))
+        if run_answer.status == 200:
+            context.adopt(run_answer.json)
+    return answer
 
 
 @dataclass(frozen=True)
-class Requested:
+class FlagEvalRequest:
     """Evaluations that were begun."""
 
-    story: Story
+    context: CheckContext
     request_id: str
     run_ids: list[str]
 
     def progress(self) -> dict[str, Any]:
         """Read the progress, whose members are under test."""
         body = {"request_id": self.request_id, "domain": "MM"}
-        return succeeded(ask(self.story, "/evaluation_progress", body))
+        return expect_success(call_flageval(self.context, "/evaluation_progress", body))
 
     def results(self) -> dict[str, Any]:
         """Read the results, by eval_model."""
         body = {"request_id": self.request_id}
-        told = ask(self.story, "/evaldiffs", body, method="GET")
-        results: dict[str, Any] = succeeded(told)["eval_results"]
+        answer = call_flageval(self.context, "/evaldiffs", body, method="GET")
+        results: dict[str, Any] = expect_success(answer)["eval_results"]
         return results
 
     def finished(self) -> dict[str, Any]:
         """Wait for the end; the progress then."""
-        deadline = time.monotonic() + LONGEST_S
-        while not (told := self.progress())["finished"]:
+        deadline = time.monotonic() + END_TIMEOUT_S
+        while not (answer := self.progress())["finished"]:
             if time.monotonic() > deadline:
-                raise Violation(f"an end within {LONGEST_S:g} s", expect.shown(told))
+                raise Violation(
+                    f"an end within {END_TIMEOUT_S:g} s", expect.format_value(answer)
+                )
             time.sleep(_POLL_S)
-        return told
+        return answer
 
     def command(self, path: str) -> None:
         """Stop or resume."""
-        succeeded(ask(self.story, path, {"request_id": self.request_id}))
-
-
-def begin(story: Story, *infos: dict[str, Any], **members: Any) -> Requested:
-    """Begin evaluations; SetUpFailed if the server cannot reach the kit's model."""
-    told = try_begin(story, *infos, **members)
-    if told.get("err_code") != 0:
-        raise SetUpFailed(
-            f"`/evaluation` was refused: {told.get('err_msg')}",
-            allowed=not is_here(story.context.settings.url),
+        expect_success(
+            call_flageval(self.context, path, {"request_id": self.request_id})
         )
-    ids = {task["eval_model"]: task["run_id"] for task in told["eval_tasks"]}
+
+
+def begin(
+    context: CheckContext, *infos: dict[str, Any], **members: Any
+) -> FlagEvalRequest:
+    """Begin evaluations; SetUpFailed if the server cannot reach the kit's model."""
+    answer = try_begin(context, *infos, **members)
+    if answer.get("err_code") != 0:
+        raise SetUpFailed(
+            f"`/evaluation` was refused: {answer.get('err_msg')}",
+            allowed=not is_local(context.shared.settings.url),
+        )
+    ids = {task["eval_model"]: task["run_id"] for task in answer["eval_tasks"]}
     named = [ids[one["eval_model"]] for one in infos]
-    return Requested(story, told["request_id"], named)
+    return FlagEvalRequest(context, answer["request_id"], named)
 
 
-def evaluated(story: Story, *infos: dict[str, Any], **members: Any) -> Requested:
+def evaluate(
+    context: CheckContext, *infos: dict[str, Any], **members: Any
+) -> FlagEvalRequest:
     """Begin evaluations and wait for their end."""
-    requested = begin(story, *infos, **members)
-    requested.finished()
-    return requested
+    flageval_request = begin(context, *infos, **members)
+    flageval_request.finished()
+    return flageval_request

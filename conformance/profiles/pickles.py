@@ -12,12 +12,12 @@ from dataclasses import dataclass
 from typing import Any, NoReturn
 
 
-class NamesSomething(Exception):
+class GlobalInPickle(Exception):
     """A pickle that is more than plain data, and what it names."""
 
 
 @dataclass(frozen=True)
-class Array:
+class PickledArray:
     """Numbers as numpy pickles them; `core` tells its major version."""
 
     numbers: Sequence[float]
@@ -25,7 +25,7 @@ class Array:
 
 
 @dataclass(frozen=True)
-class Call:
+class PickledCall:
     """What a stranger would have called when the pickle is read."""
 
     module: str
@@ -35,14 +35,14 @@ class Call:
 
 class _Plain(pickle.Unpickler):
     def find_class(self, module: str, name: str) -> NoReturn:
-        raise NamesSomething(f"{module}.{name}")
+        raise GlobalInPickle(f"{module}.{name}")
 
 
 def read(body: bytes) -> Any:
     """Read plain data; raises NamesSomething, or ValueError for what is no pickle."""
     try:
         return _Plain(io.BytesIO(body)).load()
-    except NamesSomething:
+    except GlobalInPickle:
         raise
     except Exception as error:  # its reader raises whatever it stumbles over
         raise ValueError(f"no pickle: {error!r}") from error
@@ -55,9 +55,9 @@ def write(value: Any) -> bytes:
 
 def _parts(value: Any) -> Iterator[bytes]:
     match value:
-        case Array():
+        case PickledArray():
             yield from _array(value)
-        case Call():
+        case PickledCall():
             yield _global(value.module, value.name)
             yield b"("
             for argument in value.arguments:
@@ -86,7 +86,7 @@ def _global(module: str, name: str) -> bytes:
     return f"c{module}\n{name}\n".encode()
 
 
-def _array(array: Array) -> Iterator[bytes]:
+def _array(array: PickledArray) -> Iterator[bytes]:
     """The opcodes with which numpy writes a vector of float64."""
     data = struct.pack(f"<{len(array.numbers)}d", *array.numbers)
     yield _global(f"numpy.{array.core}.multiarray", "_reconstruct")

@@ -18,10 +18,10 @@ _PADDING = 6
 def badge(result: Result) -> str:
     """Draw the badge."""
     version = load_spec().version.rpartition(".")[0]
-    name, told, colour = f"proctor {version}", *_say(result)
-    left, right = (_width(text) for text in (name, told))
+    name, summary, colour = f"proctor {version}", *_summarise(result)
+    left, right = (_width(text) for text in (name, summary))
     whole = left + right
-    label = escape(f"{name}: {told}", {'"': "&quot;"})
+    label = escape(f"{name}: {summary}", {'"': "&quot;"})
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{whole}" height="20" '
         f'role="img" aria-label="{label}"><title>{label}</title>'
@@ -29,12 +29,12 @@ def badge(result: Result) -> str:
         f'<g clip-path="url(#r)"><rect width="{left}" height="20" fill="#333a45"/>'
         f'<rect x="{left}" width="{right}" height="20" fill="{colour}"/></g>'
         '<g fill="#fff" font-family="Verdana,DejaVu Sans,sans-serif" font-size="11" '
-        f'text-anchor="middle">{_drawn(name, 0, left)}{_drawn(told, left, right)}'
+        f'text-anchor="middle">{_text_element(name, 0, left)}{_text_element(summary, left, right)}'
         "</g></svg>\n"
     )
 
 
-def _say(result: Result) -> tuple[str, str]:
+def _summarise(result: Result) -> tuple[str, str]:
     count = result.counts("MUST")
     about = count.total() - count[Outcome.NOT_APPLICABLE]
     verified = f"{count[Outcome.PASSED]}/{about} verified"
@@ -53,7 +53,7 @@ def _width(text: str) -> int:
     return round(len(text) * _CHARACTER) + 2 * _PADDING
 
 
-def _drawn(text: str, start: int, width: int) -> str:
+def _text_element(text: str, start: int, width: int) -> str:
     return (
         f'<text x="{start + width / 2:g}" y="14" textLength="{width - 2 * _PADDING}">'
         f"{escape(text)}</text>"

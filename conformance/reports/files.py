@@ -75,8 +75,8 @@ def _add_properties(suite: ET.Element, result: Result) -> None:
         "seed": str(result.settings.seed),
         "conclusion": result.conclusion(),
     }.items():
-        told = value.translate(_NOT_IN_XML)
-        ET.SubElement(properties, "property", name=name, value=told)
+        printable = value.translate(_NOT_IN_XML)
+        ET.SubElement(properties, "property", name=name, value=printable)
 
 
 def _fails(verdict: Verdict) -> bool:

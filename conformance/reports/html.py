@@ -77,14 +77,14 @@ def _tiles(result: Result) -> str:
 def _about(result: Result) -> str:
     settings = result.settings
     server = settings.service
-    asked = [*settings.only, *(["--quick"] if settings.quick else [])]
+    selection = [*settings.only, *(["--quick"] if settings.quick else [])]
     known = [row.requirement_id for row in result.rows.values() if row.is_known_failure]
     entries = {
         "server": f"{server.get('name', '?')} {server.get('version', '?')}",
         "url": settings.url,
         "judged by": f"Proctor {load_spec().version}, sha256 {spec_sha256()}",
         "profiles": ", ".join(settings.profiles),
-        "selection": " ".join(asked),
+        "selection": " ".join(selection),
         "known failures": ", ".join(known),
         "started": f"{result.started_at}, took {result.elapsed_s:.1f} s",
         "round trip": f"{1000 * result.round_trip_p50_s:.1f} ms p50, "
@@ -150,17 +150,17 @@ def _card(verdict: Verdict, result: Result) -> str:
         f'<article class="card {outcome.value}" id="card-{row.id}" {_data(verdict)}>'
         f'<h3><code>{row.id}</code><span class="{outcome.value}">{shown}</span>'
         f'<span class="soft">{row.level}, profile {row.profile}</span></h3>'
-        f"<blockquote>{_ticked(row.text)}</blockquote>"
+        f"<blockquote>{_with_code_spans(row.text)}</blockquote>"
         f'<div class="soft">{row.source}</div>'
     )
     parts = [head]
     if verdict.check:
-        parts.append(f"<h4>how it was judged</h4><div>{_ticked(check)}</div>")
+        parts.append(f"<h4>how it was judged</h4><div>{_with_code_spans(check)}</div>")
     if verdict.expected:
         parts.append(
             '<h4></h4><div class="sides">'
-            f"<div><h4>expected</h4>{_ticked(verdict.expected)}</div>"
-            f"<div><h4>observed</h4>{_ticked(verdict.observed)}</div></div>"
+            f"<div><h4>expected</h4>{_with_code_spans(verdict.expected)}</div>"
+            f"<div><h4>observed</h4>{_with_code_spans(verdict.observed)}</div></div>"
         )
     if verdict.reason:
         reason = _text(verdict.reason)
@@ -175,7 +175,7 @@ def _card(verdict: Verdict, result: Result) -> str:
     return "".join([*parts, "</article>"])
 
 
-def _ticked(text: str) -> str:
+def _with_code_spans(text: str) -> str:
     """Escape a text and set what stands in `ticks` as code."""
     parts = html.escape(text).split("`")
     if len(parts) % 2 == 0:
@@ -193,12 +193,12 @@ def _sequence(exchanges: Iterable[Exchange], base_url: str) -> str:
     for one in sent:
         left = 100 * (one.started_at - began_at) / whole_s
         width = 100 * one.elapsed_s / whole_s
-        said = outcome_of(one).partition(" after ")[0]
+        outcome_text = outcome_of(one).partition(" after ")[0]
         url = one.url.removeprefix(base_url)
         items.append(
             f'<li><details><summary><span class="soft">{one.number}</span>'
             f"<code>{one.method} {_text(url)}</code>"
-            f'<span class="answer">{_text(said)}</span>'
+            f'<span class="answer">{_text(outcome_text)}</span>'
             f'<span class="time">{1000 * one.elapsed_s:.0f} ms</span>'
             f'<span class="track" title="after {one.started_at - began_at:.3f} s">'
             f'<i style="left:{left:.1f}%;width:{width:.1f}%"></i></span></summary>'
@@ -234,11 +234,11 @@ def _row(verdict: Verdict) -> str:
     if outcome in _WITH_CARD:
         link = f'<a href="#card-{row.id}">{link}</a>'
     reason = "" if outcome in _WITH_CARD else verdict.reason
-    told = f"<p>{_ticked(reason)}</p>" if reason else ""
+    reason_html = f"<p>{_with_code_spans(reason)}</p>" if reason else ""
     level = row.level + ("" if row.profile == "core" else f" {row.profile}")
     elapsed = f"{verdict.elapsed_s:.2f} s" if verdict.check else ""
     return (
         f'<tr id="{row.id}" {_data(verdict)}><td>{link}</td>'
         f'<td class="{outcome.value}">{shown}</td><td>{level}</td>'
-        f'<td class="number">{elapsed}</td><td>{_ticked(row.text)}{told}</td></tr>'
+        f'<td class="number">{elapsed}</td><td>{_with_code_spans(row.text)}{reason_html}</td></tr>'
     )

@@ -10,11 +10,11 @@ import pytest
 
 from conformance.cli.settings import Settings
 from conformance.runner.pytest_plugin import (
-    DEAD,
+    SERVER_UNREACHABLE,
     TALLY,
     VERDICT,
+    docstring_of,
     requirement_of,
-    story_of,
 )
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import POLICY, PROFILES
@@ -22,7 +22,7 @@ from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
 
 CHECKS = Path(__file__).resolve().parents[1] / "checks"
-_NOTHING_FAILED_IN_PYTEST = (
+_REGULAR_EXIT_CODES = (
     pytest.ExitCode.OK,
     pytest.ExitCode.TESTS_FAILED,
     pytest.ExitCode.NO_TESTS_COLLECTED,
@@ -30,7 +30,7 @@ _NOTHING_FAILED_IN_PYTEST = (
 )
 
 
-class Gathered:
+class ResultCollector:
     """A pytest plugin that keeps verdicts, tallies and troubles."""
 
     def __init__(self, progress: Callable[[Verdict, int], None]) -> None:
@@ -62,7 +62,7 @@ class Gathered:
                 self._add(Verdict.from_plain(value))
             elif name == TALLY and isinstance(value, dict):
                 self.tally.add_plain(value)
-            elif name == DEAD:
+            elif name == SERVER_UNREACHABLE:
                 self.problem = self.problem or str(value)
 
     def _add(self, verdict: Verdict) -> None:
@@ -73,7 +73,7 @@ class Gathered:
         self._progress(verdict, self._total)
 
 
-class _Listing:
+class _CheckCollector:
     """A pytest plugin that keeps what was collected."""
 
     def __init__(self) -> None:
@@ -82,45 +82,46 @@ class _Listing:
     def pytest_collection_finish(self, session: pytest.Session) -> None:
         """Note id, name and docstring of each check."""
         self.checks = [
-            [requirement_of(item), item.name, story_of(item)] for item in session.items
+            [requirement_of(item), item.name, docstring_of(item)]
+            for item in session.items
         ]
 
 
 def execute(
     settings: Settings, processes: int, progress: Callable[[Verdict, int], None]
-) -> Gathered:
+) -> ResultCollector:
     """Run the selected checks."""
-    gathered = Gathered(progress)
-    code = _run_pytest(settings, gathered, processes)
-    if gathered.problem is None and code not in _NOTHING_FAILED_IN_PYTEST:
-        gathered.problem = f"the kit is broken: pytest ended with code {code}"
-    if gathered.problem is None and code == pytest.ExitCode.INTERRUPTED:
-        gathered.problem = "interrupted before the end"
-    return gathered
+    collector = ResultCollector(progress)
+    code = _run_pytest(settings, collector, processes)
+    if collector.problem is None and code not in _REGULAR_EXIT_CODES:
+        collector.problem = f"the kit is broken: pytest ended with code {code}"
+    if collector.problem is None and code == pytest.ExitCode.INTERRUPTED:
+        collector.problem = "interrupted before the end"
+    return collector
 
 
 def list_checks(chosen: Settings | None = None) -> list[list[str]]:
     """Give id, name and docstring of the checks (of all), without a server."""
     profiles = [*PROFILES, POLICY]
     everything = Settings(profiles=profiles, service={"profiles": profiles})
-    listing = _Listing()
-    code = _run_pytest(chosen or everything, listing, 0, "--collect-only")
+    collector = _CheckCollector()
+    code = _run_pytest(chosen or everything, collector, 0, "--collect-only")
     if code not in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED):
         raise RuntimeError(f"the checks cannot be collected: pytest's code {code}")
-    return listing.checks
+    return collector.checks
 
 
 def _run_pytest(
     settings: Settings, plugin: object, processes: int, *more: str
 ) -> int | pytest.ExitCode:
-    settings.hand_over()
+    settings.store_in_environment()
     # The operator's plugins and configuration must not change a verdict.
     os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"
     os.environ.pop("PYTEST_ADDOPTS", None)
     # What Hypothesis keeps between runs is of no interest where the kit is run.
     user = getattr(os, "getuid", int)()
-    kept = Path(tempfile.gettempdir(), f"proctor-conformance-{user}")
-    os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", str(kept))
+    hypothesis_directory = Path(tempfile.gettempdir(), f"proctor-conformance-{user}")
+    os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", str(hypothesis_directory))
     arguments = [
         str(CHECKS),
         f"--rootdir={CHECKS.parent.parent}",

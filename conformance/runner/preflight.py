@@ -14,17 +14,17 @@ from typing import Any
 from jsonschema import Draft202012Validator
 
 from conformance.cli.settings import Settings
-from conformance.client.check_context import Context, Story
-from conformance.client.http_client import Answer, Wire
+from conformance.client.check_context import CheckContext, SharedContext
+from conformance.client.http_client import Answer, HttpClient
 from conformance.specification.document import load_spec
-from conformance.verdicts.expect import Violation, told
+from conformance.verdicts.expect import Violation, describe_answer
 
 _PROBES = 12
 _TIMEOUT_S = 10.0
-_TOLERANCE_LEAST_S = 0.25
+_TOLERANCE_MIN_S = 0.25
 _TOLERANCE_ROUND_TRIPS = 20
 _NAMES = {"type": "array", "items": {"type": "string"}}
-_SKEW_WORTH_A_WORD_S = 2.0
+_SKEW_NOTED_S = 2.0
 
 
 class CannotJudge(Exception):
@@ -41,59 +41,65 @@ class Findings:
 
     def notes(self) -> list[str]:
         """Say what an operator should know."""
-        if abs(self.clock_skew_s) < _SKEW_WORTH_A_WORD_S:
+        if abs(self.clock_skew_s) < _SKEW_NOTED_S:
             return []
         return [f"the server's clock is {self.clock_skew_s:+.1f} s off this machine's"]
 
 
 def inspect(settings: Settings) -> Findings:
     """Look at the server; fills in what the checks need of it."""
-    with contextlib.closing(Context.of(settings)) as context:
-        return _inspect(Story(context, "preflight"), settings)
+    with contextlib.closing(SharedContext.of(settings)) as shared:
+        return _inspect(CheckContext(shared, "preflight"), settings)
 
 
-def _inspect(story: Story, settings: Settings) -> Findings:
-    settings.service = _service(story)
-    findings = _measure(story)
+def _inspect(context: CheckContext, settings: Settings) -> Findings:
+    settings.service = _read_service(context)
+    findings = _measure(context)
     settings.round_trip_s = findings.round_trip_p95_s
     settings.tolerance_s = max(
-        _TOLERANCE_LEAST_S, _TOLERANCE_ROUND_TRIPS * findings.round_trip_p95_s
+        _TOLERANCE_MIN_S, _TOLERANCE_ROUND_TRIPS * findings.round_trip_p95_s
     )
-    _versions_overlap(settings.service)
-    _is_admitted(story.wire, "--token or PROCTOR_TOKEN")
+    _require_version_overlap(settings.service)
+    _require_admitted(context.http_client, "--token or PROCTOR_TOKEN")
     if settings.token_2 is not None:
         if settings.token_2 == settings.token:
             raise CannotJudge(
                 "the second token is the first: PROCTOR_TOKEN_2 must be one of "
                 "another account"
             )
-        _is_admitted(story.wire_2, "--token-2 or PROCTOR_TOKEN_2")
+        _require_admitted(context.second_account, "--token-2 or PROCTOR_TOKEN_2")
     if settings.token_read is not None:
-        _is_admitted(story.wire_read, "--token-read or PROCTOR_TOKEN_READ")
-    settings.benchmark = _calibration(story)
-    _may_submit(story)
+        _require_admitted(
+            context.read_only_account, "--token-read or PROCTOR_TOKEN_READ"
+        )
+    settings.benchmark = _read_calibration(context)
+    _require_submit_allowed(context)
     return findings
 
 
-def _ask(wire: Wire, method: str, path: str, **how: Any) -> Answer:
+def _request(http_client: HttpClient, method: str, path: str, **how: Any) -> Answer:
     try:
-        return wire.request(method, path, timeout_s=_TIMEOUT_S, **how)
+        return http_client.request(method, path, timeout_s=_TIMEOUT_S, **how)
     except Violation as error:
         raise CannotJudge(
-            f"nothing answers {method} {wire.base_url}{path} ({error.observed}): "
+            f"nothing answers {method} {http_client.base_url}{path} ({error.observed}): "
             "start the server, or correct --url"
         ) from error
 
 
-def _service(story: Story) -> dict[str, Any]:
-    answer = _ask(story.wire, "GET", "/v1", token=None)
+def _read_service(context: CheckContext) -> dict[str, Any]:
+    answer = _request(context.http_client, "GET", "/v1", token=None)
     if answer.status in (401, 403):
-        answer = _ask(story.wire, "GET", "/v1")  # which is for SVC-001 to judge
+        answer = _request(
+            context.http_client, "GET", "/v1"
+        )  # which is for SVC-001 to judge
     needed = "GET /v1 must describe the service; is --url the base of a Proctor server?"
     if answer.status != 200 or not isinstance(answer.json, dict):
-        raise CannotJudge(f"this is not a Proctor server: {told(answer)}; {needed}")
+        raise CannotJudge(
+            f"this is not a Proctor server: {describe_answer(answer)}; {needed}"
+        )
     # Only what the kit itself needs; the rest is for SVC-003 to judge.
-    described = story.spec.schema("Service")["properties"]
+    described = context.spec.schema("Service")["properties"]
     needs = {name: described[name] for name in ("protocol", "limits")}
     needs |= dict.fromkeys(("profiles", "encodings", "image_codecs"), _NAMES)
     schema = {"type": "object", "required": list(needs), "properties": needs}
@@ -107,22 +113,22 @@ def _service(story: Story) -> dict[str, Any]:
     return service
 
 
-def _measure(story: Story) -> Findings:
-    trips: list[float] = []
+def _measure(context: CheckContext) -> Findings:
+    round_trips: list[float] = []
     skews: list[float] = []
     for _ in range(_PROBES):
         before = datetime.now(UTC)
-        answer = _ask(story.wire, "GET", "/v1")
-        trips.append(answer.elapsed_s)
+        answer = _request(context.http_client, "GET", "/v1")
+        round_trips.append(answer.elapsed_s)
         if isinstance(answer.json, dict):
             server_time = _read_time(answer.json.get("server_time"))
             if server_time is not None:
                 half = answer.elapsed_s / 2
                 skews.append((server_time - before).total_seconds() - half)
-    trips.sort()
+    round_trips.sort()
     return Findings(
-        round_trip_p50_s=statistics.median(trips),
-        round_trip_p95_s=trips[int(0.95 * (len(trips) - 1))],
+        round_trip_p50_s=statistics.median(round_trips),
+        round_trip_p95_s=round_trips[int(0.95 * (len(round_trips) - 1))],
         clock_skew_s=statistics.median(skews) if skews else 0.0,
     )
 
@@ -135,7 +141,7 @@ def _read_time(text: object) -> datetime | None:
     return read if read.tzinfo is not None else None
 
 
-def _versions_overlap(service: dict[str, Any]) -> None:
+def _require_version_overlap(service: dict[str, Any]) -> None:
     ours = load_spec().document["info"]["version"].rpartition(".")[0]
     low, high = service["protocol"]["min"], service["protocol"]["max"]
     if not _number(low) <= _number(ours) <= _number(high):
@@ -149,22 +155,22 @@ def _number(version: str) -> tuple[int, ...]:
     return tuple(int(part) for part in version.split("."))
 
 
-def _is_admitted(wire: Wire, source: str) -> None:
-    if wire.token is None:
+def _require_admitted(http_client: HttpClient, source: str) -> None:
+    if http_client.token is None:
         raise CannotJudge(f"no token was given: use {source}")
-    answer = _ask(wire, "GET", "/v1/runs", params={"limit": 1})
+    answer = _request(http_client, "GET", "/v1/runs", params={"limit": 1})
     if answer.status in (401, 403):
         raise CannotJudge(
-            f"the token given by {source} is refused: {told(answer)}; give one that "
+            f"the token given by {source} is refused: {describe_answer(answer)}; give one that "
             "the server knows"
         )
 
 
-def _calibration(story: Story) -> dict[str, Any]:
-    answer = _ask(story.wire, "GET", "/v1/benchmarks/calibration")
+def _read_calibration(context: CheckContext) -> dict[str, Any]:
+    answer = _request(context.http_client, "GET", "/v1/benchmarks/calibration")
     if answer.status != 200 or not isinstance(answer.json, dict):
         raise CannotJudge(
-            f"the benchmark `calibration` is not offered: {told(answer)}; without it "
+            f"the benchmark `calibration` is not offered: {describe_answer(answer)}; without it "
             "the kit cannot judge a server"
         )
     reason = answer.json.get("unavailable_reason")
@@ -174,16 +180,16 @@ def _calibration(story: Story) -> dict[str, Any]:
     return benchmark
 
 
-def _may_submit(story: Story) -> None:
-    body = story.submit_body()
-    answer = _ask(story.wire, "POST", "/v1/runs", json=body)
+def _require_submit_allowed(context: CheckContext) -> None:
+    body = context.submit_body()
+    answer = _request(context.http_client, "POST", "/v1/runs", json=body)
     if answer.status in (401, 403):
         raise CannotJudge(
-            f"the token may not submit runs: {told(answer)}; it needs the scopes "
+            f"the token may not submit runs: {describe_answer(answer)}; it needs the scopes "
             "`read` and `run`"
         )
     if answer.status == 201 and isinstance(answer.json, dict):
         run_id = str(answer.json.get("run_id", ""))
         if run_id:
             path = f"/v1/runs/{run_id}/stop"
-            _ask(story.wire, "POST", path, json={"mode": "abort"})
+            _request(context.http_client, "POST", path, json={"mode": "abort"})

@@ -16,17 +16,17 @@ from typing import Protocol
 
 import httpx
 
-from conformance.client.check_context import Story
-from conformance.runner.server_process import ServerProcess, StartFailed, Tokens
+from conformance.client.check_context import CheckContext
+from conformance.runner.server_process import AccountTokens, ServerProcess, StartFailed
 from conformance.verdicts.expect import SetUpFailed
 
 _RESTART_S = 60.0
 
 
 class PrivateServer(Protocol):
-    """What a crash check may do; `story` talks to this server."""
+    """What a crash check may do; `context` talks to this server."""
 
-    story: Story
+    context: CheckContext
 
     def kill9(self) -> None:
         """End the server without warning."""
@@ -36,8 +36,8 @@ class PrivateServer(Protocol):
 
 
 class _OwnServer:
-    def __init__(self, story: Story, process: ServerProcess) -> None:
-        self.story = story
+    def __init__(self, context: CheckContext, process: ServerProcess) -> None:
+        self.context = context
         self._process = process
 
     def kill9(self) -> None:
@@ -51,8 +51,8 @@ class _OwnServer:
 
 
 class _HookedServer:
-    def __init__(self, story: Story, command: str) -> None:
-        self.story = story
+    def __init__(self, context: CheckContext, command: str) -> None:
+        self.context = context
         self._command = shlex.split(command)
 
     def kill9(self) -> None:
@@ -65,7 +65,7 @@ class _HookedServer:
         if done.returncode != 0:
             raise SetUpFailed(f"the restart command ended with {done.returncode}")
         deadline = time.monotonic() + _RESTART_S
-        url = self.story.context.settings.url
+        url = self.context.shared.settings.url
         while time.monotonic() < deadline:
             with contextlib.suppress(httpx.TransportError):
                 httpx.get(f"{url}/v1", timeout=2.0)
@@ -75,23 +75,23 @@ class _HookedServer:
 
 
 @contextlib.contextmanager
-def open_private_server(story: Story) -> Iterator[PrivateServer]:
+def open_private_server(context: CheckContext) -> Iterator[PrivateServer]:
     """Give a server that may be killed, and end it afterwards."""
-    settings = story.context.settings
+    settings = context.shared.settings
     if settings.restart_cmd is not None:
-        yield _HookedServer(story, settings.restart_cmd)
+        yield _HookedServer(context, settings.restart_cmd)
         return
     if settings.start_cmd is None:
         raise SetUpFailed("needs --start-cmd or --restart-cmd", allowed=True)
-    tokens = Tokens(
+    tokens = AccountTokens(
         settings.token or "", settings.token_2 or "", settings.token_read or ""
     )
     with tempfile.TemporaryDirectory(prefix="proctor-conformance-") as directory:
-        log = Path(settings.report) / f"server-{story.name}.log"
+        log = Path(settings.report) / f"server-{context.name}.log"
         process = ServerProcess(settings.start_cmd, tokens, Path(directory), log)
         try:
             process.start()
-            yield _OwnServer(story.at(process.url), process)
+            yield _OwnServer(context.for_base_url(process.url), process)
         except StartFailed as error:
             raise SetUpFailed(str(error)) from error
         finally:

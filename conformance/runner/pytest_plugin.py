@@ -18,19 +18,19 @@ import httpx
 import pytest
 
 from conformance.cli.settings import Settings
-from conformance.client.check_context import Context, Story
-from conformance.client.curl import needed_for
+from conformance.client.check_context import CheckContext, SharedContext
+from conformance.client.curl import select_exchanges_for
 from conformance.verdicts import expect
 from conformance.verdicts.result import is_offered, select
 from conformance.verdicts.verdict import Outcome, Verdict
 
 VERDICT = "kit_verdict"
 TALLY = "kit_tally"
-DEAD = "kit_server_is_dead"
-_PATIENCE_S = 180
-_STORY = pytest.StashKey[Story]()
-_CONTEXT = pytest.StashKey[Context]()
-_BACKGROUND = pytest.StashKey["Background"]()
+SERVER_UNREACHABLE = "kit_server_is_dead"
+_BACKGROUND_TIMEOUT_S = 180
+_CHECK_CONTEXT = pytest.StashKey[CheckContext]()
+_SHARED = pytest.StashKey[SharedContext]()
+_BACKGROUND = pytest.StashKey["BackgroundChecks"]()
 
 
 def requirement_of(item: pytest.Item) -> str:
@@ -41,19 +41,19 @@ def requirement_of(item: pytest.Item) -> str:
     return str(mark.args[0])
 
 
-def story_of(item: pytest.Item) -> str:
+def docstring_of(item: pytest.Item) -> str:
     """Give what a check tells of itself."""
     check = getattr(item, "obj", None)
     return inspect.cleandoc(check.__doc__ or "") if check is not None else ""
 
 
-class Background:
+class BackgroundChecks:
     """The checks that mostly wait, each in its own thread."""
 
-    def __init__(self, context: Context) -> None:
-        self._context = context
+    def __init__(self, shared: SharedContext) -> None:
+        self._context = shared
         self._futures: dict[str, Future[None]] = {}
-        self._stories: dict[str, Story] = {}
+        self._stories: dict[str, CheckContext] = {}
 
     def has_begun(self, item: pytest.Function) -> bool:
         """Say whether a check has its thread."""
@@ -65,33 +65,35 @@ class Background:
         if not items:
             return
         for item in items:
-            story = Story(self._context, requirement_of(item))
-            ending: Future[None] = Future()
-            self._stories[item.nodeid] = story
-            self._futures[item.nodeid] = ending
+            context = CheckContext(self._context, requirement_of(item))
+            future: Future[None] = Future()
+            self._stories[item.nodeid] = context
+            self._futures[item.nodeid] = future
             # Daemons: when the server dies, nobody waits for them.
             threading.Thread(
-                target=_run_check, args=(item.obj, story, ending), daemon=True
+                target=_run_check, args=(item.obj, context, future), daemon=True
             ).start()
 
     def collect(self, item: pytest.Function) -> None:
         """Wait for one to end and pass on what it raised; its story is taken over."""
-        item.stash[_STORY] = self._stories[item.nodeid]
+        item.stash[_CHECK_CONTEXT] = self._stories[item.nodeid]
         try:
-            self._futures[item.nodeid].result(timeout=_PATIENCE_S)
+            self._futures[item.nodeid].result(timeout=_BACKGROUND_TIMEOUT_S)
         except TimeoutError:
-            raise expect.Inconclusive(f"no end within {_PATIENCE_S} s") from None
+            raise expect.Inconclusive(
+                f"no end within {_BACKGROUND_TIMEOUT_S} s"
+            ) from None
 
 
 def _run_check(
-    check: Callable[[Story], None], story: Story, ending: Future[None]
+    check: Callable[[CheckContext], None], context: CheckContext, future: Future[None]
 ) -> None:
     try:
-        check(story)
+        check(context)
     except BaseException as error:  # noqa: BLE001 - raised where it is collected
-        ending.set_exception(error)
+        future.set_exception(error)
     else:
-        ending.set_result(None)
+        future.set_result(None)
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -99,20 +101,20 @@ def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line("markers", "requirement(id): the rule that a check judges")
     config.addinivalue_line("markers", "background: runs in a thread, as it waits")
     config.addinivalue_line("markers", "xdist_group(name): stays in one process")
-    config.stash[_CONTEXT] = Context.of(Settings.take_over())
-    config.stash[_BACKGROUND] = Background(config.stash[_CONTEXT])
+    config.stash[_SHARED] = SharedContext.of(Settings.load_from_environment())
+    config.stash[_BACKGROUND] = BackgroundChecks(config.stash[_SHARED])
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
     """Close the connections."""
-    config.stash[_CONTEXT].close()
+    config.stash[_SHARED].close()
 
 
 def pytest_collection_modifyitems(
     config: pytest.Config, items: list[pytest.Item]
 ) -> None:
     """Keep what was asked for; checks that wait come last, crashes after them."""
-    settings = config.stash[_CONTEXT].settings
+    settings = config.stash[_SHARED].settings
     wanted = {row.id for row in select(settings) if is_offered(row, settings)}
     items[:] = [
         item
@@ -141,7 +143,7 @@ def pytest_runtestloop(session: pytest.Session) -> None:
     """Let the waiting begin before the first check; workers begin with their share."""
     is_worker = hasattr(session.config, "workerinput")
     is_controller = session.config.getoption("numprocesses", default=None)
-    is_late = session.config.stash[_CONTEXT].settings.is_time_up
+    is_late = session.config.stash[_SHARED].settings.is_time_up
     if not is_worker and not is_controller and not is_late:
         _start_background(session)
 
@@ -153,19 +155,19 @@ def _start_background(session: pytest.Session) -> None:
 
 
 @pytest.fixture
-def story(request: pytest.FixtureRequest) -> Story:
+def context(request: pytest.FixtureRequest) -> CheckContext:
     """Give a check its view of the server."""
     name = requirement_of(request.node)
-    made = Story(request.config.stash[_CONTEXT], name)
-    request.node.stash[_STORY] = made
-    return made
+    created = CheckContext(request.config.stash[_SHARED], name)
+    request.node.stash[_CHECK_CONTEXT] = created
+    return created
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
     """Collect a background check instead of running it; start none too late."""
     background = pyfuncitem.config.stash[_BACKGROUND]
-    settings = pyfuncitem.config.stash[_CONTEXT].settings
+    settings = pyfuncitem.config.stash[_SHARED].settings
     if settings.is_time_up and not background.has_begun(pyfuncitem):
         said = f"--max-time {settings.max_time_s:g}"
         raise expect.SetUpFailed(f"{expect.TIME_WAS_UP} ({said})")
@@ -178,8 +180,8 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
 
 def pytest_runtest_teardown(item: pytest.Item) -> None:
     """Stop the runs that the check left behind."""
-    if _STORY in item.stash:
-        item.stash[_STORY].tidy_up()
+    if _CHECK_CONTEXT in item.stash:
+        item.stash[_CHECK_CONTEXT].tidy_up()
 
 
 @pytest.hookimpl(wrapper=True)
@@ -187,35 +189,37 @@ def pytest_runtest_makereport(
     item: pytest.Item, call: pytest.CallInfo[None]
 ) -> Iterator[Any]:
     """Attach the verdict, and at the end what all answers had to obey."""
-    told_of_story = item.stash.get(_STORY, None)
+    check_context = item.stash.get(_CHECK_CONTEXT, None)
     if call.when == "call" or call.excinfo is not None:
-        verdict = judge(requirement_of(item), call.excinfo, told_of_story)
+        verdict = judge(requirement_of(item), call.excinfo, check_context)
         verdict.check = item.name
-        verdict.story = story_of(item)
+        verdict.story = docstring_of(item)
         verdict.elapsed_s = call.duration
         item.user_properties.append((VERDICT, verdict.as_plain()))
-        if told_of_story is not None and verdict.outcome != Outcome.PASSED:
-            _stop_if_dead(item, told_of_story)
-    if call.when == "teardown" and told_of_story is not None:
-        item.user_properties.append((TALLY, told_of_story.tally.as_plain()))
+        if check_context is not None and verdict.outcome != Outcome.PASSED:
+            _stop_if_unreachable(item, check_context)
+    if call.when == "teardown" and check_context is not None:
+        item.user_properties.append((TALLY, check_context.tally.as_plain()))
     return (yield)
 
 
-def _stop_if_dead(item: pytest.Item, story: Story) -> None:
+def _stop_if_unreachable(item: pytest.Item, context: CheckContext) -> None:
     """End the run when a check got no answer and the server gives none any more."""
-    unanswered = [one for one in story.journal.exchanges if one.status is None]
-    if not unanswered or _is_alive(story.context):
+    unanswered = [one for one in context.exchange_log.exchanges if one.status is None]
+    if not unanswered or _is_reachable(context.shared):
         return
-    reason = f"the server stopped answering during {story.name} ({unanswered[0].error})"
-    item.user_properties.append((DEAD, reason))
+    reason = (
+        f"the server stopped answering during {context.name} ({unanswered[0].error})"
+    )
+    item.user_properties.append((SERVER_UNREACHABLE, reason))
     item.session.shouldstop = reason
 
 
-def _is_alive(context: Context) -> bool:
+def _is_reachable(shared: SharedContext) -> bool:
     for _ in range(2):
         try:
-            with context.clients.borrow() as client:
-                client.get(f"{context.settings.url}/v1", timeout=5.0)
+            with shared.clients.borrow() as client:
+                client.get(f"{shared.settings.url}/v1", timeout=5.0)
         except httpx.TransportError:
             time.sleep(0.3)
         else:
@@ -223,28 +227,30 @@ def _is_alive(context: Context) -> bool:
     return False
 
 
-def _has_shapeless_answer(story: Story | None) -> bool:
-    return story is not None and story.tally.broken["SVC-003"] > 0
+def _has_schema_violation(context: CheckContext | None) -> bool:
+    return context is not None and context.tally.broken["SVC-003"] > 0
 
 
 def judge(
     requirement_id: str,
-    caught: pytest.ExceptionInfo[BaseException] | None,
-    story: Story | None,
+    exception: pytest.ExceptionInfo[BaseException] | None,
+    context: CheckContext | None,
 ) -> Verdict:
     """Make the verdict from what a check raised."""
     verdict = Verdict(requirement_id, Outcome.PASSED)
-    error = caught.value if caught is not None else None
+    error = exception.value if exception is not None else None
     if error is None:
         return verdict
-    if story is not None:
-        verdict.exchanges = list(story.journal.exchanges)
+    if context is not None:
+        verdict.exchanges = list(context.exchange_log.exchanges)
     match error:
         case expect.Violation():
             verdict.outcome = Outcome.FAILED
             verdict.expected, verdict.observed = error.expected, error.observed
             if error.is_alone:
-                verdict.exchanges = needed_for(error.exchange, verdict.exchanges)
+                verdict.exchanges = select_exchanges_for(
+                    error.exchange, verdict.exchanges
+                )
         case expect.SetUpFailed():
             verdict.outcome = Outcome.NOT_VERIFIED
             verdict.reason, verdict.allowed = error.reason, error.allowed
@@ -252,7 +258,7 @@ def judge(
             verdict.outcome, verdict.reason = Outcome.INCONCLUSIVE, str(error)
         case expect.NotApplicable():
             verdict.outcome, verdict.reason = Outcome.NOT_APPLICABLE, str(error)
-        case _ if isinstance(error, LookupError) or _has_shapeless_answer(story):
+        case _ if isinstance(error, LookupError) or _has_schema_violation(context):
             # An answer lacked what the check needed to go on.
             verdict.outcome = Outcome.NOT_VERIFIED
             last = traceback.extract_tb(error.__traceback__)[-1]

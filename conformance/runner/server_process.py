@@ -30,7 +30,7 @@ class StartFailed(Exception):
 
 
 @dataclass(frozen=True)
-class Tokens:
+class AccountTokens:
     """Two accounts, and a token of the first that may only read."""
 
     alice: str
@@ -38,7 +38,7 @@ class Tokens:
     reader: str
 
     @classmethod
-    def fresh(cls) -> "Tokens":
+    def generate(cls) -> "AccountTokens":
         """Make tokens that nobody can guess."""
         return cls(*(secrets.token_hex(16) for _ in range(3)))
 
@@ -53,7 +53,7 @@ class Tokens:
 class ServerProcess:
     """One server on a free port of this machine, with a database of its own."""
 
-    def __init__(self, command: str, tokens: Tokens, directory: Path, log: Path):
+    def __init__(self, command: str, tokens: AccountTokens, directory: Path, log: Path):
         self.url = ""
         self._command = shlex.split(command)
         self._tokens = tokens
@@ -96,16 +96,16 @@ class ServerProcess:
             if process.poll() is not None:
                 raise StartFailed(
                     f"the command ended with code {process.returncode} "
-                    f"before it answered; its last words: {self.last_words()}"
+                    f"before it answered; its last words: {self.log_tail()}"
                 )
-            if _listens(self._port):
+            if _is_listening(self._port):
                 with contextlib.suppress(httpx.TransportError):
                     httpx.get(f"{self.url}/v1", timeout=2.0, trust_env=False)
                     return
             time.sleep(_POLL_S)
         raise StartFailed(f"no answer at {self.url}/v1 within {_START_S:g} s")
 
-    def last_words(self) -> str:
+    def log_tail(self) -> str:
         """Give the end of what it printed."""
         lines = self._log.read_text(errors="replace").split("\n")
         return " | ".join(line.strip() for line in lines if line.strip())[-400:]
@@ -140,7 +140,7 @@ class ServerProcess:
             self._output = None
 
 
-def _listens(port: int) -> bool:
+def _is_listening(port: int) -> bool:
     with socket.socket() as probe:
         return probe.connect_ex(("127.0.0.1", port)) == 0
 

@@ -79,7 +79,7 @@ class Operation:
         ]
 
     @property
-    def goes_on(self) -> bool:
+    def is_event_stream(self) -> bool:
         """Whether its answer is a stream of events."""
         return EVENT_STREAM in self.answer_media_types()
 
@@ -100,7 +100,7 @@ class Spec:
         self.requirements: list[dict[str, Any]] = document["x-requirements"]
         self.operations = {o.operation_id: o for o in self._read_operations()}
         # Of each schema: a quick look that lets valid bodies pass, and who explains.
-        self._judges: dict[tuple[Any, ...], tuple[Callable[[Any], bool], Any]] = {}
+        self._validators: dict[tuple[Any, ...], tuple[Callable[[Any], bool], Any]] = {}
 
     def _read_operations(self) -> Iterator[Operation]:
         for path, item in self.document["paths"].items():
@@ -166,36 +166,38 @@ class Spec:
         return self._faults(key, schema, body)
 
     def _faults(self, key: tuple[Any, ...], schema: Any, body: Any) -> list[str]:
-        if key not in self._judges:
+        if key not in self._validators:
             schema = _with_ranges(schema)
-            explains = _Validator(schema, format_checker=_FORMATS)
+            detailed_validator = _Validator(schema, format_checker=_FORMATS)
             knows_bytes = MSGPACK in key
-            passes = explains.is_valid if knows_bytes else _filter(schema)
-            self._judges[key] = passes, explains
-        passes, explains = self._judges[key]
-        if passes(body):
+            is_valid_quickly = (
+                detailed_validator.is_valid if knows_bytes else _fast_validator(schema)
+            )
+            self._validators[key] = is_valid_quickly, detailed_validator
+        is_valid_quickly, detailed_validator = self._validators[key]
+        if is_valid_quickly(body):
             return []
         return [
             f"{error.json_path}: {error.message[:300]}"
-            for error in explains.iter_errors(body)
+            for error in detailed_validator.iter_errors(body)
         ]
 
 
 def _with_ranges(schema: Any) -> Any:
     """Say what the formats int32 and int64 mean in words of JSON Schema."""
     if isinstance(schema, dict):
-        said = {key: _with_ranges(value) for key, value in schema.items()}
+        widened = {key: _with_ranges(value) for key, value in schema.items()}
         bits = _INTEGER_BITS.get(str(schema.get("format")))
         if bits is not None:
             bound = 2 ** (bits - 1)
-            said["allOf"] = [{"minimum": -bound, "maximum": bound - 1}]
-        return said
+            widened["allOf"] = [{"minimum": -bound, "maximum": bound - 1}]
+        return widened
     if isinstance(schema, list):
         return [_with_ranges(item) for item in schema]
     return schema
 
 
-def _filter(schema: Any) -> Callable[[Any], bool]:
+def _fast_validator(schema: Any) -> Callable[[Any], bool]:
     """Make a quick look at a body: what it lets pass is valid.
 
     The validator that can tell why a body is not has the last word.
@@ -204,13 +206,13 @@ def _filter(schema: Any) -> Callable[[Any], bool]:
         schema, validate_formats=True, formats={"date-time": _is_date_time}
     )
 
-    def lets_pass(body: Any) -> bool:
+    def is_valid(body: Any) -> bool:
         try:
             return bool(validator.is_valid(body))
         except ValueError:  # a string that is no Unicode, for one
             return False
 
-    return lets_pass
+    return is_valid
 
 
 def _blobs_as_bytes(schema: Any) -> Any:

@@ -66,7 +66,7 @@ class KitError(Exception):
     """The kit did something that the specification forbids it to do."""
 
 
-class Expected(dict[str, Any]):
+class ExpectedBody(dict[str, Any]):
     """A body in which a missing member is a violation of the rule under test."""
 
     def __missing__(self, key: str) -> Any:
@@ -74,7 +74,7 @@ class Expected(dict[str, Any]):
         raise Violation(f"a member `{key}`", f"members {sorted(self)}")
 
 
-class Given(dict[str, Any]):
+class SetUpBody(dict[str, Any]):
     """A body of a set-up step, in which a missing member proves nothing."""
 
     def __missing__(self, key: str) -> Any:
@@ -85,8 +85,8 @@ class Given(dict[str, Any]):
 def ok(answer: "Answer", status: int = 200) -> Any:
     """Expect success, and give the body."""
     if answer.status != status:
-        raise Violation(f"status {status}", told(answer), answer.exchange)
-    return _wrap(answer.json, Expected)
+        raise Violation(f"status {status}", describe_answer(answer), answer.exchange)
+    return _wrap(answer.json, ExpectedBody)
 
 
 def refused(
@@ -97,12 +97,12 @@ def refused(
     expected = f"status {status} with code `{code}`"
     body = answer.json
     if answer.status != status or answer.code != code or not isinstance(body, dict):
-        raise Violation(expected, told(answer), answer.exchange)
+        raise Violation(expected, describe_answer(answer), answer.exchange)
     for name, value in members.items():
         if body.get(name) != value:
-            text = f"{name} {shown(body.get(name))}"
+            text = f"{name} {format_value(body.get(name))}"
             raise Violation(
-                f"{expected} and {name} {shown(value)}", text, answer.exchange
+                f"{expected} and {name} {format_value(value)}", text, answer.exchange
             )
     if pointer is not None:
         pointers = _pointers(body)
@@ -112,19 +112,20 @@ def refused(
                 f"pointers {pointers}",
                 answer.exchange,
             )
-    return Expected(body)
+    return ExpectedBody(body)
 
 
 def equal(observed: Any, expected: Any, what: str) -> None:
     """Expect a value."""
     if observed == expected:
         return
-    if len(shown(expected)) + len(shown(observed)) <= _LONGEST_TEXT:
-        raise Violation(f"{what} = {shown(expected)}", shown(observed))
+    if len(format_value(expected)) + len(format_value(observed)) <= _LONGEST_TEXT:
+        raise Violation(f"{what} = {format_value(expected)}", format_value(observed))
     paths = list(itertools.islice(_differences(observed, expected), _PATHS_SHOWN))
     raise Violation(
-        f"{what} with " + ", ".join(f"{at} {shown(due)}" for at, _, due in paths),
-        ", ".join(f"{at} {shown(seen)}" for at, seen, _ in paths),
+        f"{what} with "
+        + ", ".join(f"{at} {format_value(due)}" for at, _, due in paths),
+        ", ".join(f"{at} {format_value(seen)}" for at, seen, _ in paths),
     )
 
 
@@ -150,26 +151,32 @@ def _differences(
 def true(condition: object, what: str, observed: Any = None) -> None:
     """Expect something that `what` says in words."""
     if not condition:
-        raise Violation(what, "the contrary" if observed is None else shown(observed))
+        raise Violation(
+            what, "the contrary" if observed is None else format_value(observed)
+        )
 
 
-def given(answer: "Answer", status: int, step: str) -> Any:
+def require(answer: "Answer", status: int, step: str) -> Any:
     """Take a step that is not under test; what it gives, or SetUpFailed."""
     if answer.status != status:
-        raise SetUpFailed(f"{step} was answered with {told(answer)}")
-    return _wrap(answer.json, Given)
+        raise SetUpFailed(f"{step} was answered with {describe_answer(answer)}")
+    return _wrap(answer.json, SetUpBody)
 
 
-def told(answer: "Answer") -> str:
+def describe_answer(answer: "Answer") -> str:
     """Say an answer in one line."""
     if answer.code is not None:
         detail = answer.json.get("detail", "")
         return f"status {answer.status} with code `{answer.code}` ({detail})"
-    body = shown(answer.json) if answer.json is not None else repr(answer.body[:200])
+    body = (
+        format_value(answer.json)
+        if answer.json is not None
+        else repr(answer.body[:200])
+    )
     return f"status {answer.status} with body {body}"
 
 
-def shown(value: Any) -> str:
+def format_value(value: Any) -> str:
     """Write a value as JSON, shortened in the middle."""
     text = json.dumps(value, ensure_ascii=False, default=repr)
     if len(text) <= _LONGEST_TEXT:

@@ -16,7 +16,7 @@ from conformance.specification.ledger import (
     load_ledger,
 )
 from conformance.verdicts.expect import TIME_WAS_UP
-from conformance.verdicts.universal_rules import SESSION_WIDE, Tally
+from conformance.verdicts.universal_rules import UNIVERSAL_RULES, Tally
 from conformance.verdicts.verdict import Outcome, Verdict, exit_code
 
 
@@ -133,7 +133,7 @@ def conclude(
     """Fill in the rows of a result from what the checks found."""
     for row in select(result.settings):
         verdict = _verdict_on(row, result, verdicts)
-        if row.id in SESSION_WIDE:
+        if row.id in UNIVERSAL_RULES:
             _apply_tally(verdict, tally)
         if row.id in known:
             verdict.is_known_failure = verdict.outcome == Outcome.FAILED

@@ -14,9 +14,9 @@ from typing import Any
 
 from conformance.client.exchange_log import Exchange
 from conformance.specification.document import PROBLEM_JSON, Operation, Spec
-from conformance.verdicts.expect import shown
+from conformance.verdicts.expect import format_value
 
-SESSION_WIDE = ("SVC-003", "VER-001", "ERR-001", "ERR-011", "ERR-012")
+UNIVERSAL_RULES = ("SVC-003", "VER-001", "ERR-001", "ERR-011", "ERR-012")
 _BREACHES_KEPT = 3
 _VERSION = re.compile(r"[0-9]+\.[0-9]+")
 
@@ -32,7 +32,7 @@ class Breach:
 
 
 @dataclass(frozen=True)
-class Judged:
+class ParsedAnswer:
     """The parts of an answer that the rules look at."""
 
     status: int
@@ -73,7 +73,7 @@ class Tally:
             self.breaches.append(Breach(**(breach | {"exchange": exchange})))
 
     def observe(
-        self, operation: Operation | None, answer: Judged, exchange: Exchange
+        self, operation: Operation | None, answer: ParsedAnswer, exchange: Exchange
     ) -> None:
         """Judge one answer; `operation` is None for what the document lacks."""
         if exchange.method in ("HEAD", "OPTIONS"):
@@ -86,9 +86,9 @@ class Tally:
         if answer.status >= 400:
             is_problem = self._problem(answer, exchange)
         if operation is not None and is_problem:
-            self._described(operation, answer, exchange)
+            self._judge_description(operation, answer, exchange)
 
-    def _hold(
+    def _record(
         self, row: str, holds: bool, expected: str, observed: str, exchange: Exchange
     ) -> None:
         self.exercised[row] += 1
@@ -98,11 +98,11 @@ class Tally:
         if self.broken[row] <= _BREACHES_KEPT:
             self.breaches.append(Breach(row, expected, observed, exchange))
 
-    def _version(self, answer: Judged, exchange: Exchange) -> None:
+    def _version(self, answer: ParsedAnswer, exchange: Exchange) -> None:
         if answer.status == 304:
             return
         version = answer.headers.get("proctor-version")
-        self._hold(
+        self._record(
             "VER-001",
             version is not None and _VERSION.fullmatch(version) is not None,
             "a Proctor-Version header like 1.0",
@@ -110,8 +110,8 @@ class Tally:
             exchange,
         )
 
-    def _no_server_error(self, answer: Judged, exchange: Exchange) -> None:
-        self._hold(
+    def _no_server_error(self, answer: ParsedAnswer, exchange: Exchange) -> None:
+        self._record(
             "ERR-012",
             answer.status < 500 or answer.status == 503,
             "no status of 500 or above except 503",
@@ -119,9 +119,9 @@ class Tally:
             exchange,
         )
 
-    def _retry_after(self, answer: Judged, exchange: Exchange) -> None:
+    def _retry_after(self, answer: ParsedAnswer, exchange: Exchange) -> None:
         value = answer.headers.get("retry-after", "")
-        self._hold(
+        self._record(
             "ERR-011",
             value.isascii() and value.isdigit(),
             "a Retry-After header with whole seconds",
@@ -129,10 +129,10 @@ class Tally:
             exchange,
         )
 
-    def _problem(self, answer: Judged, exchange: Exchange) -> bool:
+    def _problem(self, answer: ParsedAnswer, exchange: Exchange) -> bool:
         """Judge ERR-001; say whether the body is worth a look at its schema."""
         observed = self._problem_fault(answer)
-        self._hold(
+        self._record(
             "ERR-001",
             observed is None,
             "application/problem+json with a code of x-problems and its status, "
@@ -142,7 +142,7 @@ class Tally:
         )
         return observed is None
 
-    def _problem_fault(self, answer: Judged) -> str | None:
+    def _problem_fault(self, answer: ParsedAnswer) -> str | None:
         if answer.media_type != PROBLEM_JSON:
             return f"media type {answer.media_type or 'absent'}"
         if not isinstance(answer.value, dict):
@@ -150,7 +150,7 @@ class Tally:
         code = answer.value.get("code")
         known = self._spec.problems.get(code) if isinstance(code, str) else None
         if known is None:
-            return f"code {shown(code)}"
+            return f"code {format_value(code)}"
         if answer.status != known["status"]:
             return f"code `{code}`, whose status is {known['status']}"
         for member in ("status", "retryable", "side_effects"):
@@ -158,11 +158,11 @@ class Tally:
                 return f"code `{code}` with {member} {answer.value.get(member)!r}"
         return None
 
-    def _described(
-        self, operation: Operation, answer: Judged, exchange: Exchange
+    def _judge_description(
+        self, operation: Operation, answer: ParsedAnswer, exchange: Exchange
     ) -> None:
         fault = self._description_fault(operation, answer)
-        self._hold(
+        self._record(
             "SVC-003",
             fault is None,
             f"what openapi.yaml says of `{operation.operation_id}`",
@@ -170,7 +170,9 @@ class Tally:
             exchange,
         )
 
-    def _description_fault(self, operation: Operation, answer: Judged) -> str | None:
+    def _description_fault(
+        self, operation: Operation, answer: ParsedAnswer
+    ) -> str | None:
         response = operation.response(answer.status)
         if response is None:
             return "a status that the description does not have"

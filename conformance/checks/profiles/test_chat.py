@@ -3,12 +3,12 @@
 import base64
 from typing import Any
 
-from conformance.client.check_context import Run, Story
+from conformance.client.check_context import CheckContext, RunClient
 from conformance.policy.chat import ScriptedChat
 from conformance.policy.push_run import (
     chat_server,
-    ended,
-    faulted,
+    expect_end,
+    expect_policy_fault,
     pointers_of,
     push_body,
     require_permitted,
@@ -21,39 +21,41 @@ PNG = b"\x89PNG\r\n\x1a\n"
 SCORE = "0.25"
 
 
-def asked(story: Story, chat: ScriptedChat, *tasks: str, **order: Any) -> Run:
+def submit_chat_run(
+    context: CheckContext, chat: ScriptedChat, *tasks: str, **config: Any
+) -> RunClient:
     """Submit a run whose policy is the model."""
-    images = order.pop("images", None)
-    body = push_body(chat.url, *tasks, protocol="openai_chat", **order)
+    images = config.pop("images", None)
+    body = push_body(chat.url, *tasks, protocol="openai_chat", **config)
     if images is not None:
         body["images"] = images
-    answer = story.call("submit_run", json=body)
+    answer = context.call("submit_run", json=body)
     if "/policy_server/protocol" in pointers_of(answer):
         raise NotApplicable("the server asks no chat models")
     require_permitted(answer, chat.url)
-    return story.adopt(expect.given(answer, 201, "`submit_run` with openai_chat"))
+    return context.adopt(expect.require(answer, 201, "`submit_run` with openai_chat"))
 
 
-def scores(run: Run) -> list[float]:
+def expect_scores(run: RunClient) -> list[float]:
     """Expect the run's end, and give its scores."""
-    ended(run, "completed")
+    expect_end(run, "completed")
     return [episode["result"]["score"] for episode in run.episodes()]
 
 
 @requirement("CHAT-001")
-def test_chat_001_a_turn_is_a_question(story: Story) -> None:
+def test_chat_001_a_turn_is_a_question(context: CheckContext) -> None:
     """One episode with an image and one without. Expect a request for each.
 
     It holds the instruction, the image, the model and the numbers.
     """
-    if "png" not in story.service["image_codecs"]:
+    if "png" not in context.service["image_codecs"]:
         raise NotApplicable("the server offers no png")
-    with chat_server(story, SCORE) as chat:
+    with chat_server(context, SCORE) as chat:
         numbers = {"temperature": 0.5, "max_tokens": 64}
         images = {"codec": "png", "width": 16, "height": 12}
-        order = {"images": images, "model": "m-1", "generation": numbers}
-        run = asked(story, chat, "score", "echo", **order)
-        ended(run, "completed")
+        config = {"images": images, "model": "m-1", "generation": numbers}
+        run = submit_chat_run(context, chat, "score", "echo", **config)
+        expect_end(run, "completed")
         found = {request.question: request for request in chat.requests}
         due = [f"Calibration task {task}." for task in ("echo", "score")]
         expect.equal(sorted(found), due, "questions")
@@ -64,15 +66,15 @@ def test_chat_001_a_turn_is_a_question(story: Story) -> None:
             expect.equal(sent, members, "members of the request")
             roles = [message["role"] for message in request.body["messages"]]
             expect.equal(roles, ["user"], "roles")
-        expect.equal(found[due[1]].pictures, [], "pictures of the task score")
-        (url,) = found[due[0]].pictures or [""]
+        expect.equal(found[due[1]].image_urls, [], "pictures of the task score")
+        (url,) = found[due[0]].image_urls or [""]
         head, _, data = url.partition(",")
         expect.equal(head, "data:image/png;base64", "the picture's URL")
         expect.true(base64.b64decode(data).startswith(PNG), "a png", data[:40])
 
 
 @requirement("CHAT-002")
-def test_chat_002_the_last_line_is_the_answer(story: Story) -> None:
+def test_chat_002_the_last_line_is_the_answer(context: CheckContext) -> None:
     """A number is said bare, dressed, behind thoughts, and below other numbers.
 
     Expect the score to be that number each time.
@@ -81,26 +83,26 @@ def test_chat_002_the_last_line_is_the_answer(story: Story) -> None:
     forms += [f"`{SCORE}`", f"1\n{SCORE}\n\n", f"<think>1</think>{SCORE}", f"{SCORE}."]
     forms += [f"<think>\n1\n</think>\n0\n\n**{SCORE}**\n"]
     forms += [f"**{SCORE}**.", f"Answer: **{SCORE}**."]
-    with chat_server(story) as chat:
-        said = iter(forms)
-        chat.says = lambda _: next(said)
-        run = asked(story, chat, *["score"] * len(forms), max_concurrent=1)
-        expect.equal(scores(run), [float(SCORE)] * len(forms), "scores")
+    with chat_server(context) as chat:
+        replies = iter(forms)
+        chat.reply = lambda _: next(replies)
+        run = submit_chat_run(context, chat, *["score"] * len(forms), max_concurrent=1)
+        expect.equal(expect_scores(run), [float(SCORE)] * len(forms), "scores")
 
 
 @requirement("CHAT-003")
-def test_chat_003_words_are_no_fault(story: Story) -> None:
+def test_chat_003_words_are_no_fault(context: CheckContext) -> None:
     """Letters, points, sentences and nothing are said where a number is asked for.
 
     Expect episodes of score 0, each in its first attempt.
     """
     words: list[Any] = ["A", "0.2, 0.3", "I do not know", "-1", "1 or 0", "", None]
     words += ["<think>1", "one", "1 apple"]
-    with chat_server(story) as chat:
-        said = iter(words)
-        chat.says = lambda _: next(said)
-        run = asked(story, chat, *["score"] * len(words), max_concurrent=1)
-        expect.equal(scores(run), [0.0] * len(words), "scores")
+    with chat_server(context) as chat:
+        replies = iter(words)
+        chat.reply = lambda _: next(replies)
+        run = submit_chat_run(context, chat, *["score"] * len(words), max_concurrent=1)
+        expect.equal(expect_scores(run), [0.0] * len(words), "scores")
         attempts = [episode["result"]["attempt"] for episode in run.episodes()]
         expect.equal(attempts, [1] * len(words), "attempts")
         faults = [e["policy_fault"] for e in run.episodes() if "policy_fault" in e]
@@ -108,13 +110,13 @@ def test_chat_003_words_are_no_fault(story: Story) -> None:
 
 
 @requirement("CHAT-004")
-def test_chat_004_what_is_no_completion_is_a_fault(story: Story) -> None:
+def test_chat_004_what_is_no_completion_is_a_fault(context: CheckContext) -> None:
     """Answers without choices, without a message, and of another shape.
 
     Expect `policy_fault` each time.
     """
     bodies: list[Any] = [{"choices": []}, {"choices": [{}]}, {"text": SCORE}, [SCORE]]
     for body in bodies:
-        with chat_server(story) as chat:
+        with chat_server(context) as chat:
             chat.body = body
-            faulted(asked(story, chat, "score"))
+            expect_policy_fault(submit_chat_run(context, chat, "score"))

@@ -12,9 +12,18 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from conformance.checks.support.given_states import attached, playing, run_in
-from conformance.client.check_context import Run, Story, Worker
-from conformance.client.event_reader import PATIENCE_S, Event, Reader, reading
+from conformance.checks.support.given_states import (
+    attach_workers,
+    make_run_in_state,
+    submit_and_attach,
+)
+from conformance.client.check_context import CheckContext, RunClient, WorkerClient
+from conformance.client.event_reader import (
+    ANSWER_TIMEOUT_S,
+    Event,
+    EventReader,
+    follow_run,
+)
 from conformance.client.http_client import NoAnswer
 from conformance.runner.private_server import PrivateServer
 from conformance.runner.requirement import background, requirement
@@ -23,12 +32,12 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
 KINDS = ("run", "episode")
-LATE_S = 1.0
-QUIET_S = 0.7
+CHANGE_LIMIT_S = 1.0
+PAUSE_S = 0.7
 SETTLE_S = 0.05
 SILENCE_S = 15.0
 # What a timer and a slow machine may add to it.
-SILENCE_MORE_S = 1.5
+SILENCE_MARGIN_S = 1.5
 
 
 def in_state(*states: str) -> Callable[[Event], bool]:
@@ -36,7 +45,7 @@ def in_state(*states: str) -> Callable[[Event], bool]:
     return lambda event: event.kind == "run" and event.body["state"] in states
 
 
-def counting(scored: int) -> Callable[[Event], bool]:
+def counts_scored(scored: int) -> Callable[[Event], bool]:
     """Tell whether an event shows a run with so many scored episodes."""
     return lambda event: (
         event.kind == "run" and event.body["progress"]["episodes_scored"] == scored
@@ -49,20 +58,20 @@ def entries_in(events: list[Event]) -> list[dict[str, Any]]:
 
 
 def episodes_in(events: list[Event]) -> list[int]:
-    """Give the episodes that were told, by their place in the manifest."""
+    """Give the episodes that were received, by their place in the manifest."""
     return [entry["index"] for entry in entries_in(events)]
 
 
-def all_of(reader: Reader, scored: int) -> list[Event]:
+def read_until_scored(reader: EventReader, scored: int) -> list[Event]:
     """Read until the run counts so many scored episodes, and what comes with that."""
-    events = reader.until(counting(scored), f"`run` that counts {scored} episodes")
-    return events + reader.during(SETTLE_S)
+    events = reader.until(counts_scored(scored), f"`run` that counts {scored} episodes")
+    return events + reader.collect_for(SETTLE_S)
 
 
-def history(run: Run, scored: int, after: str | None = None) -> list[Event]:
+def read_events(run: RunClient, scored: int, after: str | None = None) -> list[Event]:
     """Read what is told of a run with so many scored episodes."""
-    with reading(run, after) as reader:
-        return all_of(reader, scored)
+    with follow_run(run, after) as reader:
+        return read_until_scored(reader, scored)
 
 
 def ids_of(events: list[Event]) -> list[str]:
@@ -74,15 +83,15 @@ def ids_of(events: list[Event]) -> list[str]:
 
 
 @requirement("EVT-001")
-def test_evt_001_events_are_runs_and_episodes(story: Story) -> None:
+def test_evt_001_events_are_runs_and_episodes(context: CheckContext) -> None:
     """A run of three episodes is followed from its first to its last.
 
     Expect each event to have an id and one line that fits its schema, the episodes as
     `list_episodes` has them, and the run at last as `get_run` has it.
     """
-    worker = playing(story, "score", "count", "score")
+    worker = submit_and_attach(context, "score", "count", "score")
     run = worker.run
-    with reading(run) as reader:
+    with follow_run(run) as reader:
         for score in (0, 0.5, 1):
             worker.play(score=score)
         events = reader.until(in_state("completed"), "`run` that is completed")
@@ -91,60 +100,62 @@ def test_evt_001_events_are_runs_and_episodes(story: Story) -> None:
         expect.true(event.kind in KINDS, f"one of {KINDS}", event.kind)
         expect.true(event.id, f"an id of a `{event.kind}` event", event.id)
         expect.equal(len(event.data), 1, f"lines of data of a `{event.kind}` event")
-        faults = faults_of(story, event)
+        faults = faults_of(context, event)
         expect.equal(faults, [], f"faults of a `{event.kind}` event")
         if event.kind == "episode":
             expect.equal(event.body, entries[event.body["index"]], "the episode")
     expect.equal(events[-1].body, run.get(), "the run in the end")
 
 
-def faults_of(story: Story, event: Event) -> list[str]:
+def faults_of(context: CheckContext, event: Event) -> list[str]:
     """List how the data of an event breaks its schema."""
-    operations = story.spec.operations
+    operations = context.spec.operations
     operation, body = operations["get_run"], event.body
     if event.kind == "episode":
         operation = operations["list_episodes"]
         body = {"episodes": [body], "next_cursor": None}
-    return story.spec.response_faults(operation, 200, JSON, body)
+    return context.spec.response_faults(operation, 200, JSON, body)
 
 
 @requirement("EVT-002")
-def test_evt_002_episodes_come_as_they_were_scored(story: Story) -> None:
+def test_evt_002_episodes_come_as_they_were_scored(context: CheckContext) -> None:
     """Two workers score episodes in another order than the manifest's, one is
     abandoned; somebody reads from the start, somebody comes late.
 
     Expect both to be told all, each once, as they were scored.
     """
-    run = story.submit("score", "score", "score", "score", max_attempts=1)
-    with reading(run) as reader:
-        first, second = attached(run, 2)
+    run = context.submit("score", "score", "score", "score", max_attempts=1)
+    with follow_run(run) as reader:
+        first, second = attach_workers(run, 2)
         second.play()
-        first.predict(story.action())
+        first.predict(context.action())
         first.detach()
         second.play()
         second.play()
         if run.get()["state"] != "completed":
             raise SetUpFailed("an episode has no result yet; see EPI-004")
-        told = all_of(reader, 4)
+        received = read_until_scored(reader, 4)
     scored = [1, 0, 2, 3]
-    expect.equal(episodes_in(told), scored, "episodes told as they were scored")
-    expect.equal(episodes_in(history(run, 4)), scored, "episodes told to who is late")
+    expect.equal(episodes_in(received), scored, "episodes told as they were scored")
+    expect.equal(
+        episodes_in(read_events(run, 4)), scored, "episodes told to who is late"
+    )
 
 
 @requirement("EVT-003")
-def test_evt_003_run_comes_after_what_it_counts(story: Story) -> None:
+def test_evt_003_run_comes_after_what_it_counts(context: CheckContext) -> None:
     """A run is followed from the start, and by others who come later.
 
     Expect before each `run` event exactly the episodes that it counts.
     """
-    worker = playing(story, "score", "score", "score", "score")
-    with reading(worker.run) as reader:
-        told = []
+    worker = submit_and_attach(context, "score", "score", "score", "score")
+    with follow_run(worker.run) as reader:
+        received = []
         for scored in (1, 2, 3, 4):
             worker.play()
-            told += all_of(reader, scored)
-            late = history(worker.run, scored)
-            for events in (told, late):
+            received += read_until_scored(reader, scored)
+            late = read_events(worker.run, scored)
+            for events in (received, late):
                 for number, event in enumerate(events):
                     if event.kind == "run":
                         seen = len(set(episodes_in(events[:number])))
@@ -152,10 +163,12 @@ def test_evt_003_run_comes_after_what_it_counts(story: Story) -> None:
                         expect.equal(seen, counted, "episodes told before the run")
 
 
-def told_in_time(story: Story, reader: Reader, state: str, changed_at: float) -> None:
+def expect_change_in_time(
+    context: CheckContext, reader: EventReader, state: str, changed_at: float
+) -> None:
     """Expect the run in a state within a second after its change."""
-    limit_s = LATE_S + story.tolerance_s
-    within_s = changed_at + limit_s + PATIENCE_S - time.monotonic()
+    limit_s = CHANGE_LIMIT_S + context.tolerance_s
+    within_s = changed_at + limit_s + ANSWER_TIMEOUT_S - time.monotonic()
     event = reader.until(in_state(state), f"`run` that is {state}", within_s)[-1]
     late_s = event.at - changed_at
     what = f"the `run` event within {limit_s:.2f} s of the change to {state}"
@@ -164,147 +177,149 @@ def told_in_time(story: Story, reader: Reader, state: str, changed_at: float) ->
 
 @background
 @requirement("EVT-004")
-def test_evt_004_changes_are_told_within_a_second(story: Story) -> None:
+def test_evt_004_changes_are_told_within_a_second(context: CheckContext) -> None:
     """A run is attached to, stopped and resumed; turns in between change nothing.
 
     Expect each change within a second, and otherwise no run like the one before.
     """
-    run = story.submit("count", "count")
+    run = context.submit("count", "count")
     worker = run.worker()
-    with reading(run) as reader:
-        told_in_time(story, reader, "ready", time.monotonic())
+    with follow_run(run) as reader:
+        expect_change_in_time(context, reader, "ready", time.monotonic())
         worker.attach()
-        told_in_time(story, reader, "running", time.monotonic())
+        expect_change_in_time(context, reader, "running", time.monotonic())
         for _ in range(3):
-            worker.predict(story.action())
-            reader.during(QUIET_S / 3)
+            worker.predict(context.action())
+            reader.collect_for(PAUSE_S / 3)
         run.stop()
-        told_in_time(story, reader, "stopped", time.monotonic())
+        expect_change_in_time(context, reader, "stopped", time.monotonic())
         run.resume()
         run.until("ready")
-        told_in_time(story, reader, "ready", time.monotonic())
-        reader.during(QUIET_S)
-        bodies = [event.body for event in reader.told if event.kind == "run"]
+        expect_change_in_time(context, reader, "ready", time.monotonic())
+        reader.collect_for(PAUSE_S)
+        bodies = [event.body for event in reader.received if event.kind == "run"]
     for last, body in itertools.pairwise(bodies):
         expect.true(body != last, "no `run` event without a change", body)
 
 
 @requirement("EVT-005")
-def test_evt_005_can_go_on_behind_every_event(story: Story) -> None:
+def test_evt_005_can_go_on_behind_every_event(context: CheckContext) -> None:
     """A reader breaks off after two of four episodes; then there are readers behind
-    each event that was told, while the run plays on, and when all is told.
+    each event that was received, while the run plays on, and when all is told.
 
     Expect each to be told exactly the episodes that are missing.
     """
-    worker = playing(story, "score", "score", "score", "score")
+    worker = submit_and_attach(context, "score", "score", "score", "score")
     run = worker.run
     worker.play()
     worker.play()
-    before = history(run, 2)
-    with reading(run, ids_of(before)[-1]) as reader:
+    before = read_events(run, 2)
+    with follow_run(run, ids_of(before)[-1]) as reader:
         worker.play()
         worker.play()
-        after = all_of(reader, 4)
+        after = read_until_scored(reader, 4)
     expect.equal(episodes_in(after), [2, 3], "episodes told after the break")
     events = before + after
     for number, id_ in enumerate(ids_of(events)[:-1]):
         missing = [i for i in range(4) if i not in episodes_in(events[: number + 1])]
-        told = episodes_in(history(run, 4, id_))
-        expect.equal(told, missing, f"episodes told behind event {number + 1}")
+        received = episodes_in(read_events(run, 4, id_))
+        expect.equal(received, missing, f"episodes told behind event {number + 1}")
 
 
 @requirement("EVT-006")
-def test_evt_006_ends_when_nothing_can_follow(story: Story) -> None:
+def test_evt_006_ends_when_nothing_can_follow(context: CheckContext) -> None:
     """Runs that are completed, failed for good, stopped, and failed but retryable.
 
     Expect the streams of the first two to end, and 204 at their last id; the others to
     be read on.
     """
     for state in ("completed", "failed not_retryable"):
-        run = run_in(story, state)
-        with reading(run) as reader:
+        run = make_run_in_state(context, state)
+        with follow_run(run) as reader:
             events = reader.until(in_state(run.body["state"]), f"`run` that is {state}")
-            with reading(run, ids_of(events)[-1]) as again:
-                expect.equal(again.answered(), 204, f"status at the last id, {state}")
+            with follow_run(run, ids_of(events)[-1]) as again:
+                expect.equal(
+                    again.first_status(), 204, f"status at the last id, {state}"
+                )
             what = f"the end of the stream of a run that is {state}"
-            expect.true(reader.ends(), what, "none")
+            expect.true(reader.wait_for_end(), what, "none")
     for state in ("stopped", "failed"):
-        run = run_in(story, state)
-        with reading(run) as reader:
+        run = make_run_in_state(context, state)
+        with follow_run(run) as reader:
             events = reader.until(in_state(state), f"`run` that is {state}")
-        with reading(run, ids_of(events)[-1]) as again:
-            expect.equal(again.answered(), 200, f"status at the last id, {state}")
+        with follow_run(run, ids_of(events)[-1]) as again:
+            expect.equal(again.first_status(), 200, f"status at the last id, {state}")
 
 
 @requirement("EVT-007")
-def test_evt_007_cannot_go_on_behind_what_never_was(story: Story) -> None:
+def test_evt_007_cannot_go_on_behind_what_never_was(context: CheckContext) -> None:
     """Ids that no event had: made up, out of form, and from a run of the same kind.
 
     Expect `invalid_request`; the run's own id is taken.
     """
-    runs = [playing(story, "score", "score") for _ in range(2)]
+    runs = [submit_and_attach(context, "score", "score") for _ in range(2)]
     for worker in runs:
         worker.play()
-    own, other = (ids_of(history(worker.run, 1))[-1] for worker in runs)
+    own, other = (ids_of(read_events(worker.run, 1))[-1] for worker in runs)
     run = runs[0].run
     if other == own:
         raise SetUpFailed(f"two runs have events with the same id, {own}; see EVT-007")
     for wrong in (uuid.uuid4().hex, "no such event", "x" * 129, other):
         answer = run.call("stream_events", headers={"Last-Event-ID": wrong})
         expect.refused(answer, "invalid_request")
-    with reading(run, own) as reader:
-        expect.equal(reader.answered(), 200, "status at an id of the run")
+    with follow_run(run, own) as reader:
+        expect.equal(reader.first_status(), 200, "status at an id of the run")
 
 
 @background
 @requirement("EVT-008")
-def test_evt_008_is_never_silent_for_long(story: Story) -> None:
+def test_evt_008_is_never_silent_for_long(context: CheckContext) -> None:
     """Nothing happens to a run. Expect something to be heard within 15 seconds."""
-    run = story.submit()
-    limit_s = SILENCE_S + SILENCE_MORE_S + story.tolerance_s
-    with reading(run) as reader:
+    run = context.submit()
+    limit_s = SILENCE_S + SILENCE_MARGIN_S + context.tolerance_s
+    with follow_run(run) as reader:
         reader.until(in_state("ready"), "`run` that is ready")
-        reader.during(QUIET_S)
-        last = reader.heard_at[-1]
-        while reader.heard_at[-1] == last and time.monotonic() < last + limit_s:
-            reader.during(0.1)
-        heard = reader.heard_at[-1] > last
+        reader.collect_for(PAUSE_S)
+        last = reader.received_at[-1]
+        while reader.received_at[-1] == last and time.monotonic() < last + limit_s:
+            reader.collect_for(0.1)
+        heard = reader.received_at[-1] > last
         expect.true(heard, f"a comment within {limit_s:.1f} s of silence", "nothing")
 
 
 @background
 @requirement("EVT-009")
-def test_evt_009_keeps_what_it_told(story: Story) -> None:
+def test_evt_009_keeps_what_it_told(context: CheckContext) -> None:
     """A server of its own is killed as soon as it has told of an episode.
 
     Expect the same episodes after the restart, and each id to be gone on behind.
     """
-    if story.context.settings.restart_cmd is not None:
+    if context.shared.settings.restart_cmd is not None:
         text = "needs --start-cmd: a hook disturbs other checks"
         raise SetUpFailed(text, allowed=True)
-    with story.private_server() as server:
-        worker = playing(server.story, "score", "score", "score")
+    with context.private_server() as server:
+        worker = submit_and_attach(server.context, "score", "score", "score")
         run = worker.run
         worker.play(score=0.25)
-        with reading(run) as reader:
-            killing = partial(kill, server, reader)
-            story.together(partial(play_until_killed, worker), killing)
+        with follow_run(run) as reader:
+            kill_server = partial(kill_after_second_episode, server, reader)
+            context.call_concurrently(partial(play_until_killed, worker), kill_server)
         server.restart()
-        told = entries_in(reader.told)
-        kept = entries_in(history(run, len(told)))
-        expect.equal(kept, told, "the episodes that were told before the restart")
-        for id_ in ids_of(reader.told):
-            with reading(run, id_) as again:
-                expect.equal(again.answered(), 200, "status at an id from before")
+        received = entries_in(reader.received)
+        kept = entries_in(read_events(run, len(received)))
+        expect.equal(kept, received, "the episodes that were told before the restart")
+        for id_ in ids_of(reader.received):
+            with follow_run(run, id_) as again:
+                expect.equal(again.first_status(), 200, "status at an id from before")
 
 
-def kill(server: PrivateServer, reader: Reader) -> None:
+def kill_after_second_episode(server: PrivateServer, reader: EventReader) -> None:
     """Kill the server when it has told of the second episode."""
     reader.until(lambda event: episodes_in([event]) == [1], "`episode` of the second")
     server.kill9()
 
 
-def play_until_killed(worker: Worker) -> None:
+def play_until_killed(worker: WorkerClient) -> None:
     """Score the second episode; the answer may not come any more."""
     with contextlib.suppress(NoAnswer):
-        worker.try_predict(worker.run.story.action(score=0.75, end=1))
+        worker.try_predict(worker.run.context.action(score=0.75, end=1))

@@ -7,22 +7,22 @@ episode's score.
 import threading
 from collections.abc import Callable
 
-from conformance.client.check_context import Story
+from conformance.client.check_context import CheckContext
 from conformance.oracle.expected_score import is_close
-from conformance.policy.chat import Request, ScriptedChat
+from conformance.policy.chat import ChatRequest, ScriptedChat
 from conformance.policy.push_run import chat_server
 from conformance.profiles.flageval import (
     DATASETS,
-    LONGEST_S,
-    ask,
+    END_TIMEOUT_S,
     begin,
-    evaluated,
-    fresh,
+    call_flageval,
+    evaluate,
+    expect_refused,
+    expect_refused_in_form,
+    expect_success,
     info,
-    refused,
-    refused_in_form,
-    succeeded,
     try_begin,
+    unique_name,
 )
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
@@ -30,24 +30,26 @@ from conformance.verdicts import expect
 KEY = "sk-of-the-kit-and-nobody-else"
 
 
-def held(chat: ScriptedChat, word: str) -> tuple[threading.Event, threading.Event]:
+def hold_questions(
+    chat: ScriptedChat, word: str
+) -> tuple[threading.Event, threading.Event]:
     """Let questions with a word wait: set when one came, and what they wait for."""
-    came, going = threading.Event(), threading.Event()
+    arrived, released = threading.Event(), threading.Event()
 
-    def say(request: Request) -> str:
+    def say(request: ChatRequest) -> str:
         if word in request.question or word == request.body.get("model"):
-            came.set()
-            going.wait(LONGEST_S)
+            arrived.set()
+            released.wait(END_TIMEOUT_S)
         return "1"
 
-    chat.says = say
-    return came, going
+    chat.reply = say
+    return arrived, released
 
 
-def says(**words: str) -> Callable[[Request], str]:
+def reply_by_model(**words: str) -> Callable[[ChatRequest], str]:
     """Answer by the end of the model's name."""
 
-    def say(request: Request) -> str:
+    def say(request: ChatRequest) -> str:
         model = str(request.body.get("model"))
         return next(word for name, word in words.items() if model.endswith(name))
 
@@ -55,79 +57,93 @@ def says(**words: str) -> Callable[[Request], str]:
 
 
 @requirement("FLE-001")
-def test_fle_001_an_evaluation_is_a_run(story: Story) -> None:
+def test_fle_001_an_evaluation_is_a_run(context: CheckContext) -> None:
     """Two models are evaluated. Expect a run of each, named as it is, in order."""
-    names = [fresh("one"), fresh("two")]
-    with chat_server(story) as chat:
-        told = succeeded(try_begin(story, *(info(chat, name) for name in names)))
-        expect.true(told["request_id"], "a request_id")
-        tasks = told["eval_tasks"]
+    names = [unique_name("one"), unique_name("two")]
+    with chat_server(context) as chat:
+        answer = expect_success(
+            try_begin(context, *(info(chat, name) for name in names))
+        )
+        expect.true(answer["request_id"], "a request_id")
+        tasks = answer["eval_tasks"]
         expect.equal([task["eval_model"] for task in tasks], names, "eval_tasks")
         for name, task in zip(names, tasks, strict=True):
-            run = expect.ok(story.call("get_run", run_id=task["run_id"]))
+            run = expect.ok(context.call("get_run", run_id=task["run_id"]))
             expect.equal(run["policy"]["name"], name, "the policy's name")
             expect.equal(run["mode"], "push", "the run's mode")
 
 
 @requirement("FLE-002")
-def test_fle_002_refusals_have_err_code_1(story: Story) -> None:
+def test_fle_002_refusals_have_err_code_1(context: CheckContext) -> None:
     """What cannot be meant, what is not there, and a stop too late.
 
     Expect `err_code` 1 and one message under both names.
     """
-    with chat_server(story) as chat:
-        refused_in_form(try_begin(story, info(chat, fresh("x"), num_concurrent=0)))
-        refused_in_form(try_begin(story, info(chat, fresh("x")), domain="Audio"))
-        refused_in_form(
-            try_begin(story, info(chat, fresh("x")), mode="no_such_benchmark")
+    with chat_server(context) as chat:
+        expect_refused_in_form(
+            try_begin(context, info(chat, unique_name("x"), num_concurrent=0))
         )
-        refused_in_form(try_begin(story))
+        expect_refused_in_form(
+            try_begin(context, info(chat, unique_name("x")), domain="Audio")
+        )
+        expect_refused_in_form(
+            try_begin(context, info(chat, unique_name("x")), mode="no_such_benchmark")
+        )
+        expect_refused_in_form(try_begin(context))
         none = {"request_id": "no-such-request"}
         for path in ("/stop_evaluation", "/resume_evaluation"):
-            refused_in_form(ask(story, path, none))
-        refused_in_form(ask(story, "/evaluation_progress", none | {"domain": "MM"}))
-        refused_in_form(ask(story, "/evaldiffs", none, method="GET"))
-        refused_in_form(ask(story, "/evaluation_diffs", {"request_ids": []}))
-        done = evaluated(story, info(chat, fresh("x")))
-        refused_in_form(ask(story, "/stop_evaluation", {"request_id": done.request_id}))
+            expect_refused_in_form(call_flageval(context, path, none))
+        expect_refused_in_form(
+            call_flageval(context, "/evaluation_progress", none | {"domain": "MM"})
+        )
+        expect_refused_in_form(call_flageval(context, "/evaldiffs", none, method="GET"))
+        expect_refused_in_form(
+            call_flageval(context, "/evaluation_diffs", {"request_ids": []})
+        )
+        done = evaluate(context, info(chat, unique_name("x")))
+        expect_refused_in_form(
+            call_flageval(context, "/stop_evaluation", {"request_id": done.request_id})
+        )
 
 
 @requirement("FLE-003")
-def test_fle_003_a_name_is_used_once(story: Story) -> None:
+def test_fle_003_a_name_is_used_once(context: CheckContext) -> None:
     """A name stands twice, or was used with another chip, behind one that is new.
 
     Expect refusals, and no run under the new name.
     """
-    used, new = fresh("used"), fresh("new")
-    with chat_server(story) as chat:
-        begin(story, info(chat, used))
-        refused(try_begin(story, info(chat, new), info(chat, used, chip="Other-1")))
-        refused(try_begin(story, info(chat, new), info(chat, new)))
-        page = expect.ok(story.call("list_runs", params={"limit": 100}))
+    used, new = unique_name("used"), unique_name("new")
+    with chat_server(context) as chat:
+        begin(context, info(chat, used))
+        expect_refused(
+            try_begin(context, info(chat, new), info(chat, used, chip="Other-1"))
+        )
+        expect_refused(try_begin(context, info(chat, new), info(chat, new)))
+        page = expect.ok(context.call("list_runs", params={"limit": 100}))
         names = [run["policy"]["name"] for run in page["runs"]]
         expect.equal(names.count(new), 0, "runs of a request that was refused")
 
 
 @requirement("FLE-004")
-def test_fle_004_a_repeat_begins_nothing(story: Story) -> None:
+def test_fle_004_a_repeat_begins_nothing(context: CheckContext) -> None:
     """The same body twice. Expect the same request_id, and one run."""
-    name = fresh("once")
-    with chat_server(story) as chat:
-        first = begin(story, info(chat, name))
-        again = succeeded(try_begin(story, info(chat, name)))
+    name = unique_name("once")
+    with chat_server(context) as chat:
+        first = begin(context, info(chat, name))
+        again = expect_success(try_begin(context, info(chat, name)))
         expect.equal(again["request_id"], first.request_id, "request_id")
-        page = expect.ok(story.call("list_runs", params={"limit": 100}))
+        page = expect.ok(context.call("list_runs", params={"limit": 100}))
         names = [run["policy"]["name"] for run in page["runs"]]
         expect.equal(names.count(name), 1, "runs of that name")
 
 
 @requirement("FLE-005")
-def test_fle_005_the_model_is_asked_as_it_was_told(story: Story) -> None:
+def test_fle_005_the_model_is_asked_as_it_was_told(context: CheckContext) -> None:
     """With numbers and a key, and without. Expect them in every question, or none."""
-    with chat_server(story) as chat:
+    with chat_server(context) as chat:
         numbers = "temperature=0.5,top_k=20,max_gen_toks=64"
-        asked = info(chat, fresh("asked"), api_key=KEY, gen_kwargs=numbers)
-        evaluated(story, asked | {"model": "the-model"})
+        asked = info(chat, unique_name("asked"), api_key=KEY, gen_kwargs=numbers)
+        evaluate(context, asked | {"model": "the-model"})
         expect.equal(len(chat.requests), sum(DATASETS.values()), "questions")
         for request in chat.requests:
             due: dict[str, object] = {"temperature": 0.5, "top_k": 20, "max_tokens": 64}
@@ -137,39 +153,41 @@ def test_fle_005_the_model_is_asked_as_it_was_told(story: Story) -> None:
             header = request.headers.get("authorization")
             expect.equal(header, f"Bearer {KEY}", "the key")
         chat.requests.clear()
-        evaluated(story, info(chat, fresh("bare"), api_key="EMPTY"))
+        evaluate(context, info(chat, unique_name("bare"), api_key="EMPTY"))
         keys = {request.headers.get("authorization") for request in chat.requests}
         expect.equal(list(keys), [None], "the key EMPTY")
 
 
 @requirement("FLE-006")
-def test_fle_006_nobody_is_told_the_key(story: Story) -> None:
+def test_fle_006_nobody_is_told_the_key(context: CheckContext) -> None:
     """A key in a good request, in a refused one, and one that cannot be a key; the
     model says it back. Expect it in no answer."""
-    with chat_server(story, says=KEY) as chat:
-        name = fresh("secret")
-        told = [try_begin(story, info(chat, name, api_key=KEY))]
-        told.append(try_begin(story, info(chat, name, api_key=KEY, chip="Other-1")))
-        told.append(try_begin(story, info(chat, fresh("x"), api_key=f"{KEY}\n")))
-        told.append(try_begin(story, info(chat, fresh("x"), api_key=[KEY])))
-        done = begin(story, info(chat, fresh("y"), api_key=KEY))
+    with chat_server(context, reply=KEY) as chat:
+        name = unique_name("secret")
+        answer = [try_begin(context, info(chat, name, api_key=KEY))]
+        answer.append(try_begin(context, info(chat, name, api_key=KEY, chip="Other-1")))
+        answer.append(
+            try_begin(context, info(chat, unique_name("x"), api_key=f"{KEY}\n"))
+        )
+        answer.append(try_begin(context, info(chat, unique_name("x"), api_key=[KEY])))
+        done = begin(context, info(chat, unique_name("y"), api_key=KEY))
         done.finished()
-        told += [done.results(), done.progress()]
-        run = story.call("get_run", run_id=done.run_ids[0])
-        for text in (*map(repr, told), run.body.decode()):
+        answer += [done.results(), done.progress()]
+        run = context.call("get_run", run_id=done.run_ids[0])
+        for text in (*map(repr, answer), run.body.decode()):
             expect.true(KEY not in text, "no key in an answer", text.replace(KEY, "…"))
 
 
 @requirement("FLE-007")
-def test_fle_007_accuracy_is_the_mean_of_a_task(story: Story) -> None:
+def test_fle_007_accuracy_is_the_mean_of_a_task(context: CheckContext) -> None:
     """Two models with different answers. Expect what `get_score` has, task by task."""
-    with chat_server(story, says(good="1", fair="0.5")) as chat:
-        names = [fresh("good"), fresh("fair")]
-        done = evaluated(story, *(info(chat, name) for name in names))
+    with chat_server(context, reply_by_model(good="1", fair="0.5")) as chat:
+        names = [unique_name("good"), unique_name("fair")]
+        done = evaluate(context, *(info(chat, name) for name in names))
         results = done.results()
         expect.equal(sorted(results), sorted(names), "eval_models")
         for name, run_id in zip(names, done.run_ids, strict=True):
-            score = expect.ok(story.call("get_score", run_id=run_id))
+            score = expect.ok(context.call("get_score", run_id=run_id))
             due = {task: group["mean"] for task, group in score["by_task"].items()}
             details = results[name]["details"]
             found = {detail["dataset"]: detail["accuracy"] for detail in details}
@@ -178,54 +196,58 @@ def test_fle_007_accuracy_is_the_mean_of_a_task(story: Story) -> None:
 
 
 @requirement("FLE-008")
-def test_fle_008_the_id_stands_in_the_query_or_in_a_body(story: Story) -> None:
+def test_fle_008_the_id_stands_in_the_query_or_in_a_body(context: CheckContext) -> None:
     """Both ways of asking. Expect the same results."""
-    with chat_server(story) as chat:
-        done = evaluated(story, info(chat, fresh("asked")))
+    with chat_server(context) as chat:
+        done = evaluate(context, info(chat, unique_name("asked")))
         path = f"/evaldiffs?request_id={done.request_id}"
-        by_query = succeeded(ask(story, path, None, method="GET"))["eval_results"]
+        by_query = expect_success(call_flageval(context, path, None, method="GET"))[
+            "eval_results"
+        ]
         expect.equal(by_query, done.results(), "results by query")
 
 
 @requirement("FLE-009")
-def test_fle_009_status_letters(story: Story) -> None:
+def test_fle_009_status_letters(context: CheckContext) -> None:
     """A model that waits, is stopped, and goes on to its end; one that is gone.
 
     Expect R, C, R or S, S, and OOR, in results and progress.
     """
-    with chat_server(story) as chat:
-        came, going = held(chat, "count")
-        name = fresh("watched")
-        watched = begin(story, info(chat, name))
-        came.wait(LONGEST_S)
+    with chat_server(context) as chat:
+        arrived, released = hold_questions(chat, "count")
+        name = unique_name("watched")
+        watched = begin(context, info(chat, name))
+        arrived.wait(END_TIMEOUT_S)
         for letter, command in (("R", "/stop_evaluation"), ("C", "/resume_evaluation")):
             expect.equal(watched.progress()["status"], letter, "status")
             expect.equal(watched.results()[name]["status"], letter, "its status")
             watched.command(command)
-        going.set()
+        released.set()
         expect.equal(watched.finished()["status"], "S", "status at the end")
         expect.equal(watched.results()[name]["status"], "S", "its status at the end")
         chat.status = 500
-        gone = begin(story, info(chat, fresh("gone")))
-        expect.equal(gone.finished()["status"], "OOR", "status of a model that is gone")
+        failed_model = begin(context, info(chat, unique_name("failed_model")))
+        expect.equal(
+            failed_model.finished()["status"], "OOR", "status of a model that is gone"
+        )
 
 
 @requirement("FLE-010")
-def test_fle_010_diff_is_baseline_minus_accuracy(story: Story) -> None:
+def test_fle_010_diff_is_baseline_minus_accuracy(context: CheckContext) -> None:
     """A model alone; beside the baseline of its request; beside an earlier one.
 
     Expect null, then the difference of the accuracies.
     """
-    base = fresh("base")
-    with chat_server(story, says(origin="1", worse="0.75")) as chat:
+    base = unique_name("base")
+    with chat_server(context, reply_by_model(origin="1", worse="0.75")) as chat:
         alone, later = f"{base}-1-worse", f"{base}-2-worse"
-        done = evaluated(story, info(chat, alone, base_model_name=base))
+        done = evaluate(context, info(chat, alone, base_model_name=base))
         details = done.results()[alone]["details"]
         expect.equal(
             [d["diff"] for d in details], [None, None], "diff without baseline"
         )
         infos = [info(chat, f"{base}-nvidia-origin"), info(chat, later)]
-        beside = evaluated(story, *infos).results()[later]
+        beside = evaluate(context, *infos).results()[later]
         for result in (beside, done.results()[alone]):
             found = {d["dataset"]: d["diff"] for d in result["details"]}
             expect.true(is_close(found.get("score"), 0.25), "diff of score 0.25", found)
@@ -233,123 +255,129 @@ def test_fle_010_diff_is_baseline_minus_accuracy(story: Story) -> None:
 
 
 @requirement("FLE-011")
-def test_fle_011_release_is_a_gate(story: Story) -> None:
+def test_fle_011_release_is_a_gate(context: CheckContext) -> None:
     """Beside a baseline: a twin, one a little worse, one much worse, and one not done.
 
     Expect release of the twin alone, as `count` knows nothing between 0 and 1; and of
     nobody without a baseline.
     """
-    words = says(origin="1", twin="1", worse="0.97", bad="0", alone="1")
-    with chat_server(story, words) as chat:
-        base = fresh("base")
+    words = reply_by_model(origin="1", twin="1", worse="0.97", bad="0", alone="1")
+    with chat_server(context, words) as chat:
+        base = unique_name("base")
         names = [f"{base}-{end}" for end in ("nvidia-origin", "twin", "worse", "bad")]
-        done = evaluated(story, *(info(chat, name) for name in names))
+        done = evaluate(context, *(info(chat, name) for name in names))
         found = [done.results()[name]["release"] for name in names]
         expect.equal(found, [True, True, False, False], "release")
-        lonely = fresh("alone")
-        alone = evaluated(story, info(chat, lonely))
-        expect.equal(alone.results()[lonely]["release"], False, "without a baseline")
-        came, going = held(chat, "count")
-        late = begin(story, info(chat, f"{base}-late", base_model_name=base))
-        came.wait(LONGEST_S)
+        alone_name = unique_name("alone")
+        alone = evaluate(context, info(chat, alone_name))
+        expect.equal(
+            alone.results()[alone_name]["release"], False, "without a baseline"
+        )
+        arrived, released = hold_questions(chat, "count")
+        late = begin(context, info(chat, f"{base}-late", base_model_name=base))
+        arrived.wait(END_TIMEOUT_S)
         release = late.results()[f"{base}-late"]["release"]
         expect.equal(release, False, "release before the end")
-        going.set()
+        released.set()
 
 
 @requirement("FLE-012")
-def test_fle_012_stop_stops_what_is_not_over(story: Story) -> None:
+def test_fle_012_stop_stops_what_is_not_over(context: CheckContext) -> None:
     """Of two models one is done when the request is stopped.
 
     Expect S and C, and the first dataset of the second kept.
     """
-    with chat_server(story) as chat:
-        fast, slow = fresh("fast"), fresh("slow")
-        came, going = held(chat, slow)
-        both = begin(story, info(chat, fast), info(chat, slow))
-        came.wait(LONGEST_S)
+    with chat_server(context) as chat:
+        fast, slow = unique_name("fast"), unique_name("slow")
+        arrived, released = hold_questions(chat, slow)
+        both = begin(context, info(chat, fast), info(chat, slow))
+        arrived.wait(END_TIMEOUT_S)
         deadline = threading.Event()
         while both.results()[fast]["status"] == "R" and not deadline.wait(0.02):
             pass
         both.command("/stop_evaluation")
-        going.set()
+        released.set()
         found = {name: one["status"] for name, one in both.results().items()}
         expect.equal(found, {fast: "S", slow: "C"}, "status")
-        states = [story.call("get_run", run_id=i).json["state"] for i in both.run_ids]
+        states = [context.call("get_run", run_id=i).json["state"] for i in both.run_ids]
         expect.equal(states, ["completed", "stopped"], "states of the runs")
 
 
 @requirement("FLE-013")
-def test_fle_013_resume_goes_on(story: Story) -> None:
+def test_fle_013_resume_goes_on(context: CheckContext) -> None:
     """Stopped in the second dataset, and resumed.
 
     Expect no question of the first one again, and the end.
     """
-    with chat_server(story) as chat:
-        came, going = held(chat, "count")
-        requested = begin(story, info(chat, fresh("resumed")))
-        came.wait(LONGEST_S)
-        requested.command("/stop_evaluation")
-        going.set()
+    with chat_server(context) as chat:
+        arrived, released = hold_questions(chat, "count")
+        flageval_request = begin(context, info(chat, unique_name("resumed")))
+        arrived.wait(END_TIMEOUT_S)
+        flageval_request.command("/stop_evaluation")
+        released.set()
         chat.requests.clear()
-        requested.command("/resume_evaluation")
-        expect.equal(requested.finished()["status"], "S", "status at the end")
+        flageval_request.command("/resume_evaluation")
+        expect.equal(flageval_request.finished()["status"], "S", "status at the end")
         again = [r.question for r in chat.requests if "score" in r.question]
         expect.equal(again, [], "questions asked again")
 
 
 @requirement("FLE-014")
-def test_fle_014_progress_counts_datasets(story: Story) -> None:
+def test_fle_014_progress_counts_datasets(context: CheckContext) -> None:
     """Two models, of which one waits in its second dataset.
 
     Expect 3/4, and count 0/2.
     """
-    with chat_server(story) as chat:
-        fast, slow = fresh("fast"), fresh("slow")
-        going = threading.Event()
+    with chat_server(context) as chat:
+        fast, slow = unique_name("fast"), unique_name("slow")
+        released = threading.Event()
 
-        def say(request: Request) -> str:
+        def say(request: ChatRequest) -> str:
             if request.body.get("model") == slow and "count" in request.question:
-                going.wait(LONGEST_S)
+                released.wait(END_TIMEOUT_S)
             return "1"
 
-        chat.says = say
-        both = begin(story, info(chat, fast), info(chat, slow))
+        chat.reply = say
+        both = begin(context, info(chat, fast), info(chat, slow))
         due = {"datasets_progress": "3/4", "running_dataset": "count"}
         due["running_progress"] = "0/2"
         pause = threading.Event()
-        for _ in range(int(LONGEST_S / 0.05)):
-            told = both.progress()
-            if told["datasets_progress"] == "3/4" or told["finished"]:
+        for _ in range(int(END_TIMEOUT_S / 0.05)):
+            answer = both.progress()
+            if answer["datasets_progress"] == "3/4" or answer["finished"]:
                 break
             pause.wait(0.05)
-        expect.equal({name: told[name] for name in due}, due, "progress")
-        expect.equal(told["finished"], False, "finished")
-        going.set()
-        told = both.finished()
-        expect.equal(told["datasets_progress"], "4/4", "progress at the end")
+        expect.equal({name: answer[name] for name in due}, due, "progress")
+        expect.equal(answer["finished"], False, "finished")
+        released.set()
+        answer = both.finished()
+        expect.equal(answer["datasets_progress"], "4/4", "progress at the end")
 
 
 @requirement("FLE-015")
-def test_fle_015_requests_beside_the_first(story: Story) -> None:
+def test_fle_015_requests_beside_the_first(context: CheckContext) -> None:
     """Three requests; the first is the baseline. Expect the others' differences.
 
     With GET a map, with POST a list, and the same in both.
     """
-    with chat_server(story, says(base="1", twin="1", worse="0.5")) as chat:
+    with chat_server(context, reply_by_model(base="1", twin="1", worse="0.5")) as chat:
         ends = ("base", "twin", "worse")
-        done = [evaluated(story, info(chat, fresh(end))) for end in ends]
+        done = [evaluate(context, info(chat, unique_name(end))) for end in ends]
         ids = [one.request_id for one in done]
         body = {"request_ids": ids}
-        told = succeeded(ask(story, "/evaluation_diffs", body, method="GET"))
-        found = told["eval_diffs"]
+        answer = expect_success(
+            call_flageval(context, "/evaluation_diffs", body, method="GET")
+        )
+        found = answer["eval_diffs"]
         expect.equal(sorted(found), sorted(ids[1:]), "request ids")
         releases = [found[name]["release"] for name in ids[1:]]
         expect.equal(releases, [True, False], "release")
         details = {d["dataset"]: d for d in found[ids[2]]["details"]}
         score = [details["score"][n] for n in ("base_acc", "accuracy", "diff")]
         expect.equal(score, [1, 0.5, 0.5], "base_acc, accuracy and diff of score")
-        listed = succeeded(ask(story, "/evaluation_diffs", body))["eval_diffs"]
+        listed = expect_success(call_flageval(context, "/evaluation_diffs", body))[
+            "eval_diffs"
+        ]
         expect.true(isinstance(listed, list), "a list with POST", listed)
         expect.equal([one["request_id"] for one in listed], ids[1:], "request ids")
         for one in listed:
@@ -357,21 +385,30 @@ def test_fle_015_requests_beside_the_first(story: Story) -> None:
 
 
 @requirement("FLE-016")
-def test_fle_016_requests_of_others_are_not_there(story: Story) -> None:
+def test_fle_016_requests_of_others_are_not_there(context: CheckContext) -> None:
     """Another account asks, stops, resumes and compares. Expect refusals."""
-    other = story.wire_2
-    with chat_server(story) as chat:
-        came, going = held(chat, "count")
-        ours = begin(story, info(chat, fresh("ours")))
-        came.wait(LONGEST_S)
+    other = context.second_account
+    with chat_server(context) as chat:
+        arrived, released = hold_questions(chat, "count")
+        ours = begin(context, info(chat, unique_name("ours")))
+        arrived.wait(END_TIMEOUT_S)
         named = {"request_id": ours.request_id}
         for path in ("/stop_evaluation", "/resume_evaluation"):
-            refused(ask(story, path, named, wire=other))
-        refused(
-            ask(story, "/evaluation_progress", named | {"domain": "MM"}, wire=other)
+            expect_refused(call_flageval(context, path, named, http_client=other))
+        expect_refused(
+            call_flageval(
+                context,
+                "/evaluation_progress",
+                named | {"domain": "MM"},
+                http_client=other,
+            )
         )
-        refused(ask(story, "/evaldiffs", named, method="GET", wire=other))
+        expect_refused(
+            call_flageval(context, "/evaldiffs", named, method="GET", http_client=other)
+        )
         both = {"request_ids": [ours.request_id, ours.request_id]}
-        refused(ask(story, "/evaluation_diffs", both, wire=other))
+        expect_refused(
+            call_flageval(context, "/evaluation_diffs", both, http_client=other)
+        )
         expect.equal(ours.progress()["status"], "R", "status of ours")
-        going.set()
+        released.set()

@@ -5,48 +5,59 @@ import threading
 import time
 from collections import Counter
 
-from conformance.client.check_context import Story
-from conformance.policy.push_run import ended, faulted, policy_server, push_body, pushed
-from conformance.policy.scripted import Call, Reply, ScriptedPolicy, busy
+from conformance.client.check_context import CheckContext
+from conformance.policy.push_run import (
+    expect_end,
+    expect_policy_fault,
+    policy_server,
+    push_body,
+    submit_push_run,
+)
+from conformance.policy.scripted import (
+    PolicyCall,
+    PolicyReply,
+    ScriptedPolicy,
+    busy_reply,
+)
 from conformance.runner.requirement import background, requirement
 from conformance.specification.document import PROBLEM_JSON
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
-_HELD_S = 20.0
+_HOLD_TIMEOUT_S = 20.0
 _MARGIN_S = 3.0
-_SETTLED_S = 0.3
+_SETTLE_S = 0.3
 
 
-def _held(policy: ScriptedPolicy) -> threading.Event:
+def _hold_predicts(policy: ScriptedPolicy) -> threading.Event:
     """Let every predict wait for the event that is given."""
-    going = threading.Event()
+    released = threading.Event()
 
-    def wait(call: Call) -> Reply:
-        going.wait(_HELD_S)
-        return policy.played(call)
+    def wait(call: PolicyCall) -> PolicyReply:
+        released.wait(_HOLD_TIMEOUT_S)
+        return policy.final_action_reply(call)
 
     policy.on("predict", wait)
-    return going
+    return released
 
 
 @requirement("PUSH-001")
-def test_push_001_server_plays_the_run(story: Story) -> None:
+def test_push_001_server_plays_the_run(context: CheckContext) -> None:
     """A policy is called for three episodes, in each with another score.
 
     Expect a completed run with these scores, each after the steps that were answered.
     """
-    with policy_server(story) as policy:
+    with policy_server(context) as policy:
 
-        def play(call: Call) -> Reply:
+        def play(call: PolicyCall) -> PolicyReply:
             score = (call.body["episode"]["index"] + 1) / 4
             if call.body["episode"]["step"] == 0:
-                return policy.answered(call, *[story.action(score=score)] * 2)
-            return policy.answered(call, story.action(score=score, end=1))
+                return policy.actions_reply(call, *[context.action(score=score)] * 2)
+            return policy.actions_reply(call, context.action(score=score, end=1))
 
         policy.on("predict", play)
-        run = pushed(story, policy, "score", "score", "score")
-        expect.equal(ended(run, "completed").get("mode"), "push", "mode")
+        run = submit_push_run(context, policy, "score", "score", "score")
+        expect.equal(expect_end(run, "completed").get("mode"), "push", "mode")
         results = [episode["result"] for episode in run.episodes()]
         scores = [result["score"] for result in results]
         expect.equal(scores, [0.25, 0.5, 0.75], "scores")
@@ -54,36 +65,36 @@ def test_push_001_server_plays_the_run(story: Story) -> None:
 
 
 @requirement("PUSH-002")
-def test_push_002_mode_and_policy_server_belong_together(story: Story) -> None:
+def test_push_002_mode_and_policy_server_belong_together(context: CheckContext) -> None:
     """A submission has only one of the two. Expect a refusal, and both accepted."""
-    with policy_server(story) as policy:
-        pushed(story, policy)
+    with policy_server(context) as policy:
+        submit_push_run(context, policy)
         body = push_body(policy.url)
         for without in ("mode", "policy_server"):
             half = {name: value for name, value in body.items() if name != without}
-            answer = story.call("submit_run", json=half)
+            answer = context.call("submit_run", json=half)
             expect.refused(answer, "invalid_request", pointer="/policy_server")
-        answer = story.call("submit_run", json=body | {"mode": "pull"})
+        answer = context.call("submit_run", json=body | {"mode": "pull"})
         expect.refused(answer, "invalid_request", pointer="/policy_server")
 
 
 @requirement("PUSH-003")
-def test_push_003_nobody_else_attaches(story: Story) -> None:
+def test_push_003_nobody_else_attaches(context: CheckContext) -> None:
     """A worker wants into a run that the server plays, also by takeover.
 
     It then plays, keeps and ends the session that the policy was told of. Expect
     `illegal_transition`, and the run to be completed without it.
     """
-    with policy_server(story) as policy:
-        going = _held(policy)
-        run = pushed(story, policy, "score", "score", max_concurrent=1)
+    with policy_server(context) as policy:
+        released = _hold_predicts(policy)
+        run = submit_push_run(context, policy, "score", "score", max_concurrent=1)
         policy.wait_for("predict")
         for takeover in (False, True):
             refused = run.worker().try_attach(takeover=takeover)
             expect.refused(refused, "illegal_transition")
-        turn = policy.called("predict")[0].body
+        turn = policy.calls_of("predict")[0].body
         named = {"session_id": turn["session_id"]}
-        play = {"seq": turn["seq"] + 1, "actions": [story.action(score=1, end=1)]}
+        play = {"seq": turn["seq"] + 1, "actions": [context.action(score=1, end=1)]}
         how = {"worker_id": run.worker().id}
         for answer in (
             run.call("predict", json=named | play, **how),
@@ -91,49 +102,49 @@ def test_push_003_nobody_else_attaches(story: Story) -> None:
             run.call("detach_worker", params=named, **how),
         ):
             expect.refused(answer, "illegal_transition")
-        going.set()
-        ended(run, "completed")
+        released.set()
+        expect_end(run, "completed")
         scores = [episode["result"]["score"] for episode in run.episodes()]
         expect.equal(scores, [policy.score] * 2, "scores")
 
 
 @requirement("PUSH-004")
-def test_push_004_every_call_carries_the_key(story: Story) -> None:
+def test_push_004_every_call_carries_the_key(context: CheckContext) -> None:
     """A run has a key. Expect it in the Authorization of every call."""
     key = secrets.token_hex(16)
-    with policy_server(story) as policy:
-        run = pushed(story, policy, "score", "score", api_key=key)
-        ended(run, "completed")
+    with policy_server(context) as policy:
+        run = submit_push_run(context, policy, "score", "score", api_key=key)
+        expect_end(run, "completed")
         for call in policy.calls:
             sent = call.headers.get("authorization") == f"Bearer {key}"
             expect.true(sent, f"the key in the call of {call.operation}")
 
 
 @requirement("PUSH-005")
-def test_push_005_nobody_is_told_the_key(story: Story) -> None:
+def test_push_005_nobody_is_told_the_key(context: CheckContext) -> None:
     """The policy refuses, and tells the key in its problem.
 
     Expect no answer that has it: not the run, not its episodes, not a list.
     """
     key = secrets.token_hex(16)
-    with policy_server(story) as policy:
-        reply = dict(busy().body) | {"detail": f"{key} is not my key"}
+    with policy_server(context) as policy:
+        reply = dict(busy_reply().body) | {"detail": f"{key} is not my key"}
 
-        def refuse(_call: Call) -> Reply:
-            return Reply(reply, 400, {"Content-Type": PROBLEM_JSON})
+        def refuse(_call: PolicyCall) -> PolicyReply:
+            return PolicyReply(reply, 400, {"Content-Type": PROBLEM_JSON})
 
         policy.on("predict", refuse)
-        run = pushed(story, policy, api_key=key, options={"max_faults": 1})
-        ended(run, "failed")
-        told = [run.call(name).body for name in ("get_run", "list_episodes")]
-        told.append(story.call("list_runs").body)
-        told += [one.answer_body for one in story.journal.exchanges]
-        leaks = sum(key.encode() in body for body in told)
+        run = submit_push_run(context, policy, api_key=key, options={"max_faults": 1})
+        expect_end(run, "failed")
+        answers = [run.call(name).body for name in ("get_run", "list_episodes")]
+        answers.append(context.call("list_runs").body)
+        answers += [one.answer_body for one in context.exchange_log.exchanges]
+        leaks = sum(key.encode() in body for body in answers)
         expect.equal(leaks, 0, "answers that have the key")
 
 
 @requirement("PUSH-006")
-def test_push_006_attempts_begin_with_a_reset(story: Story) -> None:
+def test_push_006_attempts_begin_with_a_reset(context: CheckContext) -> None:
     """Resets take a while; the first is acknowledged for an attempt that is none.
 
     Expect no predict of an attempt before its reset was acknowledged as it was sent.
@@ -141,205 +152,207 @@ def test_push_006_attempts_begin_with_a_reset(story: Story) -> None:
     ready: set[tuple[str, str, int]] = set()
     early: list[str] = []
 
-    def attempt(call: Call) -> tuple[str, str, int]:
+    def attempt(call: PolicyCall) -> tuple[str, str, int]:
         episode = call.body["episode"]
         return call.body["session_id"], episode["episode_id"], episode["attempt"]
 
-    with policy_server(story) as policy:
+    with policy_server(context) as policy:
 
-        def reset(call: Call) -> Reply:
-            reply = policy.acknowledged(call)
-            if len(policy.called("reset")) == 1:
-                return Reply(dict(reply.body) | {"attempt": 99})
+        def reset(call: PolicyCall) -> PolicyReply:
+            reply = policy.reset_reply(call)
+            if len(policy.calls_of("reset")) == 1:
+                return PolicyReply(dict(reply.body) | {"attempt": 99})
             time.sleep(0.1)
             ready.add(attempt(call))
             return reply
 
-        def predict(call: Call) -> Reply:
+        def predict(call: PolicyCall) -> PolicyReply:
             if attempt(call) not in ready:
                 early.append(call.body["episode"]["episode_id"])
-            return policy.played(call)
+            return policy.final_action_reply(call)
 
         policy.on("reset", reset)
         policy.on("predict", predict)
-        run = pushed(story, policy, "score", "score", max_concurrent=1)
-        ended(run, "completed")
+        run = submit_push_run(context, policy, "score", "score", max_concurrent=1)
+        expect_end(run, "completed")
         expect.equal(early, [], "episodes with a predict before their reset")
 
 
 @requirement("PUSH-007")
-def test_push_007_calls_are_bounded(story: Story) -> None:
+def test_push_007_calls_are_bounded(context: CheckContext) -> None:
     """Six episodes, and two calls at a time. Expect no third in flight."""
-    with policy_server(story) as policy:
+    with policy_server(context) as policy:
 
-        def think(call: Call) -> Reply:
+        def slow_reply(call: PolicyCall) -> PolicyReply:
             time.sleep(0.1)
-            return policy.played(call)
+            return policy.final_action_reply(call)
 
-        policy.on("predict", think)
-        run = pushed(story, policy, *["score"] * 6, max_concurrent=2)
-        ended(run, "completed")
-        most = policy.in_flight_most
+        policy.on("predict", slow_reply)
+        run = submit_push_run(context, policy, *["score"] * 6, max_concurrent=2)
+        expect_end(run, "completed")
+        most = policy.max_in_flight
         expect.true(most <= 2, "at most 2 calls in flight", most)
 
 
 @requirement("PUSH-008")
-def test_push_008_repeated_call_is_the_same_call(story: Story) -> None:
+def test_push_008_repeated_call_is_the_same_call(context: CheckContext) -> None:
     """Each predict is turned away once, to come again.
 
     Expect the same body again, and each answer executed once.
     """
-    with policy_server(story) as policy:
+    with policy_server(context) as policy:
         asked = Counter[bytes]()
 
-        def busy_at_first(call: Call) -> Reply:
+        def busy_at_first(call: PolicyCall) -> PolicyReply:
             asked[call.raw] += 1
             if asked[call.raw] == 1:
-                return busy()
+                return busy_reply()
             last = call.body["episode"]["step"] == 1
-            return policy.answered(call, story.action(score=1, end=float(last)))
+            return policy.actions_reply(call, context.action(score=1, end=float(last)))
 
         policy.on("predict", busy_at_first)
-        run = pushed(story, policy, max_concurrent=1, max_retries=2)
-        ended(run, "completed")
+        run = submit_push_run(context, policy, max_concurrent=1, max_retries=2)
+        expect_end(run, "completed")
         expect.equal(sorted(asked.values()), [2, 2], "calls with the same body")
         (episode,) = run.episodes()
         expect.equal(episode["result"]["steps"], 2, "steps")
 
 
 @requirement("PUSH-009")
-def test_push_009_slow_answer_is_given_up(story: Story) -> None:
+def test_push_009_slow_answer_is_given_up(context: CheckContext) -> None:
     """An answer begins at once, goes on byte by byte, and never ends.
 
     Expect the attempt to end when its time is up, and not before.
     """
-    with policy_server(story) as policy:
-        policy.on("predict", lambda _: Reply(drips=True))
+    with policy_server(context) as policy:
+        policy.on("predict", lambda _: PolicyReply(never_ends=True))
         options = {"max_faults": 1}
-        run = pushed(story, policy, call_timeout_s=1.0, options=options)
+        run = submit_push_run(context, policy, call_timeout_s=1.0, options=options)
         policy.wait_for("predict")
-        began = policy.called("predict")[0].started_at
-        faulted(run, 1.0 + _MARGIN_S)
+        began = policy.calls_of("predict")[0].started_at
+        expect_policy_fault(run, 1.0 + _MARGIN_S)
         waited_s = time.monotonic() - began
         expect.true(waited_s > 0.9, "no end before its time", waited_s)
 
 
 @requirement("PUSH-010")
-def test_push_010_misfit_actions_are_not_executed(story: Story) -> None:
+def test_push_010_misfit_actions_are_not_executed(context: CheckContext) -> None:
     """The second of two actions has a vector too long.
 
     Expect `policy_fault`, no attempt counted, nothing scored.
     """
-    with policy_server(story) as policy:
-        good, bad = story.action(score=1, end=1), story.action(score=[1.0, 1.0])
-        policy.on("predict", lambda call: policy.answered(call, bad, good))
-        run = pushed(story, policy, options={"max_faults": 1})
-        episode = faulted(run)
+    with policy_server(context) as policy:
+        good, bad = context.action(score=1, end=1), context.action(score=[1.0, 1.0])
+        policy.on("predict", lambda call: policy.actions_reply(call, bad, good))
+        run = submit_push_run(context, policy, options={"max_faults": 1})
+        episode = expect_policy_fault(run)
         expect.equal(episode["attempt"], 1, "attempt")
         expect.true("result" not in episode, "no result", dict(episode))
 
 
 @requirement("PUSH-011")
-def test_push_011_redirect_is_not_followed(story: Story) -> None:
+def test_push_011_redirect_is_not_followed(context: CheckContext) -> None:
     """The policy redirects to another server. Expect a fault, and no call there."""
-    with policy_server(story) as policy, policy_server(story) as other:
+    with policy_server(context) as policy, policy_server(context) as other:
 
-        def elsewhere(_call: Call) -> Reply:
-            return Reply(b"", 307, {"Location": f"{other.url}/v1/policy/predict"})
+        def redirect(_call: PolicyCall) -> PolicyReply:
+            return PolicyReply(b"", 307, {"Location": f"{other.url}/v1/policy/predict"})
 
-        policy.on("predict", elsewhere)
-        run = pushed(story, policy, options={"max_faults": 1})
-        faulted(run)
+        policy.on("predict", redirect)
+        run = submit_push_run(context, policy, options={"max_faults": 1})
+        expect_policy_fault(run)
         expect.equal(len(other.calls), 0, "calls of the other server")
 
 
 @requirement("PUSH-012")
-def test_push_012_no_policy_server_fails_the_run(story: Story) -> None:
+def test_push_012_no_policy_server_fails_the_run(context: CheckContext) -> None:
     """The policy server is gone when it is called for another run.
 
     Expect the run to fail, retryable, with a reason that names the policy server.
     """
-    with policy_server(story) as policy:
-        ended(pushed(story, policy), "completed")
-    answer = story.call("submit_run", json=push_body(policy.url))
-    run = story.adopt(expect.given(answer, 201, "`submit_run` with mode push"))
-    failed = ended(run, "failed")
+    with policy_server(context) as policy:
+        expect_end(submit_push_run(context, policy), "completed")
+    answer = context.call("submit_run", json=push_body(policy.url))
+    run = context.adopt(expect.require(answer, 201, "`submit_run` with mode push"))
+    failed = expect_end(run, "failed")
     expect.equal(failed["retryable"], True, "retryable")
     place = policy.url.removeprefix("http://")
     expect.true(place in str(failed["reason"]), f"{place} in reason", failed["reason"])
 
 
 @requirement("PUSH-013")
-def test_push_013_failed_run_goes_on(story: Story) -> None:
+def test_push_013_failed_run_goes_on(context: CheckContext) -> None:
     """The policy breaks at its third episode, and is well again after a resume.
 
     Expect the first two kept as they were, and all scored in the end.
     """
-    with policy_server(story) as policy:
+    with policy_server(context) as policy:
 
-        def break_down(call: Call) -> Reply:
+        def fail_at_third_episode(call: PolicyCall) -> PolicyReply:
             if call.body["episode"]["index"] < 2:
-                return policy.played(call)
-            policy.on("describe_policy", lambda _: Reply(b"", 500))
-            return Reply(b"", 500)
+                return policy.final_action_reply(call)
+            policy.on("describe_policy", lambda _: PolicyReply(b"", 500))
+            return PolicyReply(b"", 500)
 
-        policy.on("predict", break_down)
+        policy.on("predict", fail_at_third_episode)
         options = {"max_faults": 1}
-        run = pushed(story, policy, *["score"] * 3, max_concurrent=1, options=options)
-        run.until("failed", _HELD_S)
+        run = submit_push_run(
+            context, policy, *["score"] * 3, max_concurrent=1, options=options
+        )
+        run.until("failed", _HOLD_TIMEOUT_S)
         before = run.episodes()
-        policy.on("predict", policy.played)
+        policy.on("predict", policy.final_action_reply)
         policy.on("describe_policy", policy.description)
         expect.ok(run.call("resume_run"))
-        ended(run, "completed")
+        expect_end(run, "completed")
         after = run.episodes()
         expect.equal(after[:2], before[:2], "the first two episodes")
         expect.equal(after[2]["result"]["score"], policy.score, "score of the third")
 
 
 @requirement("PUSH-014")
-def test_push_014_stop_ends_the_calls(story: Story) -> None:
+def test_push_014_stop_ends_the_calls(context: CheckContext) -> None:
     """A run is stopped while its policy thinks. Expect no call begun after that."""
-    with policy_server(story) as policy:
-        going = _held(policy)
-        run = pushed(story, policy, *["score"] * 3, max_concurrent=1)
+    with policy_server(context) as policy:
+        released = _hold_predicts(policy)
+        run = submit_push_run(context, policy, *["score"] * 3, max_concurrent=1)
         policy.wait_for("predict")
         run.stop()
         before = len(policy.calls)
-        going.set()
-        time.sleep(_SETTLED_S)
+        released.set()
+        time.sleep(_SETTLE_S)
         expect.equal(len(policy.calls), before, "calls after the stop")
         expect.equal(run.get()["state"], "stopped", "state")
 
 
 @background
 @requirement("PUSH-017")
-def test_push_017_goes_on_after_a_crash(story: Story) -> None:
+def test_push_017_goes_on_after_a_crash(context: CheckContext) -> None:
     """A server of its own is killed while the policy thinks about the third episode.
 
     Expect the run played to its end with the same key, and what was scored unchanged.
     """
-    if story.context.settings.restart_cmd is not None:
+    if context.shared.settings.restart_cmd is not None:
         raise SetUpFailed(
             "needs --start-cmd: a hook disturbs other checks", allowed=True
         )
-    going, key = threading.Event(), secrets.token_hex(16)
-    with story.private_server() as server, policy_server(story) as policy:
+    released, key = threading.Event(), secrets.token_hex(16)
+    with context.private_server() as server, policy_server(context) as policy:
 
-        def think(call: Call) -> Reply:
+        def slow_reply(call: PolicyCall) -> PolicyReply:
             if call.body["episode"]["index"] == 2:
-                going.wait(_HELD_S)
-            return policy.played(call)
+                released.wait(_HOLD_TIMEOUT_S)
+            return policy.final_action_reply(call)
 
-        policy.on("predict", think)
-        order = {"max_concurrent": 1, "api_key": key}
-        run = pushed(server.story, policy, *["score"] * 4, **order)
+        policy.on("predict", slow_reply)
+        config = {"max_concurrent": 1, "api_key": key}
+        run = submit_push_run(server.context, policy, *["score"] * 4, **config)
         policy.wait_for("predict", 3)
         before = [one for one in run.episodes() if one["status"] == "scored"]
         server.kill9()
-        going.set()
+        released.set()
         server.restart()
-        ended(run, "completed")
+        expect_end(run, "completed")
         after = {one["episode_id"]: one for one in run.episodes()}
         same = [after[one["episode_id"]] for one in before]
         expect.equal(same, before, "the episodes that were scored")

@@ -4,8 +4,8 @@ import threading
 import time
 from typing import Any
 
-from conformance.checks.support.given_states import attached
-from conformance.client.check_context import Run, Story, Worker
+from conformance.checks.support.given_states import attach_workers
+from conformance.client.check_context import CheckContext, RunClient, WorkerClient
 from conformance.runner.private_server import PrivateServer
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
@@ -15,84 +15,88 @@ KILLS = 3
 FIRST_RESULT_S = 10.0
 
 
-def play_until_killed(worker: Worker, told: list[dict[str, Any]]) -> None:
+def play_until_killed(worker: WorkerClient, results: list[dict[str, Any]]) -> None:
     """Play episode after episode, and keep every result that was told."""
     number = 0
     try:
         while not worker.turn["done"]:
             number += 1
             turn = worker.play(score=number % 8 / 8, steps=1 + number % 2)
-            told.append(turn["episode_result"])
+            results.append(turn["episode_result"])
     except SetUpFailed:
         return  # the server is gone
 
 
-def kill_under_load(server: PrivateServer, after_s: float) -> tuple[Run, list[Any]]:
+def kill_server_under_load(
+    server: PrivateServer, after_s: float
+) -> tuple[RunClient, list[Any]]:
     """Kill the server while workers play; the run, and what they were told."""
-    story = server.story
-    run = story.submit(*["score"] * 1000)
-    crew = attached(run, min(3, story.limits["max_workers"]))
-    told: list[dict[str, Any]] = []
+    context = server.context
+    run = context.submit(*["score"] * 1000)
+    workers = attach_workers(run, min(3, context.limits["max_workers"]))
+    results: list[dict[str, Any]] = []
     threads = [
-        threading.Thread(target=play_until_killed, args=(worker, told), daemon=True)
-        for worker in crew
+        threading.Thread(target=play_until_killed, args=(worker, results), daemon=True)
+        for worker in workers
     ]
     for thread in threads:
         thread.start()
     # The moment is random; but before anybody was told of a result nothing can be lost.
     deadline = time.monotonic() + FIRST_RESULT_S
-    while not told and time.monotonic() < deadline:
+    while not results and time.monotonic() < deadline:
         time.sleep(0.005)
     time.sleep(after_s)
     server.kill9()
     server.restart()
     for thread in threads:
         thread.join(timeout=30)
-    return run, told
+    return run, results
 
 
 @requirement("CRASH-001")
-def test_crash_001_keeps_what_it_told(story: Story) -> None:
+def test_crash_001_keeps_what_it_told(context: CheckContext) -> None:
     """Workers play as fast as they can; the server is killed at random moments.
 
     Expect every result that a worker was told of, unchanged, after each restart.
     """
-    with story.private_server() as server:
-        told_of: list[tuple[Run, list[Any]]] = []
+    with context.private_server() as server:
+        results_by_run: list[tuple[RunClient, list[Any]]] = []
         for _ in range(KILLS):
-            told_of.append(kill_under_load(server, story.random.uniform(0.05, 0.3)))
-            for run, told in told_of:
-                if not told:
+            results_by_run.append(
+                kill_server_under_load(server, context.random.uniform(0.05, 0.3))
+            )
+            for run, results in results_by_run:
+                if not results:
                     raise SetUpFailed("no episode was scored before the kill")
                 expect.ok(run.call("get_run"))
-                kept = {e["index"]: e.get("result") for e in run.episodes()}
-                for result in told:
+                listed = {e["index"]: e.get("result") for e in run.episodes()}
+                for result in results:
                     index = result["index"]
-                    expect.equal(kept[index], result, f"result of episode {index}")
+                    expect.equal(listed[index], result, f"result of episode {index}")
 
 
-def play_to_the_end(worker: Worker) -> None:
+def play_to_the_end(worker: WorkerClient) -> None:
     """Expect a worker to come back, whatever became of its session, and to play on."""
     turn = expect.ok(worker.try_attach(takeover=True))
     worker.session_id, worker.seq = turn["session_id"], turn["seq"]
     while not turn["done"]:
-        turn = expect.ok(worker.try_predict(worker.run.story.action(end=1)))
+        turn = expect.ok(worker.try_predict(worker.run.context.action(end=1)))
         worker.seq += 1
 
 
 @requirement("CRASH-002")
-def test_crash_002_costs_no_attempt(story: Story) -> None:
+def test_crash_002_costs_no_attempt(context: CheckContext) -> None:
     """Only one attempt is allowed; the server is killed with two episodes in play.
 
     Expect them to wait at attempt 1, and the run to be played to its end, after a
     resume if it asks for one.
     """
-    with story.private_server() as server:
-        run = server.story.submit("score", "count", "score", max_attempts=1)
-        crew = attached(run, min(2, server.story.limits["max_workers"]))
-        crew[0].play(score=0.75)
-        for worker in crew:
-            worker.predict(server.story.action())
+    with context.private_server() as server:
+        run = server.context.submit("score", "count", "score", max_attempts=1)
+        workers = attach_workers(run, min(2, server.context.limits["max_workers"]))
+        workers[0].play(score=0.75)
+        for worker in workers:
+            worker.predict(server.context.action())
         server.kill9()
         server.restart()
         expect.ok(run.call("get_run"))
@@ -101,7 +105,7 @@ def test_crash_002_costs_no_attempt(story: Story) -> None:
             run.until("ready")
         attempts = [episode["attempt"] for episode in run.episodes()]
         expect.equal(attempts, [1, 1, 1], "attempts after the restart")
-        for worker in crew:
+        for worker in workers:
             if run.get()["state"] != "completed":
                 play_to_the_end(worker)
         expect.equal(run.get()["state"], "completed", "state in the end")

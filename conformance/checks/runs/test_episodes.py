@@ -4,20 +4,20 @@ from collections.abc import Callable
 from typing import Any
 
 from conformance.checks.support.given_states import (
-    attached,
+    attach_workers,
     count,
     index_of,
-    needs_workers,
-    playing,
+    require_worker_limit,
+    submit_and_attach,
     without,
 )
-from conformance.client.check_context import Run, Story, Worker
+from conformance.client.check_context import CheckContext, RunClient, WorkerClient
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
 
-def closed(run: Run, index: int = 0) -> dict[str, Any]:
+def read_closed_episode(run: RunClient, index: int = 0) -> dict[str, Any]:
     """Read an episode whose attempt was closed."""
     episode = run.episodes()[index]
     if episode["status"] == "in_progress":
@@ -25,47 +25,49 @@ def closed(run: Run, index: int = 0) -> dict[str, Any]:
     return episode
 
 
-def shown(worker: Worker) -> tuple[int, str]:
+def episode_of(worker: WorkerClient) -> tuple[int, str]:
     """Which episode the worker's latest turn shows."""
     episode = worker.turn["episode"]
     return episode["index"], episode["task"]
 
 
 @requirement("EPI-001")
-def test_epi_001_hands_out_in_manifest_order(story: Story) -> None:
+def test_epi_001_hands_out_in_manifest_order(context: CheckContext) -> None:
     """A worker plays on while another one (if allowed) is busy with an episode.
 
     Expect it to get the first episode in manifest order that is waiting, also when
     that is one that it gave back.
     """
     tasks = ["score", "count", "echo", "delay", "fault"]
-    run = story.submit(*tasks)
-    crew = attached(run, min(2, story.limits["max_workers"]))
+    run = context.submit(*tasks)
+    crew = attach_workers(run, min(2, context.limits["max_workers"]))
     for index, worker in enumerate(crew):
-        expect.equal(shown(worker), (index, tasks[index]), "a first episode")
+        expect.equal(episode_of(worker), (index, tasks[index]), "a first episode")
     for index in range(len(crew), 4):
         crew[0].play()
-        expect.equal(shown(crew[0]), (index, tasks[index]), "the next episode")
+        expect.equal(episode_of(crew[0]), (index, tasks[index]), "the next episode")
     worker = crew[0]
-    given_back = shown(worker)
-    worker.predict(story.action())
+    returned_episode = episode_of(worker)
+    worker.predict(context.action())
     worker.detach()
     worker.attach()
-    expect.equal(shown(worker), given_back, "the episode given back")
+    expect.equal(episode_of(worker), returned_episode, "the episode given back")
 
 
 @requirement("EPI-002")
-def test_epi_002_attempt_without_an_action_is_not_counted(story: Story) -> None:
+def test_epi_002_attempt_without_an_action_is_not_counted(
+    context: CheckContext,
+) -> None:
     """Only one attempt is allowed; workers come and go without an action.
 
     Expect the episode to stay at attempt 1, and to be played in the end.
     """
-    run = story.submit("score", max_attempts=1)
+    run = context.submit("score", max_attempts=1)
     for _ in range(3):
         worker = run.worker()
         worker.attach()
         worker.detach()
-        episode = closed(run)
+        episode = read_closed_episode(run)
         expect.equal(episode["attempt"], 1, "attempt")
         expect.equal(episode["status"], "pending", "status")
     worker = run.worker()
@@ -74,12 +76,12 @@ def test_epi_002_attempt_without_an_action_is_not_counted(story: Story) -> None:
     expect.equal(worker.play()["episode_result"]["attempt"], 1, "attempt of the result")
 
 
-def give_up(worker: Worker) -> None:
+def close_by_detach(worker: WorkerClient) -> None:
     """Close the attempt by a detach."""
     worker.detach()
 
 
-def be_stopped(worker: Worker) -> None:
+def close_by_stop(worker: WorkerClient) -> None:
     """Close the attempt by a stop, and go on."""
     worker.run.stop()
     worker.run.resume()
@@ -87,17 +89,17 @@ def be_stopped(worker: Worker) -> None:
 
 
 @requirement("EPI-003")
-def test_epi_003_closed_attempt_goes_back_to_the_queue(story: Story) -> None:
+def test_epi_003_closed_attempt_goes_back_to_the_queue(context: CheckContext) -> None:
     """An attempt with one action is closed by a detach, and another by a stop.
 
     Expect the episode to wait unscored at the next attempt, and to begin from step 0.
     """
-    worker = playing(story, "count")
-    closes: list[Callable[[Worker], None]] = [give_up, be_stopped]
+    worker = submit_and_attach(context, "count")
+    closes: list[Callable[[WorkerClient], None]] = [close_by_detach, close_by_stop]
     for attempt, close in enumerate(closes, start=2):
-        worker.predict(story.action())
+        worker.predict(context.action())
         close(worker)
-        episode = closed(worker.run)
+        episode = read_closed_episode(worker.run)
         expect.equal(episode["status"], "pending", "status")
         expect.equal(episode["attempt"], attempt, "attempt")
         turn = worker.attach()
@@ -107,22 +109,22 @@ def test_epi_003_closed_attempt_goes_back_to_the_queue(story: Story) -> None:
 
 
 @requirement("EPI-004")
-def test_epi_004_last_attempt_closed_is_abandoned(story: Story) -> None:
+def test_epi_004_last_attempt_closed_is_abandoned(context: CheckContext) -> None:
     """Two attempts are allowed, and both are closed after an action worth 0.9.
 
     Expect no result after the first; after the second, `abandoned` with score 0, and
     the other episode to be the next.
     """
-    worker = playing(story, "score", "score", max_attempts=2)
+    worker = submit_and_attach(context, "score", "score", max_attempts=2)
     first = index_of(worker)
-    worker.predict(story.action(score=0.9, success=1))
+    worker.predict(context.action(score=0.9, success=1))
     worker.detach()
-    episode = closed(worker.run, first)
+    episode = read_closed_episode(worker.run, first)
     expect.equal(episode["status"], "pending", "status after one attempt")
     worker.attach()
-    worker.predict(story.action(score=0.9, success=1))
+    worker.predict(context.action(score=0.9, success=1))
     worker.detach()
-    episode = closed(worker.run, first)
+    episode = read_closed_episode(worker.run, first)
     expect.equal(episode["status"], "scored", "status after two attempts")
     result = episode.get("result", {})
     expect.equal(result.get("outcome"), "abandoned", "outcome")
@@ -131,35 +133,39 @@ def test_epi_004_last_attempt_closed_is_abandoned(story: Story) -> None:
     expect.true(index_of(worker) != first, "another episode next", worker.turn)
 
 
-def play_all(worker: Worker, told: list[dict[str, Any]]) -> None:
+def play_all(worker: WorkerClient, received: list[dict[str, Any]]) -> None:
     """Play until no episode is left, and repeat every turn."""
-    action = worker.run.story.action(score=0.5, end=1)
+    action = worker.run.context.action(score=0.5, end=1)
     while not worker.turn["done"]:
         turn = worker.predict(action)
-        told.append(turn["episode_result"])
+        received.append(turn["episode_result"])
         again = worker.try_predict(action, seq=worker.seq)
-        expect.given(again, 200, "repeating a turn")
+        expect.require(again, 200, "repeating a turn")
 
 
 @requirement("EPI-005")
-def test_epi_005_scores_every_episode_once(story: Story) -> None:
+def test_epi_005_scores_every_episode_once(context: CheckContext) -> None:
     """Three workers play nine episodes at once, and repeat every turn.
 
     Expect each episode to be told as scored exactly once, with the result that the
     completed run lists.
     """
-    run = story.submit(*["score"] * 9)
-    crew = attached(run, min(3, story.limits["max_workers"]))
-    told: list[dict[str, Any]] = []
-    story.together(*[lambda worker=worker: play_all(worker, told) for worker in crew])
+    run = context.submit(*["score"] * 9)
+    crew = attach_workers(run, min(3, context.limits["max_workers"]))
+    received: list[dict[str, Any]] = []
+    context.call_concurrently(
+        *[lambda worker=worker: play_all(worker, received) for worker in crew]
+    )
     run.until("completed")
-    told.sort(key=lambda result: result["index"])
-    expect.equal([r["index"] for r in told], list(range(9)), "episodes told as scored")
+    received.sort(key=lambda result: result["index"])
+    expect.equal(
+        [r["index"] for r in received], list(range(9)), "episodes told as scored"
+    )
     listed = [episode.get("result") for episode in run.episodes()]
-    expect.equal(listed, told, "results listed")
+    expect.equal(listed, received, "results listed")
 
 
-def pages(run: Run, limit: int) -> list[list[dict[str, Any]]]:
+def pages(run: RunClient, limit: int) -> list[list[dict[str, Any]]]:
     """Read all pages of the episodes, of a given length."""
     read: list[list[dict[str, Any]]] = []
     params: dict[str, Any] = {"limit": limit}
@@ -172,12 +178,12 @@ def pages(run: Run, limit: int) -> list[list[dict[str, Any]]]:
 
 
 @requirement("EPI-006")
-def test_epi_006_pages_show_every_episode_once(story: Story) -> None:
+def test_epi_006_pages_show_every_episode_once(context: CheckContext) -> None:
     """Seven episodes, some scored, read in pages of 1, 2, 3, 7 and 100.
 
     Expect no page longer than asked for, and together each episode once, in order.
     """
-    worker = playing(story, *["score"] * 7)
+    worker = submit_and_attach(context, *["score"] * 7)
     worker.play()
     for limit in (1, 2, 3, 7, 100):
         read = pages(worker.run, limit)
@@ -187,51 +193,51 @@ def test_epi_006_pages_show_every_episode_once(story: Story) -> None:
         expect.equal(indices, list(range(7)), f"episodes in pages of {limit}")
 
 
-def leaks(value: Any, seeds: list[int], path: str = "") -> list[str]:
+def find_seeds(value: Any, seeds: list[int], path: str = "") -> list[str]:
     """Where something named `seed`, or equal to one, stands in a turn."""
     if isinstance(value, dict):
         found = [f"{path}/{name}" for name in value if name == "seed"]
         for name, item in value.items():
-            found += leaks(item, seeds, f"{path}/{name}")
+            found += find_seeds(item, seeds, f"{path}/{name}")
         return found
     if isinstance(value, list):
-        return [leak for item in value for leak in leaks(item, seeds, f"{path}/-")]
+        return [leak for item in value for leak in find_seeds(item, seeds, f"{path}/-")]
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     return [path] if is_number and value in seeds else []
 
 
 @requirement("EPI-007")
-def test_epi_007_seeds_are_not_in_turns(story: Story) -> None:
+def test_epi_007_seeds_are_not_in_turns(context: CheckContext) -> None:
     """Episodes of several tasks are played; their results then tell the seeds.
 
     Expect no turn to hold a seed outside `episode_result`, by name or by value.
     """
-    worker = playing(story, "score", "echo", "count")
+    worker = submit_and_attach(context, "score", "echo", "count")
     turns = [worker.turn]
     while not worker.turn["done"]:
-        turns.append(worker.predict(story.action(), observe="all"))
-        turns.append(worker.predict(story.action(end=1)))
+        turns.append(worker.predict(context.action(), observe="all"))
+        turns.append(worker.predict(context.action(end=1)))
     seeds = [turn["episode_result"]["seed"] for turn in turns[2::2]]
     for turn in turns:
         # A lease may well be as long as a seed is large.
-        found = leaks(without(turn, "episode_result", "lease", "timing"), seeds)
+        found = find_seeds(without(turn, "episode_result", "lease", "timing"), seeds)
         expect.true(not found, "no seed in the turn", found)
 
 
 @requirement("EPI-008")
-def test_epi_008_no_episode_is_held_twice(story: Story) -> None:
+def test_epi_008_no_episode_is_held_twice(context: CheckContext) -> None:
     """Four workers attach at once, and end their episodes at once, several times.
 
     Expect the episodes handed out to be all different.
     """
-    workers = min(4, story.limits["max_workers"])
-    needs_workers(story, 2)
-    run = story.submit(*["score"] * 4 * workers)
+    workers = min(4, context.limits["max_workers"])
+    require_worker_limit(context, 2)
+    run = context.submit(*["score"] * 4 * workers)
     crew = [run.worker() for _ in range(workers)]
-    story.together(*[worker.attach for worker in crew])
+    context.call_concurrently(*[worker.attach for worker in crew])
     held = sorted(map(index_of, crew))
     expect.equal(held, sorted(set(held)), "episodes held after the attaches")
     for number in range(3):
-        story.together(*[worker.play for worker in crew])
+        context.call_concurrently(*[worker.play for worker in crew])
         held = sorted([*held, *map(index_of, crew)])
         expect.equal(held, sorted(set(held)), f"episodes held after {number + 1}")

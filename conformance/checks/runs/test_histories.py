@@ -6,50 +6,60 @@ from hypothesis import strategies as st
 
 from conformance.checks.support.generated_examples import for_all
 from conformance.checks.support.model_session import (
-    AGAIN,
-    NEW,
-    NEXT,
-    OLD,
-    OTHER,
+    ATTACH,
+    ATTACH_AGAIN,
+    NEXT_SEQ,
+    OLD_SEQ,
     REPEAT,
+    REPEAT_CHANGED,
     RESTART,
-    SKIP,
+    SKIPPED_SEQ,
     TAKEOVER,
-    Client,
-    Command,
-    Tale,
+    ClientCommand,
+    ModelClient,
+    ModelledRun,
     commands,
 )
-from conformance.client.check_context import Story
-from conformance.oracle.linearizability import Exchanged, explained
+from conformance.client.check_context import CheckContext
+from conformance.oracle.linearizability import TimedExchange, explain
 from conformance.oracle.run_model import Read, ReadEpisodes, Step
 from conformance.runner.requirement import requirement
 from conformance.verdicts.expect import Violation
 
-SEQUENCES, MIXTURES = 30, 60
+SEQUENCES, CONCURRENT_HISTORIES = 30, 60
 # Races come and go: they hardly become smaller.
-SHRINK_SEQUENCES_S, SHRINK_MIXTURES_S = 3.0, 1.0
+SHRINK_SEQUENCES_S, SHRINK_CONCURRENT_S = 3.0, 1.0
 KINDS = [
     *(
-        NEXT,
-        NEXT,
-        NEXT,
-        NEXT,
-        NEW,
-        NEW,
+        NEXT_SEQ,
+        NEXT_SEQ,
+        NEXT_SEQ,
+        NEXT_SEQ,
+        ATTACH,
+        ATTACH,
         REPEAT,
         TAKEOVER,
         TAKEOVER,
         TAKEOVER,
-        AGAIN,
-        OTHER,
+        ATTACH_AGAIN,
+        REPEAT_CHANGED,
     ),
-    *(SKIP, OLD, "heartbeat", "detach", "abort", "drain", "resume", RESTART, RESTART),
+    *(
+        SKIPPED_SEQ,
+        OLD_SEQ,
+        "heartbeat",
+        "detach",
+        "abort",
+        "drain",
+        "resume",
+        RESTART,
+        RESTART,
+    ),
 ]
 
 
 @requirement("MODEL-001")
-def test_model_001_any_sequence(story: Story) -> None:
+def test_model_001_any_sequence(context: CheckContext) -> None:
     """Two clients send generated requests for three workers, one after another: attach
     again or anew or by takeover, turns in and out of order, heartbeats, detaches,
     stops and resumes; at last the run is aborted.
@@ -57,71 +67,85 @@ def test_model_001_any_sequence(story: Story) -> None:
     Expect every answer, and the run, its episodes and its score, as the rules demand.
     """
 
-    def law(sequence: list[Command]) -> None:
-        tale = Tale(story, clients=2)
+    def check_property(sequence: list[ClientCommand]) -> None:
+        modelled_run = ModelledRun(context, clients=2)
         for command in sequence:
-            tale.do(command)
-        tale.look()
-        if tale.run.body["state"] != "completed":
-            tale.do(Command(0, "abort"))
-            tale.look()
+            modelled_run.execute(command)
+        modelled_run.expect_state_of_model()
+        if modelled_run.run.body["state"] != "completed":
+            modelled_run.execute(ClientCommand(0, "abort"))
+            modelled_run.expect_state_of_model()
 
     some = st.lists(commands(2, "aaabbc", KINDS), max_size=8)
     sequences = st.tuples(some, some, some).map(
         lambda parts: [*parts[0], *parts[1], *parts[2]]
     )
-    for_all(story, sequences, law, SEQUENCES, SHRINK_SEQUENCES_S)
+    for_all(context, sequences, check_property, SEQUENCES, SHRINK_SEQUENCES_S)
 
 
-MIXED = [
-    *(NEXT, NEXT, NEXT, REPEAT, NEW, NEW, TAKEOVER, TAKEOVER),
+CONCURRENT_KINDS = [
+    *(NEXT_SEQ, NEXT_SEQ, NEXT_SEQ, REPEAT, ATTACH, ATTACH, TAKEOVER, TAKEOVER),
     *("detach", "detach", "abort", "abort", "drain", "resume"),
 ]
-OPENINGS = [[NEW], [NEW, NEXT], [NEW, NEXT], [NEW, NEXT, "drain"]]
+OPENINGS = [
+    [ATTACH],
+    [ATTACH, NEXT_SEQ],
+    [ATTACH, NEXT_SEQ],
+    [ATTACH, NEXT_SEQ, "drain"],
+]
 
 
-def mixed() -> st.SearchStrategy[list[Command]]:
+def concurrent_commands() -> st.SearchStrategy[list[ClientCommand]]:
     """Draw what one client does while the others are at it."""
-    return st.lists(commands(1, "aaaaab", MIXED), min_size=1, max_size=2)
+    return st.lists(commands(1, "aaaaab", CONCURRENT_KINDS), min_size=1, max_size=2)
 
 
-def in_words(history: list[Exchanged]) -> str:
+def format_history(history: list[TimedExchange]) -> str:
     """Tell a history in the order in which it was sent."""
     ordered = sorted(history, key=lambda one: one.started_at)
     first = ordered[0].started_at
     return "; ".join(
         f"{1000 * (one.started_at - first):.0f}-{1000 * (one.ended_at - first):.0f} ms "
-        f"{one.request} -> {one.seen.code or one.seen.status}"
+        f"{one.request} -> {one.summary.code or one.summary.status}"
         for one in ordered
     )
 
 
 @requirement("MODEL-002")
-def test_model_002_any_mixture(story: Story) -> None:
+def test_model_002_any_mixture(context: CheckContext) -> None:
     """Three clients that know one session send generated requests at the same time:
     turns and their repeats, attaches, takeovers, detaches, stops and resumes.
 
     Expect answers, and afterwards a run and episodes, that some order explains.
     """
 
-    def law(plan: tuple[list[str], list[list[Command]]]) -> None:
+    def check_property(plan: tuple[list[str], list[list[ClientCommand]]]) -> None:
         opening, threads = plan
-        tale = Tale(story, clients=1)
+        modelled_run = ModelledRun(context, clients=1)
         for kind in opening:
-            tale.do(Command(0, kind, "a", (Step(0.5),) if kind == NEXT else ()))
-        history: list[Exchanged] = []
+            modelled_run.execute(
+                ClientCommand(0, kind, "a", (Step(0.5),) if kind == NEXT_SEQ else ())
+            )
+        history: list[TimedExchange] = []
 
-        def act(client: Client, wanted: list[Command]) -> None:
-            done = (tale.exchanged(client, command) for command in wanted)
+        def send_commands(client: ModelClient, wanted: list[ClientCommand]) -> None:
+            done = (modelled_run.send_timed(client, command) for command in wanted)
             history.extend(one for one in done if one is not None)
 
-        crew = zip(tale.copies(len(threads)), threads, strict=True)
-        story.together(*[partial(act, client, wanted) for client, wanted in crew])
-        history += [tale.looked(Read()), tale.looked(ReadEpisodes())]
-        if not explained(tale.rules, tale.models, history):
-            raise Violation("an order that explains the answers", in_words(history))
-        tale.run.call("stop_run", json={"mode": "abort"})
+        pairs = zip(modelled_run.copy_first_client(len(threads)), threads, strict=True)
+        context.call_concurrently(
+            *[partial(send_commands, client, wanted) for client, wanted in pairs]
+        )
+        history += [
+            modelled_run.read_timed(Read()),
+            modelled_run.read_timed(ReadEpisodes()),
+        ]
+        if not explain(modelled_run.rules, modelled_run.models, history):
+            raise Violation(
+                "an order that explains the answers", format_history(history)
+            )
+        modelled_run.run.call("stop_run", json={"mode": "abort"})
 
-    threads = st.tuples(*(mixed() for _ in range(3))).map(list)
+    threads = st.tuples(*(concurrent_commands() for _ in range(3))).map(list)
     plans = st.tuples(st.sampled_from(OPENINGS), threads)
-    for_all(story, plans, law, MIXTURES, SHRINK_MIXTURES_S)
+    for_all(context, plans, check_property, CONCURRENT_HISTORIES, SHRINK_CONCURRENT_S)

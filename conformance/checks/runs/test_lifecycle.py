@@ -11,18 +11,18 @@ from typing import Any
 import pytest
 
 from conformance.checks.support.given_states import (
-    detached,
-    draining,
-    needs_workers,
-    run_in,
+    detach_only_worker,
+    make_run_in_state,
+    require_worker_limit,
+    start_drain,
 )
-from conformance.client.check_context import Run, Story
+from conformance.client.check_context import CheckContext, RunClient
 from conformance.client.http_client import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.specification.document import load_spec
 from conformance.verdicts import expect
 
-COMMANDS: dict[str, Callable[[Run], Answer]] = {
+COMMANDS: dict[str, Callable[[RunClient], Answer]] = {
     "attach_worker": lambda run: run.worker("newcomer").try_attach(),
     "stop_abort": lambda run: run.call("stop_run", json={"mode": "abort"}),
     "stop_drain": lambda run: run.call("stop_run", json={"mode": "drain"}),
@@ -58,13 +58,13 @@ def is_move(row: Mapping[str, Any]) -> bool:
     return not is_refused(row) and not is_same(row)
 
 
-def scene(row: Mapping[str, Any]) -> str:
+def given_state_of(row: Mapping[str, Any]) -> str:
     """Name the scene in which a row begins."""
     failed_for_good = row.get("when") == "not_retryable"
     return f"{row['from']} not_retryable" if failed_for_good else str(row["from"])
 
 
-def becomes(run: Run, state: str) -> None:
+def expect_state_soon(run: RunClient, state: str) -> None:
     """Expect the run to get into a state by itself, soon."""
     deadline = time.monotonic() + 5
     while run.get()["state"] != state and time.monotonic() < deadline:
@@ -73,24 +73,28 @@ def becomes(run: Run, state: str) -> None:
 
 
 @pytest.mark.parametrize("row", rows(is_refused))
-def test_life_cannot(story: Story, row: Mapping[str, Any]) -> None:
+def test_life_cannot(context: CheckContext, row: Mapping[str, Any]) -> None:
     """A command that the run's state does not allow.
 
     A `ready` run accepts the same command. Expect `illegal_transition` in this state,
     and that nothing of the run has changed.
     """
     command = COMMANDS[row["event"]]
-    expect.given(command(story.submit("score")), 200, f"`{row['event']}` when ready")
-    run = run_in(story, scene(row))
+    expect.require(
+        command(context.submit("score")), 200, f"`{row['event']}` when ready"
+    )
+    run = make_run_in_state(context, given_state_of(row))
     before = run.snapshot()
     expect.refused(command(run), "illegal_transition")
     expect.equal(run.snapshot(), before, "the run afterwards")
 
 
 @pytest.mark.parametrize("row", rows(is_same))
-def test_life_can_without_a_change(story: Story, row: Mapping[str, Any]) -> None:
+def test_life_can_without_a_change(
+    context: CheckContext, row: Mapping[str, Any]
+) -> None:
     """A command that asks for what is so already. Expect success and no change."""
-    run = run_in(story, scene(row))
+    run = make_run_in_state(context, given_state_of(row))
     before = run.snapshot()
     answer = expect.ok(COMMANDS[row["event"]](run))
     expect.equal(answer["state"], row["to"], "state in the answer")
@@ -98,16 +102,16 @@ def test_life_can_without_a_change(story: Story, row: Mapping[str, Any]) -> None
 
 
 @pytest.mark.parametrize("row", rows(is_move))
-def test_life_can(story: Story, row: Mapping[str, Any]) -> None:
+def test_life_can(context: CheckContext, row: Mapping[str, Any]) -> None:
     """A command that the state allows.
 
     Expect success and the run in its new state, in the answer and when read again. A
     run that becomes `queued` does not stay so for ever.
     """
     if (row["from"], row["event"]) == ("running", "attach_worker"):
-        needs_workers(story, 2)
+        require_worker_limit(context, 2)
     queue = {"queue_s": 0.1} if row.get("when") == "retryable" else {}
-    run = run_in(story, scene(row), **queue)
+    run = make_run_in_state(context, given_state_of(row), **queue)
     answer = expect.ok(COMMANDS[row["event"]](run))
     if row["event"] != "attach_worker":
         expect.equal(answer["state"], row["to"], "state in the answer")
@@ -117,74 +121,74 @@ def test_life_can(story: Story, row: Mapping[str, Any]) -> None:
 
 @requirement("LIFE-801")
 @background
-def test_life_801_queued_becomes_ready(story: Story) -> None:
+def test_life_801_queued_becomes_ready(context: CheckContext) -> None:
     """A run that stays queued for a moment. Expect it `ready` without any request."""
-    becomes(run_in(story, "queued", queue_s=1), "ready")
+    expect_state_soon(make_run_in_state(context, "queued", queue_s=1), "ready")
 
 
 @requirement("LIFE-802")
-def test_life_802_running_becomes_ready(story: Story) -> None:
+def test_life_802_running_becomes_ready(context: CheckContext) -> None:
     """The only worker of a running run detaches. Expect the run `ready`."""
-    run = story.submit("count", "count")
+    run = context.submit("count", "count")
     worker = run.worker()
     worker.attach()
     run.until("running")
-    detached(worker)
-    becomes(run, "ready")
+    detach_only_worker(worker)
+    expect_state_soon(run, "ready")
 
 
 @requirement("LIFE-803")
-def test_life_803_stopping_becomes_stopped(story: Story) -> None:
+def test_life_803_stopping_becomes_stopped(context: CheckContext) -> None:
     """The last worker of a draining run detaches. Expect the run `stopped`."""
-    run = story.submit("count", "count")
+    run = context.submit("count", "count")
     worker = run.worker()
     worker.attach()
-    draining(run)
-    detached(worker)
-    becomes(run, "stopped")
+    start_drain(run)
+    detach_only_worker(worker)
+    expect_state_soon(run, "stopped")
 
 
 @requirement("LIFE-804")
-def test_life_804_running_becomes_completed(story: Story) -> None:
+def test_life_804_running_becomes_completed(context: CheckContext) -> None:
     """Two episodes are played. Expect `completed` after the second, not before."""
-    run = story.submit("score", "score")
+    run = context.submit("score", "score")
     worker = run.worker()
     worker.attach()
     worker.play()
     expect.equal(run.get()["state"], "running", "state with an episode left")
     worker.play()
-    becomes(run, "completed")
+    expect_state_soon(run, "completed")
 
 
 @requirement("LIFE-805")
-def test_life_805_stopping_becomes_completed(story: Story) -> None:
+def test_life_805_stopping_becomes_completed(context: CheckContext) -> None:
     """The last episode ends while the run drains. Expect the run `completed`."""
-    run = story.submit("score")
+    run = context.submit("score")
     worker = run.worker()
     worker.attach()
-    draining(run)
+    start_drain(run)
     worker.play()
-    becomes(run, "completed")
+    expect_state_soon(run, "completed")
 
 
 @requirement("LIFE-806")
-def test_life_806_running_becomes_failed(story: Story) -> None:
+def test_life_806_running_becomes_failed(context: CheckContext) -> None:
     """An episode may fault twice. Expect `running` after one fault, then `failed`."""
-    run = story.submit("fault", max_faults=2)
+    run = context.submit("fault", max_faults=2)
     worker = run.worker()
     worker.attach()
-    worker.predict(story.action(fault=1))
+    worker.predict(context.action(fault=1))
     expect.equal(run.get()["state"], "running", "state after one fault of two")
-    worker.try_predict(story.action(fault=1))
-    becomes(run, "failed")
+    worker.try_predict(context.action(fault=1))
+    expect_state_soon(run, "failed")
 
 
 @requirement("LIFE-807")
-def test_life_807_stopping_becomes_failed(story: Story) -> None:
+def test_life_807_stopping_becomes_failed(context: CheckContext) -> None:
     """The last allowed fault comes while the run drains. Expect it `failed`."""
-    run = story.submit("fault", "fault", max_faults=1)
+    run = context.submit("fault", "fault", max_faults=1)
     worker = run.worker()
     worker.attach()
-    draining(run)
-    worker.try_predict(story.action(fault=1))
-    becomes(run, "failed")
+    start_drain(run)
+    worker.try_predict(context.action(fault=1))
+    expect_state_soon(run, "failed")

@@ -7,8 +7,8 @@ from functools import partial
 from typing import Any
 from urllib.parse import urljoin, urlsplit
 
-from conformance.checks.support.given_states import points_into
-from conformance.client.check_context import Run, Story
+from conformance.checks.support.given_states import expect_pointer
+from conformance.client.check_context import CheckContext, RunClient
 from conformance.client.http_client import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
@@ -16,148 +16,161 @@ from conformance.verdicts.expect import Inconclusive, NotApplicable, SetUpFailed
 
 _CHANGE_AFTER_S = 0.4
 _LATE_S = 1.0
-_HOPELESSLY_LATE_S = 5.0
+_TOO_LATE_S = 5.0
 # Timers of the server and of this machine may disagree by so much.
 _EARLY_S = 0.02
 
 
-def submit(story: Story, body: dict[str, Any], **how: Any) -> Answer:
+def submit(context: CheckContext, body: dict[str, Any], **how: Any) -> Answer:
     """Submit as it is; a run that comes of it is stopped after the check."""
-    answer = story.call("submit_run", json=body, **how)
+    answer = context.call("submit_run", json=body, **how)
     if answer.status == 201 and isinstance(answer.json, dict):
-        story.adopt(answer.json, how.get("wire"))
+        context.adopt(answer.json, how.get("http_client"))
     return answer
 
 
-def named(story: Story) -> dict[str, Any]:
+def uniquely_named_body(context: CheckContext) -> dict[str, Any]:
     """Give a body whose policy has a name that no other run has."""
-    return story.submit_body(policy={"name": f"conformance kit {uuid.uuid4()}"})
+    return context.submit_body(policy={"name": f"conformance kit {uuid.uuid4()}"})
 
 
-def runs_of(story: Story, body: dict[str, Any]) -> list[str]:
+def runs_of(context: CheckContext, body: dict[str, Any]) -> list[str]:
     """Find the runs that came of a body, by the name of its policy."""
-    page = story.given(
-        lambda: story.call("list_runs", params={"limit": 100}), 200, "list_runs"
+    page = context.require(
+        lambda: context.call("list_runs", params={"limit": 100}), 200, "list_runs"
     )
     return [r["run_id"] for r in page["runs"] if r["policy"] == body["policy"]]
 
 
 @requirement("RUN-001")
-def test_run_001_submit_says_where_the_run_is_read(story: Story) -> None:
+def test_run_001_submit_says_where_the_run_is_read(context: CheckContext) -> None:
     """A run is submitted and read at the Location. Expect 201, then the run."""
-    answer = submit(story, story.submit_body())
+    answer = submit(context, context.submit_body())
     run = expect.ok(answer, 201)
     location = answer.headers.get("location", "")
     expect.true(location, "a Location header", "none")
-    url = urljoin(f"{story.wire.base_url}/v1/runs", location)
+    url = urljoin(f"{context.http_client.base_url}/v1/runs", location)
     expect.equal(
-        expect.ok(story.wire.request("GET", url))["run_id"], run["run_id"], "run_id"
+        expect.ok(context.http_client.request("GET", url))["run_id"],
+        run["run_id"],
+        "run_id",
     )
 
 
 @requirement("RUN-002")
-def test_run_002_begins_queued_or_ready(story: Story) -> None:
+def test_run_002_begins_queued_or_ready(context: CheckContext) -> None:
     """Runs are submitted with and without time in the queue. Expect queued or ready."""
     for options in ({}, {"queue_s": 10}):
-        run = expect.ok(submit(story, story.submit_body(options=options)), 201)
+        run = expect.ok(submit(context, context.submit_body(options=options)), 201)
         expect.true(
             run["state"] in {"queued", "ready"}, "queued or ready", run["state"]
         )
 
 
 @requirement("RUN-003")
-def test_run_003_can_repeat_submit_with_the_same_key(story: Story) -> None:
+def test_run_003_can_repeat_submit_with_the_same_key(context: CheckContext) -> None:
     """The answer was lost: the same key and body again, and twice at the same time.
 
     Expect the first run each time, and no other.
     """
-    body, key = named(story), {"Idempotency-Key": uuid.uuid4().hex}
-    first = expect.ok(submit(story, body, headers=key), 201)
-    for answer in story.together(*[lambda: submit(story, body, headers=key)] * 3):
+    body, key = uniquely_named_body(context), {"Idempotency-Key": uuid.uuid4().hex}
+    first = expect.ok(submit(context, body, headers=key), 201)
+    for answer in context.call_concurrently(
+        *[lambda: submit(context, body, headers=key)] * 3
+    ):
         expect.equal(expect.ok(answer, 201)["run_id"], first["run_id"], "run_id")
-    expect.equal(runs_of(story, body), [first["run_id"]], "the runs made of it")
-    race, new = named(story), {"Idempotency-Key": uuid.uuid4().hex}
-    answers = story.together(*[lambda: submit(story, race, headers=new)] * 4)
+    expect.equal(runs_of(context, body), [first["run_id"]], "the runs made of it")
+    race, new = uniquely_named_body(context), {"Idempotency-Key": uuid.uuid4().hex}
+    answers = context.call_concurrently(
+        *[lambda: submit(context, race, headers=new)] * 4
+    )
     ids = {expect.ok(answer, 201)["run_id"] for answer in answers}
     expect.equal(len(ids), 1, "runs returned to four submits at the same time")
-    expect.equal(len(runs_of(story, race)), 1, "runs made of them")
+    expect.equal(len(runs_of(context, race)), 1, "runs made of them")
 
 
 @requirement("RUN-004")
-def test_run_004_cannot_use_a_key_for_another_body(story: Story) -> None:
+def test_run_004_cannot_use_a_key_for_another_body(context: CheckContext) -> None:
     """A used key comes with another body, then a new key with the same.
 
     Expect `idempotency_conflict` and no run, then a run.
     """
     key = {"Idempotency-Key": uuid.uuid4().hex}
-    expect.ok(submit(story, named(story), headers=key), 201)
-    other = named(story)
-    refused = submit(story, other, headers=key)
+    expect.ok(submit(context, uniquely_named_body(context), headers=key), 201)
+    other = uniquely_named_body(context)
+    refused = submit(context, other, headers=key)
     expect.refused(refused, "idempotency_conflict")
-    expect.equal(runs_of(story, other), [], "the runs made of it")
+    expect.equal(runs_of(context, other), [], "the runs made of it")
     new = {"Idempotency-Key": uuid.uuid4().hex}
-    expect.ok(submit(story, other, headers=new), 201)
+    expect.ok(submit(context, other, headers=new), 201)
 
 
 @requirement("RUN-005")
-def test_run_005_key_of_another_account_has_no_effect(story: Story) -> None:
+def test_run_005_key_of_another_account_has_no_effect(context: CheckContext) -> None:
     """Two accounts use the same key, with other bodies and with the same.
 
     Expect each to get runs of its own.
     """
-    wire_2 = story.wire_2
+    second_account = context.second_account
     ids = []
-    for second in (named(story), None):
-        key, first = {"Idempotency-Key": uuid.uuid4().hex}, named(story)
-        for body, wire in ((first, story.wire), (second or first, wire_2)):
-            run = expect.ok(submit(story, body, headers=key, wire=wire), 201)
+    for second in (uniquely_named_body(context), None):
+        key, first = {"Idempotency-Key": uuid.uuid4().hex}, uniquely_named_body(context)
+        for body, http_client in (
+            (first, context.http_client),
+            (second or first, second_account),
+        ):
+            run = expect.ok(
+                submit(context, body, headers=key, http_client=http_client), 201
+            )
             expect.equal(run["policy"], body["policy"], "policy")
             ids.append(run["run_id"])
     expect.equal(len(set(ids)), len(ids), "different runs")
 
 
 @requirement("RUN-006")
-def test_run_006_cannot_submit_for_an_unknown_benchmark(story: Story) -> None:
+def test_run_006_cannot_submit_for_an_unknown_benchmark(context: CheckContext) -> None:
     """A benchmark that nobody offers. Expect `invalid_request` at `/benchmark_id`."""
-    answer = submit(story, story.submit_body(benchmark_id="no_such_benchmark"))
+    answer = submit(context, context.submit_body(benchmark_id="no_such_benchmark"))
     expect.refused(answer, "invalid_request", pointer="/benchmark_id")
-    expect.ok(submit(story, story.submit_body()), 201)
+    expect.ok(submit(context, context.submit_body()), 201)
 
 
 @requirement("RUN-007")
-def test_run_007_cannot_shape_another_benchmark(story: Story) -> None:
+def test_run_007_cannot_shape_another_benchmark(context: CheckContext) -> None:
     """Options are given for a benchmark with a manifest of its own.
 
     Expect `invalid_request` at `/options`, and a run without them.
     """
-    listed = story.given(lambda: story.call("list_benchmarks"), 200, "list_benchmarks")
+    listed = context.require(
+        lambda: context.call("list_benchmarks"), 200, "list_benchmarks"
+    )
     ids = [benchmark["benchmark_id"] for benchmark in listed["benchmarks"]]
     others = [benchmark_id for benchmark_id in ids if benchmark_id != "calibration"]
     if not others:
         raise NotApplicable("`calibration` is the only benchmark here")
     for benchmark_id in others:
-        body = story.submit_body(benchmark_id=benchmark_id)
-        if submit(story, body).status == 201:
-            answer = submit(story, body | {"options": {"max_steps": 5}})
+        body = context.submit_body(benchmark_id=benchmark_id)
+        if submit(context, body).status == 201:
+            answer = submit(context, body | {"options": {"max_steps": 5}})
             expect.refused(answer, "invalid_request", pointer="/options")
             return
     raise SetUpFailed(f"none of {others} can be submitted here now", allowed=True)
 
 
 @requirement("RUN-008")
-def test_run_008_only_a_queued_run_has_a_queue_position(story: Story) -> None:
+def test_run_008_only_a_queued_run_has_a_queue_position(context: CheckContext) -> None:
     """A run waits in the queue, and others are in later states.
 
     Expect a number from 1, then null.
     """
-    queued = story.submit(wait_ready=False, queue_s=10)
+    queued = context.submit(wait_ready=False, queue_s=10)
     if queued.body["state"] != "queued":
         raise SetUpFailed(f"the run is {queued.body['state']} in spite of queue_s 10")
     for body in (queued.body, expect.ok(queued.call("get_run"))):
         position = body["queue_position"]
         is_from_1 = isinstance(position, int) and position >= 1
         expect.true(is_from_1, "a queue_position from 1", position)
-    run = story.submit("score")
+    run = context.submit("score")
     expect.equal(run.get()["queue_position"], None, "queue_position when ready")
     run.worker().attach()
     expect.equal(run.get()["queue_position"], None, "queue_position when running")
@@ -165,51 +178,51 @@ def test_run_008_only_a_queued_run_has_a_queue_position(story: Story) -> None:
 
 
 @requirement("RUN-009")
-def test_run_009_pages_show_each_run_once_newest_first(story: Story) -> None:
+def test_run_009_pages_show_each_run_once_newest_first(context: CheckContext) -> None:
     """Five runs are submitted; the pages of two are read while more are submitted.
 
     Expect the five in reverse order, and no run twice.
     """
-    ids = [story.submit(wait_ready=False).id for _ in range(5)]
+    ids = [context.submit(wait_ready=False).id for _ in range(5)]
     seen: list[str] = []
     params: dict[str, Any] = {"limit": 2}
     while not set(ids) <= set(seen):
-        page = expect.ok(story.call("list_runs", params=params))
+        page = expect.ok(context.call("list_runs", params=params))
         expect.true(len(page["runs"]) <= 2, "at most 2 runs on a page of 2")
         seen += [run["run_id"] for run in page["runs"]]
         if page["next_cursor"] is None or len(seen) > 500:
             break
         params["cursor"] = page["next_cursor"]
-        story.submit(wait_ready=False)
+        context.submit(wait_ready=False)
     expect.equal([i for i in seen if i in ids], ids[::-1], "the five runs")
     expect.equal(len(set(seen)), len(seen), "runs that are listed once")
 
 
 @requirement("RUN-010")
-def test_run_010_cannot_get_an_unknown_run(story: Story) -> None:
+def test_run_010_cannot_get_an_unknown_run(context: CheckContext) -> None:
     """An id that no run has, then one that has. Expect `not_found`, then the run."""
-    run = story.submit()
+    run = context.submit()
     unknown = uuid.uuid4().hex
-    expect.refused(story.call("get_run", run_id=unknown), "not_found")
+    expect.refused(context.call("get_run", run_id=unknown), "not_found")
     expect.equal(expect.ok(run.call("get_run"))["run_id"], run.id, "run_id")
 
 
-def etag_of(run: Run) -> dict[str, str]:
+def etag_of(run: RunClient) -> dict[str, str]:
     """Read the run and give the header that asks for anything newer."""
     answer = run.call("get_run")
     etag = answer.headers.get("etag")
     if answer.status != 200 or etag is None:
-        raise SetUpFailed(f"`get_run` gives no ETag: {expect.told(answer)}")
+        raise SetUpFailed(f"`get_run` gives no ETag: {expect.describe_answer(answer)}")
     return {"If-None-Match": etag}
 
 
 @requirement("RUN-011")
-def test_run_011_unchanged_run_is_not_sent_again(story: Story) -> None:
+def test_run_011_unchanged_run_is_not_sent_again(context: CheckContext) -> None:
     """A run is read again with its ETag, before and after a change.
 
     Expect 304 without a body, then 200 with another ETag.
     """
-    run = story.submit()
+    run = context.submit()
     known = etag_of(run)
     answer = run.call("get_run", headers=known)
     expect.ok(answer, 304)
@@ -221,14 +234,14 @@ def test_run_011_unchanged_run_is_not_sent_again(story: Story) -> None:
     expect.true(etag not in (None, known["If-None-Match"]), "another ETag", etag)
 
 
-def needs_wait(story: Story, wait_s: int) -> dict[str, str]:
+def wait_header(context: CheckContext, wait_s: int) -> dict[str, str]:
     """Give the header of a long-poll."""
-    if story.limits["wait_s_max"] < wait_s:
+    if context.limits["wait_s_max"] < wait_s:
         raise NotApplicable(f"the server grants no wait of {wait_s} s")
     return {"Prefer": f"wait={wait_s}"}
 
 
-def later(change: Callable[[], Any]) -> float:
+def change_later(change: Callable[[], Any]) -> float:
     """Make a change after a while, and say when it was made."""
     time.sleep(_CHANGE_AFTER_S)
     change()
@@ -237,23 +250,23 @@ def later(change: Callable[[], Any]) -> float:
 
 @background
 @requirement("RUN-012")
-def test_run_012_long_poll_ends_when_the_run_changes(story: Story) -> None:
+def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> None:
     """Two callers wait for changes; one run gets a worker, the other is stopped.
 
     Expect both to be answered at once with the new state.
     """
-    wait = needs_wait(story, 5)
-    attached, stopped = story.submit(), story.submit()
+    wait = wait_header(context, 5)
+    attached, stopped = context.submit(), context.submit()
     worker = attached.worker()
     changes = ((attached, "running", worker.attach), (stopped, "stopped", stopped.stop))
     for run, state, change in changes:
         headers = etag_of(run) | wait
-        polled, changed_at = story.together(
-            partial(run.call, "get_run", headers=headers), partial(later, change)
+        polled, changed_at = context.call_concurrently(
+            partial(run.call, "get_run", headers=headers), partial(change_later, change)
         )
         expect.equal(expect.ok(polled)["state"], state, "state")
         late_s = polled.ended_at - changed_at
-        limit_s = _LATE_S + story.tolerance_s
+        limit_s = _LATE_S + context.tolerance_s
         expect.true(
             late_s <= limit_s,
             f"the answer within {limit_s:.2f} s of the change",
@@ -263,26 +276,26 @@ def test_run_012_long_poll_ends_when_the_run_changes(story: Story) -> None:
 
 @background
 @requirement("RUN-013")
-def test_run_013_long_poll_ends_with_304_after_its_time(story: Story) -> None:
+def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -> None:
     """Nothing happens for two seconds. Expect 304 then, and not before."""
-    wait = needs_wait(story, 2)
-    run = story.submit()
+    wait = wait_header(context, 2)
+    run = context.submit()
     answer = run.call("get_run", headers=etag_of(run) | wait)
     expect.ok(answer, 304)
     took = f"after {answer.elapsed_s:.2f} s"
     expect.true(answer.elapsed_s >= 2 - _EARLY_S, "304 after 2 s, not before", took)
-    expect.true(answer.elapsed_s <= 2 + _HOPELESSLY_LATE_S, "304 after 2 s", took)
-    if answer.elapsed_s > 2 + _LATE_S + story.tolerance_s:
+    expect.true(answer.elapsed_s <= 2 + _TOO_LATE_S, "304 after 2 s", took)
+    if answer.elapsed_s > 2 + _LATE_S + context.tolerance_s:
         raise Inconclusive(f"the answer came {took}; the server or the way is slow")
 
 
 @requirement("RUN-014")
-def test_run_014_progress_adds_up(story: Story) -> None:
+def test_run_014_progress_adds_up(context: CheckContext) -> None:
     """Three episodes are played, begun, given back and aborted.
 
     Expect scored + in progress + pending = 3 at every point.
     """
-    run = story.submit("score", "score", "score")
+    run = context.submit("score", "score", "score")
     worker = run.worker()
     steps: list[Callable[[], Any]] = [run.get, worker.attach, worker.play]
     steps += [worker.detach, worker.attach, run.stop]
@@ -295,65 +308,74 @@ def test_run_014_progress_adds_up(story: Story) -> None:
 
 
 @requirement("RUN-015")
-def test_run_015_cannot_ask_for_more_workers_than_allowed(story: Story) -> None:
+def test_run_015_cannot_ask_for_more_workers_than_allowed(
+    context: CheckContext,
+) -> None:
     """One worker more than the limit, then the limit.
 
     Expect `invalid_request` at `/max_workers`, then a run.
     """
-    limit = story.limits["max_workers"]
-    beyond = submit(story, story.submit_body(max_workers=limit + 1))
+    limit = context.limits["max_workers"]
+    beyond = submit(context, context.submit_body(max_workers=limit + 1))
     expect.refused(beyond, "invalid_request", pointer="/max_workers")
-    run = expect.ok(submit(story, story.submit_body(max_workers=limit)), 201)
+    run = expect.ok(submit(context, context.submit_body(max_workers=limit)), 201)
     expect.equal(run["max_workers"], limit, "max_workers")
 
 
 @requirement("RUN-016")
-def test_run_016_endpoint_serves_the_data_plane(story: Story) -> None:
+def test_run_016_endpoint_serves_the_data_plane(context: CheckContext) -> None:
     """A worker uses nothing but the endpoint that its run names.
 
     Expect an absolute URL, and every data-plane operation under it.
     """
-    run = story.submit("count")
+    run = context.submit("count")
     parts = urlsplit(run.body["endpoint"])
     is_absolute = parts.scheme in {"http", "https"} and bool(parts.netloc)
     expect.true(is_absolute, "an absolute http or https URL", run.body["endpoint"])
     worker = run.worker()
     turn = expect.ok(worker.try_attach())
     worker.session_id = turn["session_id"]
-    expect.ok(worker.try_predict(story.action()))
+    expect.ok(worker.try_predict(context.action()))
     expect.ok(worker.try_heartbeat())
     expect.ok(worker.try_detach(), 204)
 
 
 @requirement("RUN-017")
-def test_run_017_cannot_choose_images_that_are_not_offered(story: Story) -> None:
+def test_run_017_cannot_choose_images_that_are_not_offered(
+    context: CheckContext,
+) -> None:
     """A size that is not offered, every codec that is not, then one that is.
 
     Expect `invalid_request` pointing into `/images`, then a run that records it.
     """
-    sizes, codecs = story.benchmark["image_sizes"], story.benchmark["image_codecs"]
+    sizes, codecs = context.benchmark["image_sizes"], context.benchmark["image_codecs"]
     offered = {"codec": codecs[0], **sizes[-1]}
     wrong = [offered | {"width": offered["width"] + 1}]
     wrong += [offered | {"height": offered["height"] + 1}]
-    known = story.spec.schema("ImageCodec")["enum"]
+    known = context.spec.schema("ImageCodec")["enum"]
     wrong += [offered | {"codec": codec} for codec in known if codec not in codecs]
     for images in wrong:
-        answer = submit(story, story.submit_body(images=images))
-        points_into(expect.refused(answer, "invalid_request"), "/images")
-    run = expect.ok(submit(story, story.submit_body(images=offered)), 201)
+        answer = submit(context, context.submit_body(images=images))
+        expect_pointer(expect.refused(answer, "invalid_request"), "/images")
+    run = expect.ok(submit(context, context.submit_body(images=offered)), 201)
     expect.equal(run["images"], offered, "images")
 
 
 @requirement("LEASE-007")
-def test_lease_007_cannot_ask_for_a_lease_out_of_range(story: Story) -> None:
+def test_lease_007_cannot_ask_for_a_lease_out_of_range(context: CheckContext) -> None:
     """Leases beyond both ends of the announced range, then the ends themselves.
 
     Expect `invalid_request` at `/idle_timeout_s`, then runs.
     """
-    low, high = story.limits["idle_timeout_s_min"], story.limits["idle_timeout_s_max"]
+    low, high = (
+        context.limits["idle_timeout_s_min"],
+        context.limits["idle_timeout_s_max"],
+    )
     for lease_s in (low / 2, high + 1):
-        answer = submit(story, story.submit_body(idle_timeout_s=lease_s))
+        answer = submit(context, context.submit_body(idle_timeout_s=lease_s))
         expect.refused(answer, "invalid_request", pointer="/idle_timeout_s")
     for lease_s in (low, high):
-        run = expect.ok(submit(story, story.submit_body(idle_timeout_s=lease_s)), 201)
+        run = expect.ok(
+            submit(context, context.submit_body(idle_timeout_s=lease_s)), 201
+        )
         expect.equal(run["idle_timeout_s"], lease_s, "idle_timeout_s")

@@ -6,31 +6,31 @@ from hypothesis import strategies as st
 
 from conformance.checks.support.generated_examples import for_all
 from conformance.checks.support.given_states import (
-    HISTORY,
-    attached,
+    VOLATILE_RESULT_MEMBERS,
+    attach_workers,
     index_of,
-    playing,
     results,
+    submit_and_attach,
     without,
 )
-from conformance.client.check_context import Run, Story, Worker
+from conformance.client.check_context import CheckContext, RunClient, WorkerClient
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
 
 @requirement("STOP-001")
-def test_stop_001_abort_keeps_what_is_scored(story: Story) -> None:
+def test_stop_001_abort_keeps_what_is_scored(context: CheckContext) -> None:
     """One episode is scored, others are in play, when the run is aborted.
 
     Expect the scored one as it was, the others unscored, and nothing in play.
     """
-    run = story.submit("score", "score", "score")
-    crew = attached(run, min(2, story.limits["max_workers"]))
+    run = context.submit("score", "score", "score")
+    crew = attach_workers(run, min(2, context.limits["max_workers"]))
     scored = index_of(crew[0])
     crew[0].play(score=0.75)
     for worker in crew:
-        worker.predict(story.action(score=1, success=1))
+        worker.predict(context.action(score=1, success=1))
     before = run.episodes()[scored]
     expect.ok(run.call("stop_run", json={"mode": "abort"}))
     episodes = run.episodes()
@@ -43,73 +43,73 @@ def test_stop_001_abort_keeps_what_is_scored(story: Story) -> None:
 
 
 @requirement("STOP-002")
-def test_stop_002_abort_ends_the_sessions(story: Story) -> None:
+def test_stop_002_abort_ends_the_sessions(context: CheckContext) -> None:
     """A worker in play, and one that thinks, go on after the run is aborted.
 
     Expect `session_ended` for what was accepted before.
     """
-    run = story.submit("score", "score", "score")
-    crew = attached(run, min(2, story.limits["max_workers"]))
+    run = context.submit("score", "score", "score")
+    crew = attach_workers(run, min(2, context.limits["max_workers"]))
     for worker in crew:
-        worker.predict(story.action())
+        worker.predict(context.action())
         worker.heartbeat()
     run.stop()
     for worker in crew:
-        expect.refused(worker.try_predict(story.action()), "session_ended")
+        expect.refused(worker.try_predict(context.action()), "session_ended")
         expect.refused(worker.try_heartbeat(), "session_ended")
 
 
 @requirement("STOP-003")
-def test_stop_003_drain_lets_episodes_end(story: Story) -> None:
+def test_stop_003_drain_lets_episodes_end(context: CheckContext) -> None:
     """Episodes in play go on after a drain.
 
     Expect their turns accepted, and each to end as the success that it was.
     """
-    run = story.submit("score", "score", "score")
-    crew = attached(run, min(2, story.limits["max_workers"]))
+    run = context.submit("score", "score", "score")
+    crew = attach_workers(run, min(2, context.limits["max_workers"]))
     for worker in crew:
-        worker.predict(story.action())
+        worker.predict(context.action())
     run.stop("drain")
     for worker in crew:
-        expect.ok(worker.try_predict(story.action()))
+        expect.ok(worker.try_predict(context.action()))
         worker.seq += 1
         index = index_of(worker)
-        expect.ok(worker.try_predict(story.action(success=1, end=1)))
+        expect.ok(worker.try_predict(context.action(success=1, end=1)))
         result = results(run)[index] or {}
         expect.equal(result.get("outcome"), "success", f"outcome of episode {index}")
 
 
 @requirement("STOP-004")
-def test_stop_004_draining_worker_is_done(story: Story) -> None:
+def test_stop_004_draining_worker_is_done(context: CheckContext) -> None:
     """An episode ends before, and another after, the run begins to drain.
 
     Expect the turn that ends the second to be `done`, although a third one is left.
     """
-    worker = playing(story, "score", "score", "score")
+    worker = submit_and_attach(context, "score", "score", "score")
     expect.equal(worker.play()["done"], False, "done before the drain")
     worker.run.stop("drain")
-    turn = expect.ok(worker.try_predict(story.action(end=1)))
+    turn = expect.ok(worker.try_predict(context.action(end=1)))
     expect.equal(turn["done"], True, "done")
     for member in ("episode", "observation"):
         expect.true(member not in turn, f"no {member}", turn.get(member))
 
 
-def scored(run: Run) -> dict[int, Any]:
+def scored(run: RunClient) -> dict[int, Any]:
     """Read the results that are there, by position in the manifest."""
     return {i: result for i, result in enumerate(results(run)) if result is not None}
 
 
 @requirement("RES-001")
-def test_res_001_resume_keeps_what_is_scored(story: Story) -> None:
+def test_res_001_resume_keeps_what_is_scored(context: CheckContext) -> None:
     """A run with two scored episodes is stopped, resumed, and played to its end.
 
     Expect the two results unchanged after the resume and in the completed run.
     """
-    worker = playing(story, *["score"] * 4)
+    worker = submit_and_attach(context, *["score"] * 4)
     run = worker.run
     worker.play(score=0.25)
     worker.play(score=0.75)
-    worker.predict(story.action(score=1))
+    worker.predict(context.action(score=1))
     run.stop()
     before = scored(run)
     if len(before) != 2:
@@ -125,14 +125,14 @@ def test_res_001_resume_keeps_what_is_scored(story: Story) -> None:
 
 
 @requirement("RES-002")
-def test_res_002_resume_hands_out_what_is_unscored(story: Story) -> None:
+def test_res_002_resume_hands_out_what_is_unscored(context: CheckContext) -> None:
     """A run of five is stopped when three are unscored, two of them in play.
 
     Expect exactly these three to be handed out after the resume.
     """
-    run = story.submit(*["score"] * 5)
-    crew = attached(run, min(2, story.limits["max_workers"]))
-    crew[-1].predict(story.action())
+    run = context.submit(*["score"] * 5)
+    crew = attach_workers(run, min(2, context.limits["max_workers"]))
+    crew[-1].predict(context.action())
     crew[0].play()
     if len(crew) > 1:
         crew[0].play()
@@ -150,17 +150,19 @@ def test_res_002_resume_hands_out_what_is_unscored(story: Story) -> None:
     expect.equal(sorted(handed_out), unscored, "episodes handed out after the resume")
 
 
-class Play:
+class InterruptedRun:
     """A run that is played by a plan, one move after another."""
 
-    def __init__(self, story: Story, plan: list[list[float]], workers: int) -> None:
-        self.story = story
+    def __init__(
+        self, context: CheckContext, plan: list[list[float]], workers: int
+    ) -> None:
+        self.context = context
         self.plan = plan
-        self.run = story.submit(*["score"] * len(plan), max_attempts=10)
+        self.run = context.submit(*["score"] * len(plan), max_attempts=10)
         self.crew = [self.run.worker() for _ in range(workers)]
-        self.live: list[Worker] = []
+        self.live: list[WorkerClient] = []
 
-    def step(self, worker: Worker) -> bool:
+    def step(self, worker: WorkerClient) -> bool:
         """Play one action of the plan; False when the worker has nothing to play."""
         if worker not in self.live:
             worker.attach()
@@ -172,7 +174,7 @@ class Play:
         score = scores[view["step"]]
         is_last = view["step"] == len(scores) - 1
         worker.predict(
-            self.story.action(score=score, success=int(score > 0.5), end=int(is_last))
+            self.context.action(score=score, success=int(score > 0.5), end=int(is_last))
         )
         return True
 
@@ -195,7 +197,9 @@ class Play:
     def outcome(self) -> dict[str, Any]:
         """What the run came to, without its name and its history."""
         found = {
-            f"result of episode {index}": without(result or {}, *HISTORY)
+            f"result of episode {index}": without(
+                result or {}, *VOLATILE_RESULT_MEMBERS
+            )
             for index, result in enumerate(results(self.run))
         }
         score = without(self.run.score(), "run_id", "manifest_sha256", "state")
@@ -208,19 +212,21 @@ PLAN = [[0.25, 0.75], [1.0], [0.5, 0.875, 0.125], [0.0625]]
 
 
 @requirement("RES-003")
-def test_res_003_stops_do_not_change_the_score(story: Story) -> None:
+def test_res_003_stops_do_not_change_the_score(context: CheckContext) -> None:
     """The same actions in an undisturbed run, and in runs with two workers that are
     aborted or drained and resumed at random points.
 
     Expect the same score and the same results, but for how often they were tried.
     """
-    calm = Play(story, PLAN, workers=1)
-    while calm.step(calm.crew[0]):
+    undisturbed = InterruptedRun(context, PLAN, workers=1)
+    while undisturbed.step(undisturbed.crew[0]):
         pass
-    expected = calm.outcome()
+    expected = undisturbed.outcome()
 
-    def law(moves: list[str]) -> None:
-        play = Play(story, PLAN, workers=min(2, story.limits["max_workers"]))
+    def check_property(moves: list[str]) -> None:
+        play = InterruptedRun(
+            context, PLAN, workers=min(2, context.limits["max_workers"])
+        )
         is_open = True
         for move in moves:
             if is_open and move in ("abort", "drain"):
@@ -233,4 +239,4 @@ def test_res_003_stops_do_not_change_the_score(story: Story) -> None:
         for what, value in play.outcome().items():
             expect.equal(value, expected[what], what)
 
-    for_all(story, MOVES, law, times=8)
+    for_all(context, MOVES, check_property, times=8)

@@ -1,43 +1,49 @@
 """Who may do what: AUTH."""
 
 from conformance.checks.support.operation_samples import (
-    READING,
-    all_operations,
-    live_worker,
+    READ_OPERATIONS,
+    attach_live_worker,
+    operation_samples,
     send,
 )
-from conformance.client.check_context import Story
+from conformance.client.check_context import CheckContext
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 
 
 @requirement("AUTH-001")
-def test_auth_001_cannot_do_anything_without_a_valid_token(story: Story) -> None:
+def test_auth_001_cannot_do_anything_without_a_valid_token(
+    context: CheckContext,
+) -> None:
     """Every operation is tried without a token, with a wrong one, and in another way.
 
     Expect `unauthenticated` each time, and the run to stand as it did.
     """
-    worker = live_worker(story)
+    worker = attach_live_worker(context)
     before = worker.run.snapshot()
-    nobody, somebody = story.wire_of(None), story.wire_of("no-such-token")
-    for stop in all_operations(worker):
-        for wire in (nobody, somebody):
-            expect.refused(send(worker.run, stop, wire), "unauthenticated")
+    without_token, with_wrong_token = (
+        context.client_with_token(None),
+        context.client_with_token("no-such-token"),
+    )
+    for sample in operation_samples(worker):
+        for http_client in (without_token, with_wrong_token):
+            expect.refused(send(worker.run, sample, http_client), "unauthenticated")
     basic = {"Authorization": "Basic bm86Ym9keQ=="}
     expect.refused(
-        story.call("list_runs", wire=nobody, headers=basic), "unauthenticated"
+        context.call("list_runs", http_client=without_token, headers=basic),
+        "unauthenticated",
     )
     expect.equal(worker.run.snapshot(), before, "the run")
 
 
 @requirement("AUTH-002")
-def test_auth_002_refusal_names_the_scheme(story: Story) -> None:
+def test_auth_002_refusal_names_the_scheme(context: CheckContext) -> None:
     """Requests without a token and with a wrong one. Expect `WWW-Authenticate: Bearer`.
 
     The header tells a client how to authenticate.
     """
     for token in (None, "no-such-token"):
-        answer = story.call("list_runs", wire=story.wire_of(token))
+        answer = context.call("list_runs", http_client=context.client_with_token(token))
         expect.refused(answer, "unauthenticated")
         header = answer.headers.get("www-authenticate", "")
         schemes = [
@@ -49,28 +55,37 @@ def test_auth_002_refusal_names_the_scheme(story: Story) -> None:
 
 
 @requirement("AUTH-003")
-def test_auth_003_cannot_see_or_touch_a_run_of_another_account(story: Story) -> None:
+def test_auth_003_cannot_see_or_touch_a_run_of_another_account(
+    context: CheckContext,
+) -> None:
     """Another account knows the ids of a run, of its worker, and of its session.
 
     Expect `not_found` from every operation, and the run to stand as it did.
     """
-    other = story.wire_2
-    worker = live_worker(story)
+    other = context.second_account
+    worker = attach_live_worker(context)
     before = worker.run.snapshot()
-    for stop in all_operations(worker):
-        if "{run_id}" in story.spec.operations[stop[0]].path:
-            expect.refused(send(worker.run, stop, other), "not_found")
+    for sample in operation_samples(worker):
+        if "{run_id}" in context.spec.operations[sample[0]].path:
+            expect.refused(send(worker.run, sample, other), "not_found")
     expect.equal(worker.run.snapshot(), before, "the run")
 
 
 @requirement("AUTH-004")
-def test_auth_004_cannot_list_runs_of_another_account(story: Story) -> None:
+def test_auth_004_cannot_list_runs_of_another_account(context: CheckContext) -> None:
     """Two accounts submit a run each and list. Expect each to see its own."""
-    wires = (story.wire, story.wire_2)
-    ours, theirs = (story.submit(wire=wire, wait_ready=False) for wire in wires)
+    wires = (context.http_client, context.second_account)
+    ours, theirs = (
+        context.submit(http_client=http_client, wait_ready=False)
+        for http_client in wires
+    )
     params = {"limit": 1000}
-    for wire, shown, hidden in zip(wires, (ours, theirs), (theirs, ours), strict=True):
-        page = expect.ok(story.call("list_runs", wire=wire, params=params))
+    for http_client, shown, hidden in zip(
+        wires, (ours, theirs), (theirs, ours), strict=True
+    ):
+        page = expect.ok(
+            context.call("list_runs", http_client=http_client, params=params)
+        )
         seen = {run["run_id"] for run in page["runs"]}
         if shown.id not in seen:
             raise expect.SetUpFailed("`list_runs` does not show a run to its owner")
@@ -78,17 +93,17 @@ def test_auth_004_cannot_list_runs_of_another_account(story: Story) -> None:
 
 
 @requirement("AUTH-005")
-def test_auth_005_can_only_read_with_the_scope_read(story: Story) -> None:
+def test_auth_005_can_only_read_with_the_scope_read(context: CheckContext) -> None:
     """A token with the scope `read` is used for every operation.
 
     Expect every GET to be served, everything else `forbidden`, and nothing changed.
     """
-    reader = story.wire_read
-    worker = live_worker(story)
+    read_only_client = context.read_only_account
+    worker = attach_live_worker(context)
     before = worker.run.snapshot()
-    for stop in all_operations(worker):
-        answer = send(worker.run, stop, reader)
-        if stop[0] in READING:
+    for sample in operation_samples(worker):
+        answer = send(worker.run, sample, read_only_client)
+        if sample[0] in READ_OPERATIONS:
             expect.ok(answer)
         else:
             expect.refused(answer, "forbidden")

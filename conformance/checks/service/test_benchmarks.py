@@ -3,7 +3,7 @@
 from functools import partial
 from typing import Any
 
-from conformance.client.check_context import Story
+from conformance.client.check_context import CheckContext
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
@@ -11,47 +11,51 @@ from conformance.verdicts.expect import SetUpFailed
 _BENCHMARKS_SUBMITTED = 4
 
 
-def offered(story: Story) -> list[dict[str, Any]]:
+def read_benchmarks(context: CheckContext) -> list[dict[str, Any]]:
     """List the benchmarks."""
-    answer = story.given(lambda: story.call("list_benchmarks"), 200, "list_benchmarks")
+    answer = context.require(
+        lambda: context.call("list_benchmarks"), 200, "list_benchmarks"
+    )
     benchmarks: list[dict[str, Any]] = answer["benchmarks"]
     return benchmarks
 
 
 @requirement("BEN-001")
-def test_ben_001_calibration_is_listed(story: Story) -> None:
+def test_ben_001_calibration_is_listed(context: CheckContext) -> None:
     """We list the benchmarks. Expect `calibration`, once."""
-    listed = expect.ok(story.call("list_benchmarks"))["benchmarks"]
+    listed = expect.ok(context.call("list_benchmarks"))["benchmarks"]
     ids = [benchmark["benchmark_id"] for benchmark in listed]
     expect.equal(ids.count("calibration"), 1, "entries named `calibration`")
 
 
 @requirement("BEN-002")
-def test_ben_002_cannot_get_an_unknown_benchmark(story: Story) -> None:
+def test_ben_002_cannot_get_an_unknown_benchmark(context: CheckContext) -> None:
     """An id that nobody offers, then one that is. Expect `not_found`, then it."""
-    unknown = story.call("get_benchmark", benchmark_id="no_such_benchmark")
+    unknown = context.call("get_benchmark", benchmark_id="no_such_benchmark")
     expect.refused(unknown, "not_found")
-    known = expect.ok(story.call("get_benchmark", benchmark_id="calibration"))
+    known = expect.ok(context.call("get_benchmark", benchmark_id="calibration"))
     expect.equal(known["benchmark_id"], "calibration", "benchmark_id")
 
 
 @requirement("BEN-003")
-def test_ben_003_manifest_hash_is_the_same_everywhere(story: Story) -> None:
+def test_ben_003_manifest_hash_is_the_same_everywhere(context: CheckContext) -> None:
     """Benchmarks are listed, read, and submitted without options.
 
     Expect one and the same hash of the manifest.
     """
-    for listed in offered(story)[:_BENCHMARKS_SUBMITTED]:
-        benchmark_id, told = listed["benchmark_id"], listed["manifest_sha256"]
-        ask = partial(story.call, "get_benchmark", benchmark_id=benchmark_id)
-        read = story.given(ask, 200, f"get_benchmark of {benchmark_id}")
+    for listed in read_benchmarks(context)[:_BENCHMARKS_SUBMITTED]:
+        benchmark_id, listed_sha256 = listed["benchmark_id"], listed["manifest_sha256"]
+        get_benchmark = partial(
+            context.call, "get_benchmark", benchmark_id=benchmark_id
+        )
+        read = context.require(get_benchmark, 200, f"get_benchmark of {benchmark_id}")
         what = f"manifest_sha256 of {benchmark_id}"
-        expect.equal(read["manifest_sha256"], told, what)
+        expect.equal(read["manifest_sha256"], listed_sha256, what)
         if read["unavailable_reason"] is not None:
             continue
-        body = story.submit_body(benchmark_id=benchmark_id)
-        answer = story.call("submit_run", json=body)
+        body = context.submit_body(benchmark_id=benchmark_id)
+        answer = context.call("submit_run", json=body)
         if answer.status != 201:
-            raise SetUpFailed(f"`submit_run` got {expect.told(answer)}")
-        run = story.adopt(answer.json)
-        expect.equal(run.body["manifest_sha256"], told, f"{what} in its run")
+            raise SetUpFailed(f"`submit_run` got {expect.describe_answer(answer)}")
+        run = context.adopt(answer.json)
+        expect.equal(run.body["manifest_sha256"], listed_sha256, f"{what} in its run")

@@ -12,7 +12,7 @@ from typing import Any
 import msgspec
 from PIL import Image
 
-from conformance.client.check_context import Story, Worker
+from conformance.client.check_context import CheckContext, WorkerClient
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
@@ -73,26 +73,28 @@ def blob(data: Any) -> bytes:
     try:
         return base64.b64decode(data, validate=True)
     except (ValueError, TypeError) as error:
-        raise expect.Violation("base64 with padding", expect.shown(data)) from error
+        raise expect.Violation(
+            "base64 with padding", expect.format_value(data)
+        ) from error
 
 
-def echo(story: Story, **options: Any) -> Worker:
+def echo(context: CheckContext, **options: Any) -> WorkerClient:
     """Attach a worker to an episode of the task `echo`."""
-    worker = story.submit("echo", **options).worker()
+    worker = context.submit("echo", **options).worker()
     worker.attach()
     return worker
 
 
 @requirement("ENC-001")
-def test_enc_001_json_is_sent_when_both_are_acceptable(story: Story) -> None:
+def test_enc_001_json_is_sent_when_both_are_acceptable(context: CheckContext) -> None:
     """JSON and MessagePack are acceptable alike, in every order. Expect JSON."""
-    worker = echo(story)
-    bodies = [False, True] if story.speaks_msgpack else [False]
+    worker = echo(context)
+    bodies = [False, True] if context.speaks_msgpack else [False]
     for accept in ACCEPT_BOTH:
         headers = {"Accept": accept}
         for is_msgpack in bodies:
             answer = worker.try_predict(
-                story.action(), msgpack=is_msgpack, headers=headers
+                context.action(), msgpack=is_msgpack, headers=headers
             )
             expect.ok(answer)
             worker.seq += 1
@@ -115,13 +117,13 @@ def structure(value: Any) -> Any:
 
 
 @requirement("ENC-002")
-def test_enc_002_msgpack_has_the_structure_of_json(story: Story) -> None:
+def test_enc_002_msgpack_has_the_structure_of_json(context: CheckContext) -> None:
     """One turn is read in both encodings, with images and tensors.
 
     Expect the same structure, `data` as bin, and no extension types.
     """
-    worker = echo(story)
-    worker.predict(story.action(vector=[0.1] * 8))
+    worker = echo(context)
+    worker.predict(context.action(vector=[0.1] * 8))
     read = [
         worker.try_attach(attach_key=worker.attach_key, headers={"Accept": media_type})
         for media_type in ("application/json", "application/msgpack")
@@ -137,37 +139,37 @@ def test_enc_002_msgpack_has_the_structure_of_json(story: Story) -> None:
     expect.equal(structure(packed), structure(plain), "the turn")
 
 
-def doubles(story: Story) -> list[float]:
+def doubles(context: CheckContext) -> list[float]:
     """Give doubles that are easily damaged, and random ones."""
     chosen = [0.1, -0.0, 1 / 3, 5e-324, 2.0**-1022, 1.7976931348623157e308]
     chosen += [2.0**53 - 1, -(2.0**63), 1e21, 123456789.123456789, -1e-7, 1.0]
     while len(chosen) < 64:
-        (number,) = struct.unpack("<d", story.random.randbytes(8))
+        (number,) = struct.unpack("<d", context.random.randbytes(8))
         if math.isfinite(number):
             chosen.append(number)
     return chosen
 
 
 @requirement("ENC-003")
-def test_enc_003_numbers_come_back_bit_for_bit(story: Story) -> None:
+def test_enc_003_numbers_come_back_bit_for_bit(context: CheckContext) -> None:
     """Sixty-four doubles, eight in every action: tiny, huge, negative zero, random.
 
     Expect every bit of them in the observation, in every encoding; JSON may also write
     negative zero as `-0`.
     """
-    worker = echo(story, max_steps=1000)
-    numbers = doubles(story)
-    encodings = [False, True] if story.speaks_msgpack else [False]
+    worker = echo(context, max_steps=1000)
+    numbers = doubles(context)
+    encodings = [False, True] if context.speaks_msgpack else [False]
     for is_msgpack in encodings:
         for first in range(0, len(numbers), 8):
             sent = numbers[first : first + 8]
-            answer = worker.try_predict(story.action(vector=sent), msgpack=is_msgpack)
+            answer = worker.try_predict(context.action(vector=sent), msgpack=is_msgpack)
             seen = expect.ok(answer)["observation"]["state"]["vector"]
             worker.seq += 1
             bits = [struct.pack("<d", number).hex() for number in (*sent, *seen)]
             expect.equal(bits[8:], bits[:8], f"the bits of {sent}")
     body = {"session_id": worker.session_id, "seq": worker.seq + 1}
-    body["actions"] = [story.action(vector=[-0.0] * 8)]
+    body["actions"] = [context.action(vector=[-0.0] * 8)]
     short = json.dumps(body).replace("-0.0", "-0").encode()
     answer = worker.run.call(
         "predict",
@@ -180,15 +182,15 @@ def test_enc_003_numbers_come_back_bit_for_bit(story: Story) -> None:
 
 
 @requirement("ENC-004")
-def test_enc_004_tensors_arrive_bit_for_bit(story: Story) -> None:
+def test_enc_004_tensors_arrive_bit_for_bit(context: CheckContext) -> None:
     """A worker reads the tensors of every dtype, before and after an action.
 
     Expect the elements of calibration.md, little-endian, in C order.
     """
-    worker = echo(story)
-    turns = [worker.turn, worker.predict(story.action())]
-    if story.speaks_msgpack:
-        turns.append(worker.predict(story.action(), msgpack=True))
+    worker = echo(context)
+    turns = [worker.turn, worker.predict(context.action())]
+    if context.speaks_msgpack:
+        turns.append(worker.predict(context.action(), msgpack=True))
     for turn in turns:
         seen = turn["observation"]["tensors"]
         for name, tensor in tensors():
@@ -200,12 +202,12 @@ def test_enc_004_tensors_arrive_bit_for_bit(story: Story) -> None:
             expect.equal(data.hex(), tensor["data"].hex(), f"data of `{name}`")
 
 
-def image_chosen(story: Story, codec: str, size: dict[str, int]) -> Iterator[Any]:
+def images_of(context: CheckContext, codec: str, size: dict[str, int]) -> Iterator[Any]:
     """Choose a codec and a size; give the images of two turns with their count."""
-    if codec not in story.benchmark["image_codecs"]:
+    if codec not in context.benchmark["image_codecs"]:
         raise NotApplicable(f"the codec {codec} is not offered")
-    worker = echo(story, images={"codec": codec, **size})
-    for turn in (worker.turn, worker.predict(*[story.action()] * 3)):
+    worker = echo(context, images={"codec": codec, **size})
+    for turn in (worker.turn, worker.predict(*[context.action()] * 3)):
         images = turn["observation"]["images"]
         if "pattern" not in images:
             raise SetUpFailed(f"the task `echo` has no image `pattern`: {[*images]}")
@@ -215,7 +217,7 @@ def image_chosen(story: Story, codec: str, size: dict[str, int]) -> Iterator[Any
         yield blob(image["data"]), 0 if turn["seq"] == 0 else 3
 
 
-def decoded(data: bytes, codec: str) -> Image.Image:
+def decode_image(data: bytes, codec: str) -> Image.Image:
     """Decode an image of a codec."""
     try:
         image: Image.Image = Image.open(io.BytesIO(data), formats=[codec.upper()])
@@ -227,10 +229,12 @@ def decoded(data: bytes, codec: str) -> Image.Image:
     return image
 
 
-def judge_images(story: Story, codec: str, read: Callable[[bytes], bytes]) -> None:
+def expect_images(
+    context: CheckContext, codec: str, read: Callable[[bytes], bytes]
+) -> None:
     """Expect the image in every size that is offered."""
-    for size in story.benchmark["image_sizes"][:3]:
-        for data, count in image_chosen(story, codec, size):
+    for size in context.benchmark["image_sizes"][:3]:
+        for data, count in images_of(context, codec, size):
             seen = read(data)
             told = pattern(size["width"], size["height"], count)
             what = f"bytes of the {codec} image, {size}, count {count}"
@@ -240,44 +244,47 @@ def judge_images(story: Story, codec: str, read: Callable[[bytes], bytes]) -> No
 
 
 @requirement("ENC-005")
-def test_enc_005_raw_image_arrives_bit_for_bit(story: Story) -> None:
+def test_enc_005_raw_image_arrives_bit_for_bit(context: CheckContext) -> None:
     """Raw images of every offered size. Expect the pattern of calibration.md."""
-    judge_images(story, "raw", lambda data: data)
+    expect_images(context, "raw", lambda data: data)
 
 
 @requirement("ENC-006")
-def test_enc_006_png_image_decodes_to_the_raw_one(story: Story) -> None:
+def test_enc_006_png_image_decodes_to_the_raw_one(context: CheckContext) -> None:
     """Png images of every offered size. Expect them to decode to the pattern."""
 
     def read(data: bytes) -> bytes:
-        return decoded(data, "png").convert("RGB").tobytes()
+        return decode_image(data, "png").convert("RGB").tobytes()
 
-    judge_images(story, "png", read)
+    expect_images(context, "png", read)
 
 
 @requirement("ENC-007")
-def test_enc_007_jpeg_image_decodes_to_its_size(story: Story) -> None:
+def test_enc_007_jpeg_image_decodes_to_its_size(context: CheckContext) -> None:
     """Jpeg images of every offered size. Expect them to decode to that size."""
-    for size in story.benchmark["image_sizes"][:3]:
-        for data, _ in image_chosen(story, "jpeg", size):
-            seen = decoded(data, "jpeg").size
+    for size in context.benchmark["image_sizes"][:3]:
+        for data, _ in images_of(context, "jpeg", size):
+            seen = decode_image(data, "jpeg").size
             expect.equal(seen, (size["width"], size["height"]), "the decoded size")
 
 
 @requirement("ENC-008")
-def test_enc_008_cannot_send_an_extension_type(story: Story) -> None:
+def test_enc_008_cannot_send_an_extension_type(context: CheckContext) -> None:
     """A value of an application's type, then a timestamp, in a MessagePack body.
 
     Expect `malformed_body` and nothing executed; without them the body is served.
     """
-    worker = story.submit("count").worker()
+    worker = context.submit("count").worker()
     worker.attach()
     for extension in (
         msgspec.msgpack.Ext(5, b"\x00"),
         msgspec.msgpack.Ext(-1, bytes(4)),
     ):
-        for action in (story.action(score=extension), story.action(vector=extension)):
+        for action in (
+            context.action(score=extension),
+            context.action(vector=extension),
+        ):
             answer = worker.try_predict(action, msgpack=True)
             expect.refused(answer, "malformed_body")
-    turn = expect.ok(worker.try_predict(story.action(), msgpack=True))
+    turn = expect.ok(worker.try_predict(context.action(), msgpack=True))
     expect.equal(turn["observation"]["state"]["count"], [1], "count")

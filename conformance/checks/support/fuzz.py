@@ -20,19 +20,19 @@ from schemathesis import GenerationMode
 from schemathesis.config import SchemathesisConfig
 from schemathesis.core.result import Err
 
-from conformance.checks.support.operation_samples import all_operations, send
-from conformance.client.check_context import Story
+from conformance.checks.support.operation_samples import operation_samples, send
+from conformance.client.check_context import CheckContext
 from conformance.client.http_client import Answer, NoAnswer
-from conformance.client.run_client import Worker
+from conformance.client.run_client import WorkerClient
 from conformance.specification.document import JSON, MSGPACK, Operation
-from conformance.verdicts.expect import KitError, Violation, told
+from conformance.verdicts.expect import KitError, Violation, describe_answer
 
 _EXAMPLES = 8
 _HALF = "\\ud800"  # of a pair: JSON can write it, Unicode does not have it
-_NASTY: list[Any] = [None, "", "\0", json.loads(f'"{_HALF}"'), "x" * 5000]
-_NASTY += [-1, 0, 2**64, 1e308, True, [], {}, [[]], {"": None}]
+_EDGE_VALUES: list[Any] = [None, "", "\0", json.loads(f'"{_HALF}"'), "x" * 5000]
+_EDGE_VALUES += [-1, 0, 2**64, 1e308, True, [], {}, [[]], {"": None}]
 _FLIPS = 40
-_DEEP = 0.8
+_EXISTING_IDS_SHARE = 0.8
 _TIMEOUT_S = 10.0
 _SENDABLE = re.compile(r"[\x21-\x7e]([\x20-\x7e]*[\x21-\x7e])?")
 # What the client library adds or HTTP itself reads; ours are right already.
@@ -48,22 +48,22 @@ class _OutOfTime(Exception):
     """Enough was tried."""
 
 
-def fuzz_operations(worker: Worker, until: float) -> None:
+def fuzz_operations(worker: WorkerClient, until: float) -> None:
     """Try every operation until the time is over."""
-    for operation_id, how in all_operations(worker):
-        for body in _nasty_bodies(how.get("json")):
+    for operation_id, how in operation_samples(worker):
+        for body in _edge_value_bodies(how.get("json")):
             if operation_id == "submit_run" and _HALF in json.dumps(body):
                 continue  # a server may keep the name, and show it in every list
             answer = send(worker.run, (operation_id, how | {"json": body}))
             _expect_no_server_error(answer)
-    for spoilt, media_type in _flipped_bodies(worker):
+    for corrupted, media_type in _flipped_bodies(worker):
         headers = {"Content-Type": media_type}
         answer = worker.run.call(
-            "predict", worker_id=worker.id, content=spoilt, headers=headers
+            "predict", worker_id=worker.id, content=corrupted, headers=headers
         )
         _expect_no_server_error(answer)
     schema = schemathesis.openapi.from_dict(
-        dict(worker.run.story.spec.document),
+        dict(worker.run.context.spec.document),
         # A schemathesis.toml of the operator must not change a verdict.
         config=SchemathesisConfig.from_dict({}),
     )
@@ -81,23 +81,23 @@ def _expect_no_server_error(answer: Answer) -> None:
     if answer.status >= 500 and answer.status != 503:
         raise Violation(
             "no status of 500 or above except 503",
-            told(answer),
+            describe_answer(answer),
             answer.exchange,
             is_alone=True,
         )
 
 
 def _try_operation(
-    worker: Worker, described: Any, mode: GenerationMode, until: float
+    worker: WorkerClient, described: Any, mode: GenerationMode, until: float
 ) -> None:
     """Let Hypothesis generate requests, and shrink the one that breaks the server."""
-    story = worker.run.story
-    operation = story.spec.operations[described.definition.raw["operationId"]]
-    if not story.offers(operation.profile):
+    context = worker.run.context
+    operation = context.spec.operations[described.definition.raw["operationId"]]
+    if not context.offers(operation.profile):
         return
     found: list[Violation] = []
 
-    @hypothesis.seed(story.context.settings.seed)
+    @hypothesis.seed(context.shared.settings.seed)
     @hypothesis.settings(
         max_examples=_EXAMPLES,
         deadline=None,
@@ -110,7 +110,7 @@ def _try_operation(
         if time.monotonic() > until or any(isinstance(v, NoAnswer) for v in found):
             return
         try:
-            answer = _send(story, worker, operation, case)
+            answer = _send(context, worker, operation, case)
             if answer is not None:
                 _expect_no_server_error(answer)
         except Violation as violation:
@@ -128,11 +128,11 @@ def _try_operation(
 
 
 def _send(
-    story: Story, worker: Worker, operation: Operation, case: Any
+    context: CheckContext, worker: WorkerClient, operation: Operation, case: Any
 ) -> Answer | None:
     """Send a generated request; None if HTTP itself cannot carry it."""
-    if story.random.random() < _DEEP:
-        _lead_deeper(worker, case)
+    if context.random.random() < _EXISTING_IDS_SHARE:
+        _use_existing_ids(worker, case)
     made = case.as_transport_kwargs(base_url=worker.run.base_url_of(operation))
     headers = {
         name: value
@@ -143,7 +143,7 @@ def _send(
     if not made["url"].isprintable():
         return None
     try:
-        answer = story.wire.request(
+        answer = context.http_client.request(
             made["method"],
             made["url"],
             content=_body(made),
@@ -155,7 +155,7 @@ def _send(
     except httpx.LocalProtocolError:
         return None
     if operation.operation_id == "submit_run" and answer.status == 201:
-        story.adopt(answer.json)
+        context.adopt(answer.json)
     return answer
 
 
@@ -171,7 +171,7 @@ def _shorten_long_poll(headers: dict[str, Any]) -> None:
             headers[name] = "wait=0"
 
 
-def _lead_deeper(worker: Worker, case: Any) -> None:
+def _use_existing_ids(worker: WorkerClient, case: Any) -> None:
     """Put ids that exist in the place of ids that do not, and speak our version."""
     real = {"run_id": worker.run.id, "worker_id": worker.id}
     real |= {"benchmark_id": "calibration", "session_id": worker.session_id}
@@ -191,31 +191,31 @@ def _body(made: dict[str, Any]) -> bytes | None:
     return data if isinstance(data, bytes) else None
 
 
-def _nasty_bodies(body: Any) -> Iterator[Any]:
+def _edge_value_bodies(body: Any) -> Iterator[Any]:
     """Give a body with every value replaced and every member left out, in turn."""
     if isinstance(body, dict):
         for name, value in body.items():
             yield {key: body[key] for key in body if key != name}
-            for nasty in [*_NASTY, *_nasty_bodies(value)]:
-                yield body | {name: nasty}
+            for edge_value in [*_EDGE_VALUES, *_edge_value_bodies(value)]:
+                yield body | {name: edge_value}
     elif isinstance(body, list):
         for index, value in enumerate(body[:1]):
-            for nasty in [*_NASTY, *_nasty_bodies(value)]:
-                yield [*body[:index], nasty, *body[index + 1 :]]
+            for edge_value in [*_EDGE_VALUES, *_edge_value_bodies(value)]:
+                yield [*body[:index], edge_value, *body[index + 1 :]]
 
 
-def _flipped_bodies(worker: Worker) -> Iterator[tuple[bytes, str]]:
+def _flipped_bodies(worker: WorkerClient) -> Iterator[tuple[bytes, str]]:
     """Give bodies of predict in which some bytes are wrong."""
-    story = worker.run.story
-    body = {"session_id": worker.session_id, "seq": 2, "actions": [story.action()]}
+    context = worker.run.context
+    body = {"session_id": worker.session_id, "seq": 2, "actions": [context.action()]}
     encodings = [(json.dumps(body).encode(), JSON)]
-    if story.speaks_msgpack:
+    if context.speaks_msgpack:
         encodings.append((msgspec.msgpack.encode(body), MSGPACK))
     for whole, media_type in encodings:
         for _ in range(_FLIPS):
-            spoilt = bytearray(whole)
-            for _ in range(story.random.randint(1, 4)):
-                spoilt[story.random.randrange(len(spoilt))] = story.random.randrange(
-                    256
+            corrupted = bytearray(whole)
+            for _ in range(context.random.randint(1, 4)):
+                corrupted[context.random.randrange(len(corrupted))] = (
+                    context.random.randrange(256)
                 )
-            yield bytes(spoilt), media_type
+            yield bytes(corrupted), media_type

@@ -9,7 +9,7 @@ import hypothesis
 from hypothesis.errors import Flaky
 from hypothesis.strategies import SearchStrategy
 
-from conformance.client.check_context import Story
+from conformance.client.check_context import CheckContext
 from conformance.client.exchange_log import Exchange
 from conformance.verdicts.expect import (
     Inconclusive,
@@ -20,13 +20,13 @@ from conformance.verdicts.expect import (
 
 Example = TypeVar("Example")
 _SHRINK_S = 10.0
-_NOT_THE_LAW = (SetUpFailed, Inconclusive, NotApplicable)
+_NOT_VIOLATIONS = (SetUpFailed, Inconclusive, NotApplicable)
 
 
 def for_all(
-    story: Story,
+    context: CheckContext,
     examples: SearchStrategy[Example],
-    law: Callable[[Example], None],
+    check_property: Callable[[Example], None],
     times: int,
     shrink_s: float = _SHRINK_S,
 ) -> None:
@@ -38,23 +38,23 @@ def for_all(
     ended: list[Exception] = []
     broken: list[tuple[Violation, list[Exchange]]] = []
     shrink_until = math.inf
-    journal = story.journal
-    before = list(journal.exchanges)
+    exchange_log = context.exchange_log
+    before = list(exchange_log.exchanges)
 
-    def judge(example: Example) -> None:
+    def judge_example(example: Example) -> None:
         nonlocal shrink_until
         if ended or time.monotonic() > shrink_until:
             return
-        journal.exchanges[:] = before
+        exchange_log.exchanges[:] = before
         try:
-            law(example)
-        except _NOT_THE_LAW as error:
+            check_property(example)
+        except _NOT_VIOLATIONS as error:
             ended.append(error)
         except Violation as error:
             text = f"{error.expected}, for the example {example}"
             smaller = Violation(text, error.observed, error.exchange)
-            broken.append((smaller, list(journal.exchanges)))
-            story.tidy_up()  # there may be many examples before the smallest
+            broken.append((smaller, list(exchange_log.exchanges)))
+            context.tidy_up()  # there may be many examples before the smallest
             shrink_until = min(shrink_until, time.monotonic() + shrink_s)
             raise smaller from error
 
@@ -66,12 +66,12 @@ def for_all(
         report_multiple_bugs=False,
         suppress_health_check=list(hypothesis.HealthCheck),
     )
-    seeded = hypothesis.seed(story.context.settings.seed)
+    seeded = hypothesis.seed(context.shared.settings.seed)
     try:
-        seeded(search(hypothesis.given(examples)(judge)))()
+        seeded(search(hypothesis.given(examples)(judge_example)))()
     except (Violation, Flaky):
         # Flaky: it broke, and then it did not: a race, or no time was left to shrink.
-        violation, journal.exchanges[:] = broken[-1]
+        violation, exchange_log.exchanges[:] = broken[-1]
         raise violation from None
     if ended:
         raise ended[0]

@@ -1,51 +1,51 @@
 """Scenes that several checks begin with, and small looks at what they see.
 
 Everything here is set-up: it raises SetUpFailed or NotApplicable and never says that
-a rule was broken, except `points_into`, which completes `expect.refused`.
+a rule was broken, except `expect_pointer`, which completes `expect.refused`.
 """
 
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from conformance.client.check_context import Run, Story, Worker
+from conformance.client.check_context import CheckContext, RunClient, WorkerClient
 from conformance.client.http_client import Answer
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
 # Differs between two equal histories: when, how fast, and how often it was tried.
-HISTORY = ("episode_id", "attempt", "faults", "think_s", "finished_at")
+VOLATILE_RESULT_MEMBERS = ("episode_id", "attempt", "faults", "think_s", "finished_at")
 
 
-def not_for_the_state(answer: Answer) -> Answer:
+def require_not_state_refusal(answer: Answer) -> Answer:
     """Go on only if it was not the run's state that refused; LIFE judges states."""
     if answer.code == "illegal_transition":
         raise SetUpFailed("the state of the run refused it; see the rows LIFE-...")
     return answer
 
 
-def not_for_the_seq(answer: Answer) -> Answer:
+def require_not_seq_refusal(answer: Answer) -> Answer:
     """Go on only if seq was right; PRED-004 and PRED-024 judge how it is counted."""
     if answer.code in ("seq_conflict", "seq_out_of_order"):
         raise SetUpFailed("the server counts seq otherwise; see PRED-004, PRED-024")
     return answer
 
 
-def took_its_time(answer: Answer, delay_s: float) -> None:
+def require_duration(answer: Answer, delay_s: float) -> None:
     """Go on only if a step took the time that its action asked for."""
     if answer.elapsed_s < delay_s:
         text = f"a step of {delay_s:g} s took {answer.elapsed_s:.3f} s; see CAL-004"
         raise SetUpFailed(text)
 
 
-def needs_workers(story: Story, workers: int) -> None:
+def require_worker_limit(context: CheckContext, workers: int) -> None:
     """Go on only if a run may have so many live workers."""
-    if story.limits["max_workers"] < workers:
+    if context.limits["max_workers"] < workers:
         raise NotApplicable(f"the server allows no {workers} live workers in a run")
 
 
-def attached(run: Run, workers: int) -> list[Worker]:
+def attach_workers(run: RunClient, workers: int) -> list[WorkerClient]:
     """Attach some workers, one after another, each to an episode of its own."""
-    needs_workers(run.story, workers)
+    require_worker_limit(run.context, workers)
     crew = [run.worker() for _ in range(workers)]
     held = [worker.attach()["episode"]["index"] for worker in crew]
     if len(set(held)) < workers:
@@ -53,13 +53,13 @@ def attached(run: Run, workers: int) -> list[Worker]:
     return crew
 
 
-def index_of(worker: Worker) -> int:
+def index_of(worker: WorkerClient) -> int:
     """Position in the manifest of the episode that the worker plays."""
     index: int = worker.turn["episode"]["index"]
     return index
 
 
-def detached(worker: Worker) -> None:
+def detach_only_worker(worker: WorkerClient) -> None:
     """Detach the only live worker of a run, and see that it is gone."""
     worker.detach()
     live = worker.run.get()["live_workers"]
@@ -67,15 +67,17 @@ def detached(worker: Worker) -> None:
         raise SetUpFailed(f"the detached worker is still live ({live}); see DET-001")
 
 
-def draining(run: Run) -> None:
+def start_drain(run: RunClient) -> None:
     """Let the run drain."""
     run.stop("drain")
-    _seen(run, "stopping")
+    _require_state(run, "stopping")
 
 
-def playing(story: Story, *tasks: str, **options: Any) -> Worker:
+def submit_and_attach(
+    context: CheckContext, *tasks: str, **options: Any
+) -> WorkerClient:
     """Attach the only worker of a fresh run."""
-    worker = story.submit(*tasks, **options).worker()
+    worker = context.submit(*tasks, **options).worker()
     worker.attach()
     return worker
 
@@ -91,12 +93,12 @@ def without(body: Mapping[str, Any], *members: str) -> dict[str, Any]:
     return {name: value for name, value in body.items() if name not in members}
 
 
-def results(run: Run) -> list[dict[str, Any] | None]:
+def results(run: RunClient) -> list[dict[str, Any] | None]:
     """Results by manifest order; None for an episode without one."""
     return [episode.get("result") for episode in run.episodes()]
 
 
-def points_into(problem: Mapping[str, Any], *pointers: str) -> None:
+def expect_pointer(problem: Mapping[str, Any], *pointers: str) -> None:
     """Expect an entry of `errors` at one of the pointers or below it."""
     found = [str(item.get("pointer")) for item in problem["errors"]]
     expect.true(
@@ -106,82 +108,82 @@ def points_into(problem: Mapping[str, Any], *pointers: str) -> None:
     )
 
 
-def fail(run: Run, fault: float = 1) -> None:
+def fail_run(run: RunClient, fault: float = 1) -> None:
     """Break the simulator of a `fault` episode in the turn that fails the run."""
     worker = run.worker()
     worker.attach()
-    worker.try_predict(run.story.action(fault=fault))  # its answer is FAULT-006
+    worker.try_predict(run.context.action(fault=fault))  # its answer is FAULT-006
     run.until("failed")
 
 
-def run_in(story: Story, state: str, **options: Any) -> Run:
+def make_run_in_state(context: CheckContext, state: str, **options: Any) -> RunClient:
     """Bring a fresh run into a state."""
-    run = _SCENES[state](story, options)
-    return _seen(run, state.partition(" ")[0])
+    run = _MAKERS_BY_STATE[state](context, options)
+    return _require_state(run, state.partition(" ")[0])
 
 
-def _seen(run: Run, state: str) -> Run:
+def _require_state(run: RunClient, state: str) -> RunClient:
     now = run.get()["state"]
     if now != state:
         raise SetUpFailed(f"the run should be `{state}` now; it is `{now}`")
     return run
 
 
-def _queued(story: Story, options: dict[str, Any]) -> Run:
-    return story.submit("score", wait_ready=False, **({"queue_s": 10} | options))
+def _make_queued(context: CheckContext, options: dict[str, Any]) -> RunClient:
+    return context.submit("score", wait_ready=False, **({"queue_s": 10} | options))
 
 
-def _ready(story: Story, options: dict[str, Any]) -> Run:
-    return story.submit("score", **options)
+def _make_ready(context: CheckContext, options: dict[str, Any]) -> RunClient:
+    return context.submit("score", **options)
 
 
-def _running(story: Story, options: dict[str, Any]) -> Run:
-    run = story.submit("count", "count", "count", **options)
-    resident = run.worker("resident")
-    resident.attach()
-    resident.predict(story.action())
+def _make_running(context: CheckContext, options: dict[str, Any]) -> RunClient:
+    run = context.submit("count", "count", "count", **options)
+    busy_worker = run.worker("busy_worker")
+    busy_worker.attach()
+    busy_worker.predict(context.action())
     return run
 
 
-def _stopping(story: Story, options: dict[str, Any]) -> Run:
-    run = _running(story, options)
+def _make_stopping(context: CheckContext, options: dict[str, Any]) -> RunClient:
+    run = _make_running(context, options)
     run.stop("drain")
     return run
 
 
-def _stopped(story: Story, options: dict[str, Any]) -> Run:
-    run = _queued(story, options)
+def _make_stopped(context: CheckContext, options: dict[str, Any]) -> RunClient:
+    run = _make_queued(context, options)
     run.stop()
     return run
 
 
-def _failed(story: Story, options: dict[str, Any]) -> Run:
-    run = story.submit("fault", max_faults=1, **options)
-    fail(run)
+def _make_failed(context: CheckContext, options: dict[str, Any]) -> RunClient:
+    run = context.submit("fault", max_faults=1, **options)
+    fail_run(run)
     return run
 
 
-def _failed_for_good(story: Story, options: dict[str, Any]) -> Run:
-    run = story.submit("fault", **options)
-    fail(run, fault=2)
+def _make_failed_for_good(context: CheckContext, options: dict[str, Any]) -> RunClient:
+    run = context.submit("fault", **options)
+    fail_run(run, fault=2)
     return run
 
 
-def _completed(story: Story, options: dict[str, Any]) -> Run:
-    run = story.submit("score", **options)
+def _make_completed(context: CheckContext, options: dict[str, Any]) -> RunClient:
+    run = context.submit("score", **options)
     worker = run.worker()
     worker.attach()
     worker.play()
     return run
 
 
-_SCENES: dict[str, Callable[[Story, dict[str, Any]], Run]] = {
-    "queued": _queued,
-    "ready": _ready,
-    "running": _running,
-    "stopping": _stopping,
-    "stopped": _stopped,
-    "failed": _failed,
-    "failed not_retryable": _failed_for_good,
-    "completed": _completed,
+_MAKERS_BY_STATE: dict[str, Callable[[CheckContext, dict[str, Any]], RunClient]] = {
+    "queued": _make_queued,
+    "ready": _make_ready,
+    "running": _make_running,
+    "stopping": _make_stopping,
+    "stopped": _make_stopped,
+    "failed": _make_failed,
+    "failed not_retryable": _make_failed_for_good,
+    "completed": _make_completed,
 }

@@ -26,32 +26,32 @@ WRONG_TYPES: dict[tuple[str, str], list[Any]] = {
 }
 
 
-def replaced(body: Any, pointer: str, value: Any) -> Any:
+def replace_at(body: Any, pointer: str, value: Any) -> Any:
     """Put a value where a pointer points."""
     head, _, rest = pointer[1:].partition("/")
     if isinstance(body, list):
-        inner = replaced(body[int(head)], f"/{rest}", value) if rest else value
+        inner = replace_at(body[int(head)], f"/{rest}", value) if rest else value
         return [*body[: int(head)], inner, *body[int(head) + 1 :]]
     if rest:
-        value = replaced(body[head], f"/{rest}", value)
+        value = replace_at(body[head], f"/{rest}", value)
     return body | {head: value}
 
 
-def with_surprises(body: Any, path: str) -> Iterator[tuple[str, Any]]:
+def with_unknown_members(body: Any, path: str) -> Iterator[tuple[str, Any]]:
     """Put an unknown member into every object whose members are closed."""
     if isinstance(body, dict):
         if not path.endswith("/values"):
             yield path, body | {"surprise": 1}
         for name, value in body.items():
-            for where, inner in with_surprises(value, f"{path}/{name}"):
+            for where, inner in with_unknown_members(value, f"{path}/{name}"):
                 yield where, body | {name: inner}
     elif isinstance(body, list):
         for index, value in enumerate(body):
-            for where, inner in with_surprises(value, f"{path}/{index}"):
+            for where, inner in with_unknown_members(value, f"{path}/{index}"):
                 yield where, [*body[:index], inner, *body[index + 1 :]]
 
 
-def padded(body: dict[str, Any], size: int) -> Iterator[bytes]:
+def pad_body(body: dict[str, Any], size: int) -> Iterator[bytes]:
     """Give a JSON body that is made as large as wanted by blanks at its end."""
     text = json.dumps(body).encode()
     yield text
@@ -70,12 +70,12 @@ _NO_TEXT = (rb'"\ud83d"', rb'"\udd16\ud83d"', b'"\xed\xa0\xbd"', b'"\xff"')
 _NO_DOUBLES = (b"1e999", b"-1e999")
 
 
-def beyond_json(operation_id: str, how: dict[str, Any]) -> Iterator[bytes]:
+def unrepresentable_json(operation_id: str, how: dict[str, Any]) -> Iterator[bytes]:
     """Give bodies that keep JSON's grammar, with text and numbers that cannot be."""
     if operation_id not in _PLACES:
         return
     text, number = _PLACES[operation_id]
     for pointer, wrongs in ((text, _NO_TEXT), (number, _NO_DOUBLES)):
-        whole = json.dumps(replaced(how["json"], pointer, "HERE")).encode()
+        whole = json.dumps(replace_at(how["json"], pointer, "HERE")).encode()
         for wrong in wrongs:
             yield whole.replace(b'"HERE"', wrong)

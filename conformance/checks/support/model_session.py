@@ -11,29 +11,29 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from conformance.client.check_context import Run, Story
+from conformance.client.check_context import CheckContext, RunClient
 from conformance.client.http_client import Answer
-from conformance.oracle.allowed_answers import Deviation, Models, advance
+from conformance.oracle.allowed_answers import Deviation, PossibleRuns, advance
 from conformance.oracle.expected_score import expected_score, is_close
-from conformance.oracle.linearizability import Exchanged, parts
+from conformance.oracle.linearizability import TimedExchange, split_command
 from conformance.oracle.run_model import (
+    AnswerSummary,
     Attach,
     Detach,
-    Episode,
+    EpisodeModel,
     Heartbeat,
-    Model,
     Predict,
     Read,
     ReadEpisodes,
     Request,
     Resume,
     Rules,
-    Seen,
+    RunModel,
     Step,
     Stop,
 )
 from conformance.verdicts import expect
-from conformance.verdicts.expect import Violation, told
+from conformance.verdicts.expect import Violation, describe_answer
 
 EPISODES, MAX_STEPS, MAX_ATTEMPTS, MAX_WORKERS = 3, 6, 2, 2
 # Sums of these are exact, in whatever order a server adds them.
@@ -45,15 +45,21 @@ STEPS = [
     Step(1.0, success=1, end=1),
     Step(0.75, end=1),
 ]
-NEW, AGAIN, TAKEOVER = "attach", "attach again", "take over"
-NEXT, REPEAT, OTHER, SKIP, OLD = "next", "repeat", "repeat otherwise", "skip", "old"
+ATTACH, ATTACH_AGAIN, TAKEOVER = "attach", "attach again", "take over"
+NEXT_SEQ, REPEAT, REPEAT_CHANGED, SKIPPED_SEQ, OLD_SEQ = (
+    "next",
+    "repeat",
+    "repeat otherwise",
+    "skip",
+    "old",
+)
 RESTART = "abort and resume"
-ON_THE_RUN = ("abort", "drain", "resume", RESTART)
-AHEAD = {NEXT: 1, REPEAT: 0, OTHER: 0, SKIP: 2, OLD: -1}
+RUN_COMMANDS = ("abort", "drain", "resume", RESTART)
+SEQ_OFFSETS = {NEXT_SEQ: 1, REPEAT: 0, REPEAT_CHANGED: 0, SKIPPED_SEQ: 2, OLD_SEQ: -1}
 
 
 @dataclass(frozen=True)
-class Command:
+class ClientCommand:
     """What client number `client` wants with a worker, or with the run."""
 
     client: int
@@ -72,15 +78,15 @@ class Command:
 
 def commands(
     clients: int, workers: str, kinds: list[str]
-) -> st.SearchStrategy[Command]:
+) -> st.SearchStrategy[ClientCommand]:
     """Draw a command; kinds that stand twice are drawn twice as often."""
     chunk = st.lists(st.sampled_from(STEPS), min_size=1, max_size=3).map(tuple)
     return st.builds(
-        lambda client, kind, worker, steps: Command(
+        lambda client, kind, worker, steps: ClientCommand(
             client,
             kind,
-            "" if kind in ON_THE_RUN else worker,
-            steps if kind in (NEXT, OTHER, SKIP, OLD) else (),
+            "" if kind in RUN_COMMANDS else worker,
+            steps if kind in (NEXT_SEQ, REPEAT_CHANGED, SKIPPED_SEQ, OLD_SEQ) else (),
         ),
         st.integers(0, clients - 1),
         st.sampled_from(kinds),
@@ -90,7 +96,7 @@ def commands(
 
 
 @dataclass
-class Handle:
+class SessionHandle:
     """What a client knows of its session of one worker."""
 
     session: str
@@ -99,7 +105,7 @@ class Handle:
     steps: tuple[Step, ...] = ()
 
 
-def _of_session(command: Command, handle: Handle) -> Request | None:
+def _of_session(command: ClientCommand, handle: SessionHandle) -> Request | None:
     """Give the request of a client that has a session."""
     match command.kind:
         case "attach again":
@@ -108,7 +114,7 @@ def _of_session(command: Command, handle: Handle) -> Request | None:
             return Heartbeat(command.worker, handle.session)
         case "detach":
             return Detach(command.worker, handle.session)
-    seq = handle.seq + AHEAD[command.kind]
+    seq = handle.seq + SEQ_OFFSETS[command.kind]
     steps = handle.steps if command.kind == REPEAT else command.steps
     if seq < 1 or not steps:
         return None
@@ -116,19 +122,19 @@ def _of_session(command: Command, handle: Handle) -> Request | None:
 
 
 @dataclass
-class Client:
+class ModelClient:
     """One client with its sessions; `keys` counts the attach keys it made up."""
 
     number: int
-    handles: dict[str, Handle] = field(default_factory=dict)
+    handles: dict[str, SessionHandle] = field(default_factory=dict)
     keys: int = 0
 
-    def request(self, command: Command) -> Request | None:
+    def request(self, command: ClientCommand) -> Request | None:
         """Give the request that carries a command out now, if there is one."""
         handle = self.handles.get(command.worker)
         kind = command.kind
         if handle is None and command.worker and kind != TAKEOVER:
-            kind = NEW
+            kind = ATTACH
         match kind:
             case "abort" | "drain":
                 return Stop(kind)
@@ -148,84 +154,94 @@ class Client:
             session = str(answer.json.get("session_id"))
             known = self.handles.get(request.worker)
             if known is None or known.session != session:
-                self.handles[request.worker] = Handle(session, request.key)
+                self.handles[request.worker] = SessionHandle(session, request.key)
         elif isinstance(request, Predict):
             handle = self.handles[request.worker]
             handle.seq, handle.steps = request.seq, request.steps
 
 
-class Tale:
+class ModelledRun:
     """A fresh run, its clients, and what the model says of it so far."""
 
-    def __init__(self, story: Story, clients: int) -> None:
-        workers = min(MAX_WORKERS, story.limits["max_workers"])
-        self.story = story
-        self.run = story.submit(
+    def __init__(self, context: CheckContext, clients: int) -> None:
+        workers = min(MAX_WORKERS, context.limits["max_workers"])
+        self.context = context
+        self.run = context.submit(
             *["score"] * EPISODES,
             max_steps=MAX_STEPS,
             max_attempts=MAX_ATTEMPTS,
             max_workers=workers,
         )
         self.rules = Rules.of(
-            story.spec.lifecycle,
+            context.spec.lifecycle,
             max_workers=workers,
             max_steps=MAX_STEPS,
             max_attempts=MAX_ATTEMPTS,
         )
-        self.models: Models = frozenset({Model("ready", (Episode(),) * EPISODES)})
-        self.clients = [Client(number) for number in range(clients)]
+        self.models: PossibleRuns = frozenset(
+            {RunModel("ready", (EpisodeModel(),) * EPISODES)}
+        )
+        self.clients = [ModelClient(number) for number in range(clients)]
 
-    def send(self, request: Request) -> tuple[Answer, Seen]:
+    def send(self, request: Request) -> tuple[Answer, AnswerSummary]:
         """Send a request."""
         answer = send(self.run, request)
-        return answer, Seen(answer.status, answer.code, answer.json)
+        return answer, AnswerSummary(answer.status, answer.code, answer.json)
 
-    def do(self, command: Command) -> None:
+    def execute(self, command: ClientCommand) -> None:
         """Carry a command out and judge the answer."""
         if command.kind == RESTART:
-            self.do(replace(command, kind="abort"))
-            self.do(replace(command, kind="resume"))
+            self.execute(replace(command, kind="abort"))
+            self.execute(replace(command, kind="resume"))
             return
         client = self.clients[command.client]
         request = client.request(command)
         if request is None:
             return
-        answer, seen = self.send(request)
-        self.judge(request, seen, f"{command}", answer)
+        answer, summary = self.send(request)
+        self.expect_allowed(request, summary, f"{command}", answer)
         client.learn(request, answer)
         if isinstance(request, Resume) and any(
             m.state == "queued" for m in self.models
         ):
             self.run.until("ready")
 
-    def judge(
-        self, request: Request, seen: Seen, what: str, answer: Answer | None = None
+    def expect_allowed(
+        self,
+        request: Request,
+        summary: AnswerSummary,
+        what: str,
+        answer: Answer | None = None,
     ) -> None:
         """Expect an answer that the rules allow."""
-        for part in parts(request, seen):
+        for part in split_command(request, summary):
             try:
-                self.models = advance(self.rules, self.models, part, seen)
+                self.models = advance(self.rules, self.models, part, summary)
             except Deviation as deviation:
-                observed = told(answer) if answer else expect.shown(seen.body)
+                observed = (
+                    describe_answer(answer)
+                    if answer
+                    else expect.format_value(summary.body)
+                )
                 raise Violation(
                     f"{deviation.expected}, as the answer to {what}",
                     observed,
                     answer.exchange if answer else None,
                 ) from None
 
-    def look(self) -> None:
+    def expect_state_of_model(self) -> None:
         """Expect the run, its episodes and its score to be as the model says."""
         for request in (Read(), ReadEpisodes()):
-            self.judge(request, self.read(request), type(request).__name__)
-        self.look_at_score()
+            self.expect_allowed(request, self.read(request), type(request).__name__)
+        self.expect_score_of_model()
 
-    def read(self, request: Request) -> Seen:
+    def read(self, request: Request) -> AnswerSummary:
         """Read the run or its episodes."""
         if isinstance(request, Read):
-            return Seen(200, None, self.run.get())
-        return Seen(200, None, self.run.episodes())
+            return AnswerSummary(200, None, self.run.get())
+        return AnswerSummary(200, None, self.run.episodes())
 
-    def look_at_score(self) -> None:
+    def expect_score_of_model(self) -> None:
         """Expect the score of the episodes that the model has (SCORE-…)."""
         score = self.run.score()
         wrong: list[str] = []
@@ -239,24 +255,28 @@ class Tale:
             wrong = [n for n in names if not is_close(score[n], due[n])]
             if not wrong and score["complete"] == due["complete"]:
                 return
-        raise Violation(f"the score of its episodes in {wrong}", expect.shown(score))
+        raise Violation(
+            f"the score of its episodes in {wrong}", expect.format_value(score)
+        )
 
-    def exchanged(self, client: Client, command: Command) -> Exchanged | None:
+    def send_timed(
+        self, client: ModelClient, command: ClientCommand
+    ) -> TimedExchange | None:
         """Carry a command out beside others; it is judged with them later."""
         request = client.request(command)
         if request is None:
             return None
-        answer, seen = self.send(request)
+        answer, summary = self.send(request)
         client.learn(request, answer)
-        return Exchanged(request, seen, answer.started_at, answer.ended_at)
+        return TimedExchange(request, summary, answer.started_at, answer.ended_at)
 
-    def looked(self, request: Request) -> Exchanged:
+    def read_timed(self, request: Request) -> TimedExchange:
         """Read the run or its episodes when all others have their answers."""
         started_at = time.monotonic()
-        seen = self.read(request)
-        return Exchanged(request, seen, started_at, time.monotonic())
+        summary = self.read(request)
+        return TimedExchange(request, summary, started_at, time.monotonic())
 
-    def copies(self, count: int) -> list[Client]:
+    def copy_first_client(self, count: int) -> list[ModelClient]:
         """Give each thread a client of its own that knows what the first one knows."""
         return [
             replace(copy.deepcopy(self.clients[0]), number=number)
@@ -264,21 +284,21 @@ class Tale:
         ]
 
 
-def send(run: Run, request: Request) -> Answer:
+def send(run: RunClient, request: Request) -> Answer:
     """Put a request on the wire."""
-    operation, how = _on_the_wire(request)
+    operation, how = _http_request(request)
     if isinstance(request, Attach | Predict | Heartbeat | Detach):
         how["worker_id"] = request.worker
     return run.call(operation, **how)
 
 
-def _on_the_wire(request: Request) -> tuple[str, dict[str, Any]]:
+def _http_request(request: Request) -> tuple[str, dict[str, Any]]:
     match request:
         case Attach():
             takeover = {"takeover": True} if request.takeover else {}
             return "attach_worker", {"json": {"attach_key": request.key, **takeover}}
         case Predict():
-            actions = [Story.action(**asdict(step)) for step in request.steps]
+            actions = [CheckContext.action(**asdict(step)) for step in request.steps]
             body = {"seq": request.seq, "actions": actions}
             return "predict", {"json": {"session_id": request.session, **body}}
         case Heartbeat():

@@ -6,12 +6,12 @@ The order is such that all can be sent one after another on the same live run.
 from collections.abc import Iterator
 from typing import Any
 
-from conformance.client.check_context import Story
-from conformance.client.http_client import Answer, Wire
-from conformance.client.run_client import Run, Worker
+from conformance.client.check_context import CheckContext
+from conformance.client.http_client import Answer, HttpClient
+from conformance.client.run_client import RunClient, WorkerClient
 
-Stop = tuple[str, dict[str, Any]]
-READING = frozenset(
+OperationSample = tuple[str, dict[str, Any]]
+READ_OPERATIONS = frozenset(
     {
         "list_benchmarks",
         "get_benchmark",
@@ -25,27 +25,27 @@ READING = frozenset(
 )
 
 
-def live_worker(story: Story) -> Worker:
+def attach_live_worker(context: CheckContext) -> WorkerClient:
     """Attach a worker in a fresh run and play one action."""
-    worker = story.submit("count", "score").worker()
+    worker = context.submit("count", "score").worker()
     worker.attach()
-    worker.predict(story.action())
+    worker.predict(context.action())
     return worker
 
 
-def all_operations(worker: Worker) -> Iterator[Stop]:
+def operation_samples(worker: WorkerClient) -> Iterator[OperationSample]:
     """Give the id and the parameters of every operation that needs a token."""
-    story = worker.run.story
+    context = worker.run.context
     worker_id = {"worker_id": worker.id}
     session = {"session_id": worker.session_id}
     yield "list_benchmarks", {}
     yield "get_benchmark", {"benchmark_id": "calibration"}
     yield "list_runs", {"params": {"limit": 1}}
-    yield "submit_run", {"json": story.submit_body()}
-    yield from of_a_run()
-    yield from beyond_the_core(worker.run)
+    yield "submit_run", {"json": context.submit_body()}
+    yield from run_read_samples()
+    yield from profile_samples(worker.run)
     yield "attach_worker", worker_id | {"json": {"attach_key": worker.attach_key}}
-    predict = session | {"seq": worker.seq + 1, "actions": [story.action()]}
+    predict = session | {"seq": worker.seq + 1, "actions": [context.action()]}
     yield "predict", worker_id | {"json": predict}
     yield "heartbeat", worker_id | {"json": session}
     yield "detach_worker", worker_id | {"params": session}
@@ -53,25 +53,27 @@ def all_operations(worker: Worker) -> Iterator[Stop]:
     yield "resume_run", {}
 
 
-def beyond_the_core(run: Run) -> Iterator[Stop]:
+def profile_samples(run: RunClient) -> Iterator[OperationSample]:
     """Give the operations of the profiles that the server offers."""
-    if run.story.offers("compare"):
+    if run.context.offers("compare"):
         yield "compare_runs", {"params": {"baseline": run.id, "runs": run.id}}
-    if run.story.offers("events"):
+    if run.context.offers("events"):
         yield "stream_events", {}
 
 
-def of_a_run() -> Iterator[Stop]:
+def run_read_samples() -> Iterator[OperationSample]:
     """Give the operations that read one run."""
     yield "get_run", {}
     yield "list_episodes", {}
     yield "get_score", {}
 
 
-def send(run: Run, stop: Stop, wire: Wire | None = None) -> Answer:
+def send(
+    run: RunClient, sample: OperationSample, http_client: HttpClient | None = None
+) -> Answer:
     """Send one of them; a run that it makes is stopped after the check."""
-    operation_id, how = stop
-    answer = run.call(operation_id, wire=wire or run.wire, **how)
+    operation_id, how = sample
+    answer = run.call(operation_id, http_client=http_client or run.http_client, **how)
     if operation_id == "submit_run" and answer.status == 201:
-        run.story.adopt(answer.json, wire)
+        run.context.adopt(answer.json, http_client)
     return answer

@@ -4,16 +4,16 @@ from collections import Counter
 from typing import Any
 
 from conformance.checks.support.given_states import (
-    attached,
+    attach_workers,
     count,
-    detached,
-    needs_workers,
-    not_for_the_state,
-    playing,
-    points_into,
+    detach_only_worker,
+    expect_pointer,
+    require_not_state_refusal,
+    require_worker_limit,
+    submit_and_attach,
     without,
 )
-from conformance.client.check_context import Story, Worker
+from conformance.client.check_context import CheckContext, WorkerClient
 from conformance.client.http_client import Answer
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
@@ -27,7 +27,7 @@ def codes(answers: list[Answer]) -> dict[str, int]:
     return dict(Counter(answer.code or str(answer.status) for answer in answers))
 
 
-def turn_0(worker: Worker, answer: Answer) -> dict[str, Any]:
+def expect_turn_0(worker: WorkerClient, answer: Answer) -> dict[str, Any]:
     """Expect an open session, and let the worker use it."""
     worker.turn = turn = expect.ok(answer)
     worker.session_id, worker.seq = turn["session_id"], turn["seq"]
@@ -35,12 +35,12 @@ def turn_0(worker: Worker, answer: Answer) -> dict[str, Any]:
 
 
 @requirement("ATT-001")
-def test_att_001_session_begins_with_turn_0(story: Story) -> None:
+def test_att_001_session_begins_with_turn_0(context: CheckContext) -> None:
     """A worker attaches, plays a little, detaches, and attaches again.
 
     Expect both sessions to begin at seq 0 and step 0 with nothing executed.
     """
-    run = story.submit("count")
+    run = context.submit("count")
     for _ in range(2):
         worker = run.worker("worker")
         turn = worker.attach()
@@ -50,18 +50,18 @@ def test_att_001_session_begins_with_turn_0(story: Story) -> None:
         expect.equal(turn["done"], False, "done")
         expect.equal(turn["episode"]["step"], 0, "episode.step")
         expect.equal(count(turn), [0], "count in the first observation")
-        worker.predict(story.action(), story.action())
+        worker.predict(context.action(), context.action())
         worker.detach()
 
 
 @requirement("ATT-002")
-def test_att_002_can_repeat_attach(story: Story) -> None:
+def test_att_002_can_repeat_attach(context: CheckContext) -> None:
     """The answer to an attach was lost, at the beginning and again after a turn.
 
     Expect the same key to give the same session and its latest turn, and the session
     to go on.
     """
-    worker = story.submit("count").worker()
+    worker = context.submit("count").worker()
     worker.attach()
     for _ in range(2):
         again = expect.ok(worker.try_attach(attach_key=worker.attach_key))
@@ -69,80 +69,82 @@ def test_att_002_can_repeat_attach(story: Story) -> None:
         expect.equal(
             without(again, *volatile), without(worker.turn, *volatile), "the turn"
         )
-        worker.predict(story.action())
+        worker.predict(context.action())
     expect.equal(count(worker.turn), [2], "count after two turns")
 
 
 @requirement("ATT-003")
-def test_att_003_cannot_attach_a_live_worker_with_another_key(story: Story) -> None:
+def test_att_003_cannot_attach_a_live_worker_with_another_key(
+    context: CheckContext,
+) -> None:
     """Another client uses the id of a live worker, then again when it is free.
 
     Expect `worker_busy`, and the session to go on as if nobody had asked.
     """
-    run = story.submit("count")
+    run = context.submit("count")
     worker = run.worker("shared")
     worker.attach()
-    worker.predict(story.action())
+    worker.predict(context.action())
     before = run.snapshot()
-    answer = not_for_the_state(run.worker("shared").try_attach())
+    answer = require_not_state_refusal(run.worker("shared").try_attach())
     expect.refused(answer, "worker_busy")
     expect.equal(run.snapshot(), before, "the run afterwards")
-    turn = expect.ok(worker.try_predict(story.action()))
+    turn = expect.ok(worker.try_predict(context.action()))
     expect.equal(count(turn), [2], "count in the session's next turn")
     worker.detach()
     run.worker("shared").attach()
 
 
 @requirement("ATT-004")
-def test_att_004_can_take_over(story: Story) -> None:
+def test_att_004_can_take_over(context: CheckContext) -> None:
     """A restarted client takes its worker over in the middle of an episode.
 
     Expect a new session with the episode, attempt, step and observation as they stood.
     """
-    run = story.submit("echo", "echo")
+    run = context.submit("echo", "echo")
     old, new = run.worker("same"), run.worker("same")
     old.attach()
-    old.predict(story.action(vector=[1.5] * 8), story.action(vector=[2.5] * 8))
-    turn = turn_0(new, not_for_the_state(new.try_attach(takeover=True)))
+    old.predict(context.action(vector=[1.5] * 8), context.action(vector=[2.5] * 8))
+    turn = expect_turn_0(new, require_not_state_refusal(new.try_attach(takeover=True)))
     expect.true(new.session_id != old.session_id, "another session_id", new.session_id)
     expect.equal(turn["seq"], 0, "seq")
     expect.equal(turn["episode"], old.turn["episode"], "episode")
     expect.equal(turn["observation"], old.turn["observation"], "observation")
-    turn = expect.ok(new.try_predict(story.action()))
+    turn = expect.ok(new.try_predict(context.action()))
     expect.equal(count(turn), [3], "count after one more action")
     expect.equal(run.episodes()[0]["attempt"], 1, "attempt of the episode")
 
 
 @requirement("ATT-005")
-def test_att_005_cannot_use_a_session_taken_over(story: Story) -> None:
+def test_att_005_cannot_use_a_session_taken_over(context: CheckContext) -> None:
     """The old client goes on after a takeover, while its successor lives.
 
     Expect `session_superseded` for its predict, heartbeat and detach, all of which the
     new session may do.
     """
-    run = story.submit("count")
+    run = context.submit("count")
     old, new = run.worker("same"), run.worker("same")
     old.attach()
-    old.predict(story.action())
+    old.predict(context.action())
     before = count(new.attach(takeover=True))
-    expect.refused(old.try_predict(story.action()), "session_superseded")
+    expect.refused(old.try_predict(context.action()), "session_superseded")
     expect.refused(old.try_heartbeat(), "session_superseded")
     expect.refused(old.try_detach(), "session_superseded")
     new.heartbeat()
-    after = count(new.predict(story.action()))
+    after = count(new.predict(context.action()))
     expect.equal(after, [before[0] + 1], "count in the new session")
     new.detach()
 
 
 @requirement("ATT-006")
-def test_att_006_cannot_attach_one_worker_too_many(story: Story) -> None:
+def test_att_006_cannot_attach_one_worker_too_many(context: CheckContext) -> None:
     """One worker more than the run may have; it comes again when a slot is free.
 
     Expect `worker_limit` for the first attempt.
     """
-    most = min(2, story.limits["max_workers"])
-    run = story.submit(*["score"] * 4, max_workers=most)
-    crew = attached(run, most)
+    most = min(2, context.limits["max_workers"])
+    run = context.submit(*["score"] * 4, max_workers=most)
+    crew = attach_workers(run, most)
     late = run.worker("late")
     expect.refused(late.try_attach(), "worker_limit")
     crew[0].detach()
@@ -150,30 +152,30 @@ def test_att_006_cannot_attach_one_worker_too_many(story: Story) -> None:
 
 
 @requirement("ATT-007")
-def test_att_007_race_for_the_last_slots(story: Story) -> None:
+def test_att_007_race_for_the_last_slots(context: CheckContext) -> None:
     """More workers than allowed attach at once, several times.
 
     Expect exactly `max_workers` of them to succeed each time.
     """
-    most = min(3, story.limits["max_workers"])
+    most = min(3, context.limits["max_workers"])
     for _ in range(RACES):
-        run = story.submit(*["score"] * 8, max_workers=most)
+        run = context.submit(*["score"] * 8, max_workers=most)
         crew = [run.worker() for _ in range(most + 4)]
-        answers = story.together(*[worker.try_attach for worker in crew])
-        opened = sum(not_for_the_state(a).status == 200 for a in answers)
+        answers = context.call_concurrently(*[worker.try_attach for worker in crew])
+        opened = sum(require_not_state_refusal(a).status == 200 for a in answers)
         expect.true(opened == most, f"{most} sessions opened", codes(answers))
 
 
 @requirement("ATT-008")
-def test_att_008_race_for_one_worker(story: Story) -> None:
+def test_att_008_race_for_one_worker(context: CheckContext) -> None:
     """Several clients attach the same worker at once, several times.
 
     Expect exactly one of them to succeed each time.
     """
     for _ in range(RACES):
-        run = story.submit(*["score"] * 8)
+        run = context.submit(*["score"] * 8)
         clients = [run.worker("same") for _ in range(5)]
-        answers = story.together(*[client.try_attach for client in clients])
+        answers = context.call_concurrently(*[client.try_attach for client in clients])
         opened = sum(answer.status == 200 for answer in answers)
         expect.true(opened == 1, "one session opened", codes(answers))
 
@@ -190,20 +192,20 @@ WRONG: list[tuple[dict[str, Any], str]] = [
 
 
 @requirement("ATT-010")
-def test_att_010_cannot_attach_with_a_wrong_assumption(story: Story) -> None:
+def test_att_010_cannot_attach_with_a_wrong_assumption(context: CheckContext) -> None:
     """A policy that assumes another rate, size, unit, rotation, frame and so on.
 
     One that assumes the right rate is let in. Expect `convention_mismatch` pointing at
     what is wrong, and no session.
     """
-    run = story.submit("score")
+    run = context.submit("score")
     worker = run.worker()
     worker.attach(assumes={"control_rate_hz": 10})
-    detached(worker)
+    detach_only_worker(worker)
     before = run.snapshot()
     for assumes, pointer in WRONG:
         answer = worker.try_attach(assumes=assumes)
-        points_into(expect.refused(answer, "convention_mismatch"), pointer)
+        expect_pointer(expect.refused(answer, "convention_mismatch"), pointer)
     expect.equal(run.snapshot(), before, "the run afterwards")
 
 
@@ -217,30 +219,30 @@ def assumptions(space: dict[str, Any]) -> dict[str, Any]:
 
 
 @requirement("ATT-011")
-def test_att_011_can_attach_with_right_assumptions(story: Story) -> None:
+def test_att_011_can_attach_with_right_assumptions(context: CheckContext) -> None:
     """A policy that assumes exactly what the benchmark declares, or a part of it.
 
     Expect a session each time.
     """
-    answer = story.call("get_benchmark", benchmark_id="calibration")
-    benchmark = expect.given(answer, 200, "get_benchmark")
+    answer = context.call("get_benchmark", benchmark_id="calibration")
+    benchmark = expect.require(answer, 200, "get_benchmark")
     rate = {"control_rate_hz": benchmark["control_rate_hz"]}
     action = {"action": assumptions(benchmark["action_space"])}
     state = {"state": assumptions(benchmark["observation_space"]["state"])}
     for assumes in ({}, rate, action, state, rate | action | state):
-        worker = story.submit("score").worker()
+        worker = context.submit("score").worker()
         expect.ok(worker.try_attach(assumes=assumes))
 
 
 @requirement("ATT-012")
-def test_att_012_attach_without_an_episode_left(story: Story) -> None:
+def test_att_012_attach_without_an_episode_left(context: CheckContext) -> None:
     """The only episode is in play when a second worker attaches.
 
     Expect a session whose turn 0 is `done`, with neither observation nor episode.
     """
-    needs_workers(story, 2)
-    first = playing(story, "score")
-    turn = expect.ok(not_for_the_state(first.run.worker().try_attach()))
+    require_worker_limit(context, 2)
+    first = submit_and_attach(context, "score")
+    turn = expect.ok(require_not_state_refusal(first.run.worker().try_attach()))
     if turn.get("episode") == first.turn["episode"]:
         raise SetUpFailed("the episode in play was handed out again; see EPI-008")
     expect.equal(turn["done"], True, "done")
@@ -250,59 +252,59 @@ def test_att_012_attach_without_an_episode_left(story: Story) -> None:
 
 
 @requirement("ATT-013")
-def test_att_013_cannot_attach_with_a_bad_worker_id(story: Story) -> None:
+def test_att_013_cannot_attach_with_a_bad_worker_id(context: CheckContext) -> None:
     """Worker ids with a space, a dot, another alphabet, and one too long by one.
 
     Expect `invalid_request`; the longest and oddest id that is allowed is accepted.
     """
-    run = story.submit("score")
+    run = context.submit("score")
     for worker_id in ("a b", "a.b", "ä", "a:b", "w" * 65):
         expect.refused(run.worker(worker_id).try_attach(), "invalid_request")
     run.worker("-_A0z" + "w" * 59).attach()
 
 
 @requirement("DET-001")
-def test_det_001_detach_frees_the_slot(story: Story) -> None:
+def test_det_001_detach_frees_the_slot(context: CheckContext) -> None:
     """A full run: the second worker is let in only after the first has detached.
 
     Expect it to be let in at once.
     """
-    run = story.submit("score", "score", max_workers=1)
+    run = context.submit("score", "score", max_workers=1)
     first, second = run.worker(), run.worker()
     first.attach()
-    expect.given(second.try_attach(), 429, "attaching to a full run")
+    expect.require(second.try_attach(), 429, "attaching to a full run")
     expect.ok(first.try_detach(), 204)
     expect.ok(second.try_attach())
 
 
-def end_by_detach(worker: Worker) -> None:
+def end_by_detach(worker: WorkerClient) -> None:
     """End the session by its own wish."""
     worker.detach()
 
 
-def end_by_stop(worker: Worker) -> None:
+def end_by_stop(worker: WorkerClient) -> None:
     """End the session from the control plane."""
     worker.run.stop()
 
 
-def end_and_be_followed(worker: Worker) -> None:
+def end_and_reattach(worker: WorkerClient) -> None:
     """End the session and open another one for the same worker."""
     worker.detach()
     worker.run.worker(worker.id).attach()
 
 
 @requirement("DET-002")
-def test_det_002_can_detach_twice(story: Story) -> None:
+def test_det_002_can_detach_twice(context: CheckContext) -> None:
     """A session that ended by a detach (whether followed by another or not) or by a
     stop is detached again.
 
     It is refused a heartbeat by then. Expect 204 and that nothing changes.
     """
-    for end in (end_by_detach, end_and_be_followed, end_by_stop):
-        worker = playing(story, "count", "count")
-        worker.predict(story.action())
+    for end in (end_by_detach, end_and_reattach, end_by_stop):
+        worker = submit_and_attach(context, "count", "count")
+        worker.predict(context.action())
         end(worker)
-        expect.given(worker.try_heartbeat(), 409, "a session that has ended")
+        expect.require(worker.try_heartbeat(), 409, "a session that has ended")
         before = worker.run.snapshot()
         expect.ok(worker.try_detach(), 204)
         expect.equal(worker.run.snapshot(), before, "the run afterwards")

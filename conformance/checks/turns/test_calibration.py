@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from conformance.checks.support.given_states import count, playing
-from conformance.client.check_context import Story
+from conformance.checks.support.given_states import count, submit_and_attach
+from conformance.client.check_context import CheckContext
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 
@@ -35,20 +35,20 @@ DTYPES += [f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)]
 SIZES = [{"width": 16, "height": 12}, {"width": 64, "height": 48}]
 
 
-def declared_rules(story: Story, benchmark: dict[str, Any]) -> None:
+def expect_declared_rules(context: CheckContext, benchmark: dict[str, Any]) -> None:
     """Expect the numbers, lists and choices of the benchmark."""
     for member, value in RULES.items():
         expect.equal(benchmark[member], value, member)
-    expect.equal(benchmark["max_chunk"], story.limits["max_chunk"], "max_chunk")
+    expect.equal(benchmark["max_chunk"], context.limits["max_chunk"], "max_chunk")
     sizes, codecs = benchmark["image_sizes"], benchmark["image_codecs"]
     expect.equal(sizes[0], SIZES[0], "the first of image_sizes")
     expect.true(SIZES[1] in sizes, f"{SIZES[1]} in image_sizes", sizes)
     expect.equal(codecs[0], "raw", "the first of image_codecs")
-    announced = sorted(story.service["image_codecs"])
+    announced = sorted(context.service["image_codecs"])
     expect.equal(sorted(codecs), announced, "image_codecs")
 
 
-def declared_spaces(benchmark: dict[str, Any]) -> None:
+def expect_declared_spaces(benchmark: dict[str, Any]) -> None:
     """Expect the names, sizes and ranges of actions and observations."""
     actions, seen = benchmark["action_space"], benchmark["observation_space"]
     expect.equal(sorted(actions), sorted(ACTIONS), "names of the actions")
@@ -71,16 +71,16 @@ def declared_spaces(benchmark: dict[str, Any]) -> None:
 
 
 @requirement("CAL-001")
-def test_cal_001_has_the_shape_of_calibration_md(story: Story) -> None:
+def test_cal_001_has_the_shape_of_calibration_md(context: CheckContext) -> None:
     """The description of the benchmark, and a run with one episode of every task.
 
     Expect rules, spaces, tasks, splits, seeds and options as calibration.md has them.
     """
-    answer = story.call("get_benchmark", benchmark_id="calibration")
+    answer = context.call("get_benchmark", benchmark_id="calibration")
     benchmark = expect.ok(answer)
-    declared_rules(story, benchmark)
-    declared_spaces(benchmark)
-    worker = playing(story, *TASKS, max_steps=4)
+    expect_declared_rules(context, benchmark)
+    expect_declared_spaces(benchmark)
+    worker = submit_and_attach(context, *TASKS, max_steps=4)
     for _ in TASKS:
         view = worker.turn["episode"]
         index, task = view["index"], view["task"]
@@ -93,15 +93,15 @@ def test_cal_001_has_the_shape_of_calibration_md(story: Story) -> None:
 
 
 @requirement("CAL-002")
-def test_cal_002_score_is_the_last_commanded(story: Story) -> None:
+def test_cal_002_score_is_the_last_commanded(context: CheckContext) -> None:
     """Scores that rise and fall, with and without success, in one chunk and in many.
 
     Expect the last one to be the result.
     """
     patterns = [[0.9, 0.25], [0.0, 0.1, 0.75], [1.0, 0.0], [0.5]]
-    worker = playing(story, *["score"] * len(patterns))
+    worker = submit_and_attach(context, *["score"] * len(patterns))
     for index, pattern in enumerate(patterns):
-        actions = [story.action(score=score, success=index % 2) for score in pattern]
+        actions = [context.action(score=score, success=index % 2) for score in pattern]
         actions[-1]["values"]["end"] = [1]
         chunks = [actions] if index < 2 else [[action] for action in actions]
         for chunk in chunks:
@@ -110,33 +110,33 @@ def test_cal_002_score_is_the_last_commanded(story: Story) -> None:
 
 
 @requirement("CAL-003")
-def test_cal_003_counts_in_every_task(story: Story) -> None:
+def test_cal_003_counts_in_every_task(context: CheckContext) -> None:
     """Every task is played, in chunks of one and two actions.
 
     Expect `count` to begin at 0 and to grow by the number of actions.
     """
-    worker = playing(story, *TASKS)
+    worker = submit_and_attach(context, *TASKS)
     for task in TASKS:
         expect.equal(count(worker.turn), [0], f"count at the beginning of {task}")
-        turn = worker.predict(story.action())
+        turn = worker.predict(context.action())
         expect.equal(count(turn), [1], f"count after an action of {task}")
-        turn = worker.predict(story.action(), story.action())
+        turn = worker.predict(context.action(), context.action())
         expect.equal(count(turn), [3], f"count after three actions of {task}")
         worker.play()
 
 
 @requirement("CAL-004")
 @background
-def test_cal_004_delay_takes_its_time(story: Story) -> None:
+def test_cal_004_delay_takes_its_time(context: CheckContext) -> None:
     """Two steps of 0.2 s in one turn, then one of 0.3 s.
 
     Expect the turns to take at least as long.
     """
-    worker = playing(story, "delay")
+    worker = submit_and_attach(context, "delay")
     for chunk_s in ([0.2, 0.2], [0.3]):
-        chunk = [story.action(delay_s=delay_s) for delay_s in chunk_s]
+        chunk = [context.action(delay_s=delay_s) for delay_s in chunk_s]
         answer = worker.try_predict(*chunk)
-        expect.given(answer, 200, "predict")
+        expect.require(answer, 200, "predict")
         worker.seq += 1
         least_s = sum(chunk_s)
         expect.true(
@@ -145,16 +145,16 @@ def test_cal_004_delay_takes_its_time(story: Story) -> None:
 
 
 @requirement("CAL-005")
-def test_cal_005_end_ends_every_task(story: Story) -> None:
+def test_cal_005_end_ends_every_task(context: CheckContext) -> None:
     """In every task an action with `end` just below 1, then one with 1.
 
     Expect the episode to go on after the first, and to have terminated by the second.
     """
-    worker = playing(story, *TASKS)
+    worker = submit_and_attach(context, *TASKS)
     for task in TASKS:
-        turn = worker.predict(story.action(end=0.999))
+        turn = worker.predict(context.action(end=0.999))
         expect.equal(turn["terminated"], False, f"terminated in {task} below 1")
-        turn = worker.predict(story.action(end=1))
+        turn = worker.predict(context.action(end=1))
         expect.equal(turn["terminated"], True, f"terminated in {task}")
         expect.equal(turn["truncated"], False, f"truncated in {task}")
         result = turn["episode_result"]

@@ -1,22 +1,27 @@
 """Simulators that break: at no cost to the policy, and never in silence (FAULT)."""
 
-from conformance.checks.support.given_states import attached, count, playing, results
-from conformance.client.check_context import Story
+from conformance.checks.support.given_states import (
+    attach_workers,
+    count,
+    results,
+    submit_and_attach,
+)
+from conformance.client.check_context import CheckContext
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 
 
 @requirement("FAULT-001")
-def test_fault_001_episode_begins_again(story: Story) -> None:
+def test_fault_001_episode_begins_again(context: CheckContext) -> None:
     """The simulator dies in the third step of an episode; then it is played again.
 
     Expect `fault` in that turn only, and the same episode and attempt at step 0.
     """
-    worker = playing(story, "fault", max_attempts=1)
-    turn = worker.predict(story.action(), story.action())
+    worker = submit_and_attach(context, "fault", max_attempts=1)
+    turn = worker.predict(context.action(), context.action())
     expect.true("fault" not in turn, "no fault before it breaks", turn.get("fault"))
     broken = turn["episode"]
-    turn = expect.ok(worker.try_predict(story.action(fault=1)))
+    turn = expect.ok(worker.try_predict(context.action(fault=1)))
     worker.seq += 1
     expect.equal(turn["fault"]["episode_id"], broken["episode_id"], "fault.episode_id")
     expect.equal(turn["fault"]["faults"], 1, "fault.faults")
@@ -30,30 +35,30 @@ def test_fault_001_episode_begins_again(story: Story) -> None:
 
 
 @requirement("FAULT-002")
-def test_fault_002_failed_run_is_retryable(story: Story) -> None:
+def test_fault_002_failed_run_is_retryable(context: CheckContext) -> None:
     """An episode faults as often as it may. Expect a reason, and `retryable` true."""
-    run = story.submit("fault", max_faults=2)
+    run = context.submit("fault", max_faults=2)
     worker = run.worker()
     worker.attach()
-    worker.predict(story.action(fault=1))
-    worker.try_predict(story.action(fault=1))
+    worker.predict(context.action(fault=1))
+    worker.try_predict(context.action(fault=1))
     failed = run.until("failed")
     expect.true(failed["reason"], "a reason", failed["reason"])
     expect.equal(failed["retryable"], True, "retryable")
 
 
 @requirement("FAULT-003")
-def test_fault_003_failed_run_can_go_on(story: Story) -> None:
+def test_fault_003_failed_run_can_go_on(context: CheckContext) -> None:
     """A run fails with one episode scored; the faults cease, and it is resumed.
 
     Expect the result kept, and the run completed.
     """
-    run = story.submit("score", "fault", max_faults=1)
+    run = context.submit("score", "fault", max_faults=1)
     worker = run.worker()
     worker.attach()
     worker.play(score=0.75)
     before = results(run)[0]
-    worker.try_predict(story.action(fault=1))
+    worker.try_predict(context.action(fault=1))
     run.until("failed")
     expect.equal(results(run)[0], before, "the result when failed")
     run.resume()
@@ -66,18 +71,18 @@ def test_fault_003_failed_run_can_go_on(story: Story) -> None:
 
 
 @requirement("FAULT-004")
-def test_fault_004_other_workers_are_not_disturbed(story: Story) -> None:
+def test_fault_004_other_workers_are_not_disturbed(context: CheckContext) -> None:
     """One worker's simulator dies again and again while another worker plays on.
 
     Expect the other to go on step by step, in the same attempt, without a fault.
     """
-    run = story.submit("fault", "count", max_faults=10, max_steps=100)
-    unlucky, other = attached(run, 2)
+    run = context.submit("fault", "count", max_faults=10, max_steps=100)
+    unlucky, other = attach_workers(run, 2)
     before = other.turn["episode"]
     for step in range(1, 4):
-        _, answer = story.together(
-            lambda: unlucky.predict(story.action(fault=1)),
-            lambda: other.try_predict(story.action()),
+        _, answer = context.call_concurrently(
+            lambda: unlucky.predict(context.action(fault=1)),
+            lambda: other.try_predict(context.action()),
         )
         turn = expect.ok(answer)
         other.seq += 1
@@ -87,28 +92,28 @@ def test_fault_004_other_workers_are_not_disturbed(story: Story) -> None:
 
 
 @requirement("FAULT-005")
-def test_fault_005_unplayable_task_fails_the_run(story: Story) -> None:
+def test_fault_005_unplayable_task_fails_the_run(context: CheckContext) -> None:
     """Three faults are allowed, but the task is reported unplayable at once.
 
     Expect the run failed, and not to be retryable.
     """
-    run = story.submit("fault", max_faults=3)
+    run = context.submit("fault", max_faults=3)
     worker = run.worker()
     worker.attach()
-    worker.try_predict(story.action(fault=2))
+    worker.try_predict(context.action(fault=2))
     failed = run.get()
     expect.equal(failed["state"], "failed", "state")
     expect.equal(failed["retryable"], False, "retryable")
 
 
 @requirement("FAULT-006")
-def test_fault_006_predict_that_fails_the_run(story: Story) -> None:
+def test_fault_006_predict_that_fails_the_run(context: CheckContext) -> None:
     """A turn fails the run: by the last fault allowed, or by an unplayable task.
 
     Expect `session_ended` with `ended_by` `run_failed`, where a turn was before.
     """
     for fault in (1, 2):
-        worker = playing(story, "fault", max_faults=1)
-        worker.predict(story.action())
-        answer = worker.try_predict(story.action(fault=fault))
+        worker = submit_and_attach(context, "fault", max_faults=1)
+        worker.predict(context.action())
+        answer = worker.try_predict(context.action(fault=fault))
         expect.refused(answer, "session_ended", ended_by="run_failed")

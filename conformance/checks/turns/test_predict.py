@@ -7,27 +7,27 @@ from hypothesis import strategies as st
 
 from conformance.checks.support.generated_examples import for_all
 from conformance.checks.support.given_states import (
-    HISTORY,
-    attached,
+    VOLATILE_RESULT_MEMBERS,
+    attach_workers,
     count,
-    playing,
+    require_duration,
     results,
-    took_its_time,
+    submit_and_attach,
     without,
 )
-from conformance.client.check_context import Story, Worker
+from conformance.client.check_context import CheckContext, WorkerClient
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 
 
 @requirement("PRED-001")
-def test_pred_001_executes_all_actions_in_order(story: Story) -> None:
+def test_pred_001_executes_all_actions_in_order(context: CheckContext) -> None:
     """A chunk of three different actions.
 
     Expect three executed, and the last one to be the last.
     """
-    worker = playing(story, "score", "score")
-    chunk = [story.action(vector=[n] * 8, score=n / 4) for n in (3.0, 1.0, 2.0)]
+    worker = submit_and_attach(context, "score", "score")
+    chunk = [context.action(vector=[n] * 8, score=n / 4) for n in (3.0, 1.0, 2.0)]
     turn = expect.ok(worker.try_predict(*chunk))
     expect.equal(turn["executed_steps"], 3, "executed_steps")
     expect.equal(count(turn), [3], "count")
@@ -35,9 +35,11 @@ def test_pred_001_executes_all_actions_in_order(story: Story) -> None:
     expect.equal(turn["observation"]["state"]["vector"], [2.0] * 8, "last vector")
 
 
-def played(story: Story, actions: list[Any], lengths: list[int]) -> dict[int, Any]:
+def play_in_chunks(
+    context: CheckContext, actions: list[Any], lengths: list[int]
+) -> dict[int, Any]:
     """Play actions in chunks; what was seen after so many of them, and in the end."""
-    worker = playing(story, "score", max_steps=7)
+    worker = submit_and_attach(context, "score", max_steps=7)
     seen: dict[int, Any] = {}
     first, rewards = 0, 0.0
     for length in lengths:
@@ -47,44 +49,44 @@ def played(story: Story, actions: list[Any], lengths: list[int]) -> dict[int, An
             rewards += sum(turn["rewards"])
             seen[first] = [turn.get("observation"), rewards]
     result = results(worker.run)[0]
-    seen[-1] = [without(result, *HISTORY) if result else None, rewards]
+    seen[-1] = [without(result, *VOLATILE_RESULT_MEMBERS) if result else None, rewards]
     return seen
 
 
 @requirement("PRED-006")
-def test_pred_006_chunks_are_single_actions(story: Story) -> None:
+def test_pred_006_chunks_are_single_actions(context: CheckContext) -> None:
     """The same actions, once one by one and once cut into chunks at random.
 
     Expect the same observations and rewards at every cut, and the same result, whether
     the episode ends by itself, at `max_steps`, or not at all.
     """
 
-    def law(example: tuple[list[int], int]) -> None:
+    def check_property(example: tuple[list[int], int]) -> None:
         cuts, ends_at = example
         actions = [
-            story.action(
+            context.action(
                 vector=[n] * 8, score=n / 16, success=n % 2, end=int(n == ends_at)
             )
             for n in range(sum(cuts))
         ]
-        single = played(story, actions, [1] * len(actions))
-        for cut, seen in played(story, actions, cuts).items():
+        single = play_in_chunks(context, actions, [1] * len(actions))
+        for cut, seen in play_in_chunks(context, actions, cuts).items():
             if cut in single:
                 expect.equal(seen, single[cut], f"what was seen after {cut} actions")
 
-    longest = min(4, story.limits["max_chunk"])
+    longest = min(4, context.limits["max_chunk"])
     cuts = st.lists(st.integers(1, longest), min_size=1, max_size=4)
-    for_all(story, st.tuples(cuts, st.integers(0, 9)), law, times=10)
+    for_all(context, st.tuples(cuts, st.integers(0, 9)), check_property, times=10)
 
 
 @requirement("PRED-007")
-def test_pred_007_stops_when_the_episode_ends(story: Story) -> None:
+def test_pred_007_stops_when_the_episode_ends(context: CheckContext) -> None:
     """Chunks that go on after the end, end with the episode, or end before it.
 
     Expect `stopped_early` only for the first, and nothing executed after the end.
     """
-    worker = playing(story, "count", "count", "count", max_steps=3)
-    step, end = story.action(), story.action(end=1)
+    worker = submit_and_attach(context, "count", "count", "count", max_steps=3)
+    step, end = context.action(), context.action(end=1)
     for chunk, executed, early in (
         ([step, end, step, step], 2, True),
         ([step, end], 2, False),
@@ -100,17 +102,17 @@ def test_pred_007_stops_when_the_episode_ends(story: Story) -> None:
 
 
 @requirement("PRED-008")
-def test_pred_008_tells_result_and_next_episode(story: Story) -> None:
+def test_pred_008_tells_result_and_next_episode(context: CheckContext) -> None:
     """Two episodes; the first ends with its second action.
 
     Expect no result before the end; then the result of that episode, and the first
     observation of the other one.
     """
-    worker = playing(story, "count", "count")
-    turn = worker.predict(story.action())
+    worker = submit_and_attach(context, "count", "count")
+    turn = worker.predict(context.action())
     expect.true("episode_result" not in turn, "no result before the end", turn)
     ended = turn["episode"]
-    turn = expect.ok(worker.try_predict(story.action(end=1, success=1)))
+    turn = expect.ok(worker.try_predict(context.action(end=1, success=1)))
     result = turn["episode_result"]
     expect.equal(result["episode_id"], ended["episode_id"], "episode of the result")
     expect.equal(result["steps"], 2, "steps of the result")
@@ -122,25 +124,25 @@ def test_pred_008_tells_result_and_next_episode(story: Story) -> None:
 
 
 @requirement("PRED-009")
-def test_pred_009_says_done(story: Story) -> None:
+def test_pred_009_says_done(context: CheckContext) -> None:
     """The last episode ends. Expect `done` then, not earlier, and nothing to play."""
-    worker = playing(story, "score", "score")
+    worker = submit_and_attach(context, "score", "score")
     expect.equal(worker.play()["done"], False, "done with an episode left")
-    turn = expect.ok(worker.try_predict(story.action(end=1)))
+    turn = expect.ok(worker.try_predict(context.action(end=1)))
     expect.equal(turn["done"], True, "done")
     for member in ("episode", "observation"):
         expect.true(member not in turn, f"no {member}", turn.get(member))
 
 
 @requirement("PRED-012")
-def test_pred_012_observes_all(story: Story) -> None:
+def test_pred_012_observes_all(context: CheckContext) -> None:
     """A chunk that is executed wholly, and one that the episode's end cuts short.
 
     Expect one observation per executed action, in order.
     """
-    worker = playing(story, "echo", "echo")
-    chunk = [story.action(vector=[n] * 8) for n in (3.0, 1.0, 2.0)]
-    chunk_ending = [story.action(), story.action(end=1), story.action()]
+    worker = submit_and_attach(context, "echo", "echo")
+    chunk = [context.action(vector=[n] * 8) for n in (3.0, 1.0, 2.0)]
+    chunk_ending = [context.action(), context.action(end=1), context.action()]
     for actions, counts in ((chunk, [1, 2, 3]), (chunk_ending, [4, 5])):
         turn = expect.ok(worker.try_predict(*actions, observe="all"))
         worker.seq += 1
@@ -151,15 +153,15 @@ def test_pred_012_observes_all(story: Story) -> None:
 
 
 @requirement("PRED-020")
-def test_pred_020_truncates_at_max_steps(story: Story) -> None:
+def test_pred_020_truncates_at_max_steps(context: CheckContext) -> None:
     """An episode of at most three steps is played on, and another ends by itself.
 
     Expect the first truncated and not terminated, at its third step and not before;
     the other terminated at that step.
     """
-    worker = playing(story, "score", "score", max_steps=3)
-    step = story.action()
-    for action, terminated in ((step, False), (story.action(end=1), True)):
+    worker = submit_and_attach(context, "score", "score", max_steps=3)
+    step = context.action()
+    for action, terminated in ((step, False), (context.action(end=1), True)):
         turn = worker.predict(step, step)
         expect.equal(turn["truncated"], False, "truncated at step 2 of 3")
         turn = worker.predict(action)
@@ -173,57 +175,59 @@ def test_pred_020_truncates_at_max_steps(story: Story) -> None:
 
 
 @requirement("PRED-021")
-def test_pred_021_rewards_each_action(story: Story) -> None:
+def test_pred_021_rewards_each_action(context: CheckContext) -> None:
     """A chunk of three actions, then one of which the episode's end leaves two.
 
     Expect the reward of each executed action, which is its `score`.
     """
-    worker = playing(story, "score", "score")
+    worker = submit_and_attach(context, "score", "score")
     for scores, ends, rewards in (
         ([0.25, 1.0, 0.5], [0, 0, 0], [0.25, 1.0, 0.5]),
         ([0.75, 0.125, 1.0], [0, 1, 0], [0.75, 0.125]),
     ):
         pairs = zip(scores, ends, strict=True)
-        chunk = [story.action(score=score, end=end) for score, end in pairs]
+        chunk = [context.action(score=score, end=end) for score, end in pairs]
         turn = expect.ok(worker.try_predict(*chunk))
         worker.seq += 1
         expect.equal(turn["rewards"], rewards, "rewards")
 
 
-def longest_turn_beside(slow: Worker, quick: Worker, delay_s: float) -> float:
+def longest_turn_beside(
+    slow: WorkerClient, quick: WorkerClient, delay_s: float
+) -> float:
     """Let one worker take a long turn; the other's longest turn meanwhile."""
-    story = slow.run.story
+    context = slow.run.context
     until = time.monotonic() + delay_s / 2
     turns_s: list[float] = []
 
     def play_on() -> None:
         while time.monotonic() < until:
-            answer = quick.try_predict(story.action())
-            expect.given(answer, 200, "a quick turn")
+            answer = quick.try_predict(context.action())
+            expect.require(answer, 200, "a quick turn")
             quick.seq += 1
             turns_s.append(answer.elapsed_s)
 
     def take_long() -> None:
-        answer = slow.try_predict(story.action(delay_s=delay_s))
-        expect.given(answer, 200, "the long turn")
+        answer = slow.try_predict(context.action(delay_s=delay_s))
+        expect.require(answer, 200, "the long turn")
         slow.seq += 1
-        took_its_time(answer, delay_s)
+        require_duration(answer, delay_s)
 
-    story.together(take_long, play_on)
+    context.call_concurrently(take_long, play_on)
     return max(turns_s)
 
 
 @requirement("PRED-022")
 @background
-def test_pred_022_workers_do_not_wait_for_each_other(story: Story) -> None:
+def test_pred_022_workers_do_not_wait_for_each_other(context: CheckContext) -> None:
     """One worker takes a turn of a second while another takes short ones.
 
     Expect each short turn to end long before the long one. A slow moment of the
     machine is not held against the server: it has three tries.
     """
-    run = story.submit("delay", "count", max_steps=10000)
-    slow, quick = attached(run, 2)
-    delay_s = min(5.0, max(1.0, 4 * story.tolerance_s))
+    run = context.submit("delay", "count", max_steps=10000)
+    slow, quick = attach_workers(run, 2)
+    delay_s = min(5.0, max(1.0, 4 * context.tolerance_s))
     longest_s: list[float] = []
     while len(longest_s) < 3 and (not longest_s or longest_s[-1] > delay_s / 2):
         longest_s.append(longest_turn_beside(slow, quick, delay_s))
@@ -235,15 +239,15 @@ def test_pred_022_workers_do_not_wait_for_each_other(story: Story) -> None:
 
 
 @requirement("PRED-023")
-def test_pred_023_timing_adds_up(story: Story) -> None:
+def test_pred_023_timing_adds_up(context: CheckContext) -> None:
     """Turns with images, with a delay, and with a change of episode.
 
     Expect queue, simulate, render and encode never to be more than the total.
     """
-    worker = playing(story, "echo", "delay", "score")
+    worker = submit_and_attach(context, "echo", "delay", "score")
     parts = ("queue_s", "simulate_s", "render_s", "encode_s")
     for values in ({}, {"end": 1}, {"delay_s": 0.05}, {"end": 1}, {}):
-        turn = expect.ok(worker.try_predict(story.action(**values)))
+        turn = expect.ok(worker.try_predict(context.action(**values)))
         worker.seq += 1
         timing = turn["timing"]
         total_s = sum(timing[part] for part in parts)
