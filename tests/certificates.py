@@ -11,13 +11,13 @@ from cryptography.hazmat.primitives import hashes, serialization
 from cryptography.hazmat.primitives.asymmetric import ec
 
 
-def certified(directory: Path, name: str) -> tuple[Path, ssl.SSLContext]:
+def create_certificate(directory: Path, name: str) -> tuple[Path, ssl.SSLContext]:
     """A certificate for a name that signs itself, and who shows it."""
     key = ec.generate_private_key(ec.SECP256R1())
-    who = x509.Name([x509.NameAttribute(x509.NameOID.COMMON_NAME, name)])
+    subject = x509.Name([x509.NameAttribute(x509.NameOID.COMMON_NAME, name)])
     today = datetime.now(UTC)
     certificate = (
-        x509.CertificateBuilder(who, who, key.public_key(), 1)
+        x509.CertificateBuilder(subject, subject, key.public_key(), 1)
         .not_valid_before(today - timedelta(days=1))
         .not_valid_after(today + timedelta(days=1))
         .add_extension(x509.SubjectAlternativeName([x509.DNSName(name)]), False)

@@ -20,12 +20,12 @@ from reference_server.rules.run import Episode, Run, Session
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 TOKENS = {"alice": "alice-token", "bob": "bob-token", "reader": "reader-token"}
-PATIENCE_S = 30.0
+TIMEOUT_S = 30.0
 NOW = 1000.0
 ACTION: dict[str, list[float]] = {"arm": [0.0, 0.5], "grip": [1.0], "head": [2.0]}
 
 
-def a_run(length: int = 3, *, run_type: type[Run] = Run, **changes: Any) -> Run:
+def make_run(length: int = 3, *, run_type: type[Run] = Run, **changes: Any) -> Run:
     """A run as the rules see it; its episodes hold nothing but their number."""
     vector = {"size": 2, "out_of_range": "unbounded", "rotation": "none"}
     bounds = {"size": 1, "minimum": [0.0], "maximum": [1.0]}
@@ -67,7 +67,7 @@ def a_run(length: int = 3, *, run_type: type[Run] = Run, **changes: Any) -> Run:
     return run_type(**fields | changes)
 
 
-def attached(run: Run, worker_id: str = "w", **changes: Any) -> Session:
+def add_session(run: Run, worker_id: str = "w", **changes: Any) -> Session:
     """A live session in a running run: seq 3 was answered, the lease has begun."""
     fields: dict[str, Any] = {
         "session_id": f"session-of-{worker_id}",
@@ -87,7 +87,7 @@ def attached(run: Run, worker_id: str = "w", **changes: Any) -> Session:
     return session
 
 
-class House:
+class ReferenceServer:
     """The reference server in a process of its own, on a free port."""
 
     def __init__(self, directory: Path, **settings: str) -> None:
@@ -112,17 +112,17 @@ class House:
                 text=True,
             )
         assert self.process.stdout is not None
-        greeting = self.process.stdout.readline()
-        assert greeting, (self._directory / "log").read_text()[-2000:]
-        self.url = greeting.split()[-1]
+        startup_line = self.process.stdout.readline()
+        assert startup_line, (self._directory / "log").read_text()[-2000:]
+        self.url = startup_line.split()[-1]
 
-    def client(self, who: str = "alice", **settings: Any) -> httpx.Client:
-        headers = {"Authorization": f"Bearer {TOKENS[who]}"}
+    def client(self, token_name: str = "alice", **settings: Any) -> httpx.Client:
+        headers = {"Authorization": f"Bearer {TOKENS[token_name]}"}
         # The environment may name a proxy; this machine is never behind it.
         return httpx.Client(
             base_url=self.url,
             headers=headers,
-            timeout=PATIENCE_S,
+            timeout=TIMEOUT_S,
             trust_env=False,
             **settings,
         )
@@ -134,7 +134,7 @@ class House:
         """Sends one signal, waits, and returns the exit code."""
         if self.process.poll() is None:
             self.process.send_signal(number)
-        code = self.process.wait(PATIENCE_S)
+        code = self.process.wait(TIMEOUT_S)
         assert self.process.stdout is not None
         self.process.stdout.close()
         return code
@@ -152,15 +152,15 @@ def descendants(pid: int) -> set[int]:
     return found - {pid}
 
 
-def until_none_lives(pids: set[int]) -> None:
+def wait_until_ended(pids: set[int]) -> None:
     """Waits until the processes are gone; a zombie is gone."""
-    deadline = time.monotonic() + PATIENCE_S
-    while alive := {pid for pid in pids if _lives(pid)}:
+    deadline = time.monotonic() + TIMEOUT_S
+    while alive := {pid for pid in pids if _is_alive(pid)}:
         assert time.monotonic() < deadline, f"{alive} still live"
         time.sleep(0.01)
 
 
-def _lives(pid: int) -> bool:
+def _is_alive(pid: int) -> bool:
     with contextlib.suppress(FileNotFoundError, ProcessLookupError):
         stat = Path(f"/proc/{pid}/stat").read_text()
         return stat.rpartition(")")[2].split()[0] not in ("Z", "X")
@@ -168,8 +168,8 @@ def _lives(pid: int) -> bool:
 
 
 @pytest.fixture
-def house(tmp_path: Path) -> Iterator[House]:
+def server(tmp_path: Path) -> Iterator[ReferenceServer]:
     """A server of the test's own."""
-    server = House(tmp_path)
+    server = ReferenceServer(tmp_path)
     yield server
     server.end(signal.SIGKILL)

@@ -16,7 +16,7 @@ import httpx
 import numpy as np
 import pytest
 
-from tests.conftest import House
+from tests.conftest import ReferenceServer
 
 Json = dict[str, Any]
 CONTROL = "/api/v1/benchmark/onlineEvaluation"
@@ -24,17 +24,19 @@ PICKLED = {"Content-Type": "application/octet-stream"}
 
 
 @pytest.fixture(scope="module")
-def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
-    one = House(tmp_path_factory.mktemp("house"), PROCTOR_PROFILES="ebench")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
+    server_process = ReferenceServer(
+        tmp_path_factory.mktemp("server"), PROCTOR_PROFILES="ebench"
+    )
     try:
-        yield one
+        yield server_process
     finally:
-        one.end()
+        server_process.end()
 
 
 @pytest.fixture
-def http(house: House) -> Iterator[httpx.Client]:
-    with house.client() as client:
+def http(server: ReferenceServer) -> Iterator[httpx.Client]:
+    with server.client() as client:
         yield client
 
 
@@ -74,7 +76,7 @@ class EbenchClient:
         """The answer's value, arrays decoded."""
         answer = self.send(verb, pickle.dumps(value, protocol=self.protocol))
         assert answer.status_code == 200, answer.text
-        return decoded(unpickled(answer.content))
+        return decode_arrays(load_pickle(answer.content))
 
     def reset(self) -> Any:
         return self.post("reset", {"worker_ids": list(self.worker_ids)})
@@ -103,27 +105,27 @@ class EbenchClient:
         return dict(answer.json())
 
 
-def decoded(value: Any) -> Any:
+def decode_arrays(value: Any) -> Any:
     """Typed objects as arrays, everywhere."""
     if isinstance(value, dict) and value.get("type") == "numpy_array":
         flat = np.frombuffer(base64.b64decode(value["data"]), value["dtype"])
         return flat.reshape(value["shape"])
     if isinstance(value, dict):
-        return {key: decoded(item) for key, item in value.items()}
+        return {key: decode_arrays(item) for key, item in value.items()}
     if isinstance(value, list):
-        return [decoded(item) for item in value]
+        return [decode_arrays(item) for item in value]
     return value
 
 
-def pickled(value: Any, protocol: int = pickle.HIGHEST_PROTOCOL) -> bytes:
+def dump_pickle(value: Any, protocol: int = pickle.HIGHEST_PROTOCOL) -> bytes:
     return pickle.dumps(value, protocol=protocol)
 
 
-def unpickled(body: bytes) -> Any:
+def load_pickle(body: bytes) -> Any:
     return pickle.loads(body)  # noqa: S301 - our own server wrote it
 
 
-class Trap:
+class MaliciousObject:
     """Pickles as a call of anything, as an attacker's object does."""
 
     def __init__(self, call: Any, *arguments: Any, **extra: Any) -> None:
@@ -148,7 +150,7 @@ def action(**values: float | list[float]) -> Json:
     return {"action": np.array(numbers), "control_type": "joint_position"}
 
 
-def native(http: httpx.Client, *tasks: str, **members: Any) -> str:
+def submit_native_run(http: httpx.Client, *tasks: str, **members: Any) -> str:
     """A calibration run submitted by our own door; its id."""
     body = {"benchmark_id": "calibration", "policy": {"name": "p"}, **members}
     body["options"] = {"tasks": tasks} | members.get("options", {})
@@ -157,11 +159,13 @@ def native(http: httpx.Client, *tasks: str, **members: Any) -> str:
     return str(answer.json()["run_id"])
 
 
-def opened(
+def open_client(
     http: httpx.Client, *tasks: str, workers: tuple[str, ...] = ("0",), **members: Any
 ) -> EbenchClient:
     """A client of a run whose workers have seen their first observation."""
-    client = EbenchClient(http, native(http, *tasks, **members), worker_ids=workers)
+    client = EbenchClient(
+        http, submit_native_run(http, *tasks, **members), worker_ids=workers
+    )
     assert client.find()["data"]["ready"]
     client.reset()
     return client

@@ -10,24 +10,24 @@ import httpx
 import pytest
 
 from conformance.policy.chat import ScriptedChat
-from tests.conftest import PATIENCE_S, House
-from tests.push_parts import calling
+from tests.conftest import TIMEOUT_S, ReferenceServer
+from tests.push_parts import start_push_server
 
 KEY = "sk-this-is-nobodys-business"
 TASKS = {"score": 4, "count": 2}
 
 
 @pytest.fixture(scope="module")
-def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
     path = tmp_path_factory.mktemp("flageval")
-    yield from calling(path, PROCTOR_PROFILES="flageval")
-    kept = [p.read_bytes() for p in path.rglob("*") if p.is_file()]
-    assert KEY.encode() not in b"".join(kept)
+    yield from start_push_server(path, PROCTOR_PROFILES="flageval")
+    stored_files = [p.read_bytes() for p in path.rglob("*") if p.is_file()]
+    assert KEY.encode() not in b"".join(stored_files)
 
 
 @pytest.fixture
-def client(house: House) -> Iterator[httpx.Client]:
-    with house.client() as opened:
+def client(server: ReferenceServer) -> Iterator[httpx.Client]:
+    with server.client() as opened:
         yield opened
 
 
@@ -37,7 +37,7 @@ def chat() -> Iterator[ScriptedChat]:
         yield server
 
 
-def info(chat: ScriptedChat, name: str, **more: Any) -> dict[str, Any]:
+def model_info(chat: ScriptedChat, name: str, **more: Any) -> dict[str, Any]:
     members = {
         "eval_model": name,
         "model": name,
@@ -48,7 +48,7 @@ def info(chat: ScriptedChat, name: str, **more: Any) -> dict[str, Any]:
     return members | more
 
 
-def started(client: httpx.Client, *infos: dict[str, Any], **more: Any) -> Any:
+def post_evaluation(client: httpx.Client, *infos: dict[str, Any], **more: Any) -> Any:
     body = {"eval_infos": list(infos), "domain": "MM", "mode": "calibration"} | more
     answer = client.post("/evaluation", json=body)
     assert answer.status_code == 200, answer.text
@@ -56,10 +56,10 @@ def started(client: httpx.Client, *infos: dict[str, Any], **more: Any) -> Any:
     return answer.json()
 
 
-def accepted(client: httpx.Client, *infos: dict[str, Any], **more: Any) -> str:
-    told = started(client, *infos, **more)
-    assert told["err_code"] == 0, told
-    return str(told["request_id"])
+def submit_evaluation(client: httpx.Client, *infos: dict[str, Any], **more: Any) -> str:
+    answer = post_evaluation(client, *infos, **more)
+    assert answer["err_code"] == 0, answer
+    return str(answer["request_id"])
 
 
 def post(client: httpx.Client, path: str, **body: Any) -> Any:
@@ -68,27 +68,27 @@ def post(client: httpx.Client, path: str, **body: Any) -> Any:
     return answer.json()
 
 
-def progress(client: httpx.Client, request_id: str) -> Any:
+def get_progress(client: httpx.Client, request_id: str) -> Any:
     return post(client, "/evaluation_progress", request_id=request_id, domain="MM")
 
 
-def finished(client: httpx.Client, request_id: str) -> Any:
-    deadline = time.monotonic() + PATIENCE_S
-    while not (told := progress(client, request_id))["finished"]:
-        assert time.monotonic() < deadline, told
+def wait_until_finished(client: httpx.Client, request_id: str) -> Any:
+    deadline = time.monotonic() + TIMEOUT_S
+    while not (answer := get_progress(client, request_id))["finished"]:
+        assert time.monotonic() < deadline, answer
         time.sleep(0.02)
-    return told
+    return answer
 
 
-def evaldiffs(client: httpx.Client, request_id: str) -> Any:
+def get_evaldiffs(client: httpx.Client, request_id: str) -> Any:
     """As their scripts do: a GET with a body."""
     answer = client.request("GET", "/evaldiffs", json={"request_id": request_id})
     assert answer.status_code == 200, answer.text
     return answer.json()
 
 
-def is_refused(told: Any, about: str) -> bool:
-    assert told["err_code"] == 1
-    assert told["err_msg"] == told["err_message"]
-    assert about in told["err_msg"], told
-    return set(told) == {"err_code", "err_msg", "err_message"}
+def is_refused(answer: Any, about: str) -> bool:
+    assert answer["err_code"] == 1
+    assert answer["err_msg"] == answer["err_message"]
+    assert about in answer["err_msg"], answer
+    return set(answer) == {"err_code", "err_msg", "err_message"}

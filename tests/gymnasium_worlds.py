@@ -31,7 +31,7 @@ ALL_SPACES = spaces.Dict(
 )
 
 
-class Sound(gymnasium.Env[Any, Any]):
+class ValidEnv(gymnasium.Env[Any, Any]):
     """Make the number larger than one."""
 
     action_space: Any = spaces.Box(-1, 1, (1,))
@@ -44,17 +44,23 @@ class Sound(gymnasium.Env[Any, Any]):
 
     def reset(self, *, seed: int | None = None, options: Any = None) -> Any:
         super().reset(seed=seed)
-        self.number = self.draw() + self.amount
-        return self.look(), {}
+        self.number = self.initial_number() + self.amount
+        return self.current_observation(), {}
 
-    def draw(self) -> float:
+    def initial_number(self) -> float:
         return float(self.np_random.uniform(-1, 1))
 
     def step(self, action: Any) -> Any:
         self.number += float(action[0])
-        return self.look(), self.number, False, False, {"success": self.number > 1}
+        return (
+            self.current_observation(),
+            self.number,
+            False,
+            False,
+            {"success": self.number > 1},
+        )
 
-    def look(self) -> Any:
+    def current_observation(self) -> Any:
         return np.array([self.number], np.float32)
 
     def render(self) -> Any:
@@ -63,74 +69,74 @@ class Sound(gymnasium.Env[Any, Any]):
         return ramp if self.render_mode == "rgb_array" else None
 
 
-class IgnoresSeed(Sound):
-    def draw(self) -> float:
+class IgnoresSeed(ValidEnv):
+    def initial_number(self) -> float:
         return random.uniform(-1, 1)
 
 
-class Leaks(Sound):
+class Leaks(ValidEnv):
     """Keeps what happened before."""
 
     total = 0.0
 
-    def draw(self) -> float:
+    def initial_number(self) -> float:
         self.total += 0.125
-        return super().draw() + self.total
+        return super().initial_number() + self.total
 
 
-class AlwaysTheSame(Sound):
-    def draw(self) -> float:
+class AlwaysTheSame(ValidEnv):
+    def initial_number(self) -> float:
         return 0.5
 
 
-class LeavesItsBounds(Sound):
+class ObservationOutOfBounds(ValidEnv):
     observation_space = spaces.Box(-1, 1, (1,))
 
-    def look(self) -> Any:
-        return super().look() + 3
+    def current_observation(self) -> Any:
+        return super().current_observation() + 3
 
 
-class HasAnotherShape(Sound):
-    def look(self) -> Any:
+class WrongShape(ValidEnv):
+    def current_observation(self) -> Any:
         return np.zeros((2,), np.float32)
 
 
-class HasAnotherType(Sound):
+class WrongDtype(ValidEnv):
     """A picture that is none."""
 
     observation_space = spaces.Box(0, 255, (12, 16, 3), np.uint8)
 
-    def look(self) -> Any:
+    def current_observation(self) -> Any:
         return np.zeros((12, 16, 3), np.float32)
 
 
-class IsNotFinite(Sound):
-    def look(self) -> Any:
+class IsNotFinite(ValidEnv):
+    def current_observation(self) -> Any:
         return np.array([np.nan], np.float32)
 
 
-class RewardIsNotFinite(Sound):
+class RewardIsNotFinite(ValidEnv):
     def step(self, action: Any) -> Any:
-        return self.look(), np.inf, False, False, {"success": False}
+        return self.current_observation(), np.inf, False, False, {"success": False}
 
 
-class SaysNothing(Sound):
+class NoSuccessInfo(ValidEnv):
     """Of success."""
 
     def step(self, action: Any) -> Any:
-        return self.look(), 0.0, False, False, {"distance": 1.0}
+        return self.current_observation(), 0.0, False, False, {"distance": 1.0}
 
 
-class CannotBeMade(Sound):
+class ConstructorRaises(ValidEnv):
     def __init__(self) -> None:
         raise OSError("the robot\nis not plugged in")
 
 
-class HasText(Sound):
+class HasText(ValidEnv):
     action_space = spaces.Text(5)
 
 
-class DrawsNothing(Sound):
+class RendersNone(ValidEnv):
     def __init__(self, render_mode: str | None = None) -> None:
         super().__init__()
 
@@ -138,28 +144,28 @@ class DrawsNothing(Sound):
         return None
 
 
-class SeesNothing(Sound):
+class NoRenderMode(ValidEnv):
     def __init__(self) -> None:
         super().__init__()
 
 
-class Hangs(Sound):
+class Hangs(ValidEnv):
     def reset(self, *, seed: int | None = None, options: Any = None) -> Any:
         time.sleep(1000)
 
 
-class Crashes(Sound):
+class Crashes(ValidEnv):
     def reset(self, *, seed: int | None = None, options: Any = None) -> Any:
         os.kill(os.getpid(), signal.SIGSEGV)
 
 
-class Leaves(Sound):
+class ExitsProcess(ValidEnv):
     def reset(self, *, seed: int | None = None, options: Any = None) -> Any:
         os.write(2, b"no licence found\n")
         os._exit(3)
 
 
-class RaisesLater(Sound):
+class RaisesLater(ValidEnv):
     """Longer than a check looks."""
 
     def reset(self, *, seed: int | None = None, options: Any = None) -> Any:
@@ -173,7 +179,7 @@ class RaisesLater(Sound):
         return super().step(action)
 
 
-class CutsItself(Sound):
+class TruncatesItself(ValidEnv):
     """Off, after five steps."""
 
     def reset(self, *, seed: int | None = None, options: Any = None) -> Any:
@@ -186,7 +192,7 @@ class CutsItself(Sound):
         return observation, 1.0, False, self.steps == 5, info
 
 
-class HasAllSpaces(Sound):
+class HasAllSpaces(ValidEnv):
     """An action is echoed in the next observation."""
 
     action_space = ALL_SPACES

@@ -16,7 +16,7 @@ from reference_client import evaluate
 from reference_sim.benchmarks.metaworld.world import SeededTask, expert
 from reference_sim.gymnasium import registration
 from reference_sim.gymnasium.benchmark_file import Benchmark, read
-from tests.conftest import TOKENS, House
+from tests.conftest import TOKENS, ReferenceServer
 from tools.metaworld_table import play_directly, play_through_protocol
 
 TASKS = ("reach-v3", "button-press-topdown-v3", "drawer-close-v3", "peg-insert-side-v3")
@@ -33,7 +33,7 @@ kwargs = {{ task = "{0}" }}
 """
 
 
-def examined(reference: str, **members: object) -> tuple[list[str], list[str]]:
+def examine_benchmark(reference: str, **members: object) -> tuple[list[str], list[str]]:
     """Faults and warnings."""
     ((benchmark, folder),) = read(reference)
     content = benchmark.model_dump(exclude_unset=True) | members
@@ -44,8 +44,8 @@ def examined(reference: str, **members: object) -> tuple[list[str], list[str]]:
 # --- the seed ---
 
 
-def test_meta_world_itself_ignores_the_seed_and_the_check_says_so() -> None:
-    faults, _ = examined(
+def test_the_check_reports_that_meta_world_ignores_the_seed() -> None:
+    faults, _ = examine_benchmark(
         "gymnasium:metaworld:Meta-World/MT1",
         kwargs={"env_name": "reach-v3"},
         camera=False,
@@ -54,20 +54,20 @@ def test_meta_world_itself_ignores_the_seed_and_the_check_says_so() -> None:
     assert "reset(seed=20) twice gives two episodes (the observation" in fault
 
 
-def test_its_classes_play_the_same_whatever_the_seed_and_the_check_says_so(
+def test_the_check_warns_when_every_seed_gives_the_same_episode(
     tmp_path: Path,
 ) -> None:
     (tmp_path / "raw.py").write_text(
         "from metaworld.env_dict import ALL_V3_ENVIRONMENTS_GOAL_OBSERVABLE as ALL\n"
         "Reach = ALL['reach-v3-goal-observable']\n"
     )
-    faults, warnings = examined(f"{tmp_path}/raw.py:Reach", camera=False)
+    faults, warnings = examine_benchmark(f"{tmp_path}/raw.py:Reach", camera=False)
     assert faults == []
     assert "task reach: every seed gives the same episode" in warnings
 
 
 @pytest.mark.parametrize("task", TASKS)
-def test_a_seed_gives_the_same_episode_whatever_was_played_before(task: str) -> None:
+def test_a_seed_gives_the_same_episode_after_other_episodes(task: str) -> None:
     def play(world: SeededTask, seed: int) -> list[bytes]:
         observation, _ = world.reset(seed=seed)
         seen, policy = [observation.tobytes()], expert(task)
@@ -86,7 +86,9 @@ def test_a_seed_gives_the_same_episode_whatever_was_played_before(task: str) -> 
 # --- through the protocol ---
 
 
-def test_experts_reach_in_both_ways_the_same(tmp_path: Path) -> None:
+def test_experts_score_the_same_directly_and_through_the_protocol(
+    tmp_path: Path,
+) -> None:
     """Four tasks, two seeds each. Expect every episode to agree, step by step."""
     ((benchmark, _),) = read("metaworld_mt50")
     text = FEW + '[[splits]]\nname = "few"\nepisodes = 2\n'
@@ -94,7 +96,7 @@ def test_experts_reach_in_both_ways_the_same(tmp_path: Path) -> None:
         if task.name in TASKS:
             text += TASK.format(task.name, task.instruction)
     (tmp_path / "few.toml").write_text(text)
-    server = House(tmp_path, PROCTOR_BENCHMARKS=str(tmp_path / "few.toml"))
+    server = ReferenceServer(tmp_path, PROCTOR_BENCHMARKS=str(tmp_path / "few.toml"))
     try:
         served = play_through_protocol(server.url, TOKENS["alice"], "few")
         with server.client() as client:
@@ -122,7 +124,7 @@ class Reacher:
 
 def test_gymnasium_robotics_is_served_with_its_camera(tmp_path: Path) -> None:
     reference = "gymnasium:gymnasium_robotics:FetchReach-v4"
-    server = House(tmp_path, PROCTOR_BENCHMARKS=reference)
+    server = ReferenceServer(tmp_path, PROCTOR_BENCHMARKS=reference)
     try:
         score = evaluate(
             Reacher, url=server.url, token=TOKENS["alice"], benchmark="fetchreach_v4"
@@ -137,4 +139,4 @@ def test_gymnasium_robotics_is_served_with_its_camera(tmp_path: Path) -> None:
 )
 def test_gymnasium_robotics_passes_the_check(environment: str) -> None:
     reference = f"gymnasium:gymnasium_robotics:{environment}"
-    assert examined(reference, camera=False)[0] == []
+    assert examine_benchmark(reference, camera=False)[0] == []

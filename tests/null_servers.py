@@ -29,7 +29,7 @@ _JSON = {"Content-Type": "application/json", "Proctor-Version": "1.0"}
 _SHA256 = "0" * 64
 _TIME = "2026-01-01T00:00:00Z"
 SERVICE = {
-    "name": "parrot",
+    "name": "canned_answers",
     "version": "0",
     "protocol": {"min": "1.0", "max": "1.0"},
     "profiles": ["msgpack"],
@@ -53,7 +53,7 @@ RUN = {
     "benchmark_id": "calibration",
     "benchmark_version": "1",
     "manifest_sha256": _SHA256,
-    "policy": {"name": "parrot"},
+    "policy": {"name": "canned_answers"},
     "max_workers": 4,
     "idle_timeout_s": 600,
     "images": {"codec": "raw", "width": 16, "height": 12},
@@ -150,7 +150,7 @@ def close(_request: Request) -> None:
     """Say nothing and hang up."""
 
 
-def parrot(request: Request) -> Reply:
+def canned_answers(request: Request) -> Reply:
     """Give the same valid answer to every request of an operation."""
     path = request.path.partition("?")[0]
     last = path.rpartition("/")[2]
@@ -172,22 +172,22 @@ def parrot(request: Request) -> Reply:
     return 200, _JSON | {"ETag": '"1"'}, _dump(body)
 
 
-def refusing(request: Request) -> Reply:
+def refuse_everyone(request: Request) -> Reply:
     """Describe the service and admit nobody."""
     if request.path == "/v1":
         return 200, _JSON, _dump(SERVICE)
     return 401, _JSON, b'{"code": "unauthenticated"}'
 
 
-def of_another_version(_request: Request) -> Reply:
+def other_protocol_version(_request: Request) -> Reply:
     """Speak a version that this kit does not know."""
     return 200, _JSON, _dump(SERVICE | {"protocol": {"min": "7.0", "max": "7.2"}})
 
 
-def dying(requests: int, behaviour: Behaviour) -> Behaviour:
+def stop_answering_after(requests: int, behaviour: Behaviour) -> Behaviour:
     """Behave for a while, then hang up for ever."""
     left = iter(range(requests))
-    return lambda asked: None if next(left, None) is None else behaviour(asked)
+    return lambda request: None if next(left, None) is None else behaviour(request)
 
 
 def _dump(body: Any) -> bytes:
@@ -195,7 +195,7 @@ def _dump(body: Any) -> bytes:
 
 
 @contextlib.contextmanager
-def serving(behaviour: Behaviour) -> Iterator[str]:
+def run_server(behaviour: Behaviour) -> Iterator[str]:
     """Serve a behaviour on a free port; the URL."""
 
     class Handler(BaseHTTPRequestHandler):

@@ -24,10 +24,10 @@ from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.store import Store
 from reference_sim import benchmark_registry
 from reference_sim.process.pool import SimulatorPool
-from tests.conftest import PATIENCE_S, a_run
+from tests.conftest import TIMEOUT_S, make_run
 
 
-class Gate:
+class BlockedCall:
     """Holds up the calls of an async method of `owner` until `open` is called.
 
     after: lets the method do its work first and holds up its answer.
@@ -44,15 +44,15 @@ class Gate:
         right = getattr(owner, name)
         self._reached, self._opened = asyncio.Event(), asyncio.Event()
 
-        async def gated(*arguments: Any, **named: Any) -> Any:
+        async def blocked_call(*arguments: Any, **named: Any) -> Any:
             answer = await right(*arguments, **named) if after else None
             self._reached.set()
             await self._opened.wait()
             return answer if after else await right(*arguments, **named)
 
-        patch.setattr(owner, name, gated)
+        patch.setattr(owner, name, blocked_call)
 
-    async def reached(self) -> None:
+    async def wait_until_reached(self) -> None:
         """Returns when a call stands before the gate."""
         await self._reached.wait()
 
@@ -60,11 +60,11 @@ class Gate:
         self._opened.set()
 
 
-Story = Callable[["Parts"], Awaitable[None]]
+Scenario = Callable[["ServerParts"], Awaitable[None]]
 
 
 @dataclass
-class Parts:
+class ServerParts:
     """Store, runs, simulators and stage, put together as `app` does."""
 
     path: Path
@@ -74,7 +74,7 @@ class Parts:
     executor: SessionExecutor
 
     @contextmanager
-    def unwritable(self) -> Iterator[None]:
+    def reject_writes(self) -> Iterator[None]:
         """While it lasts the database takes no write and can still be read."""
         events = [("UPDATE", "runs"), ("INSERT", "runs"), ("INSERT", "episodes")]
         with contextlib.closing(sqlite3.connect(self.path)) as database:
@@ -89,10 +89,12 @@ class Parts:
 
 
 @asynccontextmanager
-async def server(path: Path, active_max: int = 10) -> AsyncIterator[Parts]:
+async def open_server_parts(
+    path: Path, active_max: int = 10
+) -> AsyncIterator[ServerParts]:
     store = Store(f"sqlite+aiosqlite:///{path}")
-    registry, pool = RunRegistry(store, active_max), SimulatorPool(4, 0, PATIENCE_S)
-    parts = Parts(path, store, registry, pool, SessionExecutor(registry, pool))
+    registry, pool = RunRegistry(store, active_max), SimulatorPool(4, 0, TIMEOUT_S)
+    parts = ServerParts(path, store, registry, pool, SessionExecutor(registry, pool))
     await store.open()
     await registry.open()
     try:
@@ -104,19 +106,21 @@ async def server(path: Path, active_max: int = 10) -> AsyncIterator[Parts]:
         await store.close()
 
 
-def tell(path: Path, *stories: Story, active_max: int = 10) -> None:
+def run_scenarios(path: Path, *scenarios: Scenario, active_max: int = 10) -> None:
     """Each story with a server of its own, over the same database."""
 
     async def run() -> None:
-        for story in stories:
-            async with asyncio.timeout(PATIENCE_S):
-                async with server(path / "proctor.sqlite", active_max) as parts:
-                    await story(parts)
+        for scenario in scenarios:
+            async with asyncio.timeout(TIMEOUT_S):
+                async with open_server_parts(
+                    path / "proctor.sqlite", active_max
+                ) as parts:
+                    await scenario(parts)
 
     asyncio.run(run())
 
 
-def calibration(*tasks: str, run_id: str = "run_1", **changes: Any) -> Run:
+def calibration_run(*tasks: str, run_id: str = "run_1", **changes: Any) -> Run:
     options = {"tasks": list(tasks) or ["score", "count"]}
     found = benchmark_registry.resolve("calibration", options)
     submission = {"benchmark_id": "calibration", "policy": {"name": "p"}}
@@ -130,10 +134,12 @@ def calibration(*tasks: str, run_id: str = "run_1", **changes: Any) -> Run:
         "images": found.images,
         "episodes": [Episode(i, **plan) for i, plan in enumerate(plans)],
     }
-    return a_run(**fields | changes)
+    return make_run(**fields | changes)
 
 
-def predict(turn: dict[str, Any], worker_id: str = "w", **values: float) -> Predict:
+def predict_command(
+    turn: dict[str, Any], worker_id: str = "w", **values: float
+) -> Predict:
     sizes = {"vector": 8, "clipped": 2}
     names = ("score", "success", "end", "delay_s", "fault", "vector", "clipped")
     action = {n: [float(values.get(n, 0))] * sizes.get(n, 1) for n in names}
@@ -143,12 +149,12 @@ def predict(turn: dict[str, Any], worker_id: str = "w", **values: float) -> Pred
 RESULT = Result("success", 1.0, 1, 1, True, False, 0.0, 1e9)
 
 
-def score(run: Run, index: int) -> None:
+def record_score(run: Run, index: int) -> None:
     run.record_result(run.episodes[index], RESULT)
 
 
-def failing(
-    patch: pytest.MonkeyPatch, parts: Parts, broken: set[str], error: Exception
+def fail_writes(
+    patch: pytest.MonkeyPatch, parts: ServerParts, broken: set[str], error: Exception
 ) -> Callable[[str], Awaitable[str]]:
     """Lets no write of a run in `broken` succeed.
 
@@ -172,34 +178,36 @@ def failing(
 
 
 @contextmanager
-def refusal(code: str, **members: Any) -> Iterator[pytest.ExceptionInfo[Refused]]:
+def expect_refusal(
+    code: str, **members: Any
+) -> Iterator[pytest.ExceptionInfo[Refused]]:
     with pytest.raises(Refused) as caught:
         yield caught
     assert caught.value.code == code, caught.value.detail
     assert caught.value.members == members
 
 
-def rows(path: Path, table: str) -> int:
+def count_rows(path: Path, table: str) -> int:
     with contextlib.closing(sqlite3.connect(path)) as database:
         (count,) = database.execute(f"SELECT count(*) FROM {table}").fetchone()  # noqa: S608
     return int(count)
 
 
-def stop(parts: Parts, run: Run, mode: str = "abort") -> None:
+def stop_run(parts: ServerParts, run: Run, mode: str = "abort") -> None:
     """As the control plane does it, but for the store."""
     parts.executor.release_sessions(effects.stop(run, mode, time.time()))
 
 
-def begun(work: Coroutine[Any, Any, Any]) -> asyncio.Task[Any]:
+def start_task(work: Coroutine[Any, Any, Any]) -> asyncio.Task[Any]:
     return asyncio.create_task(work)
 
 
-async def nothing_is_held(parts: Parts) -> None:
+async def assert_no_simulator_lent(parts: ServerParts) -> None:
     """No simulator is lent and no session is kept that has ended."""
     await parts.registry.close()
     assert parts.pool.busy == 0
     assert len(parts.executor._resources) == 0
 
 
-def no_defect(caplog: pytest.LogCaptureFixture) -> None:
+def assert_no_error_logged(caplog: pytest.LogCaptureFixture) -> None:
     assert [r.getMessage() for r in caplog.records if r.levelname == "ERROR"] == []

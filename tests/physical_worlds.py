@@ -18,7 +18,7 @@ def play(sim: Simulator, policy: Policy, steps: int) -> list[StepOutcome]:
     return outcomes
 
 
-def bits(seen: Observation) -> str:
+def observation_digest(seen: Observation) -> str:
     digest = hashlib.sha256()
     for name, values in sorted(seen.state.items()):
         digest.update(name.encode() + values.tobytes())

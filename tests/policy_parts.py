@@ -18,8 +18,8 @@ from starlette.types import ASGIApp
 
 from reference_client import Observation
 from reference_client.policies.serving import PolicyApp
-from tests.conftest import TOKENS, House
-from tests.push_parts import LOOPBACK
+from tests.conftest import TOKENS, ReferenceServer
+from tests.push_parts import ALLOW_LOOPBACK
 
 KEY = "sesame"
 ACTION: dict[str, Any] = {
@@ -33,7 +33,7 @@ ACTION: dict[str, Any] = {
 }
 
 
-class Counting:
+class CountingPolicy:
     """Ends an episode at its third act; has its score from how often it was asked."""
 
     def reset(self, instruction: str) -> None:
@@ -45,12 +45,12 @@ class Counting:
         return [ACTION | {"score": [self.acts / 10], "end": end}]
 
 
-def an_app(**members: Any) -> PolicyApp:
-    return PolicyApp(Counting, "counting", **{"key": KEY, **members})
+def make_app(**members: Any) -> PolicyApp:
+    return PolicyApp(CountingPolicy, "counting", **{"key": KEY, **members})
 
 
 @contextlib.contextmanager
-def serving(app: ASGIApp) -> Iterator[str]:
+def run_app(app: ASGIApp) -> Iterator[str]:
     """Serves an application on a free port; yields its URL."""
     listener = socket.create_server(("127.0.0.1", 0))
     config = uvicorn.Config(app, log_level="critical", lifespan="off")
@@ -66,13 +66,13 @@ def serving(app: ASGIApp) -> Iterator[str]:
 
 
 @pytest.fixture(autouse=True)
-def its_key(monkeypatch: pytest.MonkeyPatch) -> None:
+def policy_key(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PROCTOR_POLICY_KEY", KEY)
 
 
 @pytest.fixture(scope="module")
-def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
-    server = House(tmp_path_factory.mktemp("house"), **LOOPBACK)
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
+    server = ReferenceServer(tmp_path_factory.mktemp("server"), **ALLOW_LOOPBACK)
     yield server
     server.end(signal.SIGKILL)
     assert "Traceback" not in server.log()
@@ -84,12 +84,12 @@ def free_port() -> int:
     return port
 
 
-def proctor(
-    house: House, *words: str, command: str = "run"
+def run_proctor(
+    server: ReferenceServer, *arguments: str, command: str = "run"
 ) -> subprocess.CompletedProcess[str]:
-    tokens = {"PROCTOR_TOKEN": TOKENS["alice"], "PROCTOR_URL": house.url}
+    tokens = {"PROCTOR_TOKEN": TOKENS["alice"], "PROCTOR_URL": server.url}
     return subprocess.run(
-        [sys.executable, "-m", "reference_client.command", command, *words],
+        [sys.executable, "-m", "reference_client.command", command, *arguments],
         env=os.environ | tokens,
         capture_output=True,
         text=True,

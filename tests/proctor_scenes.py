@@ -20,9 +20,9 @@ from typing import Any
 import pytest
 
 from reference_client.command.main import main
-from tests.test_reference_client_scenes import ROOT, TOKEN, ServerProcess
+from tests.test_reference_client_scenes import ROOT, TOKEN, RestartableServer
 
-PATIENCE_S = 30.0
+TIMEOUT_S = 30.0
 POLICIES = '''
 import os, pathlib, signal, time
 
@@ -100,20 +100,20 @@ answer = 42
 '''
 
 
-_SHARED: list[ServerProcess] = []
+_SHARED: list[RestartableServer] = []
 
 
 @pytest.fixture(scope="session")
-def server(tmp_path_factory: pytest.TempPathFactory) -> ServerProcess:
+def server(tmp_path_factory: pytest.TempPathFactory) -> RestartableServer:
     """One for all files that import this, each of which has a fixture of its own."""
     if not _SHARED:
-        _SHARED.append(ServerProcess(tmp_path_factory.mktemp("server")).start())
+        _SHARED.append(RestartableServer(tmp_path_factory.mktemp("server")).start())
         atexit.register(_SHARED[0].end)
     return _SHARED[0]
 
 
 @pytest.fixture
-def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def policy_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder with the policies, in which the command is called."""
     (tmp_path / "policies.py").write_text(POLICIES)
     monkeypatch.chdir(tmp_path)
@@ -123,7 +123,7 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-class Proctor:
+class ProctorCommand:
     """The command in this process: its exit code, and what it has printed."""
 
     def __init__(self, url: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -150,13 +150,15 @@ def options(*tasks: str, **more: Any) -> list[str]:
 
 
 @contextlib.contextmanager
-def started(here: Path, url: str, *arguments: str) -> Iterator[subprocess.Popen[str]]:
+def start_proctor(
+    policy_folder: Path, url: str, *arguments: str
+) -> Iterator[subprocess.Popen[str]]:
     """`proctor` as a program in `here`; killed at the end if it still runs."""
     with (
-        (here / "stderr").open("w") as stderr,
+        (policy_folder / "stderr").open("w") as stderr,
         subprocess.Popen(
             [sys.executable, "-m", "reference_client.command", *arguments],
-            cwd=here,
+            cwd=policy_folder,
             env=os.environ | {"PROCTOR_URL": url, "PYTHONPATH": str(ROOT)},
             stdout=subprocess.PIPE,
             stderr=stderr,
@@ -169,8 +171,8 @@ def started(here: Path, url: str, *arguments: str) -> Iterator[subprocess.Popen[
             process.kill()
 
 
-def until(condition: Callable[[], object], what: str) -> None:
-    deadline = time.monotonic() + PATIENCE_S
+def wait_until(condition: Callable[[], object], what: str) -> None:
+    deadline = time.monotonic() + TIMEOUT_S
     while not condition():
         assert time.monotonic() < deadline, f"waited in vain until {what}"
         time.sleep(0.01)

@@ -19,18 +19,20 @@ WALL = 5000.0
 Draw = Callable[[st.SearchStrategy[Any]], Any]
 
 
-def played(executed: int = 1, *, ended: bool = False, **changes: Any) -> ChunkResult:
+def chunk_result(
+    executed: int = 1, *, ended: bool = False, **changes: Any
+) -> ChunkResult:
     facts = {"terminated": ended, "truncated": False, "success": False, "score": 0.5}
     return ChunkResult(executed, ended, **facts | changes)
 
 
-def opened(run: Run, worker_id: str = "w", now: float = NOW) -> Session:
+def start_session(run: Run, worker_id: str = "w", now: float = NOW) -> Session:
     session = effects.open_session(run, Attach(worker_id, "key"), "s", now)
     effects.store_answer(session, {"seq": 0}, now)
     return session
 
 
-def play(
+def play_turn(
     run: Run, session: Session, outcome: ChunkResult, now: float = NOW
 ) -> run_state.Episode | None:
     command = Predict(session.worker_id, session.session_id, session.seq + 1, [ACTION])

@@ -15,22 +15,22 @@ from typing import Any
 
 import httpx
 
-from tests.conftest import PATIENCE_S, House
+from tests.conftest import TIMEOUT_S, ReferenceServer
 
-ENDED = ("completed", "failed", "stopped")
-LOOPBACK = {"PROCTOR_ALLOW_PRIVATE_POLICIES": "127.0.0.0/8"}
+END_STATES = ("completed", "failed", "stopped")
+ALLOW_LOOPBACK = {"PROCTOR_ALLOW_PRIVATE_POLICIES": "127.0.0.0/8"}
 HEAD = b"HTTP/1.1 200 OK\r\nContent-Type: application/json\r\n"
 
 
-def calling(path: Path, **settings: str) -> Iterator[House]:
+def start_push_server(path: Path, **settings: str) -> Iterator[ReferenceServer]:
     """A server that may call policies on this machine; nothing in it may go wrong."""
-    server = House(path, **LOOPBACK, **settings)
+    server = ReferenceServer(path, **ALLOW_LOOPBACK, **settings)
     yield server
     server.end(signal.SIGKILL)
     assert "Traceback" not in server.log()
 
 
-def submission(url: str, *tasks: str, **members: Any) -> dict[str, Any]:
+def push_submission(url: str, *tasks: str, **members: Any) -> dict[str, Any]:
     """Body of submit_run; what is no member of it is one of its policy server."""
     known = {"options", "idle_timeout_s", "max_workers"}
     body: dict[str, Any] = {
@@ -44,18 +44,18 @@ def submission(url: str, *tasks: str, **members: Any) -> dict[str, Any]:
     return body | {"policy_server": {"url": url, "protocol": "proctor", **order}}
 
 
-def submitted(client: httpx.Client, url: str, *tasks: str, **members: Any) -> str:
-    answer = client.post("/v1/runs", json=submission(url, *tasks, **members))
+def submit_push_run(client: httpx.Client, url: str, *tasks: str, **members: Any) -> str:
+    answer = client.post("/v1/runs", json=push_submission(url, *tasks, **members))
     assert answer.status_code == 201, answer.text
     return str(answer.json()["run_id"])
 
 
-def until(client: httpx.Client, run_id: str, *states: str) -> dict[str, Any]:
+def wait_for_state(client: httpx.Client, run_id: str, *states: str) -> dict[str, Any]:
     """The run, when it is in one of the states; ended ones without any."""
-    deadline = time.monotonic() + PATIENCE_S
+    deadline = time.monotonic() + TIMEOUT_S
     while True:
         run: dict[str, Any] = client.get(f"/v1/runs/{run_id}").json()
-        if run["state"] in (states or ENDED):
+        if run["state"] in (states or END_STATES):
             return run
         assert time.monotonic() < deadline, run
         time.sleep(0.01)
@@ -68,16 +68,18 @@ def episodes(client: httpx.Client, run_id: str) -> list[dict[str, Any]]:
     return found
 
 
-def played(house: House, url: str, *tasks: str, **members: Any) -> dict[str, Any]:
+def play_push_run(
+    server: ReferenceServer, url: str, *tasks: str, **members: Any
+) -> dict[str, Any]:
     """The run at its end, with its `episodes`."""
-    with house.client() as client:
-        run_id = submitted(client, url, *tasks, **members)
-        run = until(client, run_id)
+    with server.client() as client:
+        run_id = submit_push_run(client, url, *tasks, **members)
+        run = wait_for_state(client, run_id)
         return run | {"episodes": episodes(client, run_id)}
 
 
 @contextlib.contextmanager
-def bare_server(speak: Callable[[socket.socket], None]) -> Iterator[str]:
+def raw_socket_server(respond: Callable[[socket.socket], None]) -> Iterator[str]:
     """A server that says the same to everybody; yields its URL."""
     with socket.create_server(("127.0.0.1", 0)) as listener:
 
@@ -86,14 +88,14 @@ def bare_server(speak: Callable[[socket.socket], None]) -> Iterator[str]:
                 while True:
                     connection, _ = listener.accept()
                     threading.Thread(
-                        target=say, args=(connection,), daemon=True
+                        target=handle_connection, args=(connection,), daemon=True
                     ).start()
 
-        def say(connection: socket.socket) -> None:
+        def handle_connection(connection: socket.socket) -> None:
             # The other side hangs up when it has had enough.
             with connection, contextlib.suppress(OSError):
                 connection.recv(65536)
-                speak(connection)
+                respond(connection)
 
         threading.Thread(target=serve, daemon=True).start()
         yield f"http://127.0.0.1:{listener.getsockname()[1]}"
@@ -112,7 +114,7 @@ def endless_chunks(connection: socket.socket) -> None:
         connection.sendall(b"8000\r\n" + b" " * 0x8000 + b"\r\n")
 
 
-def drip(connection: socket.socket) -> None:
+def slow_bytes(connection: socket.socket) -> None:
     """One byte now and then: no single wait is long."""
     connection.sendall(HEAD + b"Content-Length: 100000\r\n\r\n")
     while True:
@@ -120,7 +122,7 @@ def drip(connection: socket.socket) -> None:
         threading.Event().wait(0.02)
 
 
-def silence(connection: socket.socket) -> None:
+def no_answer(connection: socket.socket) -> None:
     while connection.recv(65536):
         pass
 
@@ -131,13 +133,13 @@ def endless_headers(connection: socket.socket) -> None:
         connection.sendall(b"X-More: " + b"x" * 1000 + b"\r\n")
 
 
-def no_http(connection: socket.socket) -> None:
+def not_http(connection: socket.socket) -> None:
     connection.sendall(b"220 mail.example ESMTP\r\n")
 
 
-def hang_up(_connection: socket.socket) -> None:
+def close_at_once(_connection: socket.socket) -> None:
     return
 
 
-def broken_off(connection: socket.socket) -> None:
+def truncated_body(connection: socket.socket) -> None:
     connection.sendall(HEAD + b'Content-Length: 100\r\n\r\n{"name":')

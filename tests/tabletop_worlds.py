@@ -14,11 +14,11 @@ from reference_sim.benchmarks.tabletop.tasks import TASKS
 from reference_sim.benchmarks.tabletop.variation import SPLITS
 from reference_sim.interface import Action, Observation, Simulator
 from reference_sim.mujoco.physical import PhysicalSimulator
-from tests.physical_worlds import Policy, bits, play
+from tests.physical_worlds import Policy, observation_digest, play
 
 WIDTH, HEIGHT = 64, 48
 HOME: Action = {"joint_position": list(HOME_RAD), "gripper": [1.0]}
-ALL = [(task, split) for task in TASKS for split in SPLITS]
+TASKS_AND_SPLITS = [(task, split) for task in TASKS for split in SPLITS]
 
 Tabletop = PhysicalSimulator[TabletopScene]
 
@@ -54,28 +54,28 @@ def expert(sim: Simulator, task: str, seed: int, split: str = "") -> Policy:
     return act
 
 
-def waving() -> Policy:
+def scripted_motion() -> Policy:
     """The same lively actions each time, whatever is seen."""
-    swing = np.random.Generator(np.random.PCG64(99))
+    rng = np.random.Generator(np.random.PCG64(99))
     reach = np.array([0.5, 0.9, 0.3, 1.0, 0.5, 1.0, 0.5])
 
     def act(_: Observation) -> Action:
-        joints = reach * swing.uniform(-0.2, 1.0, 7)
-        return {"joint_position": joints.tolist(), "gripper": [swing.uniform()]}
+        joints = reach * rng.uniform(-0.2, 1.0, 7)
+        return {"joint_position": joints.tolist(), "gripper": [rng.uniform()]}
 
     return act
 
 
-def waving_bits(seed: int) -> list[str]:
+def scripted_motion_digests(seed: int) -> list[str]:
     """Observations of an episode of everything; also run by a second process."""
     sim = tabletop(cameras=True)
     seen = []
-    for task, split in ALL:
+    for task, split in TASKS_AND_SPLITS:
         sim.reset(task, seed, split)
-        seen.append(bits(sim.observe()))
-        policy = waving()
+        seen.append(observation_digest(sim.observe()))
+        policy = scripted_motion()
         for _ in range(3):
             play(sim, policy, 2)
-            seen.append(bits(sim.observe()))
+            seen.append(observation_digest(sim.observe()))
     sim.close()
     return seen

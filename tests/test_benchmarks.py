@@ -50,7 +50,7 @@ def test_each_contender_plays_its_turns(section: dict[str, Any]) -> None:
         assert one["client_cpu_s"] > 0
 
 
-def test_raw_tcp_weighs_what_is_sent_and_the_others_more(
+def test_raw_tcp_sends_the_fewest_bytes(
     section: dict[str, Any],
 ) -> None:
     played = section["scenarios"]["state"]
@@ -61,7 +61,7 @@ def test_raw_tcp_weighs_what_is_sent_and_the_others_more(
         assert played[name]["down_bytes"] > STATE_BYTES
 
 
-def test_the_promises_are_computed_from_what_was_measured() -> None:
+def test_targets_are_computed_from_the_measurements() -> None:
     medians = {"tcp": 1.0, "ours msgpack": 3.0, "grpc": 6.0, "ebench": 5.0}
     cameras = {name: {"p50_ms": p50} for name, p50 in medians.items()}
     found = report.promises({"scenarios": {"cameras": cameras}})
@@ -72,13 +72,15 @@ def test_the_promises_are_computed_from_what_was_measured() -> None:
     ]
 
 
-def test_the_page_and_the_picture_show_everybody(
+def test_the_page_and_the_picture_show_every_contender(
     section: dict[str, Any], tmp_path: Path
 ) -> None:
-    told = tmp_path / "page.md"
-    told.write_text("before\n<!-- round_trips -->\nold\n<!-- /round_trips -->\nafter\n")
-    page.put("round_trips", report.tables(section), told)
-    text = told.read_text()
+    page_file = tmp_path / "page.md"
+    page_file.write_text(
+        "before\n<!-- round_trips -->\nold\n<!-- /round_trips -->\nafter\n"
+    )
+    page.put("round_trips", report.tables(section), page_file)
+    text = page_file.read_text()
     assert text.startswith("before\n")
     assert text.endswith("<!-- /round_trips -->\nafter\n")
     assert "\nold\n" not in text
@@ -89,11 +91,11 @@ def test_the_page_and_the_picture_show_everybody(
 
 
 def test_a_page_without_marks_is_not_written(tmp_path: Path) -> None:
-    told = tmp_path / "page.md"
-    told.write_text("nothing here\n")
+    page_file = tmp_path / "page.md"
+    page_file.write_text("nothing here\n")
     with pytest.raises(ValueError, match="0 places"):
-        page.put("round_trips", "new", told)
-    assert told.read_text() == "nothing here\n"
+        page.put("round_trips", "new", page_file)
+    assert page_file.read_text() == "nothing here\n"
 
 
 def test_a_tool_replaces_its_own_section_only(tmp_path: Path) -> None:
@@ -108,43 +110,45 @@ def test_a_tool_replaces_its_own_section_only(tmp_path: Path) -> None:
     assert json.loads(file.read_text()) == read
 
 
-class Wires:
+class FaultyConnections:
     """What may go wrong between a server and a client."""
 
     def __init__(self) -> None:
         self.world = observations.ScenarioPlayer("camera")
 
-    def honest(self, action: list[float]) -> Any:
+    def correct(self, action: list[float]) -> Any:
         return self.world.turn(action)
 
-    def deaf(self, _action: list[float]) -> Any:
+    def ignoring_actions(self, _action: list[float]) -> Any:
         return self.world.turn([0.5])
 
     def stale(self, action: list[float]) -> Any:
         state, images = self.world.turn(action)
         return state, {name: np.roll(image, 1) for name, image in images.items()}
 
-    def blind(self, action: list[float]) -> Any:
+    def without_images(self, action: list[float]) -> Any:
         return self.world.turn(action)[0], {}
 
 
-def test_who_sends_the_right_observations_is_measured() -> None:
-    took, computed = TurnClient(Wires().honest, "camera").play(3, whole=True)
+def test_correct_observations_are_measured() -> None:
+    took, computed = TurnClient(FaultyConnections().correct, "camera").play(
+        3, whole=True
+    )
     assert len(took) == 3
     assert computed > 0
 
 
-@pytest.mark.parametrize("wire", ["deaf", "stale", "blind"])
-def test_who_sends_others_is_not(wire: str) -> None:
+@pytest.mark.parametrize("wire", ["ignoring_actions", "stale", "without_images"])
+def test_wrong_observations_are_not_measured(wire: str) -> None:
     with pytest.raises(AssertionError):
-        TurnClient(getattr(Wires(), wire), "camera").play(1)
+        TurnClient(getattr(FaultyConnections(), wire), "camera").play(1)
 
 
-def test_a_process_that_has_gone_computes_nothing() -> None:
+def test_an_ended_process_has_no_cpu_time() -> None:
     assert cpu_s(2**22 + 1) == 0.0  # no Linux has so many
 
 
-def test_results_stand_on_the_page() -> None:
+def test_results_are_on_the_performance_page() -> None:
     """What is in results.json is what docs/performance.md shows."""
     sections = results.read()
     shown = page.FILE.read_text()

@@ -66,7 +66,7 @@ def test_a_sample_is_a_request_and_its_answer(state: samples.Sample) -> None:
     assert [bytes(part) for part in state.parts()] == [state.body]
 
 
-def test_pictures_are_sent_apart(cameras: samples.Sample) -> None:
+def test_images_are_separate_segments(cameras: samples.Sample) -> None:
     images = cameras.turn()["observation"]["images"]
     parts = cameras.parts()
     assert len(images) == 4
@@ -74,7 +74,7 @@ def test_pictures_are_sent_apart(cameras: samples.Sample) -> None:
     assert b"".join(parts) == cameras.body
 
 
-def test_what_becomes_of_pictures_leaves_the_turn_alone(
+def test_with_pictures_does_not_change_the_turn(
     cameras: samples.Sample,
 ) -> None:
     turn = cameras.turn()
@@ -88,10 +88,12 @@ def versions_in(lock: str) -> dict[str, str]:
     return dict(re.findall(r"^([a-z0-9-]+)==([^ ]+)", text, re.MULTILINE))
 
 
-def test_what_we_use_is_measured_in_the_version_that_we_use() -> None:
-    bench, house = versions_in("bench.txt"), versions_in("house.txt")
+def test_libraries_are_measured_in_the_locked_versions() -> None:
+    bench, server_versions = versions_in("bench.txt"), versions_in("house.txt")
     ours = {"httptools", "msgspec", "simplejpeg", "uvicorn", "uvloop"}
-    assert {name: bench[name] for name in ours} == {name: house[name] for name in ours}
+    assert {name: bench[name] for name in ours} == {
+        name: server_versions[name] for name in ours
+    }
 
 
 # --- in turn ---
@@ -122,11 +124,11 @@ def test_only_the_work_is_timed() -> None:
     assert worked == prepared  # each call has an argument of its own
 
 
-def test_who_makes_something_else_is_not_measured() -> None:
-    honest = in_turn.Contender("honest", len, lambda: "ab")
+def test_a_wrong_result_is_not_measured() -> None:
+    correct = in_turn.Contender("correct", len, lambda: "ab")
     other = in_turn.Contender("other", len, lambda: "abc")
     with pytest.raises(in_turn.WrongResult, match="other made 3 where 2"):
-        in_turn.medians_ns([honest, other], 2, FEW)
+        in_turn.medians_ns([correct, other], 2, FEW)
 
 
 def test_every_parser_finds_the_same(state: samples.Sample) -> None:
@@ -147,12 +149,12 @@ def test_every_codec_makes_the_same_pictures(
     assert took.keys() == {"simplejpeg", "Pillow"} == set(jpeg.sizes_kb([picture]))
 
 
-def test_an_encoder_of_other_pictures_is_not_measured(
+def test_an_encoder_with_wrong_output_is_not_measured(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     black = np.zeros((16, 16, 3), np.uint8)
-    honest = jpeg.ENCODERS["Pillow"]
-    monkeypatch.setitem(jpeg.ENCODERS, "Pillow", lambda pixels: honest(pixels + 9))
+    correct = jpeg.ENCODERS["Pillow"]
+    monkeypatch.setitem(jpeg.ENCODERS, "Pillow", lambda pixels: correct(pixels + 9))
     contenders, expected = jpeg.encoded([black], map)
     with pytest.raises(in_turn.WrongResult, match="Pillow made"):
         in_turn.medians_ns(contenders, expected, FEW)
@@ -161,7 +163,7 @@ def test_an_encoder_of_other_pictures_is_not_measured(
 # --- on loopback ---
 
 
-def here(contender: rounds.Contender) -> rounds.Contender:
+def with_this_python(contender: rounds.Contender) -> rounds.Contender:
     """By the Python of the tests."""
     return dataclasses.replace(
         contender,
@@ -174,36 +176,34 @@ def here(contender: rounds.Contender) -> rounds.Contender:
     ("client", "sample"),
     [(loopback.OURS, samples.CAMERAS), ("http.client", samples.STATE)],
 )
-def test_a_client_is_answered_the_sample(
-    client: str, sample: str, folder: Path
-) -> None:
+def test_a_client_receives_the_sample(client: str, sample: str, folder: Path) -> None:
     server = loopback.CHOSEN_SERVER
     contender = loopback.contender(client, server, client, folder, sample)
-    (turn_times,) = loopback.turn_times([here(contender)], FEW, 3).values()
+    (turn_times,) = loopback.turn_times([with_this_python(contender)], FEW, 3).values()
     assert len(turn_times.ns) == FEW * 3
     assert turn_times.server_cpu_s > 0
     assert turn_times.client_cpu_s > 0
 
 
-def test_another_answer_ends_the_measuring(folder: Path, tmp_path: Path) -> None:
+def test_a_wrong_answer_ends_the_measurement(folder: Path, tmp_path: Path) -> None:
     for name in (samples.STATE, samples.CAMERAS):
         sample = samples.read(folder, name)
         dataclasses.replace(sample, answer=sample.answer + b"!").write(tmp_path, name)
     name = loopback.OURS
-    honest = loopback.contender(
+    correct = loopback.contender(
         name, loopback.CHOSEN_SERVER, name, folder, samples.STATE
     )
-    mistaken = dataclasses.replace(
-        here(honest), arguments=[name, str(tmp_path), samples.STATE]
+    wrong_contender = dataclasses.replace(
+        with_this_python(correct), arguments=[name, str(tmp_path), samples.STATE]
     )
     with pytest.raises(rounds.ContenderFailed, match=name):
-        loopback.turn_times([mistaken], FEW, 3)
+        loopback.turn_times([wrong_contender], FEW, 3)
 
 
 # --- tables ---
 
 
-def a_section() -> tuple[dict[str, Any], list[int]]:
+def make_section() -> tuple[dict[str, Any], list[int]]:
     """Every column with the chosen one and two others; and the figures in it."""
     figures: dict[str, Any] = {}
     count = 1000
@@ -223,8 +223,8 @@ def a_section() -> tuple[dict[str, Any], list[int]]:
     return section, list(range(1000, count))
 
 
-def test_the_page_tells_every_figure() -> None:
-    section, figures = a_section()
+def test_the_table_contains_every_figure() -> None:
+    section, figures = make_section()
     text = tables.tables(section)
     assert [figure for figure in figures if f"| {figure} (" not in text] == []
     for question in tables.QUESTIONS.values():
@@ -235,7 +235,7 @@ def test_the_page_tells_every_figure() -> None:
     assert tables.tables(sorted_) == text
 
 
-def test_the_chosen_one_stands_first_and_is_the_measure() -> None:
+def test_the_chosen_library_is_first_and_the_reference() -> None:
     question = tables.Question("t", "", "ours", {"encode_us": "", "decode_us": ""})
     figures = {
         "encode_us": {"slow": 30.0, "fast": 5.0, "ours": 10.0},
@@ -257,7 +257,7 @@ def test_the_chosen_one_stands_first_and_is_the_measure() -> None:
     ]
 
 
-def test_results_stand_on_the_page() -> None:
+def test_library_results_are_on_the_performance_page() -> None:
     shown = page.FILE.read_text()
     assert "<!-- libraries -->\n" in shown
     if section := results.read().get("libraries"):

@@ -30,10 +30,10 @@ from reference_client.api.policy import chunk_of
 from reference_client.generated import messages
 from reference_client.policies import BadMapping, BadPolicy, Mapping, load
 from reference_client.policies.pictures import resize_picture
-from tests.proctor_scenes import Proctor, here, server
-from tests.test_reference_client_scenes import ROOT, House, ServerProcess
+from tests.proctor_scenes import ProctorCommand, policy_folder, server
+from tests.test_reference_client_scenes import ROOT, DirectClient, RestartableServer
 
-__all__ = ["here", "server"]
+__all__ = ["policy_folder", "server"]
 PAGE = (ROOT / "docs" / "policies.md").read_text()
 READY = {
     re.findall(r"# (\w+)\.toml", text)[0]: tomllib.loads(text)
@@ -50,9 +50,9 @@ SEEN = Observation(
 
 
 @pytest.fixture
-def house(server: ServerProcess) -> Iterator[House]:
-    with House(server.url) as house:
-        yield house
+def direct_client(server: RestartableServer) -> Iterator[DirectClient]:
+    with DirectClient(server.url) as direct_client:
+        yield direct_client
 
 
 def mapping(values: str = "a = {}", observation: str = "k = { value = 1 }") -> Mapping:
@@ -83,7 +83,7 @@ def rows(vector: str, out: Any) -> list[list[float]]:
         ("value = 'lift2'", "lift2"),
     ],
 )
-def test_words_and_constants(entry: str, value: Any) -> None:
+def test_text_entries_and_constants_are_mapped(entry: str, value: Any) -> None:
     assert request(entry) == value
 
 
@@ -99,7 +99,7 @@ def test_words_and_constants(entry: str, value: Any) -> None:
         ("from = 'state.gripper', leading = 2", [[[0.25]]]),
     ],
 )
-def test_vectors(entry: str, value: Any) -> None:
+def test_state_vectors_are_mapped(entry: str, value: Any) -> None:
     """Expect float32, which is what policies are trained on; and what is asked for."""
     given = request(entry)
     assert given.dtype == np.float32
@@ -107,7 +107,7 @@ def test_vectors(entry: str, value: Any) -> None:
     assert request(f"{entry}, dtype = 'float64'").dtype == np.float64
 
 
-def test_images() -> None:
+def test_images_are_resized_and_converted() -> None:
     """A wide white picture into a square. Expect bars above and below."""
     picture = request("from = 'images.front', resize = [8, 8]")
     assert (picture.shape, picture.dtype) == ((8, 8, 3), np.uint8)
@@ -143,7 +143,7 @@ def test_tensors_keep_their_dtype() -> None:
         ("value = [1, 2]", [[9]], [[1, 2]]),
     ],
 )
-def test_answers(vector: str, out: Any, chunk: Any) -> None:
+def test_answers_are_mapped_to_chunks(vector: str, out: Any, chunk: Any) -> None:
     played = np.asarray(rows(vector, np.asarray(out, np.float32)))
     assert played == pytest.approx(np.asarray(chunk))
 
@@ -161,7 +161,7 @@ def test_execute_cuts_a_chunk_and_leading_a_batch() -> None:
 
 
 @pytest.mark.parametrize(
-    ("answer", "said"),
+    ("answer", "message"),
     [
         ({"actions": [1]}, "has no out, but actions"),
         ("nothing", "has no out, but str"),
@@ -171,9 +171,7 @@ def test_execute_cuts_a_chunk_and_leading_a_batch() -> None:
         ({"out": [[1.0]]}, "0:2 of 1 numbers"),
     ],
 )
-def test_an_answer_that_does_not_fit_is_the_policys_fault(
-    answer: Any, said: str
-) -> None:
+def test_an_invalid_answer_is_a_policy_failure(answer: Any, message: str) -> None:
     """Expect what the file wanted and what came."""
 
     def ask(_request: dict[str, Any]) -> Any:
@@ -181,7 +179,7 @@ def test_an_answer_that_does_not_fit_is_the_policys_fault(
 
     module = {"ask": ask}
     policy = _policy(module["ask"], mapping("a = { columns = '0:2' }"))
-    with pytest.raises(ProctorError, match=said) as caught:
+    with pytest.raises(ProctorError, match=message) as caught:
         policy.act(SEEN)
     assert caught.value.code == "policy_failed"
 
@@ -196,7 +194,7 @@ def _policy(ask: Callable[[dict[str, Any]], Any], made: Mapping) -> Any:
 
 
 @pytest.mark.parametrize(
-    ("entry", "said"),
+    ("entry", "message"),
     [
         ("{}", "needs either"),
         ("1", "no table"),
@@ -209,16 +207,18 @@ def _policy(ask: Callable[[dict[str, Any]], Any], made: Mapping) -> Any:
         ("{ from = 'state.a', dtype = 'no' }", "none of numbers"),
     ],
 )
-def test_a_wrong_entry_says_where(tmp_path: Path, entry: str, said: str) -> None:
+def test_an_invalid_entry_is_reported_with_its_place(
+    tmp_path: Path, entry: str, message: str
+) -> None:
     file = tmp_path / "m.toml"
     file.write_text(f"[observation]\nk = {entry}\n[action.values]\na = {{}}")
-    with pytest.raises(BadMapping, match=said) as caught:
+    with pytest.raises(BadMapping, match=message) as caught:
         Mapping.read(file)
     assert f'{file}: observation."k"' in str(caught.value)
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "message"),
     [
         ("[", "no TOML"),
         ("[observation]", "action is missing"),
@@ -226,16 +226,18 @@ def test_a_wrong_entry_says_where(tmp_path: Path, entry: str, said: str) -> None
         ("[observation]\n[action.values]\na = {}", "observation is missing"),
     ],
 )
-def test_a_wrong_file_says_where(tmp_path: Path, text: str, said: str) -> None:
+def test_an_invalid_file_is_reported_with_its_name(
+    tmp_path: Path, text: str, message: str
+) -> None:
     file = tmp_path / "m.toml"
     file.write_text(text)
-    with pytest.raises(BadMapping, match=said) as caught:
+    with pytest.raises(BadMapping, match=message) as caught:
         Mapping.read(file)
     assert "m.toml" in str(caught.value)
 
 
 @pytest.mark.parametrize(
-    ("made", "said"),
+    ("made", "message"),
     [
         (mapping(observation="k = { from = 'state.no' }"), "state.no; calibration has"),
         (mapping("score = { relative_to = 'state.no' }"), "state.no; calibration has"),
@@ -243,10 +245,10 @@ def test_a_wrong_file_says_where(tmp_path: Path, text: str, said: str) -> None:
     ],
 )
 def test_a_mapping_for_another_benchmark_is_refused(
-    house: House, made: Mapping, said: str
+    direct_client: DirectClient, made: Mapping, message: str
 ) -> None:
-    with pytest.raises(BadMapping, match=said):
-        made.check(house.control.get_benchmark("calibration"))
+    with pytest.raises(BadMapping, match=message):
+        made.check(direct_client.control.get_benchmark("calibration"))
 
 
 def test_the_members_of_a_mapping_are_documented() -> None:
@@ -312,33 +314,39 @@ class Model:
         ("ebench", EBENCH, "ebench:Model"),
     ],
 )
-def test_a_ready_mapping_plays(
-    house: House, here: Path, name: str, source: str, reference: str
+def test_a_documented_mapping_plays_a_turn(
+    direct_client: DirectClient,
+    policy_folder: Path,
+    name: str,
+    source: str,
+    reference: str,
 ) -> None:
     """One turn of the real benchmark by a policy of that house, which checks its
     request. Expect that the actions are accepted and executed."""
-    (here / f"{name}.py").write_text(source)
+    (policy_folder / f"{name}.py").write_text(source)
     made = Mapping.of(READY[name], name)
     benchmark = "mobile_bimanual" if name == "ebench" else "tabletop"
-    made.check(house.control.get_benchmark(benchmark))
+    made.check(direct_client.control.get_benchmark(benchmark))
     policy = load(reference, made)()
-    turn = _first_turn(house, benchmark, policy)
+    turn = _first_turn(direct_client, benchmark, policy)
     assert turn.executed_steps in (8, 10, 40)
 
 
-def test_the_function_of_the_manual_plays(house: House, here: Path) -> None:
+def test_the_function_of_the_manual_plays(
+    direct_client: DirectClient, policy_folder: Path
+) -> None:
     """Both pages have it. Expect that it is the same, and that it is accepted."""
     command = (ROOT / "docs" / "command.md").read_text()
     (program,) = re.findall(r"```python\n(def hold.*?)```", PAGE, re.DOTALL)
     assert program in command
-    (here / "hold.py").write_text(program)
-    turn = _first_turn(house, "tabletop_state", load("hold.py:hold")())
+    (policy_folder / "hold.py").write_text(program)
+    turn = _first_turn(direct_client, "tabletop_state", load("hold.py:hold")())
     assert turn.executed_steps == 1
 
 
-def _first_turn(house: House, benchmark: str, policy: Any) -> Any:
-    size = house.control.get_benchmark(benchmark).image_sizes[-1]
-    run = house.control.submit_run(
+def _first_turn(direct_client: DirectClient, benchmark: str, policy: Any) -> Any:
+    size = direct_client.control.get_benchmark(benchmark).image_sizes[-1]
+    run = direct_client.control.submit_run(
         SubmitRun(
             benchmark_id=benchmark,
             policy=PolicyInfo(name="p"),
@@ -347,35 +355,40 @@ def _first_turn(house: House, benchmark: str, policy: Any) -> Any:
             ),
         )
     )
-    turn = house.attach(run.run_id, "w")
+    turn = direct_client.attach(run.run_id, "w")
     seen = observation_of(msgspec.json.decode(turn.to_json(), type=messages.Turn))
     policy.reset(seen.instruction)
     actions = [Action(values=one["values"]) for one in chunk_of(policy.act(seen))]
-    turn = house.data.predict(
+    turn = direct_client.data.predict(
         run.run_id,
         "w",
         Predict(session_id=turn.session_id, seq=1, actions=actions),
     )
-    house.data.detach_worker(run.run_id, "w", turn.session_id)
+    direct_client.data.detach_worker(run.run_id, "w", turn.session_id)
     return turn
 
 
 def test_a_mapping_is_checked_before_there_is_a_run(
-    server: ServerProcess, here: Path, capsys: pytest.CaptureFixture[str]
+    server: RestartableServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    proctor = Proctor(server.url, capsys)
+    proctor = ProctorCommand(server.url, capsys)
     text = "[observation]\nk = {value = 1}\n[action.values]\nno = {value = 1}"
-    (here / "m.toml").write_text(text)
+    (policy_folder / "m.toml").write_text(text)
     before = proctor.json("status")
     run = ["--policy", "policies:best", "--mapping", "m.toml"]
     for flags in ([], ["--processes"]):
-        told = proctor.json("run", "--benchmark", "calibration", *run, *flags)
-        assert (proctor.code, "action.values" in told["error"]["detail"]) == (2, True)
+        answer_json = proctor.json("run", "--benchmark", "calibration", *run, *flags)
+        assert (proctor.code, "action.values" in answer_json["error"]["detail"]) == (
+            2,
+            True,
+        )
     assert proctor.json("status") == before
 
 
-def test_what_a_module_imports_is_not_taken_for_the_module(here: Path) -> None:
-    (here / "needs.py").write_text("import not_there_at_all\n")
+def test_a_failed_import_inside_a_module_is_reported_as_such(
+    policy_folder: Path,
+) -> None:
+    (policy_folder / "needs.py").write_text("import not_there_at_all\n")
     with pytest.raises(ModuleNotFoundError, match="not_there_at_all"):
         load("needs:X")
     with pytest.raises(BadPolicy, match="no module"):

@@ -19,10 +19,10 @@ from websockets.sync.server import Server, ServerConnection, serve
 from reference_client import ProctorError
 from reference_client.policies.ndarray import BadMessage, pack, unpack
 from reference_client.policies.openpi import OpenpiClient
-from tests.proctor_scenes import Proctor, here, options, server
-from tests.test_reference_client_scenes import ServerProcess
+from tests.proctor_scenes import ProctorCommand, options, policy_folder, server
+from tests.test_reference_client_scenes import RestartableServer
 
-__all__ = ["here", "server"]
+__all__ = ["policy_folder", "server"]
 # {"actions": float32 2x3, "n": np.float64(1.5), "i": uint8, "t", "l", "b": bool}
 GOLDEN = bytes.fromhex(
     "86a7616374696f6e7384c40b5f5f6e6461727261795f5fc3c40464617461c418000000000000803f"
@@ -60,7 +60,7 @@ def frame(**members: Any) -> bytes:
     return msgspec.msgpack.encode({"actions": array} | members)
 
 
-class Policies:
+class OpenpiServer:
     """A policy server: `answer` takes a request's bytes and its number."""
 
     def __init__(self, answer: Callable[[bytes, int], bytes | str | None]) -> None:
@@ -93,11 +93,11 @@ class Policies:
 
 
 @pytest.fixture
-def serving() -> Iterator[Callable[..., Policies]]:
-    made: list[Policies] = []
+def start_policy_server() -> Iterator[Callable[..., OpenpiServer]]:
+    made: list[OpenpiServer] = []
 
-    def make(answer: Callable[[bytes, int], bytes | str | None]) -> Policies:
-        made.append(Policies(answer))
+    def make(answer: Callable[[bytes, int], bytes | str | None]) -> OpenpiServer:
+        made.append(OpenpiServer(answer))
         return made[-1]
 
     yield make
@@ -107,10 +107,10 @@ def serving() -> Iterator[Callable[..., Policies]]:
 
 @pytest.fixture
 def proctor(
-    server: ServerProcess, here: Path, capsys: pytest.CaptureFixture[str]
-) -> Proctor:
-    (here / "m.toml").write_text(MAPPING)
-    return Proctor(server.url, capsys)
+    server: RestartableServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
+) -> ProctorCommand:
+    (policy_folder / "m.toml").write_text(MAPPING)
+    return ProctorCommand(server.url, capsys)
 
 
 def run(policies: str, *tasks: str, workers: int = 1) -> list[str]:
@@ -147,13 +147,13 @@ def test_what_openpi_writes_is_read() -> None:
         ),
     ],
 )
-def test_what_is_not_of_the_dialect_is_refused(message: bytes) -> None:
+def test_an_invalid_message_is_refused(message: bytes) -> None:
     """Cut, of no format, or an array of objects. Expect no array."""
     with pytest.raises(BadMessage, match="openpi"):
         unpack(message)
 
 
-def test_what_has_no_place_is_not_sent() -> None:
+def test_unsupported_objects_are_not_sent() -> None:
     with pytest.raises(TypeError, match="has no place"):
         pack({"x": object()})
     with pytest.raises(ValueError, match="not sent"):
@@ -164,13 +164,15 @@ def test_what_has_no_place_is_not_sent() -> None:
 
 
 def test_a_policy_server_is_evaluated(
-    proctor: Proctor,
-    serving: Callable[..., Policies],
+    proctor: ProctorCommand,
+    start_policy_server: Callable[..., OpenpiServer],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Two workers, two turns in one chunk. Expect its score, its key and its words."""
     monkeypatch.setenv("OPENPI_API_KEY", "k")
-    policies = serving(lambda _request, _number: frame(server_timing={"infer_ms": 1.0}))
+    policies = start_policy_server(
+        lambda _request, _number: frame(server_timing={"infer_ms": 1.0})
+    )
     score = proctor.json(*run(policies.url, *["score"] * 4, workers=2))
     assert (proctor.code, score["score"]) == (0, 0.75)
     assert policies.keys == ["Api-Key k"] * 2
@@ -180,25 +182,27 @@ def test_a_policy_server_is_evaluated(
     assert len(policies.requests) == 4
 
 
-def test_a_connection_that_is_lost_is_made_again(
-    proctor: Proctor, serving: Callable[..., Policies]
+def test_a_lost_connection_is_opened_again(
+    proctor: ProctorCommand, start_policy_server: Callable[..., OpenpiServer]
 ) -> None:
     """The server dies under its first request. Expect the request once more."""
-    policies = serving(lambda _request, number: None if number == 1 else frame())
+    policies = start_policy_server(
+        lambda _request, number: None if number == 1 else frame()
+    )
     score = proctor.json(*run(policies.url, "score"))
     assert (proctor.code, score["score"]) == (0, 0.75)
     assert policies.requests[0] == policies.requests[1]
 
 
-def test_its_traceback_is_told_in_one_line(
-    proctor: Proctor, serving: Callable[..., Policies]
+def test_a_remote_traceback_is_reported_in_one_line(
+    proctor: ProctorCommand, start_policy_server: Callable[..., OpenpiServer]
 ) -> None:
     trace = "Traceback (most recent call last):\n  …\nKeyError: 'prompt'\n"
-    policies = serving(lambda _request, _number: trace)
-    told = proctor.json(*run(policies.url, "score"))
+    policies = start_policy_server(lambda _request, _number: trace)
+    answer_json = proctor.json(*run(policies.url, "score"))
     assert proctor.code == 1
-    assert "failed: KeyError: 'prompt'." in told["error"]["detail"]
-    assert "resume" in told
+    assert "failed: KeyError: 'prompt'." in answer_json["error"]["detail"]
+    assert "resume" in answer_json
 
 
 @pytest.mark.parametrize(
@@ -209,21 +213,24 @@ def test_its_traceback_is_told_in_one_line(
     ],
 )
 def test_an_answer_that_cannot_be_read_ends_it(
-    proctor: Proctor, serving: Callable[..., Policies], answer: bytes, said: str
+    proctor: ProctorCommand,
+    start_policy_server: Callable[..., OpenpiServer],
+    answer: bytes,
+    said: str,
 ) -> None:
-    policies = serving(lambda _request, _number: answer)
-    told = proctor.json(*run(policies.url, "score"))
-    assert (proctor.code, said in told["error"]["detail"]) == (1, True)
+    policies = start_policy_server(lambda _request, _number: answer)
+    answer_json = proctor.json(*run(policies.url, "score"))
+    assert (proctor.code, said in answer_json["error"]["detail"]) == (1, True)
 
 
-def test_a_policy_server_that_is_not_there_leaves_no_run(
-    proctor: Proctor, monkeypatch: pytest.MonkeyPatch
+def test_an_unreachable_policy_server_leaves_no_run(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("reference_client.policies.openpi.FIRST_CONTACT_S", 0.0)
     before = proctor.json("status")
-    told = proctor.json(*run("ws://127.0.0.1:9", "score"))
+    answer_json = proctor.json(*run("ws://127.0.0.1:9", "score"))
     assert proctor.code == 2
-    assert "ws://127.0.0.1:9 does not answer" in told["error"]["detail"]
+    assert "ws://127.0.0.1:9 does not answer" in answer_json["error"]["detail"]
     assert proctor.json("status") == before
     with pytest.raises(ProctorError, match="no URL of a WebSocket"):
         OpenpiClient("ws://").infer({})

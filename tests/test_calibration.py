@@ -51,7 +51,7 @@ def action(**values: Any) -> Action:
     }
 
 
-def playing(task: str) -> Calibration:
+def start_episode(task: str) -> Calibration:
     simulator = Calibration(WIDTH, HEIGHT)
     simulator.reset(task, 1000)
     return simulator
@@ -78,7 +78,7 @@ def test_an_unknown_task_is_unplayable() -> None:
 
 @pytest.mark.parametrize("task", TASKS)
 def test_counts_executed_actions_in_every_task(task: str) -> None:
-    simulator = playing(task)
+    simulator = start_episode(task)
     for count in range(3):
         assert simulator.observe().state["count"].tolist() == [count]
         simulator.step(action())
@@ -87,7 +87,7 @@ def test_counts_executed_actions_in_every_task(task: str) -> None:
 
 
 def test_success_and_end_hold_at_one_and_not_below() -> None:
-    simulator = playing("count")
+    simulator = start_episode("count")
     below = simulator.step(action(success=0.999, end=0.999))
     at_one = simulator.step(action(success=1, end=1))
     assert (below.success, below.terminated) == (False, False)
@@ -95,53 +95,53 @@ def test_success_and_end_hold_at_one_and_not_below() -> None:
 
 
 def test_score_and_reward_are_the_commanded_score() -> None:
-    outcome = playing("score").step(action(score=0.3))
+    outcome = start_episode("score").step(action(score=0.3))
     assert (outcome.score, outcome.reward) == (0.3, 0.3)
 
 
 def test_echo_returns_the_last_vector_bit_for_bit() -> None:
     odd = [0.1, -0.0, 5e-324, 1.7976931348623157e308, 1 / 3, -1e-17, 2**53, 0.0]
-    simulator = playing("echo")
+    simulator = start_episode("echo")
     simulator.step(action(vector=odd))
     state = encode(simulator.observe(), "raw")["state"]
     assert struct.pack("<8d", *state["vector"]) == struct.pack("<8d", *odd)
 
 
 def test_clips_what_is_declared_to_be_clipped() -> None:
-    simulator = playing("count")
+    simulator = start_episode("count")
     simulator.step(action(clipped=[-7.0, 0.25]))
     assert simulator.observe().state["clipped"].tolist() == [-1.0, 0.25]
 
 
 def test_delay_takes_at_least_its_time_in_its_task_only() -> None:
     started = time.monotonic()
-    playing("delay").step(action(delay_s=0.05))
+    start_episode("delay").step(action(delay_s=0.05))
     assert time.monotonic() - started >= 0.05
     started = time.monotonic()
-    playing("count").step(action(delay_s=5))
+    start_episode("count").step(action(delay_s=5))
     assert time.monotonic() - started < 5
 
 
 def test_fault_breaks_down_in_its_task_only(monkeypatch: pytest.MonkeyPatch) -> None:
     deaths: list[int] = []
     monkeypatch.setattr("os._exit", deaths.append)
-    playing("score").step(action(fault=2))
-    playing("fault").step(action(fault=0))
+    start_episode("score").step(action(fault=2))
+    start_episode("fault").step(action(fault=0))
     assert deaths == []
-    playing("fault").step(action(fault=1))
+    start_episode("fault").step(action(fault=1))
     assert deaths == [DEATH_EXIT_CODE]
     with pytest.raises(TaskUnplayable):
-        playing("fault").step(action(fault=2))
+        start_episode("fault").step(action(fault=2))
 
 
 @pytest.mark.parametrize("task", [task for task in TASKS if task != "echo"])
 def test_only_echo_has_images_and_tensors(task: str) -> None:
-    seen = encode(playing(task).observe(), "raw")
+    seen = encode(start_episode(task).observe(), "raw")
     assert (seen["images"], seen["tensors"]) == ({}, {})
 
 
 def test_the_tensors_are_those_of_the_table() -> None:
-    tensors = encode(playing("echo").observe(), "raw")["tensors"]
+    tensors = encode(start_episode("echo").observe(), "raw")["tensors"]
     assert tensors.pop("empty") == {"dtype": "float64", "shape": [0, 3], "data": b""}
     assert tensors.keys() == ELEMENTS.keys()
     for dtype, (letter, elements) in ELEMENTS.items():
@@ -151,7 +151,7 @@ def test_the_tensors_are_those_of_the_table() -> None:
 
 @pytest.mark.parametrize("count", [0, 1, 300])
 def test_the_raw_pattern_is_that_of_the_page(count: int) -> None:
-    simulator = playing("echo")
+    simulator = start_episode("echo")
     for _ in range(count):
         simulator.step(action())
     image = encode(simulator.observe(), "raw")["images"]["pattern"]
@@ -165,7 +165,7 @@ def test_the_raw_pattern_is_that_of_the_page(count: int) -> None:
 
 
 def test_png_decodes_to_the_raw_image_and_jpeg_to_its_size() -> None:
-    seen = playing("echo").observe()
+    seen = start_episode("echo").observe()
     for codec in ("png", "jpeg"):
         image = encode(seen, codec)["images"]["pattern"]
         with Image.open(io.BytesIO(image["data"])) as decoded:
@@ -185,7 +185,7 @@ def test_grey_images_have_one_channel() -> None:
 
 def test_an_unknown_codec_is_an_error() -> None:
     with pytest.raises(ValueError, match="codec"):
-        encode(playing("echo").observe(), "webp")
+        encode(start_episode("echo").observe(), "webp")
 
 
 def test_encodings_do_not_depend_on_the_memory_layout() -> None:
@@ -269,7 +269,7 @@ def test_action_space_is_that_of_the_page() -> None:
     }
 
 
-def test_worlds_differ_by_images_alone() -> None:
+def test_simulator_configs_differ_only_by_images() -> None:
     default = benchmark_registry.resolve("calibration").world
     assert benchmark_registry.resolve("calibration", {"max_steps": 3}).world == default
     larger = {"codec": "png", "width": 64, "height": 48}
@@ -303,7 +303,7 @@ def test_options_are_for_calibration_only() -> None:
     assert refused.value.pointer == "/options"
 
 
-def test_the_catalog_is_sorted_and_closed() -> None:
+def test_the_benchmark_list_is_sorted() -> None:
     assert benchmark_registry.benchmark_ids() == (
         "calibration",
         "mobile_bimanual",

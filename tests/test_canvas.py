@@ -44,7 +44,7 @@ def draw(
     return pictures
 
 
-def test_memory_is_shared_as_soon_as_it_is_known_how_much() -> None:
+def test_memory_is_shared_once_its_size_is_known() -> None:
     frame_buffer = SharedFrameBuffer()
     (first,) = draw(frame_buffer, 1)
     assert frame_buffer.place_of(first) is None
@@ -62,7 +62,7 @@ def test_memory_is_shared_as_soon_as_it_is_known_how_much() -> None:
     assert None not in map(frame_buffer.place_of, draw(frame_buffer, 4, images=2))
 
 
-def test_an_observation_stays_while_the_next_one_is_drawn() -> None:
+def test_an_observation_is_valid_until_the_next_but_one() -> None:
     frame_buffer = SharedFrameBuffer()
     draw(frame_buffer, 1)
     (second,) = draw(frame_buffer, 2)
@@ -72,16 +72,16 @@ def test_an_observation_stays_while_the_next_one_is_drawn() -> None:
     assert (second.max(), third.max(), fourth.max()) == (4, 3, 4)
 
 
-def test_another_episode_draws_elsewhere() -> None:
+def test_a_new_episode_uses_other_memory() -> None:
     """What is still being sent to one client never shows what another one sees."""
     frame_buffer = SharedFrameBuffer()
     draw(frame_buffer, 1)
-    (mine,) = draw(frame_buffer, 2)
+    (own_image,) = draw(frame_buffer, 2)
     frame_buffer.begin_episode()
     for shade in (3, 4, 5):
-        (theirs,) = draw(frame_buffer, shade)
-    assert (mine.max(), theirs.max()) == (2, 5)
-    assert frame_buffer.place_of(mine) is None
+        (other_image,) = draw(frame_buffer, shade)
+    assert (own_image.max(), other_image.max()) == (2, 5)
+    assert frame_buffer.place_of(own_image) is None
 
 
 def test_pixels_from_elsewhere_are_copied() -> None:
@@ -108,7 +108,7 @@ def test_memory_that_could_shrink_under_its_reader_is_refused() -> None:
     os.close(descriptor)
 
 
-def test_descriptors_do_not_pile_up() -> None:
+def test_descriptors_do_not_accumulate() -> None:
     frame_buffer, counts = SharedFrameBuffer(), []
     for _ in range(20):
         frame_buffer.begin_episode()
@@ -134,7 +134,7 @@ def test_images_come_out_of_the_process_bit_for_bit() -> None:
         grey = 7 * column + 13 * row + 29 * channel + count
         return bytes(grey.astype(np.uint8).tobytes())
 
-    async def story() -> None:
+    async def scenario() -> None:
         pool = SimulatorPool()
         await pool.start()
         handle = await pool.acquire(world)
@@ -158,10 +158,10 @@ def test_images_come_out_of_the_process_bit_for_bit() -> None:
         await handle.release()
         await pool.close()
 
-    asyncio.run(story())
+    asyncio.run(scenario())
 
 
-def test_a_place_beside_the_memory_ends_the_process() -> None:
+def test_an_offset_outside_the_memory_is_an_error() -> None:
     process = SimulatorProcess.__new__(SimulatorProcess)
     process._frame_memory = memoryview(bytes(10))
     for place in ((5, 6), (-2, 1), (11, 1)):
@@ -192,7 +192,7 @@ TURN = {
 }
 
 
-def test_large_images_leave_as_they_are() -> None:
+def test_large_images_are_sent_without_a_copy() -> None:
     parts = encode_segments(TURN)
     assert sum(part is PIXELS for part in parts) == 1
     assert b"".join(parts) == msgspec.msgpack.encode(TURN)
@@ -202,7 +202,7 @@ def test_large_images_leave_as_they_are() -> None:
     ("media_type", "encode"),
     [(MSGPACK, msgspec.msgpack.encode), (JSON, msgspec.json.encode)],
 )
-def test_an_answer_in_parts_is_that_in_one(media_type: str, encode: Any) -> None:
+def test_a_segmented_answer_equals_the_whole(media_type: str, encode: Any) -> None:
     parts = encode_segments(TURN, media_type)
     assert len(parts) == 5
     assert b"".join(parts) == encode(TURN)
@@ -212,5 +212,5 @@ def test_an_answer_in_parts_is_that_in_one(media_type: str, encode: Any) -> None
 
 
 @pytest.mark.parametrize("content", [{"observation": {}}, {"observation": 1}, [1], {}])
-def test_what_is_no_turn_is_one_part(content: Any) -> None:
+def test_a_body_that_is_not_a_turn_is_one_segment(content: Any) -> None:
     assert encode_segments(content, JSON) == [msgspec.json.encode(content)]

@@ -9,7 +9,7 @@ import pytest
 from reference_sim import benchmark_registry
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.gymnasium import BadBenchmark
-from tests.test_layers import of_package, who_imports
+from tests.test_layers import files_of_package, importers_of
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples" / "benchmarks"
 
@@ -21,14 +21,14 @@ def _catalog_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
     )
 
 
-def test_what_is_added_is_offered_beside_ours() -> None:
-    ours = benchmark_registry.benchmark_ids()
-    said: list[str] = []
-    benchmark_registry.add(f"{EXAMPLES}, gymnasium:Acrobot-v1,", said.append)
+def test_added_benchmarks_are_offered() -> None:
+    built_in = benchmark_registry.benchmark_ids()
+    warnings: list[str] = []
+    benchmark_registry.add(f"{EXAMPLES}, gymnasium:Acrobot-v1,", warnings.append)
     added = {"acrobot_v1", "cartpole", "pendulum"}
-    assert set(benchmark_registry.benchmark_ids()) == {*ours, *added}
+    assert set(benchmark_registry.benchmark_ids()) == {*built_in, *added}
     assert benchmark_registry.unavailable_reason("cartpole") is None
-    (warning,) = said
+    (warning,) = warnings
     assert warning.startswith("acrobot_v1: no camera: DependencyNotInstalled: pygame")
 
     resolved = benchmark_registry.resolve("cartpole", max_chunk=7)
@@ -37,10 +37,10 @@ def test_what_is_added_is_offered_beside_ours() -> None:
     assert resolved.world.success_scored_tasks == ["balance", "recover"]
     assert benchmark_registry.resolve("pendulum").world.success_scored_tasks == []
     with pytest.raises(BadBenchmark, match="there is a benchmark acrobot_v1 already"):
-        benchmark_registry.add("gymnasium:Acrobot-v1", said.append)
+        benchmark_registry.add("gymnasium:Acrobot-v1", warnings.append)
 
 
-def test_a_world_is_made_where_nothing_was_added() -> None:
+def test_a_simulator_is_built_without_the_registration() -> None:
     benchmark_registry.add(f"{EXAMPLES}/corridor.py:Corridor", print)
     world = benchmark_registry.resolve("corridor").world
     benchmark_registry._BENCHMARKS.clear()
@@ -54,7 +54,7 @@ def test_a_world_is_made_where_nothing_was_added() -> None:
         benchmark_registry.resolve("corridor")
 
 
-def test_meta_world_is_not_in_this_environment_and_the_cure_is_said() -> None:
+def test_missing_meta_world_is_reported_with_the_command_to_install_it() -> None:
     with pytest.raises(BadBenchmark) as caught:
         benchmark_registry.add("metaworld_mt50", print)
     assert "No module named 'metaworld'" in str(caught.value)
@@ -69,5 +69,5 @@ def test_meta_world_is_not_in_this_environment_and_the_cure_is_said() -> None:
     ],
 )
 def test_a_library_of_environments_has_one_owner(module: str, owner: str) -> None:
-    house = of_package("reference_sim", "reference_server", "conformance")
-    assert who_imports(module, among=house) == [owner]
+    packages = files_of_package("reference_sim", "reference_server", "conformance")
+    assert importers_of(module, among=packages) == [owner]

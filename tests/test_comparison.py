@@ -98,7 +98,7 @@ def test_known_p_values(wins: int, losses: int, p: float) -> None:
     assert mcnemar(wins, losses) == mcnemar(losses, wins) == p
 
 
-def test_many_episodes_are_no_trouble() -> None:
+def test_p_values_of_many_episodes_are_finite() -> None:
     assert mcnemar(0, 5000) == 0.0
     assert mcnemar(10_000, 10_000) == 1.0
     assert 0.0 < mcnemar(10_300, 9_700) < 1e-4
@@ -123,14 +123,17 @@ def test_a_run_beside_itself_does_not_differ(drawn: Any) -> None:
 
 
 @given(runs, st.floats(0, 1))
-def test_in_the_other_order_the_sign_is_another(drawn: Any, tolerance: float) -> None:
+def test_swapping_the_runs_negates_the_difference(drawn: Any, tolerance: float) -> None:
     base, run = sides(drawn)
-    there, back = compare(base, run, tolerance), compare(run, base, tolerance)
-    if there["paired"]:
-        assert there["difference"] == -back["difference"]
-    assert (there["wins"], there["losses"]) == (back["losses"], back["wins"])
+    forward, backward = compare(base, run, tolerance), compare(run, base, tolerance)
+    if forward["paired"]:
+        assert forward["difference"] == -backward["difference"]
+    assert (forward["wins"], forward["losses"]) == (
+        backward["losses"],
+        backward["wins"],
+    )
     for same in ("complete", "release", "paired", "ties", "p_value"):
-        assert there[same] == back[same]
+        assert forward[same] == backward[same]
 
 
 @given(runs)
@@ -170,7 +173,7 @@ def test_a_comparison_fits_its_schema(drawn: Any, tolerance: float) -> None:
 
 
 @given(runs)
-def test_a_wide_gate_releases_what_is_complete(drawn: Any) -> None:
+def test_a_tolerance_of_one_releases_every_complete_run(drawn: Any) -> None:
     found = compare(*sides(drawn), 1.0)
     assert found["release"] == found["complete"]
 
@@ -186,7 +189,9 @@ def test_a_wide_gate_releases_what_is_complete(drawn: Any) -> None:
         ([0.0, -0.3], False),
     ],
 )
-def test_the_gate(differences: list[float], is_so: bool) -> None:
+def test_the_tolerance_applies_to_every_group(
+    differences: list[float], is_so: bool
+) -> None:
     assert is_within([{"difference": d} for d in differences], 0.25) == is_so
 
 

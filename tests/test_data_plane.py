@@ -22,23 +22,26 @@ from reference_client.protocol.retry_policy import FAILURES
 from tests.test_reference_client_scenes import (
     DEADLINE_S,
     TOKEN,
-    House,
-    ServerProcess,
+    DirectClient,
+    RestartableServer,
     action,
-    serving,
+    serve_in_thread,
 )
 
 PIXELS = bytes(range(12))
 
 
 @pytest.fixture(scope="module")
-def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
+def direct_client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DirectClient]:
     directory = tmp_path_factory.mktemp("server")
-    with ServerProcess(directory) as server, House(server.url) as house:
-        yield house
+    with (
+        RestartableServer(directory) as server,
+        DirectClient(server.url) as direct_client,
+    ):
+        yield direct_client
 
 
-class Played:
+class EchoWorker:
     """One worker of a calibration run on the real server."""
 
     def __init__(self, plane: DataPlane, run_id: str) -> None:
@@ -53,10 +56,10 @@ class Played:
 
 
 @pytest.fixture
-def echoing(house: House) -> Iterator[Played]:
-    run = house.submit("echo")
+def echo_worker(direct_client: DirectClient) -> Iterator[EchoWorker]:
+    run = direct_client.submit("echo")
     with Connection(run.endpoint, TOKEN, requests=1) as connection:
-        yield Played(connection.data(run.endpoint), run.run_id)
+        yield EchoWorker(connection.data(run.endpoint), run.run_id)
 
 
 def memory_of(turn: Turn) -> Any:
@@ -64,32 +67,32 @@ def memory_of(turn: Turn) -> Any:
     return turn.observation.images["pattern"].data.obj
 
 
-def test_an_image_is_a_view_of_the_answer(echoing: Played) -> None:
-    turn = echoing.step()
+def test_an_image_is_a_view_of_the_answer(echo_worker: EchoWorker) -> None:
+    turn = echo_worker.step()
     assert isinstance(memory_of(turn), bytearray)
     seen = observation_of(turn).images["pattern"]
     assert np.shares_memory(seen, np.frombuffer(memory_of(turn), np.uint8))
     assert not seen.flags.writeable
 
 
-def test_what_somebody_looks_at_is_not_written_over(echoing: Played) -> None:
-    kept = []
+def test_a_buffer_in_use_is_not_overwritten(echo_worker: EchoWorker) -> None:
+    patterns = []
     for _ in range(6):
-        pattern = observation_of(echoing.step()).images["pattern"]
-        kept.append((pattern, pattern.copy()))
-    assert all(np.array_equal(view, copy) for view, copy in kept)
-    first, last = kept[0][1], kept[-1][1]
+        pattern = observation_of(echo_worker.step()).images["pattern"]
+        patterns.append((pattern, pattern.copy()))
+    assert all(np.array_equal(view, copy) for view, copy in patterns)
+    first, last = patterns[0][1], patterns[-1][1]
     assert not np.array_equal(first, last), "or being written over would not show"
 
 
-def test_memory_at_which_nobody_looks_is_used_again(echoing: Played) -> None:
-    assert len({id(memory_of(echoing.step())) for _ in range(8)}) <= 3
+def test_an_unused_buffer_is_reused(echo_worker: EchoWorker) -> None:
+    assert len({id(memory_of(echo_worker.step())) for _ in range(8)}) <= 3
 
 
 # A server of a few canned answers
 
 
-def a_turn(seq: int) -> dict[str, Any]:
+def turn_body(seq: int) -> dict[str, Any]:
     image = {"codec": "raw", "width": 2, "height": 2, "channels": 3, "data": PIXELS}
     times = ("total_s", "queue_s", "simulate_s", "render_s", "encode_s")
     return {
@@ -108,7 +111,7 @@ def a_turn(seq: int) -> dict[str, Any]:
     }
 
 
-class Canned(ThreadingHTTPServer):
+class CannedServer(ThreadingHTTPServer):
     """Answers everything with `body` as `media_type`.
 
     asked_in: the media types of what was asked. connections: how many were opened.
@@ -117,17 +120,17 @@ class Canned(ThreadingHTTPServer):
     daemon_threads = True
 
     def __init__(self, media_type: str, body: bytes) -> None:
-        super().__init__(("127.0.0.1", 0), _Answering)
+        super().__init__(("127.0.0.1", 0), _CannedHandler)
         self.media_type, self.body = media_type, body
-        self.asked_in: list[str] = []
+        self.request_media_types: list[str] = []
         self.connections = 0
-        self.hangs_up = False
+        self.closes_connection = False
         self.url = f"http://127.0.0.1:{self.server_address[1]}"
 
 
-class _Answering(BaseHTTPRequestHandler):
+class _CannedHandler(BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
-    server: Canned
+    server: CannedServer
 
     def setup(self) -> None:
         self.server.connections += 1
@@ -135,27 +138,29 @@ class _Answering(BaseHTTPRequestHandler):
 
     def _answer(self) -> None:
         self.rfile.read(int(self.headers["Content-Length"]))
-        self.server.asked_in.append(self.headers["Content-Type"])
+        self.server.request_media_types.append(self.headers["Content-Type"])
         self.send_response_only(200)
         self.send_header("Content-Type", self.server.media_type)
         self.send_header("Content-Length", str(len(self.server.body)))
         self.end_headers()
         self.wfile.write(self.server.body)
-        self.close_connection = self.server.hangs_up  # and says nothing of it
+        self.close_connection = self.server.closes_connection  # and says nothing of it
 
     do_PUT = do_POST = _answer  # noqa: N815 - http.server's names
 
 
 @contextlib.contextmanager
-def canned(media_type: str, body: bytes) -> Iterator[tuple[Canned, DataPlane]]:
+def canned_server(
+    media_type: str, body: bytes
+) -> Iterator[tuple[CannedServer, DataPlane]]:
     with (
-        serving(Canned(media_type, body)) as server,
+        serve_in_thread(CannedServer(media_type, body)) as server,
         Connection(server.url, "t", requests=1) as connection,
     ):
         yield server, connection.data(server.url)
 
 
-def ask(plane: DataPlane, seq: int = 1) -> Turn:
+def predict_once(plane: DataPlane, seq: int = 1) -> Turn:
     return plane.predict("r", "w", "s", seq, [{"values": {"a": [0.5]}}])
 
 
@@ -163,28 +168,33 @@ def ask(plane: DataPlane, seq: int = 1) -> Turn:
     ("media_type", "encode"),
     [(JSON, msgspec.json.encode), (MSGPACK, msgspec.msgpack.encode)],
 )
-def test_a_server_is_asked_in_what_it_answers(media_type: str, encode: Any) -> None:
-    with canned(media_type, encode(a_turn(1))) as (server, plane):
+def test_requests_use_the_media_type_of_the_last_answer(
+    media_type: str, encode: Any
+) -> None:
+    with canned_server(media_type, encode(turn_body(1))) as (server, plane):
         for seq in (1, 2):
-            turn = ask(plane, seq)
+            turn = predict_once(plane, seq)
             assert turn.observation
             assert bytes(turn.observation.images["c"].data) == PIXELS
-        assert server.asked_in == [JSON, media_type]
+        assert server.request_media_types == [JSON, media_type]
         assert server.connections == 1
 
 
-def test_a_connection_that_was_hung_up_is_opened_again() -> None:
-    with canned(MSGPACK, msgspec.msgpack.encode(a_turn(1))) as (server, plane):
-        server.hangs_up = True
+def test_a_closed_connection_is_opened_again() -> None:
+    with canned_server(MSGPACK, msgspec.msgpack.encode(turn_body(1))) as (
+        server,
+        plane,
+    ):
+        server.closes_connection = True
         for _ in range(3):
-            assert ask(plane).seq == 1
+            assert predict_once(plane).seq == 1
             # While the policy thinks, the end of the connection arrives.
             assert plane.http_connection.sock is not None
             assert wait_for_read(plane.http_connection.sock, DEADLINE_S)
         assert server.connections == 3
 
 
-TURN = msgspec.json.encode(a_turn(1))
+TURN = msgspec.json.encode(turn_body(1))
 
 
 @pytest.mark.parametrize(
@@ -198,19 +208,22 @@ TURN = msgspec.json.encode(a_turn(1))
         (MSGPACK, TURN),
     ],
 )
-def test_what_is_no_turn_is_told(media_type: str, body: bytes) -> None:
-    with canned(media_type, body) as (_, plane), pytest.raises(FAILURES) as caught:
-        ask(plane)
+def test_an_invalid_turn_is_an_error(media_type: str, body: bytes) -> None:
+    with (
+        canned_server(media_type, body) as (_, plane),
+        pytest.raises(FAILURES) as caught,
+    ):
+        predict_once(plane)
     assert isinstance(caught.value, Exception)
     error = from_failure(caught.value, "http://x")
     assert (error.code, error.retryable) == ("bad_answer", False)
 
 
-def test_nobody_there_is_silence() -> None:
-    with canned(JSON, TURN) as (server, plane):
+def test_a_refused_connection_counts_as_unreachable() -> None:
+    with canned_server(JSON, TURN) as (server, plane):
         pass
     with pytest.raises(FAILURES) as caught:
-        ask(plane)
+        predict_once(plane)
     assert isinstance(caught.value, Exception)
     error = from_failure(caught.value, server.url)
     assert isinstance(error, ProctorError)

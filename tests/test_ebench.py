@@ -21,27 +21,27 @@ from reference_server.http.handlers import Handlers
 from reference_server.profiles import profile_tables
 from reference_server.profiles.ebench.handlers import EbenchHandlers
 from reference_server.settings import Settings
-from tests.conftest import PATIENCE_S, House
+from tests.conftest import TIMEOUT_S, ReferenceServer
 from tests.ebench_client import (
     EbenchClient,
     Json,
     action,
     count,
-    house,
+    dump_pickle,
     http,
-    native,
-    opened,
-    pickled,
+    open_client,
     run_of,
+    server,
+    submit_native_run,
 )
 
-__all__ = ["house", "http"]
+__all__ = ["server", "http"]
 
 
 @pytest.fixture(scope="module")
-def fuzzed(house: House) -> Iterator[EbenchClient]:
-    with house.client() as http:
-        yield opened(http, *["count"] * 50)
+def fuzzed(server: ReferenceServer) -> Iterator[EbenchClient]:
+    with server.client() as http:
+        yield open_client(http, *["count"] * 50)
 
 
 # --- tasks ---
@@ -49,11 +49,11 @@ def fuzzed(house: House) -> Iterator[EbenchClient]:
 
 def test_the_profile_is_off_unless_asked_for() -> None:
     nothing: Any = None
-    quiet, asked = (
+    without_profile, asked = (
         Handlers(Settings(profiles=chosen), nothing, nothing, nothing)
         for chosen in (Settings().profiles, "ebench")
     )
-    assert profile_tables(quiet) == {}
+    assert profile_tables(without_profile) == {}
     assert set(profile_tables(asked)) == set(EbenchHandlers(asked).table())
 
 
@@ -113,41 +113,45 @@ def test_a_benchmark_set_is_a_benchmark(
 def test_a_refusal_of_the_control_plane_is_an_envelope(
     http: httpx.Client, name: str, body: Json, code: int
 ) -> None:
-    told = EbenchClient(http).control(name, **body)
-    assert (told["code"], told["data"]) == (code, None)
-    assert len(told["msg"]) > 20
+    answer = EbenchClient(http).control(name, **body)
+    assert (answer["code"], answer["data"]) == (code, None)
+    assert len(answer["msg"]) > 20
 
 
-def test_strangers_are_told_in_an_envelope(house: House, http: httpx.Client) -> None:
-    task_id = native(http, "score")
-    with house.client("bob") as bob, house.client("reader") as reader:
-        for who, code in ((bob, 404), (reader, 403)):
-            stranger = EbenchClient(who, task_id)
-            assert stranger.control("createTask", task_id=task_id)["code"] == code
+def test_foreign_accounts_are_refused_in_an_envelope(
+    server: ReferenceServer, http: httpx.Client
+) -> None:
+    task_id = submit_native_run(http, "score")
+    with server.client("bob") as bob, server.client("reader") as reader:
+        for client_of_account, code in ((bob, 404), (reader, 403)):
+            foreign_client = EbenchClient(client_of_account, task_id)
+            assert foreign_client.control("createTask", task_id=task_id)["code"] == code
             url = f"/eval-server/{task_id}/stop"
-            assert stranger.stop(url)["code"] == code
+            assert foreign_client.stop(url)["code"] == code
         assert EbenchClient(bob, task_id).find()["code"] == 404
         assert EbenchClient(reader, task_id).find()["data"]["ready"]
-    with httpx.Client(base_url=house.url, trust_env=False) as nobody:
-        assert EbenchClient(nobody, task_id).find()["code"] == 401
+    with httpx.Client(base_url=server.url, trust_env=False) as anonymous:
+        assert EbenchClient(anonymous, task_id).find()["code"] == 401
 
 
-def test_a_task_that_waits_is_not_ready(http: httpx.Client) -> None:
-    client = EbenchClient(http, native(http, "score", options={"queue_s": 0.4}))
+def test_a_queued_task_is_not_ready(http: httpx.Client) -> None:
+    client = EbenchClient(
+        http, submit_native_run(http, "score", options={"queue_s": 0.4})
+    )
     first = client.find()
     assert first["data"] == {"ready": False, "endpoint": ""}
-    deadline = time.monotonic() + PATIENCE_S
-    while not (told := client.find())["data"]["ready"]:
+    deadline = time.monotonic() + TIMEOUT_S
+    while not (answer := client.find())["data"]["ready"]:
         assert time.monotonic() < deadline
         time.sleep(0.05)
-    assert told["data"]["endpoint"]
+    assert answer["data"]["endpoint"]
 
 
 # --- steps ---
 
 
 def test_a_worker_plays_a_run_to_its_end(http: httpx.Client) -> None:
-    client = EbenchClient(http, native(http, "count", "score"))
+    client = EbenchClient(http, submit_native_run(http, "count", "score"))
     client.find()
     assert http.get(f"{client.endpoint}/docs").status_code == 200
     first = client.reset()
@@ -194,21 +198,21 @@ def test_a_worker_plays_a_run_to_its_end(http: httpx.Client) -> None:
     assert client.step({"0": action(), "late": action()})[1]
 
 
-def test_a_chunk_may_come_by_another_name(http: httpx.Client) -> None:
-    client = opened(http, "count", "count")
+def test_step_chunk_executes_a_chunk(http: httpx.Client) -> None:
+    client = open_client(http, "count", "count")
     steps = [{"0": action()}] * 2
-    told = client.post("step_chunk?subframes=2&render_mode=lite", steps)
-    assert (count(told["obs"]), told["executed_steps"]) == (2, 2)
-    assert not told["stopped_early"]
-    told = client.post("step_chunk", [*steps, {"0": action(end=1)}, *steps])
-    assert (told["executed_steps"], told["stopped_early"]) == (3, True)
-    assert told["obs"]["0"]["obs"]["reset"]
-    told = client.post("step_chunk", [{"0": action(end=1)}])
-    assert (told["obs"]["0"]["obs"], told["stopped_early"]) == (None, True)
+    answer = client.post("step_chunk?subframes=2&render_mode=lite", steps)
+    assert (count(answer["obs"]), answer["executed_steps"]) == (2, 2)
+    assert not answer["stopped_early"]
+    answer = client.post("step_chunk", [*steps, {"0": action(end=1)}, *steps])
+    assert (answer["executed_steps"], answer["stopped_early"]) == (3, True)
+    assert answer["obs"]["0"]["obs"]["reset"]
+    answer = client.post("step_chunk", [{"0": action(end=1)}])
+    assert (answer["obs"]["0"]["obs"], answer["stopped_early"]) == (None, True)
 
 
 def test_numbers_come_back_bit_for_bit(http: httpx.Client) -> None:
-    client = opened(http, "echo")
+    client = open_client(http, "echo")
     vector = [0.1, -0.0, 1e300, 5e-324, 1 / 3, -2.5, 2**53 + 0.0, 7.0]
     for client.protocol in range(6):
         seen, _ = client.step({"0": action(vector=vector, clipped=[3.0, -3.0])})
@@ -222,7 +226,7 @@ def test_numbers_come_back_bit_for_bit(http: httpx.Client) -> None:
 
 
 def test_a_bad_action_moves_no_worker(http: httpx.Client) -> None:
-    client = opened(http, "count", "count", workers=("0", "1"))
+    client = open_client(http, "count", "count", workers=("0", "1"))
     good = action()
     bad: list[Any] = [
         {"action": np.zeros(14)},
@@ -238,17 +242,19 @@ def test_a_bad_action_moves_no_worker(http: httpx.Client) -> None:
     ]
     for wrong in bad:
         for body in ({"0": good, "1": wrong}, [{"0": good, "1": good}, {"1": wrong}]):
-            answer = client.send("step", pickled(body))
+            answer = client.send("step", dump_pickle(body))
             assert answer.status_code == 422, (wrong, answer.text)
             assert answer.json()["errors"][0]["pointer"].count("/1") >= 1
     seen, _ = client.step({"0": good, "1": good})
     assert (count(seen, "0"), count(seen, "1")) == (1, 1)
 
 
-def test_a_chunk_that_is_too_long_is_not_looked_into(http: httpx.Client) -> None:
-    client = opened(http, "count", "count")
+def test_a_chunk_over_the_limit_is_refused_before_parsing(http: httpx.Client) -> None:
+    client = open_client(http, "count", "count")
     for rest in (action(), None):
-        answer = client.send("step", pickled([{"0": action()}] * 64 + [{"0": rest}]))
+        answer = client.send(
+            "step", dump_pickle([{"0": action()}] * 64 + [{"0": rest}])
+        )
         assert (answer.status_code, answer.json()["code"]) == (422, "invalid_request")
         [error] = answer.json()["errors"]
         assert error["pointer"] == "/0/0"
@@ -264,29 +270,29 @@ def test_a_chunk_that_is_too_long_is_not_looked_into(http: httpx.Client) -> None
 @pytest.mark.parametrize(
     ("verb", "body", "status"),
     [
-        ("step", pickled({}), 422),
-        ("step", pickled([]), 422),
-        ("step", pickled("0"), 422),
-        ("step", pickled([1]), 422),
-        ("step", pickled({"no id": action()}), 422),
-        ("step", pickled({"0": action(), 0: action()}), 422),
-        ("step", pickled({str(i): action() for i in range(17)}), 422),
-        ("step", pickled([{"0": action()}] * 65), 422),
-        ("step", pickled({"0": {1: None, "action": [float("nan")] * 15}}), 422),
+        ("step", dump_pickle({}), 422),
+        ("step", dump_pickle([]), 422),
+        ("step", dump_pickle("0"), 422),
+        ("step", dump_pickle([1]), 422),
+        ("step", dump_pickle({"no id": action()}), 422),
+        ("step", dump_pickle({"0": action(), 0: action()}), 422),
+        ("step", dump_pickle({str(i): action() for i in range(17)}), 422),
+        ("step", dump_pickle([{"0": action()}] * 65), 422),
+        ("step", dump_pickle({"0": {1: None, "action": [float("nan")] * 15}}), 422),
         ("step", b"not a pickle", 400),
         ("step", b"cos\nsystem\n(Vtrue\ntR.", 400),
         ("step", b"", 400),
-        ("reset", pickled({}), 422),
-        ("reset", pickled({"worker_ids": "0"}), 422),
-        ("reset", pickled({"worker_ids": ["0", "0"]}), 422),
-        ("reset", pickled({"worker_ids": [None]}), 422),
-        ("reset", pickled(["0"]), 422),
+        ("reset", dump_pickle({}), 422),
+        ("reset", dump_pickle({"worker_ids": "0"}), 422),
+        ("reset", dump_pickle({"worker_ids": ["0", "0"]}), 422),
+        ("reset", dump_pickle({"worker_ids": [None]}), 422),
+        ("reset", dump_pickle(["0"]), 422),
     ],
 )
 def test_a_bad_request_is_a_problem(
     http: httpx.Client, verb: str, body: bytes, status: int
 ) -> None:
-    client = opened(http, "count")
+    client = open_client(http, "count")
     before = run_of(client)
     answer = client.send(verb, body)
     assert (answer.status_code, answer.json()["status"]) == (status, status)
@@ -311,16 +317,14 @@ VALUES = st.recursive(
 
 @settings(max_examples=200, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(verb=st.sampled_from(["step", "step_chunk", "reset"]), value=VALUES)
-def test_whatever_is_pickled_is_answered(
-    fuzzed: EbenchClient, verb: str, value: Any
-) -> None:
-    answer = fuzzed.send(verb, pickled(value))
+def test_every_pickle_is_answered(fuzzed: EbenchClient, verb: str, value: Any) -> None:
+    answer = fuzzed.send(verb, dump_pickle(value))
     assert answer.status_code in (200, 400, 422, 429), (verb, value, answer.text)
 
 
-def test_requests_that_are_none_of_this_wire(http: httpx.Client) -> None:
-    client = opened(http, "count")
-    body = pickled({"0": action()})
+def test_requests_outside_the_profile_are_refused(http: httpx.Client) -> None:
+    client = open_client(http, "count")
+    body = dump_pickle({"0": action()})
     wrong = client.send("step", body, **{"Content-Type": "application/json"})
     assert wrong.status_code == 415
     assert client.send("step", body, run_id="run_other").status_code == 404

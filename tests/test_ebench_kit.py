@@ -14,14 +14,22 @@ import pytest
 from conformance.profiles import pickles
 from conformance.specification.ledger import load_ledger
 from reference_server.profiles.ebench import pickle_reader
-from tests.ebench_client import Trap, pickled, unpickled
+from tests.ebench_client import MaliciousObject, dump_pickle, load_pickle
 
 ROOT = Path(__file__).resolve().parent.parent
-HOUSE = f"{sys.executable} -m reference_server --profiles ebench"
+SERVER_COMMAND = f"{sys.executable} -m reference_server --profiles ebench"
 
 
-def test_our_own_door_obeys_its_rules(tmp_path: Path) -> None:
-    kit = [sys.executable, "-m", "conformance", "--start-cmd", HOUSE, "--only", "EBE"]
+def test_the_reference_server_passes_the_ebench_rules(tmp_path: Path) -> None:
+    kit = [
+        sys.executable,
+        "-m",
+        "conformance",
+        "--start-cmd",
+        SERVER_COMMAND,
+        "--only",
+        "EBE",
+    ]
     done = subprocess.run(
         [*kit, "--report", str(tmp_path)],
         cwd=ROOT,
@@ -40,14 +48,14 @@ def test_our_own_door_obeys_its_rules(tmp_path: Path) -> None:
 PLAIN = {"0": {"action": [1, -1.5, 2**40, None, True, "ü"], "nested": [[], {}]}}
 
 
-def test_the_kit_s_plain_pickles_are_read_by_everybody() -> None:
+def test_plain_pickles_of_the_kit_are_read_by_every_reader() -> None:
     body = pickles.write(PLAIN)
-    assert unpickled(body) == pickle_reader.read(body) == pickles.read(body) == PLAIN
+    assert load_pickle(body) == pickle_reader.read(body) == pickles.read(body) == PLAIN
 
 
 def test_the_kit_s_arrays_are_numpy_s() -> None:
     numbers = [0.1, -0.0, 5e-324]
-    array = unpickled(pickles.write(pickles.PickledArray(numbers)))
+    array = load_pickle(pickles.write(pickles.PickledArray(numbers)))
     assert array.dtype == np.float64
     assert array.tobytes() == np.array(numbers).tobytes()
     for core in ("core", "_core"):
@@ -57,16 +65,18 @@ def test_the_kit_s_arrays_are_numpy_s() -> None:
 
 def test_the_kit_s_calls_are_calls() -> None:
     body = pickles.write([pickles.PickledCall("builtins", "len", [[1, 2]])])
-    assert unpickled(body) == [2]
+    assert load_pickle(body) == [2]
 
 
-@pytest.mark.parametrize("stranger", [Trap(len, [1]), np.zeros(1), {1, 2j}, object()])
-def test_the_kit_reads_no_pickle_that_names_anything(stranger: Any) -> None:
+@pytest.mark.parametrize(
+    "unsupported", [MaliciousObject(len, [1]), np.zeros(1), {1, 2j}, object()]
+)
+def test_the_kit_refuses_pickles_that_name_globals(unsupported: Any) -> None:
     with pytest.raises(pickles.GlobalInPickle):
-        pickles.read(pickled([stranger]))
+        pickles.read(dump_pickle([unsupported]))
 
 
 @pytest.mark.parametrize("body", [b"", b"]", b"\xff", b"h\x00.", b"<html>"])
-def test_what_is_no_pickle_is_said_to_be_none(body: bytes) -> None:
+def test_invalid_pickles_are_an_error(body: bytes) -> None:
     with pytest.raises(ValueError, match="no pickle"):
         pickles.read(body)

@@ -25,7 +25,7 @@ SIXTEEN = [float(n) for n in range(16)]
 HALF_TURN = [0.0, 0.0, 0.0, 1.0]  # about z
 
 
-def made(
+def convert_actions(
     *chunk: Json,
     manifest: Json = JOINTS,
     last: Mapping[str, Sequence[float]] | None = None,
@@ -38,10 +38,10 @@ def made(
     return actions(chunk, manifest, before, at)
 
 
-def refused(*chunk: Any, manifest: Json = JOINTS) -> str:
+def refused_pointer(*chunk: Any, manifest: Json = JOINTS) -> str:
     """Where a chunk is wrong."""
     with pytest.raises(Refused) as caught:
-        made(*chunk, manifest=manifest)
+        convert_actions(*chunk, manifest=manifest)
     assert caught.value.code == "invalid_request"
     [(pointer, detail)] = caught.value.errors
     assert detail
@@ -64,7 +64,7 @@ def hand(pose: Sequence[float], fingers: Sequence[float]) -> list[Any]:
     ],
 )
 def test_sixteen_numbers_are_two_arms(numbers: Any) -> None:
-    [action] = made({"action": numbers})
+    [action] = convert_actions({"action": numbers})
     assert action == {
         "joint_position": [0, 1, 2, 3, 4, 5, 8, 9, 10, 11, 12, 13],
         "gripper": [6, 7, 14, 15],
@@ -73,14 +73,18 @@ def test_sixteen_numbers_are_two_arms(numbers: Any) -> None:
 
 
 def test_the_base_turns_in_degrees() -> None:
-    [action] = made({"action": SIXTEEN, "base_motion": np.array([0.1, -0.2, 90.0])})
+    [action] = convert_actions(
+        {"action": SIXTEEN, "base_motion": np.array([0.1, -0.2, 90.0])}
+    )
     assert action["base_motion"] == [0.1, -0.2, math.pi / 2]
 
 
 def test_relative_arms_add_to_what_was_commanded_last() -> None:
     step = {"action": [0.5] * 16, "is_rel": True}
     absolute = {"action": SIXTEEN, "is_rel": False}
-    chunk = made(step, step, absolute, step, last={"joint_position": [1.0] * 12})
+    chunk = convert_actions(
+        step, step, absolute, step, last={"joint_position": [1.0] * 12}
+    )
     joints = [action["joint_position"] for action in chunk]
     assert joints[:2] == [[1.5] * 12, [2.0] * 12]
     assert joints[3] == [joint + 0.5 for joint in joints[2]]
@@ -94,7 +98,7 @@ def test_poses_are_given_hand_by_hand() -> None:
         "action": [hand(left, (0.01, 0.02)), hand(right, (0.03, 0.04))],
         "control_type": "ee_pose",
     }
-    [action] = made(body, manifest=POSES)
+    [action] = convert_actions(body, manifest=POSES)
     assert action == {
         "left_ee_pose": left,
         "right_ee_pose": right,
@@ -109,16 +113,16 @@ def test_relative_poses_move_the_pose_before() -> None:
     body = {"action": [hand(delta, (0, 0))] * 2, "is_rel": True}
     pose = [1.0, 2.0, 3.0, 1.0, 0.0, 0.0, 0.0]
     last = {"left_ee_pose": pose, "right_ee_pose": pose}
-    first, second = made(body, body, manifest=POSES, last=last)
+    first, second = convert_actions(body, body, manifest=POSES, last=last)
     assert first["left_ee_pose"] == pytest.approx([-1, -2, 3.5, *HALF_TURN])
     assert second["right_ee_pose"] == pytest.approx([1, 2, 4, -1, 0, 0, 0])
 
 
-def test_a_rotation_that_is_none_is_passed_on_as_no_number() -> None:
+def test_an_invalid_rotation_becomes_nan() -> None:
     body = {"action": [hand([0.0] * 7, (0, 0))] * 2, "is_rel": True}
     pose = [0.0] * 7
     last = {"left_ee_pose": pose, "right_ee_pose": pose}
-    [action] = made(body, manifest=POSES, last=last)
+    [action] = convert_actions(body, manifest=POSES, last=last)
     assert all(map(math.isnan, action["left_ee_pose"]))
 
 
@@ -147,17 +151,17 @@ def test_a_rotation_that_is_none_is_passed_on_as_no_number() -> None:
         ({"action": SIXTEEN, "is_rel": None}, "/is_rel"),
     ],
 )
-def test_what_does_not_fit_is_pointed_at(body: Any, at: str) -> None:
+def test_an_invalid_action_is_refused_with_its_pointer(body: Any, at: str) -> None:
     good = {"action": SIXTEEN}
-    assert refused(good, body) == f"/1/0{at}"
+    assert refused_pointer(good, body) == f"/1/0{at}"
 
 
 @pytest.mark.parametrize(
     ("value", "at"),
     [(SIXTEEN, ""), ([[0.0] * 9], ""), ([[0.0] * 9, [0.0] * 8], "/1"), (None, "")],
 )
-def test_poses_that_do_not_fit_are_pointed_at(value: Any, at: str) -> None:
-    assert refused({"action": value}, manifest=POSES) == f"/0/0/action{at}"
+def test_an_invalid_pose_is_refused_with_its_pointer(value: Any, at: str) -> None:
+    assert refused_pointer({"action": value}, manifest=POSES) == f"/0/0/action{at}"
 
 
 # Whatever can be unpickled, in every place; no warning of numpy's either.
@@ -187,7 +191,7 @@ GOOD: dict[str, tuple[Json, Json]] = {
 
 @pytest.mark.parametrize("member", MEMBERS)
 @pytest.mark.parametrize("robot", sorted(GOOD))
-def test_no_value_in_any_place_is_an_accident(robot: str, member: Any) -> None:
+def test_every_value_is_converted_or_refused(robot: str, member: Any) -> None:
     manifest, good = GOOD[robot]
     vectors = {**POSES["observation_space"]["state"], **JOINTS["action_space"]}
     last = {name: [0.5] * entry["size"] for name, entry in vectors.items()}
@@ -196,7 +200,7 @@ def test_no_value_in_any_place_is_an_accident(robot: str, member: Any) -> None:
             action = good | {"is_rel": relative, member: value}
             assert Chunk([action], ["/0"]).digest()
             try:
-                [found] = made(action, manifest=manifest, last=last)
+                [found] = convert_actions(action, manifest=manifest, last=last)
             except Refused as error:
                 [(pointer, _)] = error.errors
                 if not pointer.startswith(f"/0/0/{member}"):
@@ -207,10 +211,12 @@ def test_no_value_in_any_place_is_an_accident(robot: str, member: Any) -> None:
                 assert sizes == {name: space["size"] for name, space in spaces}
 
 
-def test_another_benchmark_is_spoken_to_plainly() -> None:
+def test_other_benchmarks_take_plain_vectors() -> None:
     manifest = {"action_space": {"b": {"size": 2}, "a": {"size": 1}}}
-    assert made({"action": [1, 2, 3]}, manifest=manifest) == [{"a": [1], "b": [2, 3]}]
-    assert refused({"action": [1, 2]}, manifest=manifest) == "/0/0/action"
+    assert convert_actions({"action": [1, 2, 3]}, manifest=manifest) == [
+        {"a": [1], "b": [2, 3]}
+    ]
+    assert refused_pointer({"action": [1, 2]}, manifest=manifest) == "/0/0/action"
 
 
 # --- observations ---
@@ -218,7 +224,7 @@ def test_another_benchmark_is_spoken_to_plainly() -> None:
 EPISODE = {"instruction": "Go.", "step": 0, "task": "fetch", "episode_id": "e0007"}
 
 
-def seen(**parts: Any) -> Any:
+def convert_observation(**parts: Any) -> Any:
     empty: Json = {"state": {}, "images": {}, "tensors": {}}
     turn = {"episode": EPISODE, "observation": empty | parts}
     return observation(turn, "run_1", "bench")
@@ -229,8 +235,8 @@ def values(array: Json) -> list[Any]:
     return list(flat.reshape(array["shape"]).tolist())
 
 
-def test_an_observation_says_where_it_stands() -> None:
-    assert seen() == {
+def test_an_observation_states_episode_and_step() -> None:
+    assert convert_observation() == {
         "instruction": "Go.",
         "timestep": 0,
         "reset": True,
@@ -239,13 +245,13 @@ def test_an_observation_says_where_it_stands() -> None:
     }
 
 
-def test_the_robot_is_seen_by_its_own_names() -> None:
+def test_the_robot_state_uses_the_names_of_ebench() -> None:
     spaces = JOINTS["observation_space"]
     state = {
         name: [index + k / 8 for k in range(space["size"])]
         for index, (name, space) in enumerate(spaces["state"].items())
     }
-    found = seen(state=state)
+    found = convert_observation(state=state)
     assert found["robot_id"] == "lift2"
     assert values(found["state.joints"]) == state["joint_position"]
     assert values(found["state.gripper"]) == state["gripper"]
@@ -260,7 +266,7 @@ def test_the_robot_is_seen_by_its_own_names() -> None:
 def test_every_camera_has_a_view() -> None:
     image = {"codec": "raw", "width": 2, "height": 1, "channels": 3, "data": b"abcdef"}
     cameras = JOINTS["observation_space"]["images"]
-    found = seen(images=dict.fromkeys(cameras, image))
+    found = convert_observation(images=dict.fromkeys(cameras, image))
     views = {name for name in found if name.startswith("video.")}
     assert views == {
         f"video.{view}_camera_view" for view in ("top", "left", "right", "overlook")
@@ -272,7 +278,7 @@ def test_encoded_images_and_tensors_are_typed() -> None:
     image = {"codec": "png", "width": 2, "height": 1, "channels": 3, "data": b"png"}
     grey = image | {"channels": 1}
     tensor = {"dtype": "int16", "shape": [2], "data": b"\x01\x00\x02\x00"}
-    found = seen(images={"a": image, "b": grey}, tensors={"t": tensor})
+    found = convert_observation(images={"a": image, "b": grey}, tensors={"t": tensor})
     typed = {"type": "image", "data": b64encode(b"png")}
     assert found["video.a_view"] == typed | {"mode": "RGB"}
     assert found["video.b_view"] == typed | {"mode": "L"}
@@ -286,5 +292,5 @@ def test_the_robot_of_every_track_is_known() -> None:
         ).manifest
         poses = "ee" in benchmark_id
         good = {"action": [hand([0.0] * 7, (0, 0))] * 2 if poses else SIXTEEN}
-        [action] = made(good, manifest=manifest)
+        [action] = convert_actions(good, manifest=manifest)
         assert set(action) == set(manifest["action_space"])

@@ -11,17 +11,17 @@ from hypothesis import given
 
 from reference_server.profiles.ebench.pickle_reader import read
 from reference_server.profiles.ebench.pickle_writer import write
-from tests.ebench_client import unpickled
+from tests.ebench_client import load_pickle
 from tests.test_ebench_unpickle import PLAIN
 
 
 @given(PLAIN)
-def test_what_is_written_is_a_pickle(value: Any) -> None:
-    assert unpickled(write(value)) == value
+def test_written_pickles_are_read_by_pickle(value: Any) -> None:
+    assert load_pickle(write(value)) == value
     assert read(write(value)) == value
 
 
-def test_what_is_written_names_nothing() -> None:
+def test_written_pickles_name_no_globals() -> None:
     value: Any = {
         "0": {"obs": {"a": [1, 2.5, None, True, "x", b"text"]}, "n": -(2**70)}
     }
@@ -29,10 +29,10 @@ def test_what_is_written_names_nothing() -> None:
     names = {opcode.name for opcode, _, _ in pickletools.genops(body)}
     assert not names & {"GLOBAL", "STACK_GLOBAL", "REDUCE", "BUILD", "INST", "OBJ"}
     value["0"]["obs"]["a"][-1] = "text"
-    assert unpickled(body) == value
+    assert load_pickle(body) == value
 
 
-@pytest.mark.parametrize("stranger", [object(), {1}, np.zeros(1), 1j])
-def test_only_plain_data_is_written(stranger: object) -> None:
+@pytest.mark.parametrize("unsupported", [object(), {1}, np.zeros(1), 1j])
+def test_only_plain_data_is_written(unsupported: object) -> None:
     with pytest.raises(TypeError, match="plain"):
-        write({"x": stranger})
+        write({"x": unsupported})

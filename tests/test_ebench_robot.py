@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from reference_sim.benchmarks.mobile_bimanual.experts import MobileBimanualExpert
-from tests.ebench_client import EbenchClient, Json, episodes_of, house, http
+from tests.ebench_client import EbenchClient, Json, episodes_of, http, server
 
-__all__ = ["house", "http"]
+__all__ = ["server", "http"]
 
 LIFT2 = [0.0, 0.25, 1.6, 1.2, 0.0, 0.0, 0.04, 0.04] * 2
 
@@ -48,7 +48,7 @@ def test_the_robot_is_played_by_its_own_numbers(http: httpx.Client) -> None:
     client.stop()
 
 
-def ours(obs: Json) -> dict[str, list[float]]:
+def to_expert_state(obs: Json) -> dict[str, list[float]]:
     """An observation of the robot in the names that our expert knows."""
     names = {"joints": "joint_position", "gripper": "gripper", "base": "base_pose"}
     state = {
@@ -61,7 +61,7 @@ def ours(obs: Json) -> dict[str, list[float]]:
     return state
 
 
-def theirs(values: Json) -> Json:
+def to_ebench_action(values: Json) -> Json:
     """Our action in EBench's numbers."""
     joints, fingers = values["joint_position"], values["gripper"]
     dx, dy, dyaw = values["base_motion"]
@@ -72,7 +72,7 @@ def theirs(values: Json) -> Json:
     }
 
 
-def test_an_expert_solves_by_either_door_alike(http: httpx.Client) -> None:
+def test_an_expert_scores_the_same_by_both_apis(http: httpx.Client) -> None:
     """The run's first episode, driving and all: nothing is lost in translation."""
     client = EbenchClient(http)
     client.submit(benchmark_set="mobile_bimanual_state")
@@ -80,7 +80,7 @@ def test_an_expert_solves_by_either_door_alike(http: httpx.Client) -> None:
     seen = client.reset()
     expert.reset(seen["0"]["obs"]["instruction"])
     while seen["0"]["episode_result"] is None:
-        steps = {"0": theirs(expert.act(ours(seen["0"]["obs"])))}
+        steps = {"0": to_ebench_action(expert.act(to_expert_state(seen["0"]["obs"])))}
         seen, _ = client.step(steps)
     body = {"benchmark_id": "mobile_bimanual_state", "policy": {"name": "expert"}}
     run_id = http.post("/v1/runs", json=body).json()["run_id"]
@@ -89,13 +89,15 @@ def test_an_expert_solves_by_either_door_alike(http: httpx.Client) -> None:
     expert.reset(turn["episode"]["instruction"])
     while "episode_result" not in turn:
         values = expert.act(turn["observation"]["state"])
-        asked = {"session_id": turn["session_id"], "seq": turn["seq"] + 1}
-        asked |= {"actions": [{"values": values}]}
-        turn = http.post(f"{path}/predict", json=asked).json()
+        predict_request = {"session_id": turn["session_id"], "seq": turn["seq"] + 1}
+        predict_request |= {"actions": [{"values": values}]}
+        turn = http.post(f"{path}/predict", json=predict_request).json()
     result, native = turn["episode_result"], episodes_of(client)[0]["result"]
     assert seen["0"]["episode_result"]["sr"] == result["score"] == 1.0
-    told = ("task", "seed", "outcome", "score", "steps")
-    assert [native[name] for name in told] == [result[name] for name in told]
+    compared_fields = ("task", "seed", "outcome", "score", "steps")
+    assert [native[name] for name in compared_fields] == [
+        result[name] for name in compared_fields
+    ]
 
 
 def test_sixteen_robots_are_reset_and_stepped(http: httpx.Client) -> None:

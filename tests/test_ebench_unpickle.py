@@ -30,7 +30,7 @@ from reference_server.profiles.ebench.pickle_reader import (
     BadPickle,
     read,
 )
-from tests.ebench_client import Trap, pickled, unpickled
+from tests.ebench_client import MaliciousObject, dump_pickle, load_pickle
 
 PROTOCOLS = range(6)
 DTYPES = ("?", "i1", "<i2", ">i4", "<i8", "u1", ">u2", "<u4", "u8", "<f2", ">f4", "<f8")
@@ -55,7 +55,7 @@ def refusal(body: bytes) -> str:
 
 @given(value=PLAIN, protocol=st.sampled_from(PROTOCOLS))
 def test_plain_data_is_read_as_it_was(value: Any, protocol: int) -> None:
-    assert read(pickled(value, protocol)) == value
+    assert read(dump_pickle(value, protocol)) == value
 
 
 @pytest.mark.parametrize("protocol", PROTOCOLS)
@@ -66,7 +66,7 @@ def test_arrays_are_read_bit_by_bit(dtype: str, protocol: int) -> None:
     if dtype == "?":
         array = array.astype(bool)
     for kind in (array, array.copy("F"), array[:, ::2], array.T, array[0, 0]):
-        found = read(pickled([kind, kind], protocol))
+        found = read(dump_pickle([kind, kind], protocol))
         assert [one.tobytes() for one in found] == [
             kind.astype(kind.dtype.newbyteorder("=")).tobytes()
         ] * 2
@@ -82,7 +82,7 @@ def test_an_action_is_read_in_every_form_it_takes(protocol: int) -> None:
         "control_type": "joint_position",
         "is_rel": np.bool_(True),
     }
-    first, second = read(pickled([{"0": action, 1: action}] * 2, protocol))
+    first, second = read(dump_pickle([{"0": action, 1: action}] * 2, protocol))
     assert list(first) == ["0", 1]
     found = second[1]
     assert found["action"] == [0.5, -3, 1.5, 2]
@@ -95,7 +95,7 @@ def test_an_action_is_read_in_every_form_it_takes(protocol: int) -> None:
 def test_numpy_1_is_read_like_numpy_2(protocol: int) -> None:
     """Version 1 says `numpy.core` where version 2 says `numpy._core`."""
     array = np.arange(4.0)[::2]
-    for made in (pickled(array, protocol), pickled(np.arange(2.0), protocol)):
+    for made in (dump_pickle(array, protocol), dump_pickle(np.arange(2.0), protocol)):
         old = made.replace(b"numpy._core", b"numpy.core")
         if protocol >= 4:  # lengths stand before names and in the frame
             for module in (b"numpy.core.multiarray", b"numpy.core.numeric"):
@@ -107,12 +107,12 @@ def test_numpy_1_is_read_like_numpy_2(protocol: int) -> None:
 
 
 @pytest.mark.parametrize("protocol", PROTOCOLS)
-def test_much_is_not_too_much(protocol: int) -> None:
+def test_large_actions_are_within_the_limits(protocol: int) -> None:
     """Sixteen workers whose actions share what they can, and large arrays."""
     action = {"action": np.arange(16.0), "control_type": "joint_position"}
     steps = [dict.fromkeys("0123456789abcdef", action)] * 64
     arrays = [np.full(50_000, number, ">f8") for number in (0.1, -0.3, 1e300)]
-    found = read(pickled([steps, arrays], protocol))
+    found = read(dump_pickle([steps, arrays], protocol))
     assert len(found[0]) == 64
     assert [one.tolist() for one in found[1]] == [one.tolist() for one in arrays]
 
@@ -124,39 +124,41 @@ def test_no_opcode_of_a_client_is_missing() -> None:
     values += [(1,), (1, 2), (1, 2, 3), (1, 2, 3, 4), {"a": 1}, {"a": 1, "b": 2}]
     for protocol in PROTOCOLS:
         for value in values:
-            assert read(pickled(value, protocol)) == unlisted(value)
+            assert read(dump_pickle(value, protocol)) == tuples_to_lists(value)
 
 
-def unlisted(value: Any) -> Any:
+def tuples_to_lists(value: Any) -> Any:
     """Tuples as lists."""
     if isinstance(value, list | tuple):
-        return [unlisted(item) for item in value]
+        return [tuples_to_lists(item) for item in value]
     return value
 
 
 # --- what is refused ---
 
 
-CALLS: dict[str, Callable[[Path], Trap]] = {
-    "os.system": lambda p: Trap(os.system, f"touch {p}"),
-    "subprocess": lambda p: Trap(subprocess.Popen, ["touch", str(p)]),
-    "open": lambda p: Trap(open, str(p), "w"),
-    "exec": lambda p: Trap(exec, f"open({str(p)!r}, 'w')"),
-    "eval": lambda p: Trap(eval, f"open({str(p)!r}, 'w')"),
-    "compile": lambda p: Trap(compile, f"open({str(p)!r}, 'w')", "", "exec"),
-    "getattr": lambda p: Trap(getattr, os.system, "__call__"),  # noqa: ARG005
-    "import": lambda p: Trap(importlib.import_module, "os"),  # noqa: ARG005
-    "partial": lambda p: Trap(partial, os.mkdir, str(p)),
-    "methodcaller": lambda p: Trap(operator.methodcaller, "touch", str(p)),
-    "path": lambda p: Trap(Path, str(p)),
-    "mkdir": lambda p: Trap(os.mkdir, str(p)),
-    "bytes": lambda p: Trap(io.BytesIO, b"x"),  # noqa: ARG005
-    "numpy.save": lambda p: Trap(np.save, str(p), np.zeros(1)),
-    "tofile": lambda p: Trap(np.ndarray.tofile, np.zeros(1), str(p)),
-    "frompyfunc": lambda p: Trap(np.frompyfunc, open, 1, 1),  # noqa: ARG005
-    "state": lambda p: Trap(np.dtype, "f8", False, True, s={"x": str(p)}),
-    "list items": lambda p: Trap(list, state=None, items=iter([str(p)])),
-    "dict items": lambda p: Trap(dict, s=None, i=None, d=iter([("x", str(p))])),
+CALLS: dict[str, Callable[[Path], MaliciousObject]] = {
+    "os.system": lambda p: MaliciousObject(os.system, f"touch {p}"),
+    "subprocess": lambda p: MaliciousObject(subprocess.Popen, ["touch", str(p)]),
+    "open": lambda p: MaliciousObject(open, str(p), "w"),
+    "exec": lambda p: MaliciousObject(exec, f"open({str(p)!r}, 'w')"),
+    "eval": lambda p: MaliciousObject(eval, f"open({str(p)!r}, 'w')"),
+    "compile": lambda p: MaliciousObject(compile, f"open({str(p)!r}, 'w')", "", "exec"),
+    "getattr": lambda p: MaliciousObject(getattr, os.system, "__call__"),  # noqa: ARG005
+    "import": lambda p: MaliciousObject(importlib.import_module, "os"),  # noqa: ARG005
+    "partial": lambda p: MaliciousObject(partial, os.mkdir, str(p)),
+    "methodcaller": lambda p: MaliciousObject(operator.methodcaller, "touch", str(p)),
+    "path": lambda p: MaliciousObject(Path, str(p)),
+    "mkdir": lambda p: MaliciousObject(os.mkdir, str(p)),
+    "bytes": lambda p: MaliciousObject(io.BytesIO, b"x"),  # noqa: ARG005
+    "numpy.save": lambda p: MaliciousObject(np.save, str(p), np.zeros(1)),
+    "tofile": lambda p: MaliciousObject(np.ndarray.tofile, np.zeros(1), str(p)),
+    "frompyfunc": lambda p: MaliciousObject(np.frompyfunc, open, 1, 1),  # noqa: ARG005
+    "state": lambda p: MaliciousObject(np.dtype, "f8", False, True, s={"x": str(p)}),
+    "list items": lambda p: MaliciousObject(list, state=None, items=iter([str(p)])),
+    "dict items": lambda p: MaliciousObject(
+        dict, s=None, i=None, d=iter([("x", str(p))])
+    ),
 }
 
 
@@ -166,27 +168,52 @@ def test_a_call_is_refused_and_not_made(
     tmp_path: Path, name: str, protocol: int
 ) -> None:
     made = tmp_path / "made"
-    body = pickled({"0": {"action": CALLS[name](made)}}, protocol)
+    body = dump_pickle({"0": {"action": CALLS[name](made)}}, protocol)
     assert refusal(body)
     assert not made.exists()
 
 
 @pytest.mark.parametrize("protocol", PROTOCOLS)
 def test_objects_that_are_not_plain_are_refused(protocol: int) -> None:
-    strangers: list[Any] = [object(), {1, 2}, frozenset((1,)), 1j, b"bytes", Path()]
-    strangers += [bytearray(b"x"), np.dtype("f8"), np.ndarray, len, range(3), slice(1)]
-    strangers += [np.array([{}, 1]), np.array(["text"]), np.zeros(2, "M8[s]")]
-    strangers += [np.zeros(2, [("a", "f8")]), np.zeros(2, "c16"), np.str_("text")]
-    strangers += [2**64, -(2**70), {(1, 2): 3}, {None: 1}, {1.5: 2}, {2**40: 1}]
-    for stranger in strangers:
-        assert refusal(pickled([stranger], protocol)), stranger
+    unsupported_values: list[Any] = [
+        object(),
+        {1, 2},
+        frozenset((1,)),
+        1j,
+        b"bytes",
+        Path(),
+    ]
+    unsupported_values += [
+        bytearray(b"x"),
+        np.dtype("f8"),
+        np.ndarray,
+        len,
+        range(3),
+        slice(1),
+    ]
+    unsupported_values += [np.array([{}, 1]), np.array(["text"]), np.zeros(2, "M8[s]")]
+    unsupported_values += [
+        np.zeros(2, [("a", "f8")]),
+        np.zeros(2, "c16"),
+        np.str_("text"),
+    ]
+    unsupported_values += [
+        2**64,
+        -(2**70),
+        {(1, 2): 3},
+        {None: 1},
+        {1.5: 2},
+        {2**40: 1},
+    ]
+    for unsupported in unsupported_values:
+        assert refusal(dump_pickle([unsupported], protocol)), unsupported
 
 
-def test_the_traps_are_live(tmp_path: Path) -> None:
+def test_the_malicious_pickles_work_with_pickle(tmp_path: Path) -> None:
     """Python's own reader falls into them."""
     made = tmp_path / "made"
     for name in ("os.system", "subprocess", "mkdir"):
-        done = unpickled(pickled(CALLS[name](made)))
+        done = load_pickle(dump_pickle(CALLS[name](made)))
         if isinstance(done, subprocess.Popen):
             done.wait()
         assert made.exists(), name
@@ -325,14 +352,14 @@ BUFFER += DTYPE.replace(b"V<", b"V>") + b"q\x02](I131072\n\x85q\x03"
 COLLIDING = b"".join(b"p%d\n" % (k * (2**61 - 1)) for k in range(20_000))
 # name → (the pickle, what the refusal says)
 BOMBS: dict[str, tuple[bytes, str]] = {
-    "lists of lists": (pickled(nested(10, 50)), "values"),
-    "one array often": (pickled([np.zeros(1000)] * (VALUES_MAX // 999)), "values"),
+    "lists of lists": (dump_pickle(nested(10, 50)), "values"),
+    "one array often": (dump_pickle([np.zeros(1000)] * (VALUES_MAX // 999)), "values"),
     "lists in lists": (b"]" * 1000 + b"a" * 999 + b".", "deep"),
     "tuples in tuples": (b")" + b"\x85" * 200_000 + b".", "deep"),
     "a deep name": (b"\x80\x04)" + b"\x85" * 200_000 + b"\x8c\x05dtype\x93.", "name"),
     "opcodes": (b"(" + b"N" * (OPCODES_MAX + 1) + b"l.", "opcodes"),
     "marks": (b"(" * (OPCODES_MAX + 1) + b".", "opcodes"),
-    "empty arrays": (pickled([[np.zeros(0)] * 2000] * 2000), "values"),
+    "empty arrays": (dump_pickle([[np.zeros(0)] * 2000] * 2000), "values"),
     "one text often": (b"](X" + MEGABYTE + b"q\x00" + b"h\x00" * 99 + b"e.", "text"),
     "one buffer": (BUFFER + b"h\x00(h\x01h\x02h\x03VC\ntR" * 99 + b"e.", "grows"),
     "a shape": (filled(b"(\x8b" + MEGABYTE + b"q\x00h\x00h\x00t") + b".", "shape"),
@@ -349,20 +376,20 @@ def test_a_bomb_is_refused_before_it_bursts(name: str) -> None:
     assert time.process_time() - started < 5
 
 
-def test_depth_is_bounded_where_it_is_said() -> None:
+def test_depth_is_bounded_at_depth_max() -> None:
     inside: Any = 1
     for _ in range(DEPTH_MAX):
         inside = [inside]
-    assert read(pickled(inside)) == inside
-    assert "deeply" in refusal(pickled([inside]))
+    assert read(dump_pickle(inside)) == inside
+    assert "deeply" in refusal(dump_pickle([inside]))
 
 
 # --- anything at all ---
 
 SEEDS = [
-    pickled({"0": {"action": np.arange(16.0), "is_rel": False}}, protocol)
+    dump_pickle({"0": {"action": np.arange(16.0), "is_rel": False}}, protocol)
     for protocol in PROTOCOLS
-] + [pickled({"worker_ids": ["0", "1"]}), filled() + b".", *PROGRAMS.values()]
+] + [dump_pickle({"worker_ids": ["0", "1"]}), filled() + b".", *PROGRAMS.values()]
 
 
 @st.composite
@@ -387,7 +414,7 @@ def outcome(body: bytes) -> bool:
 
 @settings(max_examples=600)
 @given(damaged())
-def test_whatever_comes_is_read_or_refused(body: bytes) -> None:
+def test_damaged_pickles_are_read_or_refused(body: bytes) -> None:
     assert outcome(body) in (True, False)
 
 

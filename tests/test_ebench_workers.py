@@ -12,35 +12,37 @@ from urllib.parse import urlsplit
 import httpx
 import pytest
 
-from tests.conftest import PATIENCE_S, TOKENS, House
+from tests.conftest import TIMEOUT_S, TOKENS, ReferenceServer
 from tests.ebench_client import (
     PICKLED,
     EbenchClient,
     action,
     count,
+    dump_pickle,
     episodes_of,
-    house,
     http,
-    native,
-    opened,
-    pickled,
+    open_client,
     run_of,
+    server,
+    submit_native_run,
 )
 
-__all__ = ["house", "http"]
+__all__ = ["server", "http"]
 
 
 # --- workers ---
 
 
-def test_sixteen_workers_share_a_run(house: House, http: httpx.Client) -> None:
+def test_sixteen_workers_share_a_run(
+    server: ReferenceServer, http: httpx.Client
+) -> None:
     """Each in a thread of its own, as separate clients would be."""
     tasks = ["score", "count"] * 20
     scores = [round(0.01 * i, 2) for i in range(40)]
-    task_id = native(http, *tasks)
+    task_id = submit_native_run(http, *tasks)
 
     def play(worker: str) -> int:
-        with house.client() as own:
+        with server.client() as own:
             client = EbenchClient(own, task_id, worker_ids=(worker,))
             client.find()
             seen, done, ended = client.reset(), False, 0
@@ -68,7 +70,7 @@ def test_sixteen_workers_share_a_run(house: House, http: httpx.Client) -> None:
 
 def test_one_client_steps_sixteen_workers_at_once(http: httpx.Client) -> None:
     workers = tuple(map(str, range(16)))
-    client = opened(http, *["count"] * 16, workers=workers)
+    client = open_client(http, *["count"] * 16, workers=workers)
     for number in range(1, 4):
         seen, done = client.step({worker: action() for worker in workers})
         assert [count(seen, worker) for worker in workers] == [number] * 16
@@ -85,15 +87,15 @@ def test_one_client_steps_sixteen_workers_at_once(http: httpx.Client) -> None:
     assert http.get(f"/v1/runs/{client.task_id}/score").json()["score"] == 0.5
 
 
-def test_a_seventeenth_worker_has_no_place(http: httpx.Client) -> None:
-    client = opened(http, *["count"] * 3, workers=("0", "1"), max_workers=2)
+def test_workers_beyond_the_limit_are_refused(http: httpx.Client) -> None:
+    client = open_client(http, *["count"] * 3, workers=("0", "1"), max_workers=2)
     client.worker_ids = ("2",)
-    answer = client.send("reset", pickled({"worker_ids": ["2"]}))
+    answer = client.send("reset", dump_pickle({"worker_ids": ["2"]}))
     assert (answer.status_code, answer.json()["code"]) == (429, "worker_limit")
 
 
-def test_a_killed_worker_begins_again(http: httpx.Client) -> None:
-    client = opened(http, "count", "count", workers=("0", "1"))
+def test_a_killed_worker_starts_a_new_attempt(http: httpx.Client) -> None:
+    client = open_client(http, "count", "count", workers=("0", "1"))
     client.step({"0": action(), "1": action()})
     client.worker_ids = ("0",)
     assert client.workers("kill").json() == {"data": {"success": True}}
@@ -107,9 +109,9 @@ def test_a_killed_worker_begins_again(http: httpx.Client) -> None:
     assert count(client.step({"1": action(), "0": action()})[0], "1") == 2
 
 
-def test_reset_goes_on_where_the_worker_stands(http: httpx.Client) -> None:
+def test_reset_continues_the_current_attempt(http: httpx.Client) -> None:
     """A client that was started again gets no second try."""
-    client = opened(http, "count")
+    client = open_client(http, "count")
     client.step([{"0": action()}] * 3)
     seen = client.reset()
     assert (count(seen), seen["0"]["obs"]["reset"]) == (3, False)
@@ -117,13 +119,13 @@ def test_reset_goes_on_where_the_worker_stands(http: httpx.Client) -> None:
     assert episodes_of(client)[0]["attempt"] == 1
 
 
-def test_a_worker_that_was_idle_too_long_is_shown_where_it_is(
+def test_a_step_after_the_lease_ended_returns_a_new_attempt(
     http: httpx.Client,
 ) -> None:
     """The ten-minute rule, in a second: what was chosen before is not executed."""
-    client = opened(http, "count", idle_timeout_s=1)
+    client = open_client(http, "count", idle_timeout_s=1)
     client.step({"0": action()})
-    deadline = time.monotonic() + PATIENCE_S
+    deadline = time.monotonic() + TIMEOUT_S
     while client.status()["active_workers"]:
         assert time.monotonic() < deadline
         time.sleep(0.05)
@@ -136,18 +138,20 @@ def test_a_worker_that_was_idle_too_long_is_shown_where_it_is(
 
 
 @pytest.mark.parametrize("at_root", [False, True])
-def test_stop_and_resume_keep_what_is_scored(http: httpx.Client, at_root: bool) -> None:
-    client = opened(http, "score", "score", "score")
+def test_stop_and_resume_keep_scored_episodes(
+    http: httpx.Client, at_root: bool
+) -> None:
+    client = open_client(http, "score", "score", "score")
     client.step({"0": action(score=0.5, end=1)})
     client.step({"0": action(score=1)})
     url = client.endpoint.partition("/api/predict/")[0] if at_root else client.endpoint
     stopped = client.stop(f"{url}/stop")
     assert (stopped["code"], run_of(client)["state"]) == (0, "stopped")
     assert client.status()["status"] == "incomplete"
-    refused = client.send("step", pickled({"0": action()}))
+    refused = client.send("step", dump_pickle({"0": action()}))
     assert (refused.status_code, refused.json()["state"]) == (409, "stopped")
-    told = client.find()
-    assert (told["code"], "stopped" in told["msg"]) == (409, True)
+    answer = client.find()
+    assert (answer["code"], "stopped" in answer["msg"]) == (409, True)
 
     task_id, endpoint = client.task_id, client.endpoint
     client.submit(task_id=task_id, benchmark_set="calibration")
@@ -163,16 +167,16 @@ def test_stop_and_resume_keep_what_is_scored(http: httpx.Client, at_root: bool) 
     assert client.find()["data"]["ready"]
 
 
-def test_progress_outlives_the_server(tmp_path: Path) -> None:
-    mortal = House(tmp_path, PROCTOR_PROFILES="ebench")
-    with mortal.client() as http:
-        client = opened(http, "score", "score")
+def test_progress_survives_a_server_restart(tmp_path: Path) -> None:
+    killed_server = ReferenceServer(tmp_path, PROCTOR_PROFILES="ebench")
+    with killed_server.client() as http:
+        client = open_client(http, "score", "score")
         client.step({"0": action(score=0.5, end=1)})
         client.step({"0": action(score=1)})
-    mortal.end(signal.SIGKILL)
-    mortal.start()
+    killed_server.end(signal.SIGKILL)
+    killed_server.start()
     try:
-        with mortal.client() as http:
+        with killed_server.client() as http:
             client = EbenchClient(http, client.task_id)
             client.submit(task_id=client.task_id)
             assert client.status()["results"] == {"score": 0.5}
@@ -183,11 +187,11 @@ def test_progress_outlives_the_server(tmp_path: Path) -> None:
             score = http.get(f"/v1/runs/{client.task_id}/score").json()
             assert score["score"] == 0.75
     finally:
-        mortal.end()
+        killed_server.end()
 
 
 def test_a_simulator_that_breaks_costs_no_attempt(http: httpx.Client) -> None:
-    client = opened(http, "fault")
+    client = open_client(http, "fault")
     client.step([{"0": action()}] * 2)
     seen, done = client.step({"0": action(fault=1)})
     assert (seen["0"]["obs"]["reset"], count(seen), done) == (True, 0, False)
@@ -196,19 +200,19 @@ def test_a_simulator_that_breaks_costs_no_attempt(http: httpx.Client) -> None:
     assert client.step({"0": action(end=1)})[1]
 
 
-def test_a_run_that_failed_says_so(http: httpx.Client) -> None:
-    client = opened(http, "fault", options={"max_faults": 1})
-    broken = client.send("step", pickled({"0": action(fault=1)}))
+def test_a_failed_run_is_reported(http: httpx.Client) -> None:
+    client = open_client(http, "fault", options={"max_faults": 1})
+    broken = client.send("step", dump_pickle({"0": action(fault=1)}))
     assert (broken.status_code, broken.json()["code"]) == (409, "session_ended")
-    told = client.find()
-    assert (told["code"], "failed" in told["msg"]) == (409, True)
+    answer = client.find()
+    assert (answer["code"], "failed" in answer["msg"]) == (409, True)
     client.submit(task_id=client.task_id)
     assert client.reset()["0"]["obs"]["reset"]
 
 
-def test_both_doors_open_on_the_same_run(http: httpx.Client) -> None:
+def test_both_apis_work_on_the_same_run(http: httpx.Client) -> None:
     """A worker by each, and the session of one is seen by the other."""
-    client = opened(http, "count", "count")
+    client = open_client(http, "count", "count")
     path = f"/v1/runs/{client.task_id}/workers"
     turn = http.put(f"{path}/native", json={"attach_key": "key"}).json()
     assert turn["episode"]["index"] == 1
@@ -224,16 +228,18 @@ def test_both_doors_open_on_the_same_run(http: httpx.Client) -> None:
 # --- lost answers ---
 
 
-def address_of(house: House) -> tuple[str, int]:
-    host, port = urlsplit(house.url).netloc.split(":")
+def address_of(server: ReferenceServer) -> tuple[str, int]:
+    host, port = urlsplit(server.url).netloc.split(":")
     return host, int(port)
 
 
-def request_of(house: House, client: EbenchClient, verb: str, body: bytes) -> bytes:
+def request_of(
+    server: ReferenceServer, client: EbenchClient, verb: str, body: bytes
+) -> bytes:
     """A request as it goes over the wire."""
     headers = {
         **PICKLED,
-        "Host": urlsplit(house.url).netloc,
+        "Host": urlsplit(server.url).netloc,
         "Authorization": f"Bearer {TOKENS['alice']}",
         "Content-Length": str(len(body)),
     }
@@ -252,21 +258,23 @@ def read_till(connection: socket.socket, mark: bytes) -> tuple[bytes, bytes, byt
     return received.partition(mark)
 
 
-def lose(house: House, client: EbenchClient, verb: str, body: bytes) -> None:
+def send_and_disconnect(
+    server: ReferenceServer, client: EbenchClient, verb: str, body: bytes
+) -> None:
     """Send a request and leave before it is answered."""
-    with socket.create_connection(address_of(house), PATIENCE_S) as connection:
-        connection.sendall(request_of(house, client, verb, body))
+    with socket.create_connection(address_of(server), TIMEOUT_S) as connection:
+        connection.sendall(request_of(server, client, verb, body))
         assert run_of(client)["state"] == "running"
 
 
 @pytest.mark.parametrize("pause_s", [0.0, 0.6])
 def test_a_repeated_step_is_executed_once(
-    house: House, http: httpx.Client, pause_s: float
+    server: ReferenceServer, http: httpx.Client, pause_s: float
 ) -> None:
     """The first answer is lost; asked again while it is executed, or after that."""
-    client = opened(http, "delay")
+    client = open_client(http, "delay")
     body = {"0": action(delay_s=0.3, vector=[1.0] * 8)}
-    lose(house, client, "step", pickled(body))
+    send_and_disconnect(server, client, "step", dump_pickle(body))
     time.sleep(pause_s)  # long enough to have ended, or not
     seen, _ = client.step(body)
     assert count(seen) == 1
@@ -275,16 +283,16 @@ def test_a_repeated_step_is_executed_once(
     assert count(client.step(body)[0]) == 3
 
 
-def test_a_client_that_leaves_when_it_has_read_all_has_heard(
-    house: House, http: httpx.Client
+def test_closing_after_the_whole_answer_confirms_it(
+    server: ReferenceServer, http: httpx.Client
 ) -> None:
     """As `requests.post` does: a connection for each step, closed at once."""
-    client = opened(http, "count", options={"max_steps": 200})
-    body = pickled({"0": action()})
-    request = request_of(house, client, "step", body)
-    host, port = address_of(house)
+    client = open_client(http, "count", options={"max_steps": 200})
+    body = dump_pickle({"0": action()})
+    request = request_of(server, client, "step", body)
+    host, port = address_of(server)
     for _ in range(100):
-        with socket.create_connection((host, port), PATIENCE_S) as connection:
+        with socket.create_connection((host, port), TIMEOUT_S) as connection:
             connection.sendall(request)
             head, _, received = read_till(connection, b"\r\n\r\n")
             length = int(head.lower().partition(b"content-length: ")[2].split()[0])
@@ -293,18 +301,20 @@ def test_a_client_that_leaves_when_it_has_read_all_has_heard(
     assert count(client.reset()) == 100
 
 
-def test_another_step_after_a_lost_one_is_a_step(
-    house: House, http: httpx.Client
+def test_a_different_step_after_a_lost_answer_is_executed(
+    server: ReferenceServer, http: httpx.Client
 ) -> None:
-    client = opened(http, "delay")
-    lose(house, client, "step", pickled({"0": action(delay_s=0.2)}))
+    client = open_client(http, "delay")
+    send_and_disconnect(server, client, "step", dump_pickle({"0": action(delay_s=0.2)}))
     assert count(client.step({"0": action(delay_s=0.1)})[0]) == 2
 
 
-def test_the_end_of_an_episode_is_told_again(house: House, http: httpx.Client) -> None:
-    client = opened(http, "delay", "delay")
+def test_the_end_of_an_episode_is_returned_again(
+    server: ReferenceServer, http: httpx.Client
+) -> None:
+    client = open_client(http, "delay", "delay")
     body = {"0": action(delay_s=0.2, success=1, end=1)}
-    lose(house, client, "step", pickled(body))
+    send_and_disconnect(server, client, "step", dump_pickle(body))
     seen, _ = client.step(body)
     assert seen["0"]["metric"] == {"delay": 1.0}
     assert run_of(client)["progress"]["episodes_scored"] == 1
@@ -312,9 +322,11 @@ def test_the_end_of_an_episode_is_told_again(house: House, http: httpx.Client) -
     assert (done, run_of(client)["state"]) == (True, "completed")
 
 
-def test_a_repeated_reset_is_answered_alike(house: House, http: httpx.Client) -> None:
-    client = opened(http, "count")
+def test_a_repeated_reset_is_answered_alike(
+    server: ReferenceServer, http: httpx.Client
+) -> None:
+    client = open_client(http, "count")
     client.step({"0": action()})
-    lose(house, client, "reset", pickled({"worker_ids": ["0"]}))
+    send_and_disconnect(server, client, "reset", dump_pickle({"worker_ids": ["0"]}))
     assert count(client.reset()) == 1
     assert count(client.step({"0": action()})[0]) == 2

@@ -12,7 +12,7 @@ STEP: Action = {"nothing": [0.0]}
 
 
 @dataclass
-class Scripted:
+class ScriptedSimulator:
     """`Simulator` that does what it was told beforehand."""
 
     outcomes: Sequence[StepOutcome]
@@ -57,8 +57,8 @@ def begin(
     max_steps: int = 10,
     success_rule: str = "any_step",
     score_is_success: bool = False,
-) -> tuple[Episode, Scripted]:
-    simulator = Scripted(script)
+) -> tuple[Episode, ScriptedSimulator]:
+    simulator = ScriptedSimulator(script)
     episode = Episode(
         simulator,
         "stack",
@@ -173,4 +173,6 @@ def test_an_unknown_success_rule_is_refused() -> None:
 
 def test_an_unplayable_task_says_so() -> None:
     with pytest.raises(TaskUnplayable):
-        Episode(Scripted([]), "broken", 1, max_steps=1, success_rule="any_step")
+        Episode(
+            ScriptedSimulator([]), "broken", 1, max_steps=1, success_rule="any_step"
+        )

@@ -18,7 +18,7 @@ from unittest.mock import ANY
 import httpx
 
 from conformance.client.event_reader import Event, EventParser
-from tests.conftest import PATIENCE_S, TOKENS, House
+from tests.conftest import TIMEOUT_S, TOKENS, ReferenceServer
 from tests.test_event_streams import indices, kinds
 from tests.test_server import predict_body, submit
 
@@ -37,7 +37,7 @@ def following(
         yield (event for part in answer.iter_bytes() for event in parser.feed(part))
 
 
-class Player:
+class ScoringWorker:
     """A worker of a run that scores what it is given."""
 
     def __init__(self, client: httpx.Client, run_id: str, worker_id: str) -> None:
@@ -55,7 +55,7 @@ class Player:
         assert "episode_result" in self._turn
 
 
-def until(events: Iterator[Event], scored: int) -> list[Event]:
+def read_until_scored(events: Iterator[Event], scored: int) -> list[Event]:
     found = []
     for event in events:
         found.append(event)
@@ -65,38 +65,38 @@ def until(events: Iterator[Event], scored: int) -> list[Event]:
     raise AssertionError(f"the stream ended after {kinds(found)}")
 
 
-def test_the_same_ids_go_on_after_a_kill(house: House) -> None:
-    with house.client() as client:
+def test_event_ids_are_valid_after_a_kill(server: ReferenceServer) -> None:
+    with server.client() as client:
         run_id = submit(client, *["score"] * 3)
-        first, second = (Player(client, run_id, worker) for worker in "ab")
+        first, second = (ScoringWorker(client, run_id, worker) for worker in "ab")
         second.play()
         first.play()
         with following(client, run_id) as events:
-            told = until(events, 2)
-    house.end(signal.SIGKILL)
-    house.start()
-    with house.client() as client:
+            received = read_until_scored(events, 2)
+    server.end(signal.SIGKILL)
+    server.start()
+    with server.client() as client:
         with following(client, run_id) as events:
-            again = until(events, 2)
-        assert indices(again) == indices(told) == [1, 0]
-        assert [one.body for one in again[:2]] == [one.body for one in told[:2]]
+            again = read_until_scored(events, 2)
+        assert indices(again) == indices(received) == [1, 0]
+        assert [one.body for one in again[:2]] == [one.body for one in received[:2]]
         streams = contextlib.ExitStack()
         with streams:
             behind = [
                 streams.enter_context(following(client, run_id, event.id))
-                for event in told
+                for event in received
             ]
-            Player(client, run_id, "c").play()
+            ScoringWorker(client, run_id, "c").play()
             for number, events in enumerate(behind, 1):
-                rest = indices(until(events, 3))
-                assert rest == [1, 0, 2][len(indices(told[:number])) :]
+                rest = indices(read_until_scored(events, 3))
+                assert rest == [1, 0, 2][len(indices(received[:number])) :]
 
 
-def test_a_worker_that_leaves_a_completed_run_is_no_news(house: House) -> None:
+def test_a_detach_after_completion_sends_no_event(server: ReferenceServer) -> None:
     """Most workers do, after whoever follows the run was told its last event."""
-    with house.client() as client:
+    with server.client() as client:
         run_id = submit(client, "score")
-        player = Player(client, run_id, "w")
+        player = ScoringWorker(client, run_id, "w")
         player.play()
         before = client.get(f"/v1/runs/{run_id}")
         with following(client, run_id) as events:
@@ -110,10 +110,10 @@ def test_a_worker_that_leaves_a_completed_run_is_no_news(house: House) -> None:
         )
 
 
-def test_an_id_is_good_by_any_name_of_the_server(house: House) -> None:
-    with house.client() as client:
+def test_an_event_id_is_valid_under_any_host_name(server: ReferenceServer) -> None:
+    with server.client() as client:
         run_id = submit(client, "score")
-        Player(client, run_id, "w").play()
+        ScoringWorker(client, run_id, "w").play()
         with following(client, run_id) as events:
             last = list(events)[-1]
         elsewhere = {"Last-Event-ID": str(last.id), "Host": "elsewhere.example"}
@@ -121,16 +121,16 @@ def test_an_id_is_good_by_any_name_of_the_server(house: House) -> None:
         assert client.get(path, headers=elsewhere).status_code == 204
 
 
-def test_the_page_on_events_is_right(house: House) -> None:
+def test_the_commands_of_the_events_page_work(server: ReferenceServer) -> None:
     """Its commands, pasted: the whole of a finished run, and a part of it."""
     page = (ROOT / "docs" / "events.md").read_text()
     whole, rest = re.findall(r"^ +(curl .*)$", page, re.MULTILINE)
-    with house.client() as client:
+    with server.client() as client:
         run_id = submit(client, "score", "score")
-        player = Player(client, run_id, "w")
+        player = ScoringWorker(client, run_id, "w")
         player.play()
         player.play()
-    variables = {"URL": house.url, "TOKEN": TOKENS["alice"], "RUN": run_id}
+    variables = {"URL": server.url, "TOKEN": TOKENS["alice"], "RUN": run_id}
 
     def paste(command: str) -> list[Event]:
         environment = {"PATH": os.environ["PATH"], **variables}
@@ -146,27 +146,29 @@ def test_the_page_on_events_is_right(house: House) -> None:
     assert paste(rest) == []
 
 
-def test_streams_end_with_the_server(house: House) -> None:
-    with house.client() as client:
+def test_streams_end_with_the_server(server: ReferenceServer) -> None:
+    with server.client() as client:
         waiting, played = submit(client, "count"), submit(client, "score")
         with following(client, waiting) as one, following(client, played) as other:
             assert [next(one).kind, next(other).kind] == ["run", "run"]
             began = time.monotonic()
-            house.end()
-            assert time.monotonic() - began < PATIENCE_S / 6
+            server.end()
+            assert time.monotonic() - began < TIMEOUT_S / 6
             assert [kinds(list(one)), kinds(list(other))] == [[], []]
-    assert house.log() == ""
+    assert server.log() == ""
 
 
-def test_who_hung_up_is_forgotten_by_the_server(house: House) -> None:
+def test_disconnected_streams_do_not_delay_the_shutdown(
+    server: ReferenceServer,
+) -> None:
     """The server would wait at its end for streams that somebody reads."""
-    with house.client() as client:
+    with server.client() as client:
         run_id = submit(client, "score")
         for _ in range(20):
             with following(client, run_id) as events:
                 assert next(events).kind == "run"
-        Player(client, run_id, "w").play()
+        ScoringWorker(client, run_id, "w").play()
         with following(client, run_id) as events:
             assert json.loads(list(events)[-1].data[0])["state"] == "completed"
-    house.end()
-    assert house.log() == ""
+    server.end()
+    assert server.log() == ""

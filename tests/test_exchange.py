@@ -17,14 +17,14 @@ from reference_client.protocol.http_connection import (
     BrokenAnswer,
     HttpConnection,
 )
-from tests.certificates import certified
+from tests.certificates import create_certificate
 
 TIMEOUTS_S = (5.0, 20.0)
 REQUEST = b"POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 0\r\n\r\n"
 OK = b"HTTP/1.1 200 OK\r\nX-Two: b\r\nContent-Length: 4\r\n\r\nbody"
 
 
-class Scripted:
+class ScriptedServer:
     """Answers the n-th request with the pieces of the n-th script, each sent apart.
 
     A script that ends with None hangs up after it. connections: how many were made.
@@ -59,48 +59,50 @@ class Scripted:
         if self._tls is not None:
             sock = self._tls.wrap_socket(sock, server_side=True)
         with sock:
-            while self._scripts and _heard(sock):
+            while self._scripts and _read_request(sock):
                 for piece in self._scripts.pop(0):
                     if piece is None:
                         return
                     sock.sendall(piece)
-            _heard(sock)  # its end
+            _read_request(sock)  # its end
 
 
-def _heard(sock: socket.socket) -> bool:
-    heard = b""
-    while not heard.endswith(b"\r\n\r\n"):
+def _read_request(sock: socket.socket) -> bool:
+    received = b""
+    while not received.endswith(b"\r\n\r\n"):
         part = sock.recv(4096)
         if not part:
             return False
-        heard += part
+        received += part
     return True
 
 
 @contextlib.contextmanager
-def scripted(
+def scripted_server(
     *scripts: Sequence[bytes | None], tls: ssl.SSLContext | None = None
-) -> Iterator[tuple[Scripted, HttpConnection]]:
-    server = Scripted(scripts, tls)
+) -> Iterator[tuple[ScriptedServer, HttpConnection]]:
+    server = ScriptedServer(scripts, tls)
     scheme = "https" if tls else "http"
     url = f"{scheme}://{'localhost' if tls else '127.0.0.1'}:{server.port}/base"
-    asking = HttpConnection(url, TIMEOUTS_S, lambda size: memoryview(bytearray(size)))
+    client_connection = HttpConnection(
+        url, TIMEOUTS_S, lambda size: memoryview(bytearray(size))
+    )
     try:
-        yield server, asking
+        yield server, client_connection
     finally:
-        asking.close()
+        client_connection.close()
         server.close()
 
 
-def told(answer: Answer) -> tuple[int, str, bytes]:
+def answer_fields(answer: Answer) -> tuple[int, str, bytes]:
     return answer.status, answer.reason, bytes(answer.body)
 
 
 def test_a_connection_is_kept() -> None:
-    with scripted([OK], [OK], [OK]) as (server, asking):
+    with scripted_server([OK], [OK], [OK]) as (server, client_connection):
         for _ in range(3):
-            answer = asking.send_request(REQUEST)
-            assert told(answer) == (200, "OK", b"body")
+            answer = client_connection.send_request(REQUEST)
+            assert answer_fields(answer) == (200, "OK", b"body")
             assert answer.headers == {"x-two": "b", "content-length": "4"}
         assert server.connections == 1
 
@@ -120,9 +122,17 @@ def test_a_connection_is_kept() -> None:
     ids=["bytes", "head and body", "interim", "interim at once", "chunks"],
 )
 def test_an_answer_may_come_in_any_pieces(pieces: list[bytes]) -> None:
-    with scripted(pieces, [OK]) as (server, asking):
-        assert told(asking.send_request(REQUEST)) == (200, "OK", b"body")
-        assert told(asking.send_request(REQUEST)) == (200, "OK", b"body")
+    with scripted_server(pieces, [OK]) as (server, client_connection):
+        assert answer_fields(client_connection.send_request(REQUEST)) == (
+            200,
+            "OK",
+            b"body",
+        )
+        assert answer_fields(client_connection.send_request(REQUEST)) == (
+            200,
+            "OK",
+            b"body",
+        )
         assert server.connections == 1
 
 
@@ -135,40 +145,58 @@ def test_an_answer_may_come_in_any_pieces(pieces: list[bytes]) -> None:
         [b"HTTP/1.1 200 OK\r\n\r\nbody", None],
     ],
 )
-def test_a_connection_that_ends_with_its_answer_is_left(
+def test_a_connection_closed_by_the_server_is_not_reused(
     pieces: list[bytes | None],
 ) -> None:
-    with scripted(pieces, [OK]) as (server, asking):
-        assert told(asking.send_request(REQUEST)) == (200, "OK", b"body")
-        assert told(asking.send_request(REQUEST)) == (200, "OK", b"body")
+    with scripted_server(pieces, [OK]) as (server, client_connection):
+        assert answer_fields(client_connection.send_request(REQUEST)) == (
+            200,
+            "OK",
+            b"body",
+        )
+        assert answer_fields(client_connection.send_request(REQUEST)) == (
+            200,
+            "OK",
+            b"body",
+        )
         assert server.connections == 2
 
 
 def test_a_large_body_is_received_where_it_will_be_used() -> None:
     body = bytes(range(256)) * 4096
     head = b"HTTP/1.1 200 OK\r\nContent-Length: %d\r\n\r\n" % len(body)
-    rooms = []
+    buffers = []
 
-    def room(size: int) -> memoryview:
-        rooms.append(memoryview(bytearray(size)))
-        return rooms[-1]
+    def make_buffer(size: int) -> memoryview:
+        buffers.append(memoryview(bytearray(size)))
+        return buffers[-1]
 
-    with scripted([head + body]) as (server, _):
-        asking = HttpConnection(f"http://127.0.0.1:{server.port}", TIMEOUTS_S, room)
-        answer = asking.send_request(REQUEST)
-        asking.close()
-    assert answer.body is rooms[0]
+    with scripted_server([head + body]) as (server, _):
+        client_connection = HttpConnection(
+            f"http://127.0.0.1:{server.port}", TIMEOUTS_S, make_buffer
+        )
+        answer = client_connection.send_request(REQUEST)
+        client_connection.close()
+    assert answer.body is buffers[0]
     assert answer.body == body
 
 
 @pytest.mark.parametrize(
     "head", [b"", b"Content-Length: 0\r\n", b"Content-Length: 9\r\n"]
 )
-def test_an_answer_without_a_body_is_one(head: bytes) -> None:
+def test_an_answer_may_have_no_body(head: bytes) -> None:
     answer = b"HTTP/1.1 304 Not Modified\r\n" + head + b"\r\n"
-    with scripted([answer], [OK]) as (server, asking):
-        assert told(asking.send_request(REQUEST)) == (304, "Not Modified", b"")
-        assert told(asking.send_request(REQUEST)) == (200, "OK", b"body")
+    with scripted_server([answer], [OK]) as (server, client_connection):
+        assert answer_fields(client_connection.send_request(REQUEST)) == (
+            304,
+            "Not Modified",
+            b"",
+        )
+        assert answer_fields(client_connection.send_request(REQUEST)) == (
+            200,
+            "OK",
+            b"body",
+        )
         assert server.connections == 1
 
 
@@ -202,56 +230,67 @@ def test_an_answer_without_a_body_is_one(head: bytes) -> None:
         ([b"HTTP/1.1 200 OK\r\n", *[b"X: " + b"y" * 2**15 + b"\r\n"] * 8], "no end"),
     ],
 )
-def test_what_is_no_answer_is_told_and_left(
+def test_an_invalid_answer_is_an_error_and_closes_the_connection(
     pieces: list[bytes | None], why: str
 ) -> None:
-    with scripted(pieces, [OK]) as (server, asking):
+    with scripted_server(pieces, [OK]) as (server, client_connection):
         with pytest.raises(BrokenAnswer, match=why):
-            asking.send_request(REQUEST)
-        assert asking.sock is None
+            client_connection.send_request(REQUEST)
+        assert client_connection.sock is None
     assert server.connections == 1
 
 
-def test_an_answer_without_end_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_endless_answer_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(http_connection, "ANSWER_BYTES_MAX", 2**18)
     head = b"HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\n"
     chunk = b"10000\r\n" + b"x" * 2**16 + b"\r\n"
     with (
-        scripted([head, *[chunk] * 5]) as (_, asking),
+        scripted_server([head, *[chunk] * 5]) as (_, client_connection),
         pytest.raises(BrokenAnswer, match="no end"),
     ):
-        asking.send_request(REQUEST)
+        client_connection.send_request(REQUEST)
 
 
-def test_silence_has_an_end() -> None:
-    with scripted([b"HTTP/1.1 200 OK\r\n"]) as (server, _):
+def test_a_server_that_does_not_answer_times_out() -> None:
+    with scripted_server([b"HTTP/1.1 200 OK\r\n"]) as (server, _):
         url = f"http://127.0.0.1:{server.port}"
-        asking = HttpConnection(
+        client_connection = HttpConnection(
             url, (5.0, 0.05), lambda size: memoryview(bytearray(size))
         )
         with pytest.raises(TimeoutError):
-            asking.send_request(REQUEST)
-        assert asking.sock is None
+            client_connection.send_request(REQUEST)
+        assert client_connection.sock is None
 
 
-def test_tls_is_spoken_to_whom_the_certificate_names(
+def test_tls_verifies_the_name_in_the_certificate(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    authority, tls = certified(tmp_path, "localhost")
-    with scripted([OK], [OK], tls=tls) as (server, asking):
+    authority, tls = create_certificate(tmp_path, "localhost")
+    with scripted_server([OK], [OK], tls=tls) as (server, client_connection):
         monkeypatch.setenv("SSL_CERT_FILE", str(authority))
         for _ in range(2):
-            assert told(asking.send_request(REQUEST)) == (200, "OK", b"body")
+            assert answer_fields(client_connection.send_request(REQUEST)) == (
+                200,
+                "OK",
+                b"body",
+            )
         assert server.connections == 1
     body = b"x" * 9000
     large = b"HTTP/1.1 200 OK\r\nContent-Length: 9000\r\n\r\n" + body
-    unasked = [large[:4000], large[4000:] + OK]
-    with scripted(unasked, [OK], tls=tls) as (server, asking):
+    with_extra_bytes = [large[:4000], large[4000:] + OK]
+    with scripted_server(with_extra_bytes, [OK], tls=tls) as (
+        server,
+        client_connection,
+    ):
         # What TLS has read ahead is no answer to the next request.
-        assert asking.send_request(REQUEST).body == body
-        assert told(asking.send_request(REQUEST)) == (200, "OK", b"body")
+        assert client_connection.send_request(REQUEST).body == body
+        assert answer_fields(client_connection.send_request(REQUEST)) == (
+            200,
+            "OK",
+            b"body",
+        )
         assert server.connections == 2
-    with scripted([OK], tls=tls) as (_, asking):
+    with scripted_server([OK], tls=tls) as (_, client_connection):
         monkeypatch.delenv("SSL_CERT_FILE")
         with pytest.raises(ssl.SSLCertVerificationError):
-            asking.send_request(REQUEST)
+            client_connection.send_request(REQUEST)

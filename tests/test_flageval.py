@@ -16,48 +16,50 @@ from reference_server.profiles import profile_tables
 from reference_server.profiles.flageval.responses import TOLERANCE, status_of
 from reference_server.rules.run import Episode
 from reference_server.settings import Settings
-from tests.conftest import PATIENCE_S, TOKENS, House, a_run
+from tests.conftest import TIMEOUT_S, TOKENS, ReferenceServer, make_run
 from tests.flageval_parts import (
     KEY,
     TASKS,
-    accepted,
     chat,
     client,
-    evaldiffs,
-    finished,
-    house,
-    info,
+    get_evaldiffs,
+    get_progress,
     is_refused,
+    model_info,
     post,
-    progress,
-    started,
+    post_evaluation,
+    server,
+    submit_evaluation,
+    wait_until_finished,
 )
-from tests.push_parts import episodes, until
+from tests.push_parts import episodes, wait_for_state
 
-__all__ = ["chat", "client", "house"]
+__all__ = ["chat", "client", "server"]
 ROOT = Path(__file__).resolve().parent.parent
 
 
 # --- from the request to the result ---
 
 
-def test_models_are_evaluated_beside_their_baseline(
+def test_models_are_compared_with_their_baseline(
     client: httpx.Client, chat: ScriptedChat
 ) -> None:
     """Three models in one request, one of them the baseline; one answers otherwise."""
-    words = {"a-nvidia-origin": "1", "a-twin": "1", "a-other": "0.75"}
-    chat.reply = lambda request: words[request.body["model"]]
-    infos = [info(chat, name) for name in words]
-    told = started(client, *infos, user_id=7, special_event="yes", region="sz")
-    assert (told["err_code"], told["err_msg"], told["err_message"]) == (
+    answers = {"a-nvidia-origin": "1", "a-twin": "1", "a-other": "0.75"}
+    chat.reply = lambda request: answers[request.body["model"]]
+    infos = [model_info(chat, name) for name in answers]
+    answer = post_evaluation(
+        client, *infos, user_id=7, special_event="yes", region="sz"
+    )
+    assert (answer["err_code"], answer["err_msg"], answer["err_message"]) == (
         0,
         "success",
         "success",
     )
-    assert [t["eval_model"] for t in told["eval_tasks"]] == list(words)
-    assert {t["chip"] for t in told["eval_tasks"]} == {"Nvidia-H100"}
-    request_id = told["request_id"]
-    assert finished(client, request_id) == {
+    assert [t["eval_model"] for t in answer["eval_tasks"]] == list(answers)
+    assert {t["chip"] for t in answer["eval_tasks"]} == {"Nvidia-H100"}
+    request_id = answer["request_id"]
+    assert wait_until_finished(client, request_id) == {
         "err_code": 0,
         "err_msg": "success",
         "err_message": "success",
@@ -67,8 +69,8 @@ def test_models_are_evaluated_beside_their_baseline(
         "running_dataset": "",
         "running_progress": "",
     }
-    results = evaldiffs(client, request_id)["eval_results"]
-    assert set(results) == set(words)
+    results = get_evaldiffs(client, request_id)["eval_results"]
+    assert set(results) == set(answers)
     assert results["a-twin"] == {
         "status": "S",
         "release": True,
@@ -88,9 +90,9 @@ def test_models_are_evaluated_beside_their_baseline(
 
 def test_an_evaluation_is_a_run(client: httpx.Client, chat: ScriptedChat) -> None:
     """The same numbers by the native door; what was asked reaches the model."""
-    told = started(
+    answer = post_evaluation(
         client,
-        info(
+        model_info(
             chat,
             "b-run",
             api_key=KEY,
@@ -100,9 +102,9 @@ def test_an_evaluation_is_a_run(client: httpx.Client, chat: ScriptedChat) -> Non
             gen_kwargs="temperature=0.6, top_k=20,max_gen_toks=16000",
         ),
     )
-    (task,) = told["eval_tasks"]
+    (task,) = answer["eval_tasks"]
     assert task["datasets"] == list(TASKS)
-    run = until(client, task["run_id"])
+    run = wait_for_state(client, task["run_id"])
     assert (run["state"], run["policy"]) == ("completed", {"name": "b-run"})
     server = run["policy_server"]
     assert (server["url"], server["has_api_key"]) == (chat.url, True)
@@ -110,7 +112,7 @@ def test_an_evaluation_is_a_run(client: httpx.Client, chat: ScriptedChat) -> Non
     assert server["call_timeout_s"] == 30.0
     assert len(episodes(client, run["run_id"])) == sum(TASKS.values())
     score = client.get(f"/v1/runs/{run['run_id']}/score").json()
-    (result,) = evaldiffs(client, told["request_id"])["eval_results"].values()
+    (result,) = get_evaldiffs(client, answer["request_id"])["eval_results"].values()
     assert {d["dataset"]: d["accuracy"] for d in result["details"]} == {
         task: group["mean"] for task, group in score["by_task"].items()
     }
@@ -126,17 +128,21 @@ def test_an_evaluation_is_a_run(client: httpx.Client, chat: ScriptedChat) -> Non
         assert KEY not in client.get(path).text
 
 
-def test_nobody_is_released_without_a_baseline(
+def test_no_model_is_released_without_a_baseline(
     client: httpx.Client, chat: ScriptedChat
 ) -> None:
-    request_id = accepted(client, info(chat, "c-alone", base_model_name="c"))
-    finished(client, request_id)
-    result = evaldiffs(client, request_id)["eval_results"]["c-alone"]
+    request_id = submit_evaluation(
+        client, model_info(chat, "c-alone", base_model_name="c")
+    )
+    wait_until_finished(client, request_id)
+    result = get_evaldiffs(client, request_id)["eval_results"]["c-alone"]
     assert (result["status"], result["release"]) == ("S", False)
     assert [d["diff"] for d in result["details"]] == [None, None]
     # The baseline of its base model comes later, by itself.
-    finished(client, accepted(client, info(chat, "c-nvidia-origin")))
-    result = evaldiffs(client, request_id)["eval_results"]["c-alone"]
+    wait_until_finished(
+        client, submit_evaluation(client, model_info(chat, "c-nvidia-origin"))
+    )
+    result = get_evaldiffs(client, request_id)["eval_results"]["c-alone"]
     assert result["release"] is True
     assert [d["diff"] for d in result["details"]] == [0.0, 0.0]
 
@@ -145,24 +151,24 @@ def test_nobody_is_released_without_a_baseline(
 def test_requests_are_compared_with_the_first(
     client: httpx.Client, chat: ScriptedChat, method: str
 ) -> None:
-    words = {
+    answers = {
         f"d-{method}-base": "1",
         f"d-{method}-near": "0.96",
         f"d-{method}-far": "0",
     }
-    chat.reply = lambda request: words[request.body["model"]]
-    ids = [accepted(client, info(chat, name)) for name in words]
+    chat.reply = lambda request: answers[request.body["model"]]
+    ids = [submit_evaluation(client, model_info(chat, name)) for name in answers]
     for request_id in ids:
-        finished(client, request_id)
+        wait_until_finished(client, request_id)
     if method == "query":
-        told = client.get(
+        answer = client.get(
             "/evaluation_diffs", params={"request_ids": ",".join(ids)}
         ).json()
     else:
-        told = client.request(
+        answer = client.request(
             method, "/evaluation_diffs", json={"request_ids": ids}
         ).json()
-    diffs = told["eval_diffs"]
+    diffs = answer["eval_diffs"]
     if method == "POST":  # their document has a list, their server a map
         diffs = {one.pop("request_id"): one for one in diffs}
     assert list(diffs) == ids[1:]
@@ -176,84 +182,86 @@ def test_requests_are_compared_with_the_first(
     # Near in one dataset is not near in all: count asks for all or nothing.
     assert diffs[ids[1]]["release"] is False
     assert diffs[ids[1]]["details"][0]["diff"] == pytest.approx(0.04)
-    assert told["tolerance"] == 0.05
+    assert answer["tolerance"] == 0.05
 
 
 # --- stopping, going on, failing ---
 
 
-def test_an_evaluation_is_stopped_and_goes_on_where_it_was(
+def test_a_stopped_evaluation_resumes_where_it_stopped(
     client: httpx.Client, chat: ScriptedChat
 ) -> None:
     """Stopped in the second dataset. Expect C, and the first dataset kept."""
-    going, reached = threading.Event(), threading.Event()
+    may_continue, reached = threading.Event(), threading.Event()
 
-    def say(request: ChatRequest) -> str:
-        if "count" in request.question and not going.is_set():
+    def respond(request: ChatRequest) -> str:
+        if "count" in request.question and not may_continue.is_set():
             reached.set()
-            going.wait(PATIENCE_S)
+            may_continue.wait(TIMEOUT_S)
         return "1"
 
-    chat.reply = say
-    request_id = accepted(client, info(chat, "j-stopped"))
-    assert reached.wait(PATIENCE_S)
-    told = progress(client, request_id)
-    assert (told["finished"], told["status"]) == (False, "R")
-    assert (told["datasets_progress"], told["running_dataset"]) == ("1/2", "count")
-    assert told["running_progress"] == "0/2"
-    result = evaldiffs(client, request_id)["eval_results"]["j-stopped"]
+    chat.reply = respond
+    request_id = submit_evaluation(client, model_info(chat, "j-stopped"))
+    assert reached.wait(TIMEOUT_S)
+    answer = get_progress(client, request_id)
+    assert (answer["finished"], answer["status"]) == (False, "R")
+    assert (answer["datasets_progress"], answer["running_dataset"]) == ("1/2", "count")
+    assert answer["running_progress"] == "0/2"
+    result = get_evaldiffs(client, request_id)["eval_results"]["j-stopped"]
     assert [d["status"] for d in result["details"]] == ["S", "R"]
     assert [d["accuracy"] for d in result["details"]] == [1.0, None]
 
     assert post(client, "/stop_evaluation", request_id=request_id)["err_code"] == 0
-    told = progress(client, request_id)
-    assert (told["finished"], told["status"]) == (True, "C")
-    result = evaldiffs(client, request_id)["eval_results"]["j-stopped"]
+    answer = get_progress(client, request_id)
+    assert (answer["finished"], answer["status"]) == (True, "C")
+    result = get_evaldiffs(client, request_id)["eval_results"]["j-stopped"]
     assert [d["status"] for d in result["details"]] == ["S", "C"]
     before = [e.get("result") for e in episodes(client, request_id)]
-    going.set()
+    may_continue.set()
     assert post(client, "/resume_evaluation", request_id=request_id)["err_code"] == 0
-    assert finished(client, request_id)["status"] == "S"
+    assert wait_until_finished(client, request_id)["status"] == "S"
     after = [e["result"] for e in episodes(client, request_id)]
     assert after[:4] == before[:4]
     for path in ("/stop_evaluation", "/resume_evaluation"):
         assert is_refused(post(client, path, request_id=request_id), "completed")
 
 
-def test_a_request_is_stopped_though_one_of_its_models_is_done(
+def test_stop_ends_the_unfinished_models_of_a_request(
     client: httpx.Client, chat: ScriptedChat
 ) -> None:
-    going = threading.Event()
+    may_continue = threading.Event()
 
-    def say(request: ChatRequest) -> str:
+    def respond(request: ChatRequest) -> str:
         if request.body["model"] == "k-slow":
-            going.wait(PATIENCE_S)
+            may_continue.wait(TIMEOUT_S)
         return "1"
 
-    chat.reply = say
-    request_id = accepted(client, info(chat, "k-fast"), info(chat, "k-slow"))
-    until(client, request_id.split(".")[0])
+    chat.reply = respond
+    request_id = submit_evaluation(
+        client, model_info(chat, "k-fast"), model_info(chat, "k-slow")
+    )
+    wait_for_state(client, request_id.split(".")[0])
     assert post(client, "/stop_evaluation", request_id=request_id)["err_code"] == 0
-    going.set()
-    results = evaldiffs(client, request_id)["eval_results"]
+    may_continue.set()
+    results = get_evaldiffs(client, request_id)["eval_results"]
     assert [r["status"] for r in results.values()] == ["S", "C"]
-    assert progress(client, request_id)["status"] == "C"
+    assert get_progress(client, request_id)["status"] == "C"
     assert post(client, "/resume_evaluation", request_id=request_id)["err_code"] == 0
-    assert finished(client, request_id)["status"] == "S"
+    assert wait_until_finished(client, request_id)["status"] == "S"
 
 
 def test_a_model_that_does_not_answer_is_out_of_retries(
     client: httpx.Client, chat: ScriptedChat
 ) -> None:
     chat.status = 500
-    request_id = accepted(client, info(chat, "l-gone"))
-    assert finished(client, request_id)["status"] == "OOR"
-    result = evaldiffs(client, request_id)["eval_results"]["l-gone"]
+    request_id = submit_evaluation(client, model_info(chat, "l-gone"))
+    assert wait_until_finished(client, request_id)["status"] == "OOR"
+    result = get_evaldiffs(client, request_id)["eval_results"]["l-gone"]
     assert (result["status"], result["release"]) == ("OOR", False)
     assert [d["status"] for d in result["details"]] == ["OOR", "OOR"]
     chat.status = 200
     assert post(client, "/resume_evaluation", request_id=request_id)["err_code"] == 0
-    assert finished(client, request_id)["status"] == "S"
+    assert wait_until_finished(client, request_id)["status"] == "S"
 
 
 @pytest.mark.parametrize(
@@ -271,16 +279,18 @@ def test_a_model_that_does_not_answer_is_out_of_retries(
         ("failed", False, 0, "F"),
     ],
 )
-def test_the_letters(state: Any, retryable: Any, faults: int, letter: str) -> None:
-    run = a_run(state=state, retryable=retryable)
+def test_status_letters_follow_from_the_run_state(
+    state: Any, retryable: Any, faults: int, letter: str
+) -> None:
+    run = make_run(state=state, retryable=retryable)
     run.manifest = {**run.manifest, "max_faults": 3}
     broken = Episode(0, "a", "x", 1)
     broken.faults = faults
     assert status_of(run, [broken]) == letter
 
 
-def test_the_profile_is_offered_where_it_is_announced(house: House) -> None:
-    with house.client() as client:
+def test_the_profile_is_offered_only_when_enabled(server: ReferenceServer) -> None:
+    with server.client() as client:
         assert "flageval" in client.get("/v1").json()["profiles"]
         assert client.get("/evaldiffs?request_id=none").json()["err_code"] == 1
     nothing: Any = None
@@ -293,13 +303,13 @@ def test_the_profile_is_offered_where_it_is_announced(house: House) -> None:
 
 
 def test_the_script_of_the_page_runs(
-    house: House, chat: ScriptedChat, capsys: pytest.CaptureFixture[str]
+    server: ReferenceServer, chat: ScriptedChat, capsys: pytest.CaptureFixture[str]
 ) -> None:
     page = (ROOT / "docs" / "flageval.md").read_text()
     (script,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
     names = {
         "TOKEN": TOKENS["alice"],
-        "URL": house.url,
+        "URL": server.url,
         "EVAL_URL": chat.completions_url,
         "MODE": "calibration",
     }
@@ -310,6 +320,6 @@ def test_the_script_of_the_page_runs(
     ]
 
 
-def test_the_page_tells_the_tolerance() -> None:
+def test_the_page_states_the_tolerance() -> None:
     page = (ROOT / "docs" / "flageval.md").read_text()
     assert f"beyond {TOLERANCE:g}," in page

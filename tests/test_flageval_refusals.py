@@ -8,34 +8,38 @@ import httpx
 import pytest
 
 from conformance.policy.chat import ScriptedChat
-from tests.conftest import House
+from tests.conftest import ReferenceServer
 from tests.flageval_parts import (
     KEY,
-    accepted,
     chat,
     client,
-    evaldiffs,
-    finished,
-    house,
-    info,
+    get_evaldiffs,
+    get_progress,
     is_refused,
+    model_info,
     post,
-    progress,
-    started,
+    post_evaluation,
+    server,
+    submit_evaluation,
+    wait_until_finished,
 )
 
-__all__ = ["chat", "client", "house"]
+__all__ = ["chat", "client", "server"]
 
 
-def test_a_name_is_used_once_and_a_repeat_is_no_second_evaluation(
+def test_a_repeated_request_makes_no_second_evaluation(
     client: httpx.Client, chat: ScriptedChat
 ) -> None:
-    first = accepted(client, info(chat, "e-once"))
-    assert accepted(client, info(chat, "e-once", api_key=KEY)) == first
-    told = started(client, info(chat, "e-new"), info(chat, "e-once", batch_size=2))
-    assert is_refused(told, "/eval_infos/1/eval_model is used once")
-    told = started(client, info(chat, "e-twice"), info(chat, "e-twice"))
-    assert is_refused(told, "/eval_infos/1/eval_model stands there twice")
+    first = submit_evaluation(client, model_info(chat, "e-once"))
+    assert submit_evaluation(client, model_info(chat, "e-once", api_key=KEY)) == first
+    answer = post_evaluation(
+        client, model_info(chat, "e-new"), model_info(chat, "e-once", batch_size=2)
+    )
+    assert is_refused(answer, "/eval_infos/1/eval_model is used once")
+    answer = post_evaluation(
+        client, model_info(chat, "e-twice"), model_info(chat, "e-twice")
+    )
+    assert is_refused(answer, "/eval_infos/1/eval_model stands there twice")
     runs = client.get("/v1/runs", params={"limit": 1000}).json()["runs"]
     names = [run["policy"]["name"] for run in runs]
     # What was refused has begun nothing, not even the part that was right.
@@ -57,10 +61,14 @@ def test_a_name_is_used_once_and_a_repeat_is_no_second_evaluation(
         ({"special_event": "y" * 201}, "/special_event"),
     ],
 )
-def test_an_evaluation_that_cannot_be_meant_is_refused(
+def test_an_invalid_evaluation_is_refused(
     client: httpx.Client, chat: ScriptedChat, change: dict[str, Any], about: str
 ) -> None:
-    body = {"eval_infos": [info(chat, "f")], "domain": "MM", "mode": "calibration"}
+    body = {
+        "eval_infos": [model_info(chat, "f")],
+        "domain": "MM",
+        "mode": "calibration",
+    }
     answer = client.post("/evaluation", json=body | change)
     assert answer.status_code == 200
     assert is_refused(answer.json(), about)
@@ -87,51 +95,51 @@ def test_an_evaluation_that_cannot_be_meant_is_refused(
         ({"api_key": KEY + "\n"}, "/eval_infos/0/api_key"),
     ],
 )
-def test_a_model_that_cannot_be_meant_is_refused(
+def test_an_invalid_model_is_refused(
     client: httpx.Client, chat: ScriptedChat, change: dict[str, Any], about: str
 ) -> None:
-    told = started(client, info(chat, "g") | change)
-    assert is_refused(told, about)
+    answer = post_evaluation(client, model_info(chat, "g") | change)
+    assert is_refused(answer, about)
     assert chat.requests == []
 
 
-def test_what_is_missing_or_foreign_is_refused(
-    house: House, client: httpx.Client, chat: ScriptedChat
+def test_unknown_runs_and_runs_of_other_accounts_are_refused(
+    server: ReferenceServer, client: httpx.Client, chat: ScriptedChat
 ) -> None:
-    request_id = accepted(client, info(chat, "h-mine"))
-    finished(client, request_id)
+    request_id = submit_evaluation(client, model_info(chat, "h-mine"))
+    wait_until_finished(client, request_id)
     none = {"request_id": "run_none"}
     for path in ("/stop_evaluation", "/resume_evaluation"):
         assert is_refused(post(client, path, **none), "There is no run run_none")
         assert is_refused(post(client, path), "/request_id")
         assert is_refused(post(client, path, request_id="a b"), "/request_id")
-    assert is_refused(evaldiffs(client, "run_none"), "There is no run run_none")
+    assert is_refused(get_evaldiffs(client, "run_none"), "There is no run run_none")
     assert is_refused(client.get("/evaldiffs").json(), "declared as nothing")
-    with house.client("bob") as bob:
-        assert is_refused(evaldiffs(bob, request_id), "There is no run")
-        assert is_refused(progress(bob, request_id), "There is no run")
-        told = post(bob, "/stop_evaluation", request_id=request_id)
-        assert is_refused(told, "There is no run")
+    with server.client("bob") as bob:
+        assert is_refused(get_evaldiffs(bob, request_id), "There is no run")
+        assert is_refused(get_progress(bob, request_id), "There is no run")
+        answer = post(bob, "/stop_evaluation", request_id=request_id)
+        assert is_refused(answer, "There is no run")
         diffs = post(bob, "/evaluation_diffs", request_ids=[request_id])
         assert is_refused(diffs, "There is no run")
     many = ".".join([request_id] * 17)  # more runs than a request may have
     diffs = post(client, "/evaluation_diffs", request_ids=[many])
     assert is_refused(diffs, "/request_ids/0")
-    with house.client("reader") as reader:
-        assert evaldiffs(reader, request_id)["err_code"] == 0
-        told = post(reader, "/stop_evaluation", request_id=request_id)
-        assert is_refused(told, "scope")
+    with server.client("reader") as reader:
+        assert get_evaldiffs(reader, request_id)["err_code"] == 0
+        answer = post(reader, "/stop_evaluation", request_id=request_id)
+        assert is_refused(answer, "scope")
 
 
 def test_other_datasets_are_not_compared(
     client: httpx.Client, chat: ScriptedChat
 ) -> None:
-    ours = accepted(client, info(chat, "i-ours"))
+    ours = submit_evaluation(client, model_info(chat, "i-ours"))
     body = {
         "benchmark_id": "calibration",
         "policy": {"name": "i-native"},
         "options": {"tasks": ["score"]},
     }
     other = client.post("/v1/runs", json=body).json()["run_id"]
-    told = post(client, "/evaluation_diffs", request_ids=[ours, other])
-    assert is_refused(told, "i-native: other datasets")
+    answer = post(client, "/evaluation_diffs", request_ids=[ours, other])
+    assert is_refused(answer, "i-native: other datasets")

@@ -10,15 +10,15 @@ from reference_server.http import views
 from reference_server.rules.run import Episode, RunHead
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.store import Store
-from tests.parts import rows
+from tests.parts import count_rows
 
 
-def test_a_shelf_is_full_of_runs_that_are_real(tmp_path: Path) -> None:
+def test_a_filled_database_contains_valid_runs(tmp_path: Path) -> None:
     path = tmp_path / "shelf.sqlite"
     fill(path, DatabaseCase("small", runs=3, episodes=8))
-    assert rows(path, "runs") == 3 + READY_RUNS
-    assert rows(path, "episodes") == 3 * 8
-    assert rows(path, "manifests") == 1
+    assert count_rows(path, "runs") == 3 + READY_RUNS
+    assert count_rows(path, "episodes") == 3 * 8
+    assert count_rows(path, "manifests") == 1
 
     def view(run: RunHead, episodes: Sequence[Episode]) -> tuple[str, int, bool]:
         score = views.score_view(run, episodes)
@@ -41,7 +41,7 @@ def test_a_shelf_is_full_of_runs_that_are_real(tmp_path: Path) -> None:
     asyncio.run(look())
 
 
-def test_the_page_tells_every_figure() -> None:
+def test_the_page_contains_every_figure() -> None:
     shelves = [database_case.name for database_case in DATABASE_CASES]
     figures = iter(range(1000, 2000))
     cost = {

@@ -36,8 +36,8 @@ def two_tasks(first: Any, second: Any) -> list[Json]:
     ]
 
 
-def test_a_sound_environment_has_no_faults() -> None:
-    found = look("Sound")
+def test_a_valid_environment_has_no_faults() -> None:
+    found = look("ValidEnv")
     assert found["faults"] == found["warnings"] == []
     assert found["notes"][:2] == [
         "no control rate is stated: a step counts as a second",
@@ -56,11 +56,11 @@ def test_a_sound_environment_has_no_faults() -> None:
     [
         ("IgnoresSeed", "reset(seed=20) twice gives two episodes (the observation "),
         ("Leaks", "an episode depends on the one before it (the observation "),
-        ("HasAnotherShape", "the observation 'observation' has shape (2,), its space"),
-        ("HasAnotherType", "the observation 'observation' is of float32, its space of"),
+        ("WrongShape", "the observation 'observation' has shape (2,), its space"),
+        ("WrongDtype", "the observation 'observation' is of float32, its space of"),
         ("IsNotFinite", "the observation 'observation' is not finite: [nan]"),
         ("RewardIsNotFinite", "the reward is inf"),
-        ("CannotBeMade", "OSError: the robot is not plugged in"),
+        ("ConstructorRaises", "OSError: the robot is not plugged in"),
         ("HasText", "'action' is a Text, which has no vector"),
         ("Nobody", "gymnasium_worlds.py has no class or function Nobody"),
         ("RaisesLater", None),
@@ -82,45 +82,45 @@ def test_a_fault_is_found_and_named(world: str, fault: str | None) -> None:
     [
         ("AlwaysTheSame", "task mine: every seed gives the same episode"),
         (
-            "LeavesItsBounds",
+            "ObservationOutOfBounds",
             "the observation 'observation'[0] is 2.56015, outside its bounds -1 … 1;",
         ),
-        ("DrawsNothing", "no camera: ValueError: render gave NoneType, not uint8 ("),
+        ("RendersNone", "no camera: ValueError: render gave NoneType, not uint8 ("),
     ],
 )
-def test_what_does_not_hinder_is_a_warning(world: str, warning: str) -> None:
+def test_minor_faults_are_warnings(world: str, warning: str) -> None:
     found = look(world)
     assert found["faults"] == []
     (line,) = found["warnings"]
     assert line.startswith(warning)
 
 
-def test_bounds_that_do_not_hold_are_not_published() -> None:
-    space = look("LeavesItsBounds")["manifest"]["observation_space"]["state"]
+def test_violated_bounds_are_not_published() -> None:
+    space = look("ObservationOutOfBounds")["manifest"]["observation_space"]["state"]
     assert "minimum" not in space["observation"]
-    sound = look("Sound")["manifest"]["observation_space"]["state"]
+    sound = look("ValidEnv")["manifest"]["observation_space"]["state"]
     assert sound["observation"]["minimum"] == [-20.0]
 
 
-def test_what_leaks_can_be_made_anew_for_every_episode() -> None:
+def test_an_environment_that_leaks_state_can_be_rebuilt_for_every_episode() -> None:
     assert look("Leaks", rebuild_every_episode=True)["faults"] == []
 
 
 # --- success and score ---
 
 
-def test_a_key_that_is_never_in_info_is_a_fault() -> None:
-    found = look("SaysNothing", success={"info": "is_success"})
+def test_a_success_key_missing_from_info_is_a_fault() -> None:
+    found = look("NoSuccessInfo", success={"info": "is_success"})
     (line,) = found["faults"]
     assert line == (
         "task mine: info has no key 'is_success' after a step; it has distance"
     )
 
 
-def test_nothing_that_says_what_success_is_makes_a_warning_or_a_return() -> None:
-    (warning,) = look("SaysNothing")["warnings"]
+def test_without_a_success_criterion_there_is_a_warning_or_a_return() -> None:
+    (warning,) = look("NoSuccessInfo")["warnings"]
     assert warning.startswith("nothing says what success is, so every score will be 0")
-    scored = look("SaysNothing", score={"return_from": 0.0, "return_to": 1.0})
+    scored = look("NoSuccessInfo", score={"return_from": 0.0, "return_to": 1.0})
     assert scored["warnings"] == []
     assert not scored["plan"]["ends_on_success"]
 
@@ -135,14 +135,14 @@ def test_nothing_that_says_what_success_is_makes_a_warning_or_a_return() -> None
         ({"return_at_least": 2.0}, "last_step"),
     ],
 )
-def test_the_rule_follows_from_what_success_is(success: Json, rule: str) -> None:
-    found = look("Sound", success=success)
+def test_the_success_rule_follows_from_the_criterion(success: Json, rule: str) -> None:
+    found = look("ValidEnv", success=success)
     assert found["manifest"]["success_rule"] == rule
     assert found["plan"]["ends_on_success"] == (rule == "any_step")
     assert found["manifest"]["simulator"]["success"] == success
 
 
-def test_a_return_that_was_not_asked_for_is_judged_at_the_end_too() -> None:
+def test_the_default_return_criterion_requires_last_step() -> None:
     cartpole = Benchmark(
         benchmark_id="c", environment="CartPole-v1", success_rule="any_step"
     )
@@ -157,40 +157,44 @@ def test_a_return_that_was_not_asked_for_is_judged_at_the_end_too() -> None:
     ("world", "members", "fault"),
     [
         (
-            "Sound",
+            "ValidEnv",
             {"action": {"arm": {"unit": "m"}}},
             "action.arm: the environment has no such; it has action",
         ),
         (
-            "Sound",
+            "ValidEnv",
             {"state": {"arm": {"unit": "m"}}},
             "state.arm: the environment has no such; it has observation",
         ),
         ("IsNotFinite", {"camera": {"name": "c"}}, "is not finite"),
-        ("DrawsNothing", {"camera": {"name": "c"}}, "render gave NoneType"),
+        ("RendersNone", {"camera": {"name": "c"}}, "render gave NoneType"),
         (
             "HasAllSpaces",
             {"camera": {"name": "front"}},
             "'front' is in the",
         ),
-        ("Sound", {"modules": ["no_such_module"]}, "cannot import no_such_module"),
+        ("ValidEnv", {"modules": ["no_such_module"]}, "cannot import no_such_module"),
     ],
 )
-def test_a_misfit_is_named(world: str, members: Json, fault: str) -> None:
+def test_a_mismatch_between_file_and_environment_is_a_fault(
+    world: str, members: Json, fault: str
+) -> None:
     (line,) = look(world, **members)["faults"]
     assert fault in line
 
 
-def test_a_camera_that_cannot_be_is_a_fault() -> None:
-    (line,) = look("SeesNothing", camera={"name": "c"})["faults"]
+def test_an_unavailable_camera_is_a_fault() -> None:
+    (line,) = look("NoRenderMode", camera={"name": "c"})["faults"]
     assert line == "camera: the environment does not draw (rgb_array)"
-    (line,) = look("Sound", made_by="nowhere.py:Sound")["faults"]
+    (line,) = look("ValidEnv", made_by="nowhere.py:Sound")["faults"]
     assert line.startswith("there is no file ")
 
 
-def test_conventions_are_written_over_the_space() -> None:
+def test_declared_conventions_override_the_space() -> None:
     said = {"unit": "rad", "frame": "joint", "relative": True, "meaning": "A joint."}
-    space = look("Sound", action={"action": said})["manifest"]["action_space"]["action"]
+    space = look("ValidEnv", action={"action": said})["manifest"]["action_space"][
+        "action"
+    ]
     assert {k: space[k] for k in ("unit", "frame", "relative", "description")} == {
         "unit": "rad",
         "frame": "joint",
@@ -203,13 +207,13 @@ def test_a_fault_of_many_tasks_is_one_line() -> None:
     tasks = two_tasks(0.0, 0.0) + two_tasks("x", "y")
     for number, task in enumerate(tasks):
         task["name"] = f"t{number}"
-    (line,) = look("Sound", tasks=tasks)["faults"]
+    (line,) = look("ValidEnv", tasks=tasks)["faults"]
     assert line.startswith("task t2 (and 1 more): TypeError")
 
 
 def test_what_changes_the_score_changes_the_manifest() -> None:
     def simulator(**members: Any) -> Json:
-        found: Json = look("Sound", **members)["manifest"]["simulator"]
+        found: Json = look("ValidEnv", **members)["manifest"]["simulator"]
         return found
 
     plain = simulator()
@@ -242,11 +246,11 @@ def test_pictures_of_several_sizes_become_tensors_unless_a_size_is_chosen() -> N
 
 
 def test_a_camera_gives_its_size_and_without_pictures_there_is_one_choice() -> None:
-    seen = look("Sound", camera={"name": "front"})["manifest"]
+    seen = look("ValidEnv", camera={"name": "front"})["manifest"]
     assert set(seen["observation_space"]["images"]) == {"front"}
     assert seen["image_sizes"] == [{"width": 8, "height": 6}]
     assert seen["image_codecs"] == ["raw", "png", "jpeg"]
-    blind = look("Sound", camera=False)["manifest"]
+    blind = look("ValidEnv", camera=False)["manifest"]
     assert (len(blind["image_sizes"]), blind["image_codecs"]) == (1, ["raw"])
 
 
@@ -257,15 +261,15 @@ def test_a_camera_gives_its_size_and_without_pictures_there_is_one_choice() -> N
     ("world", "fault"),
     [
         ("Crashes", "task mine (1 of 1): its process ended: SIGSEGV"),
-        ("Leaves", "task mine (1 of 1): its process ended: no licence found"),
+        ("ExitsProcess", "task mine (1 of 1): its process ended: no licence found"),
     ],
 )
-def test_what_ends_the_process_is_a_fault(world: str, fault: str) -> None:
+def test_a_process_that_exits_is_a_fault(world: str, fault: str) -> None:
     found = registration.examine(benchmark(world, camera=False), HERE, print)
     assert found["faults"] == [fault]
 
 
-def test_what_hangs_is_given_up_and_heard_of_meanwhile(
+def test_a_hanging_check_times_out_and_reports_progress(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(registration, "_SLOW_S", 0.05)
@@ -283,7 +287,7 @@ def test_a_benchmark_with_a_fault_is_not_offered() -> None:
     assert str(caught.value).startswith(f"leaks ({reference}): task leaks: an episode")
 
 
-def test_the_command_says_what_it_found(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_prints_its_findings(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", f"{HERE / WORLDS}:AlwaysTheSame"]) == 0
     said = capsys.readouterr().out
     assert "alwaysthesame: warning: task alwaysthesame: every seed gives" in said
@@ -294,7 +298,7 @@ def test_the_command_says_what_it_found(capsys: pytest.CaptureFixture[str]) -> N
     assert "nothing.toml: No such file" in capsys.readouterr().err
 
 
-def test_a_server_with_a_bad_benchmark_says_so_in_one_line(tmp_path: Path) -> None:
+def test_a_server_with_an_invalid_benchmark_exits_with_one_line(tmp_path: Path) -> None:
     file = tmp_path / "mine.toml"
     file.write_text('environment = "CartPole-v1"\nmax_steps = 0\n')
     done = subprocess.run(

@@ -126,7 +126,7 @@ def test_a_fault_of_a_file_is_one_line_with_its_place(
     assert "\n" not in said
 
 
-def test_all_faults_of_a_file_are_said_at_once(tmp_path: Path) -> None:
+def test_all_faults_of_a_file_are_reported_together(tmp_path: Path) -> None:
     with pytest.raises(BadBenchmark, match=r"version: .*; max_steps: "):
         read_text(tmp_path, "environment = 'X'\nversion = 1\nmax_steps = 0")
 
@@ -140,7 +140,7 @@ def test_all_faults_of_a_file_are_said_at_once(tmp_path: Path) -> None:
         ("x.py:", "no benchmark; say"),
     ],
 )
-def test_what_is_no_reference_is_said(reference: str, fault: str) -> None:
+def test_an_invalid_reference_is_an_error(reference: str, fault: str) -> None:
     with pytest.raises(BadBenchmark) as caught:
         list(read(reference))
     assert fault in str(caught.value)
@@ -186,7 +186,7 @@ def test_ids_are_legal(name: str, benchmark_id: str) -> None:
     assert Benchmark(benchmark_id=benchmark_id, environment=name).source == name
 
 
-def test_meta_world_has_fifty_tasks_that_their_instructions_tell_apart() -> None:
+def test_meta_world_has_fifty_tasks_with_distinct_instructions() -> None:
     ((benchmark, _),) = read("metaworld_mt50")
     assert BUNDLED_BENCHMARKS.keys() == {benchmark.benchmark_id}
     assert len({task.name for task in benchmark.tasks}) == 50

@@ -24,7 +24,7 @@ from reference_sim.gymnasium.simulator import GymnasiumSimulator
 from reference_sim.interface import TaskUnplayable
 from reference_sim.process.encoding import EncodedObservation
 from reference_sim.process.pool import SimulatorFault, SimulatorHandle, SimulatorPool
-from tests.conftest import TOKENS, House
+from tests.conftest import TOKENS, ReferenceServer
 
 ROOT = Path(__file__).resolve().parents[1]
 EXAMPLES = ROOT / "examples" / "benchmarks"
@@ -53,7 +53,7 @@ def simulator_of(world: str, **members: Any) -> GymnasiumSimulator:
 
 
 def test_a_step_reports_what_the_environment_did() -> None:
-    simulator = simulator_of("Sound", ends_on_success=False)
+    simulator = simulator_of("ValidEnv", ends_on_success=False)
     simulator.reset("mine", 3)
     start = simulator.observe().state["observation"][0]
     outcome = simulator.step({"action": [0.5]})
@@ -64,8 +64,8 @@ def test_a_step_reports_what_the_environment_did() -> None:
     assert (outcome.score, outcome.terminated) == (1.0, False)
 
 
-def test_success_ends_the_episode_where_nothing_can_change_any_more() -> None:
-    simulator = simulator_of("Sound")
+def test_success_ends_the_episode_when_the_result_is_final() -> None:
+    simulator = simulator_of("ValidEnv")
     simulator.reset("mine", 3)
     outcomes = [simulator.step({"action": [1.0]}) for _ in range(3)]
     assert (outcomes[-1].success, outcomes[-1].terminated) == (True, True)
@@ -80,11 +80,11 @@ def test_success_ends_the_episode_where_nothing_can_change_any_more() -> None:
         ({"terminated": True}, None),
     ],
 )
-def test_success_is_what_the_file_says(
+def test_success_follows_the_criterion_of_the_file(
     success: dict[str, Any], steps: int | None
 ) -> None:
     """The number begins at -0.83 and grows by one with each step."""
-    simulator = simulator_of("Sound", success=success)
+    simulator = simulator_of("ValidEnv", success=success)
     simulator.reset("mine", 3)
     assert simulator.observe().state["observation"][0] == pytest.approx(-0.83, abs=0.01)
     held = [simulator.step({"action": [1.0]}).success for _ in range(6)]
@@ -93,7 +93,7 @@ def test_success_is_what_the_file_says(
 
 def test_a_score_may_be_the_return() -> None:
     score = {"return_from": -1.0, "return_to": 9.0}
-    simulator = simulator_of("Sound", score=score)
+    simulator = simulator_of("ValidEnv", score=score)
     simulator.reset("mine", 3)
     total, scores = 0.0, []
     for _ in range(6):
@@ -105,21 +105,23 @@ def test_a_score_may_be_the_return() -> None:
 
 
 @pytest.mark.parametrize(("max_steps", "terminated"), [(5, False), (20, True)])
-def test_an_environment_that_cuts_itself_off_is_told_from_the_step_limit(
+def test_truncation_by_the_environment_differs_from_the_step_limit(
     max_steps: int, terminated: bool
 ) -> None:
-    simulator = simulator_of("CutsItself", max_steps=max_steps, ends_on_success=False)
+    simulator = simulator_of(
+        "TruncatesItself", max_steps=max_steps, ends_on_success=False
+    )
     simulator.reset("mine", 3)
     ends = [simulator.step({"action": [0.0]}).terminated for _ in range(5)]
     assert ends == [False] * 4 + [terminated]
 
 
-def test_tasks_choose_what_the_environment_is_made_with() -> None:
+def test_tasks_set_the_constructor_arguments() -> None:
     tasks = [
         {"name": name, "instruction": f"Do {name}.", "kwargs": {"amount": amount}}
         for name, amount in (("near", 0.0), ("far", -10.0))
     ]
-    simulator = simulator_of("Sound", tasks=tasks)
+    simulator = simulator_of("ValidEnv", tasks=tasks)
     assert simulator.reset("near", 3) == "Do near."
     near = simulator.observe().state["observation"]
     assert simulator.reset("far", 3) == "Do far."
@@ -128,9 +130,9 @@ def test_tasks_choose_what_the_environment_is_made_with() -> None:
         simulator.reset("up", 3)
 
 
-def test_a_simulator_is_reset_first() -> None:
+def test_a_simulator_must_be_reset_first() -> None:
     with pytest.raises(RuntimeError, match="reset comes before"):
-        simulator_of("Sound").step({"action": [0.0]})
+        simulator_of("ValidEnv").step({"action": [0.0]})
 
 
 def test_all_kinds_of_spaces_are_played() -> None:
@@ -165,11 +167,11 @@ def test_all_kinds_of_spaces_are_played() -> None:
 def test_a_picture_is_turned_and_scaled_as_the_file_says() -> None:
     ramp = np.arange(6 * 8 * 3, dtype=np.uint8).reshape(6, 8, 3)
     camera = {"name": "front", "upside_down": True}
-    simulator = simulator_of("Sound", camera=camera)
+    simulator = simulator_of("ValidEnv", camera=camera)
     simulator.reset("mine", 3)
     assert np.array_equal(simulator.observe().images["front"], ramp[::-1, ::-1])
     sizes = [{"width": 8, "height": 6}, {"width": 4, "height": 3}]
-    simulator = simulator_of("Sound", camera={"name": "front"}, image_sizes=sizes)
+    simulator = simulator_of("ValidEnv", camera={"name": "front"}, image_sizes=sizes)
     simulator.reset("mine", 3)
     small = simulator.observe().images["front"]
     assert small.shape == (3, 4, 3)
@@ -178,7 +180,7 @@ def test_a_picture_is_turned_and_scaled_as_the_file_says() -> None:
 
 
 def test_the_manifest_is_one_of_the_specification() -> None:
-    for world in ("Sound", "HasAllSpaces"):
+    for world in ("ValidEnv", "HasAllSpaces"):
         content = {"benchmark_id": "mine", "made_by": f"gymnasium_worlds.py:{world}"}
         found = BenchmarkCheck(
             Benchmark.model_validate(content), ROOT / "tests", print
@@ -197,7 +199,9 @@ def test_the_manifest_is_one_of_the_specification() -> None:
 # --- in processes ---
 
 
-async def film(pool: SimulatorPool, world: SimulatorConfig) -> list[EncodedObservation]:
+async def record_observations(
+    pool: SimulatorPool, world: SimulatorConfig
+) -> list[EncodedObservation]:
     """What a process shows of one episode, played from a fixed list of actions."""
     handle = await pool.acquire(world)
     task = world.settings["plan"]["tasks"][0]["name"]
@@ -228,7 +232,9 @@ def test_two_processes_play_the_same_episode(
         pool = SimulatorPool(spares=0)
         await pool.start()
         try:
-            return await film(pool, world), await film(pool, world)
+            return await record_observations(pool, world), await record_observations(
+                pool, world
+            )
         finally:
             await pool.close()
 
@@ -263,7 +269,7 @@ def test_an_environment_that_raises_is_a_fault_of_the_simulator() -> None:
 # --- end to end ---
 
 
-class Walker:
+class CorridorPolicy:
     """Walks a corridor, and knows nothing else."""
 
     def reset(self, instruction: str) -> None:
@@ -274,7 +280,7 @@ class Walker:
         return [{"action": [mark - robot]}, {"action": [0.0]}]
 
 
-class Balancer:
+class CartPolePolicy:
     def reset(self, instruction: str) -> None:
         self.instruction = instruction
 
@@ -284,7 +290,7 @@ class Balancer:
         return [{"action": [1.0 if lean > 0 else 0.0]}]
 
 
-class Hanger:
+class ZeroPolicy:
     def reset(self, instruction: str) -> None:
         pass
 
@@ -292,24 +298,32 @@ class Hanger:
         return [{"action": [0.0]}] * 50
 
 
-def test_a_server_offers_what_it_is_given_and_a_client_plays_it(tmp_path: Path) -> None:
+def test_a_server_offers_added_benchmarks_and_a_client_plays_them(
+    tmp_path: Path,
+) -> None:
     """A class, and a folder of files. Expect the scores that they deserve."""
     offered = f"{EXAMPLES}/corridor.py:Corridor,{EXAMPLES}"
-    server = House(tmp_path, PROCTOR_BENCHMARKS=offered)
+    server = ReferenceServer(tmp_path, PROCTOR_BENCHMARKS=offered)
     try:
         with server.client() as client:
             shown = client.get("/v1/benchmarks/cartpole").json()
         assert shown["action_space"]["action"]["out_of_range"] == "refuse"
         assert shown["simulator"]["packages"]["gymnasium"]
         url, token = server.url, TOKENS["alice"]
-        walked = evaluate(Walker, url=url, token=token, benchmark="corridor", workers=2)
-        assert walked.score == 1.0
-        balanced = evaluate(Balancer, url=url, token=token, benchmark="cartpole")
-        assert balanced.score == 1.0
-        assert set(balanced.by_task) == {"balance", "recover"}
-        hung = evaluate(Hanger, url=url, token=token, benchmark="pendulum")
-        assert 0 < (hung.score or 0) < 0.6
-        assert hung.counts.success == 0
+        corridor_score = evaluate(
+            CorridorPolicy, url=url, token=token, benchmark="corridor", workers=2
+        )
+        assert corridor_score.score == 1.0
+        cartpole_score = evaluate(
+            CartPolePolicy, url=url, token=token, benchmark="cartpole"
+        )
+        assert cartpole_score.score == 1.0
+        assert set(cartpole_score.by_task) == {"balance", "recover"}
+        pendulum_score = evaluate(
+            ZeroPolicy, url=url, token=token, benchmark="pendulum"
+        )
+        assert 0 < (pendulum_score.score or 0) < 0.6
+        assert pendulum_score.counts.success == 0
     finally:
         server.end(signal.SIGKILL)
 

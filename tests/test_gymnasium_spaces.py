@@ -50,14 +50,16 @@ SPACES: st.SearchStrategy[spaces.Space[Any]] = st.recursive(
 )
 
 
-def one(space: spaces.Space[Any]) -> Entry:
+def read_single_entry(space: spaces.Space[Any]) -> Entry:
     (entry,), _ = read_space(space, "root")
     return entry
 
 
 @settings(max_examples=100, deadline=None)
 @given(SPACES, st.integers(0, 2**32 - 1))
-def test_an_action_arrives_as_it_was_meant(space: spaces.Space[Any], seed: int) -> None:
+def test_an_action_survives_encoding_and_decoding(
+    space: spaces.Space[Any], seed: int
+) -> None:
     """What the environment samples, sent as vectors of floats, comes back equal."""
     space.seed(seed)
     sampled = space.sample()
@@ -83,10 +85,10 @@ def test_entries_are_named_by_their_path() -> None:
     found, _ = read_space(ALL_SPACES, "root")
     names = {"arm.joints", "arm.gripper", "front", "grey", "small", "grid"}
     assert {entry.name for entry in found} == names | {"pair.0", "pair.1"}
-    assert one(spaces.Discrete(2)).name == "root"
+    assert read_single_entry(spaces.Discrete(2)).name == "root"
 
 
-def test_what_an_observation_is_made_of() -> None:
+def test_the_observation_space_lists_state_images_and_tensors() -> None:
     found, _ = read_space(ALL_SPACES, "root")
     space = entries.observation_space(found)
     assert list(space["state"]) == ["arm.gripper", "arm.joints", "pair.0", "pair.1"]
@@ -104,7 +106,7 @@ def test_what_an_observation_is_made_of() -> None:
 
 
 def test_a_choice_is_bounded_described_and_rounded() -> None:
-    entry = one(spaces.Discrete(3, start=-1))
+    entry = read_single_entry(spaces.Discrete(3, start=-1))
     space = entries.action_space([entry])["root"]
     assert (space["size"], space["minimum"], space["maximum"]) == (1, [-1.0], [1.0])
     assert space["out_of_range"] == "refuse"
@@ -115,7 +117,7 @@ def test_a_choice_is_bounded_described_and_rounded() -> None:
 
 
 def test_a_bounded_action_is_clipped_to_the_bounds_of_its_own_type() -> None:
-    entry = one(spaces.Box(-0.1, 0.1, (1,), np.float32))
+    entry = read_single_entry(spaces.Box(-0.1, 0.1, (1,), np.float32))
     space = entries.action_space([entry])["root"]
     assert space["out_of_range"] == "clip"
     clipped = entries.to_environment(entry, [5.0])
@@ -124,15 +126,17 @@ def test_a_bounded_action_is_clipped_to_the_bounds_of_its_own_type() -> None:
 
 
 def test_an_unbounded_action_stays_finite() -> None:
-    entry = one(spaces.Box(-np.inf, np.inf, (1,), np.float32))
+    entry = read_single_entry(spaces.Box(-np.inf, np.inf, (1,), np.float32))
     space = entries.action_space([entry])["root"]
     assert space["out_of_range"] == "unbounded"
     assert "minimum" not in space
     assert np.isfinite(entries.to_environment(entry, [1e300])[0])
 
 
-def test_half_a_bound_is_written_without_infinity() -> None:
-    space = entries.action_space([one(spaces.Box(0, np.inf, (1,)))])["root"]
+def test_a_one_sided_bound_contains_no_infinity() -> None:
+    space = entries.action_space([read_single_entry(spaces.Box(0, np.inf, (1,)))])[
+        "root"
+    ]
     assert space["maximum"] == [np.finfo(np.float64).max]
     assert space["out_of_range"] == "clip"
 
@@ -150,13 +154,13 @@ def test_half_a_bound_is_written_without_infinity() -> None:
         ),
     ],
 )
-def test_what_has_no_words_is_said(space: spaces.Space[Any], text: str) -> None:
+def test_an_unsupported_space_is_an_error(space: spaces.Space[Any], text: str) -> None:
     with pytest.raises(UnsupportedSpace, match=text):
         read_space(space, "root")
 
 
 def test_an_empty_action_is_refused_and_an_empty_observation_left_out() -> None:
-    entry = one(spaces.Box(-1, 1, (0,)))
+    entry = read_single_entry(spaces.Box(-1, 1, (0,)))
     with pytest.raises(UnsupportedSpace, match="'root' is empty"):
         entries.action_space([entry])
     assert entries.observation_space([entry])["state"] == {}
@@ -184,16 +188,19 @@ def test_an_observation_of_another_structure_is_an_error(
 
 
 def test_a_grey_picture_has_one_channel() -> None:
-    entry = one(spaces.Box(0, 255, (12, 16), np.uint8))
+    entry = read_single_entry(spaces.Box(0, 255, (12, 16), np.uint8))
     assert entries.as_array(entry, np.zeros((12, 16), np.uint8)).shape == (12, 16, 1)
 
 
-def test_tasks_may_differ_in_the_bounds_of_what_they_show_and_in_nothing_else() -> None:
-    narrow, wide = one(spaces.Box(0, 1, (2,))), one(spaces.Box(-5, 0.5, (2,)))
+def test_tasks_may_differ_only_in_observation_bounds() -> None:
+    narrow, wide = (
+        read_single_entry(spaces.Box(0, 1, (2,))),
+        read_single_entry(spaces.Box(-5, 0.5, (2,))),
+    )
     (joint,) = entries.joined([narrow], [wide])
     assert joint.low.tolist() == [-5, -5]
     assert joint.high.tolist() == [1, 1]
     assert entries.same([narrow], [narrow])
     assert not entries.same([narrow], [wide])
     with pytest.raises(UnsupportedSpace, match="differs from that of the first"):
-        entries.joined([narrow], [one(spaces.Box(0, 1, (3,)))])
+        entries.joined([narrow], [read_single_entry(spaces.Box(0, 1, (3,)))])

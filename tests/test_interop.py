@@ -16,17 +16,17 @@ from pathlib import Path
 import httpx
 import pytest
 
-from tests.conftest import TOKENS, House
+from tests.conftest import TOKENS, ReferenceServer
 from tests.interop import pictures
 from tests.interop.clients import CLIENTS, LANGUAGES, NOT_COMPILED, Language, mirror
 from tests.interop.proxy import Proxy
 from tests.interop.scenarios import (
     SCENARIOS,
-    CannotJudge,
     Program,
+    ScenarioNotRunnable,
     Server,
-    Wrong,
-    tolerated,
+    UnexpectedResult,
+    apply_known_limits,
 )
 from tools import interop
 
@@ -35,23 +35,23 @@ PYTHON = LANGUAGES[0]
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    house = House(tmp_path_factory.mktemp("interop"))
+    server = ReferenceServer(tmp_path_factory.mktemp("interop"))
 
     def restart() -> str:
-        house.end(signal.SIGKILL)
-        house.start()
-        return house.url
+        server.end(signal.SIGKILL)
+        server.start()
+        return server.url
 
-    yield Server(house.url, TOKENS["alice"], restart)
-    house.end(signal.SIGKILL)
+    yield Server(server.url, TOKENS["alice"], restart)
+    server.end(signal.SIGKILL)
 
 
-def program_that_says(text: str, language: str = "python") -> Program:
+def program_printing(text: str, language: str = "python") -> Program:
     return Program(language, [sys.executable, "-c", f"print({text!r})"], {})
 
 
 @pytest.mark.parametrize("name", SCENARIOS)
-def test_the_python_client_sees_what_it_should(name: str, server: Server) -> None:
+def test_the_python_client_passes_every_scenario(name: str, server: Server) -> None:
     # Run where it stands: the copy that `make interop` builds is the same.
     SCENARIOS[name](
         server, Program("python", PYTHON.command(CLIENTS / "python"), PYTHON.env())
@@ -59,8 +59,8 @@ def test_the_python_client_sees_what_it_should(name: str, server: Server) -> Non
 
 
 @pytest.mark.parametrize("name", SCENARIOS)
-def test_no_judge_is_content_with_nothing(name: str, server: Server) -> None:
-    cell = interop.judge(name, server, program_that_says("{}"))
+def test_no_scenario_accepts_an_empty_result(name: str, server: Server) -> None:
+    cell = interop.judge(name, server, program_printing("{}"))
     assert cell.outcome == interop.FAILED
 
 
@@ -72,7 +72,7 @@ def test_no_judge_is_content_with_nothing(name: str, server: Server) -> None:
         ("print()", "no JSON"),
     ],
 )
-def test_a_program_that_fails_is_told_so(
+def test_a_failing_program_is_reported_with_its_reason(
     command: str, why: str, server: Server
 ) -> None:
     program = Program("python", [sys.executable, "-c", command], {})
@@ -81,7 +81,7 @@ def test_a_program_that_fails_is_told_so(
     assert why in cell.why
 
 
-def test_one_wrong_number_is_seen(server: Server) -> None:
+def test_one_wrong_number_fails_the_scenario(server: Server) -> None:
     sound = {
         "executed": [4, 4, 2],
         "counts": [[1, 2, 3, 4], [5, 6, 7, 8], [9, 10]],
@@ -91,18 +91,18 @@ def test_one_wrong_number_is_seen(server: Server) -> None:
         "done": True,
         "steps": 10,
     }
-    SCENARIOS["chunks"](server, program_that_says(json.dumps(sound)))
-    with pytest.raises(Wrong):
-        SCENARIOS["chunks"](server, program_that_says(json.dumps(sound | {"steps": 9})))
+    SCENARIOS["chunks"](server, program_printing(json.dumps(sound)))
+    with pytest.raises(UnexpectedResult):
+        SCENARIOS["chunks"](server, program_printing(json.dumps(sound | {"steps": 9})))
 
 
-def test_nobody_can_restart_a_strangers_server(server: Server) -> None:
-    stranger = Server(server.url, server.token)
-    with pytest.raises(CannotJudge):
-        SCENARIOS["restart"](stranger, program_that_says("{}"))
+def test_the_restart_scenario_needs_a_restart_command(server: Server) -> None:
+    other_server = Server(server.url, server.token)
+    with pytest.raises(ScenarioNotRunnable):
+        SCENARIOS["restart"](other_server, program_printing("{}"))
 
 
-def test_a_restart_that_failed_proves_nothing(server: Server) -> None:
+def test_a_failed_restart_gives_no_verdict(server: Server) -> None:
     def fail() -> str:
         subprocess.run([sys.executable, "-c", "raise SystemExit(7)"], check=True)
         return server.url
@@ -125,13 +125,13 @@ def test_the_proxy_loses_one_answer_of_a_kind(server: Server) -> None:
         answer = client.post("/v1/runs", json=body)
     assert answer.status_code == 201
     assert answer.json()["endpoint"] == proxy.url
-    assert proxy.dropped == ["submit"]
+    assert proxy.dropped_answers == ["submit"]
     assert len(proxy.repeats("submit")) == 1
     listed = server.read("/v1/runs?limit=1000")["runs"]
     assert [run["run_id"] for run in listed].count(answer.json()["run_id"]) == 1
 
 
-def test_a_missing_toolchain_is_not_run_and_never_green(server: Server) -> None:
+def test_a_missing_toolchain_counts_as_not_run(server: Server) -> None:
     matrix = interop.Matrix()
     absent = replace(PYTHON, name="klingon", tools=("no-such-compiler",))
     interop.play(absent, server, ["chunks"], matrix)
@@ -174,7 +174,7 @@ def test_a_mirror_keeps_what_builds_left(tmp_path: Path) -> None:
     assert left == ["a", "dist/c"]
 
 
-def test_every_client_is_either_played_or_said_not_to_be() -> None:
+def test_every_client_is_run_or_listed_as_not_compiled() -> None:
     present = {path.name for path in CLIENTS.iterdir() if path.is_dir()}
     assert present == {language.name for language in LANGUAGES} | set(NOT_COMPILED)
     for language in LANGUAGES:
@@ -242,16 +242,16 @@ def test_the_example_plays_to_the_end(server: Server) -> None:
     ],
 )
 def test_what_counts_as_the_same_value(one: object, other: object, equal: bool) -> None:
-    assert pictures.same(one, other) is equal
+    assert pictures.values_equal(one, other) is equal
 
 
-def test_only_the_limits_that_are_told_are_tolerated() -> None:
+def test_only_documented_limits_are_tolerated() -> None:
     wanted = ["8000000000000000", "3fb999999999999a"]
     lost_sign = ["0000000000000000", "3fb999999999999a"]
     one_off = ["8000000000000000", "3fb9999999999999"]
-    assert tolerated("typescript", lost_sign, wanted) == wanted
-    assert tolerated("cpp", one_off, wanted) == wanted
+    assert apply_known_limits("typescript", lost_sign, wanted) == wanted
+    assert apply_known_limits("cpp", one_off, wanted) == wanted
     for language, seen in (("go", lost_sign), ("cpp", lost_sign), ("java", one_off)):
-        assert tolerated(language, seen, wanted) != wanted
-    assert pictures.same([0.1], [0.1 + 2**-56], ulps=1)
-    assert not pictures.same([0.1], [0.1 + 2**-55], ulps=1)
+        assert apply_known_limits(language, seen, wanted) != wanted
+    assert pictures.values_equal([0.1], [0.1 + 2**-56], ulps=1)
+    assert not pictures.values_equal([0.1], [0.1 + 2**-55], ulps=1)

@@ -27,6 +27,6 @@ def test_the_kit_agrees_with_the_vectors(path: Path) -> None:
     assert sorted(differences(stated, expected)) == ["score.p_value", "score.wins"]
 
 
-def test_p_values_worked_out_by_hand() -> None:
+def test_known_p_values_of_the_kit() -> None:
     assert mcnemar(0, 0) == mcnemar(2, 2) == 1
     assert mcnemar(7, 1) == mcnemar(1, 7) == Fraction(2 * (1 + 8), 2**8)

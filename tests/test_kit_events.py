@@ -16,7 +16,7 @@ from conformance.client.event_reader import Event, EventParser, follow_run
 from conformance.runner.preflight import inspect
 from conformance.verdicts.expect import SetUpFailed, Violation
 from tests import null_servers
-from tests.null_servers import Reply, Request, serving
+from tests.null_servers import Reply, Request, run_server
 
 HEADERS = {"Content-Type": "text/event-stream; charset=utf-8", "Proctor-Version": "1.0"}
 TEXT = """\ufeff: a comment
@@ -62,12 +62,12 @@ def test_events_are_read_however_they_are_cut(end: str, cuts: list[int]) -> None
 
 
 @pytest.mark.parametrize("data", ["{", "1", '"text"', "[]"])
-def test_data_that_is_no_object_proves_nothing(data: str) -> None:
+def test_event_data_must_be_an_object(data: str) -> None:
     with pytest.raises(SetUpFailed, match="EVT-001"):
         assert Event("run", "one", [data], 0.0).body
 
 
-class House:
+class OneEventPerStream:
     """A server that ends each stream after one event, of which it has three."""
 
     def __init__(self, last: int = 3) -> None:
@@ -76,7 +76,7 @@ class House:
 
     def __call__(self, request: Request) -> Reply:
         if not request.path.endswith("/events"):
-            return null_servers.parrot(request)
+            return null_servers.canned_answers(request)
         number = next(self._numbers)
         if number > self._last:
             return 204, {"Proctor-Version": "1.0"}, b""
@@ -85,8 +85,8 @@ class House:
 
 
 @contextlib.contextmanager
-def a_run(house: House) -> Iterator[RunClient]:
-    with serving(house) as url:
+def run_on(behaviour: OneEventPerStream) -> Iterator[RunClient]:
+    with run_server(behaviour) as url:
         settings = Settings(url=url, token="secret")
         inspect(settings)
         with contextlib.closing(SharedContext.of(settings)) as shared:
@@ -97,8 +97,8 @@ def a_run(house: House) -> Iterator[RunClient]:
             )
 
 
-def test_a_reader_comes_back_until_it_is_told_not_to() -> None:
-    with a_run(House()) as run:
+def test_a_reader_reconnects_until_status_204() -> None:
+    with run_on(OneEventPerStream()) as run:
         with follow_run(run) as reader:
             reader.until(lambda event: event.id == "3", "with the id 3")
             assert reader.first_status() == 200
@@ -111,14 +111,14 @@ def test_a_reader_comes_back_until_it_is_told_not_to() -> None:
         assert run.context.tally.broken["SVC-003"] == 0
 
 
-def test_a_reader_that_is_told_at_once_not_to_come_is_answered() -> None:
-    with a_run(House(last=0)) as run, follow_run(run, "1") as reader:
+def test_a_first_answer_of_204_is_accepted() -> None:
+    with run_on(OneEventPerStream(last=0)) as run, follow_run(run, "1") as reader:
         assert reader.first_status() == 204
 
 
-def test_of_a_stream_the_beginning_is_an_answer() -> None:
+def test_the_beginning_of_a_stream_is_judged_as_an_answer() -> None:
     """It is judged by the rules for all answers."""
-    with a_run(House()) as run:
+    with run_on(OneEventPerStream()) as run:
         answer = run.call("stream_events")
         assert (answer.status, answer.json) == (200, "id: 1\ndata: {}\n\n")
         assert run.context.tally.broken["SVC-003"] == 0

@@ -27,7 +27,7 @@ from conformance.verdicts.expect import (
 )
 from conformance.verdicts.verdict import Outcome
 from tests import null_servers
-from tests.null_servers import serving
+from tests.null_servers import run_server
 
 PROBLEM = {"code": "seq_out_of_order", "expected_seq": 3, "errors": [{"pointer": "/a"}]}
 
@@ -83,14 +83,14 @@ def test_refused_wants_code_status_members_and_pointer() -> None:
             expect.refused(wrong, "seq_out_of_order", **how)
 
 
-def test_given_never_accuses() -> None:
+def test_given_never_reports_a_violation() -> None:
     with pytest.raises(SetUpFailed):
         expect.require(answer(500), 200, "attach_worker")
     with pytest.raises(SetUpFailed, match="lacks the member `b`"):
         expect.require(answer(200, {"a": 1}), 200, "attach_worker")["b"]
 
 
-def test_patience_shrinks_for_the_state_that_did_not_come() -> None:
+def test_timeouts_shrink_after_a_missed_state() -> None:
     timeouts = AdaptiveTimeouts()
     timeouts.record_miss("failed")
     timeouts.record_miss("failed")
@@ -98,7 +98,7 @@ def test_patience_shrinks_for_the_state_that_did_not_come() -> None:
     assert timeouts.of("ready", 4.0) == 4.0
 
 
-def test_check_that_is_led_in_circles_ends() -> None:
+def test_a_check_without_end_is_stopped() -> None:
     exchange_log = ExchangeLog("T")
     numbers = (exchange_log.next_number() for _ in range(10**5))
     with pytest.raises(SetUpFailed, match="no end in sight"):
@@ -107,14 +107,14 @@ def test_check_that_is_led_in_circles_ends() -> None:
 
 @pytest.fixture
 def context() -> Iterator[CheckContext]:
-    with serving(null_servers.parrot) as url:
+    with run_server(null_servers.canned_answers) as url:
         settings = Settings(url=url, token="secret")
         inspect(settings)
         with contextlib.closing(SharedContext.of(settings)) as shared:
             yield CheckContext(shared, "TEST-001")
 
 
-def test_server_without_room_is_asked_again(context: CheckContext) -> None:
+def test_a_request_refused_for_capacity_is_repeated(context: CheckContext) -> None:
     full = answer(503, {"code": "no_capacity", "detail": "full"})
     free = answer(200, {})
     answers = iter([full, full, free])
@@ -126,7 +126,7 @@ def test_server_without_room_is_asked_again(context: CheckContext) -> None:
     assert context._retry_while_no_capacity(lambda: ill) is ill
 
 
-def test_difference_of_long_values_is_told_by_its_places() -> None:
+def test_differences_of_long_values_are_reported_by_pointer() -> None:
     due = {"episodes": [{"index": n, "text": "x" * 60} for n in range(12)]}
     seen = {"episodes": [one | {"index": 7} for one in due["episodes"]], "more": 1}
     with pytest.raises(Violation) as caught:
@@ -138,14 +138,14 @@ def test_difference_of_long_values_is_told_by_its_places() -> None:
         expect.equal(due | {"more": 1}, due, "the run")
 
 
-def nap(result: int) -> int:
+def sleep_and_return(result: int) -> int:
     time.sleep(0.2)
     return result
 
 
 def test_together_overlaps_keeps_order_and_passes_errors_on() -> None:
     started = time.monotonic()
-    thunks = [partial(nap, number) for number in range(4)]
+    thunks = [partial(sleep_and_return, number) for number in range(4)]
     assert CheckContext.call_concurrently(*thunks) == [0, 1, 2, 3]
     assert time.monotonic() - started < 0.6
 
@@ -171,13 +171,13 @@ def test_story_sends_what_the_document_allows(context: CheckContext) -> None:
     assert "secret" not in repr(exchanges)
 
 
-def test_kit_accuses_itself_of_a_bad_request(context: CheckContext) -> None:
+def test_an_invalid_request_is_a_kit_error(context: CheckContext) -> None:
     with pytest.raises(KitError):
         context.submit("no_such_task")
 
 
 @pytest.mark.parametrize("name", ["second_account", "read_only_account"])
-def test_missing_tokens_are_the_operators_choice(
+def test_a_missing_token_leaves_the_check_unverified(
     context: CheckContext, name: str
 ) -> None:
     with pytest.raises(SetUpFailed) as caught:

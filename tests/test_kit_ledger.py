@@ -75,8 +75,8 @@ def test_every_check_is_named_after_its_row(checks: list[list[str]]) -> None:
 
 
 def test_every_check_says_what_it_expects(checks: list[list[str]]) -> None:
-    for _, name, told in checks:
-        assert "xpect" in told, name
+    for _, name, docstring in checks:
+        assert "xpect" in docstring, name
 
 
 def test_every_check_is_short() -> None:
@@ -102,7 +102,7 @@ def texts(node: Any) -> Iterator[str]:
             yield from texts(value)
 
 
-def test_descriptions_of_the_document_command_nothing() -> None:
+def test_descriptions_of_the_document_state_no_requirement() -> None:
     document = load_spec().document
     rest = {name: node for name, node in document.items() if name not in EXTENSIONS}
     assert [text for text in texts(rest) if COMMANDS.search(text)] == []
@@ -110,7 +110,7 @@ def test_descriptions_of_the_document_command_nothing() -> None:
 
 
 @pytest.mark.parametrize("name", ["scoring.md", "calibration.md"])
-def test_sentences_that_command_are_rows(name: str) -> None:
+def test_normative_sentences_are_rows(name: str) -> None:
     known = {row.text for row in load_ledger().values()}
     for line in (SPEC_DIRECTORY / name).read_text(encoding="utf-8").splitlines():
         if COMMANDS.search(line):
@@ -118,7 +118,7 @@ def test_sentences_that_command_are_rows(name: str) -> None:
             assert text in known, f"{name}: {line}"
 
 
-def test_rows_say_one_thing_with_one_command() -> None:
+def test_each_row_has_one_normative_keyword() -> None:
     for row in load_ledger().values():
         commands = COMMANDS.findall(row.text)
         assert commands in (["MUST"], ["SHOULD"], ["MUST", "MUST"]), row
@@ -134,7 +134,7 @@ def test_operations_cite_known_rows() -> None:
         assert len(cited) == len(set(cited)), operation.operation_id
 
 
-def test_lifecycle_uses_its_own_words_and_states_each_cell_once() -> None:
+def test_lifecycle_states_each_cell_once_with_declared_names() -> None:
     lifecycle = load_spec().lifecycle
     states = set(lifecycle["states"])
     inputs = set(lifecycle["commands"]) | set(lifecycle["events"])
@@ -150,7 +150,7 @@ def test_lifecycle_uses_its_own_words_and_states_each_cell_once() -> None:
             assert any(cell[:2] == (state, command) for cell in cells), (state, command)
 
 
-def test_every_code_in_a_rule_is_in_the_catalogue() -> None:
+def test_every_problem_code_in_a_rule_is_declared() -> None:
     problems = load_spec().problems
     for row in load_ledger().values():
         for code in re.findall(r"refused with `([a-z_]+)`", row.text):

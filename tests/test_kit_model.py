@@ -96,9 +96,9 @@ def run(
 
 
 def after(
-    *told: tuple[Request, AnswerSummary], models: PossibleRuns = START
+    *exchanges: tuple[Request, AnswerSummary], models: PossibleRuns = START
 ) -> PossibleRuns:
-    for request, summary in told:
+    for request, summary in exchanges:
         for part in split_command(request, summary):
             models = advance(RULES, models, part, summary)
     return models
@@ -212,15 +212,15 @@ FORBIDDEN: dict[str, tuple[list[tuple[Request, AnswerSummary]], str]] = {
 
 @pytest.mark.parametrize("name", FORBIDDEN)
 def test_model_forbids(name: str) -> None:
-    told, rule = FORBIDDEN[name]
+    exchanges, rule = FORBIDDEN[name]
     with pytest.raises(Deviation, match=rule):
-        after(*told)
+        after(*exchanges)
 
 
 def at(
-    told: tuple[Request, AnswerSummary], started_at: float, ended_at: float
+    exchanges: tuple[Request, AnswerSummary], started_at: float, ended_at: float
 ) -> TimedExchange:
-    return TimedExchange(*told, started_at, ended_at)
+    return TimedExchange(*exchanges, started_at, ended_at)
 
 
 def test_requests_at_the_same_time_may_have_any_order() -> None:
@@ -248,8 +248,8 @@ def test_session_that_ends_in_its_turn_leaves_what_it_has_done() -> None:
     again = (Resume(), run("ready", 0, 0, 0, 2))
     for attempt in (1, 2):
         anew = (Attach("a", "k2"), turn_0("s2", 0, attempt=attempt))
-        told = [cut, at(ABORT, 0, 2), at(again, 3, 4), at(anew, 5, 6)]
-        assert explain(RULES, opened, told)
+        exchanges = [cut, at(ABORT, 0, 2), at(again, 3, 4), at(anew, 5, 6)]
+        assert explain(RULES, opened, exchanges)
 
 
 def test_turn_takes_its_seq_before_it_has_its_effect() -> None:

@@ -29,7 +29,7 @@ STEP, END = Step(0.25), Step(0.5, end=1)
 OK, GONE = AnswerSummary(200, None, {}), AnswerSummary(204, None, None)
 
 
-def one(attempt: int = 1) -> PossibleRuns:
+def one_episode_run(attempt: int = 1) -> PossibleRuns:
     """A run of one episode."""
     return frozenset({RunModel("ready", (EpisodeModel(attempt),))})
 
@@ -73,7 +73,7 @@ def shown(
     return AnswerSummary(200, None, body)
 
 
-def told(
+def advance_all(
     models: PossibleRuns, *exchanges: tuple[Request, AnswerSummary]
 ) -> PossibleRuns:
     for request, summary in exchanges:
@@ -81,7 +81,7 @@ def told(
     return models
 
 
-def opened(attempt: int = 1) -> tuple[Request, AnswerSummary]:
+def attach_exchange(attempt: int = 1) -> tuple[Request, AnswerSummary]:
     return Attach("a", "k1"), turn("s1", 0, [], attempt)
 
 
@@ -90,7 +90,7 @@ def two_sessions() -> PossibleRuns:
     second = turn("s2", 0, [])
     second.body["episode"]["index"] = 1
     two = frozenset({RunModel("ready", (EpisodeModel(), EpisodeModel()))})
-    return told(two, opened(), (Attach("b", "k2"), second))
+    return advance_all(two, attach_exchange(), (Attach("b", "k2"), second))
 
 
 PLAY = Predict("a", "s1", 1, (STEP,))
@@ -100,54 +100,58 @@ LAST = (Predict("a", "s1", 1, (END,)), turn("s1", 1, [END]))
 # --- single answers ---
 
 
-def test_what_is_no_turn_equals_no_turn() -> None:
+def test_a_body_that_is_not_a_turn_freezes_to_nothing() -> None:
     assert run_model.turn_text(None) == run_model.turn_text([]) == ""
 
 
-def test_what_must_be_absent_is_named() -> None:
+def test_a_member_that_must_be_absent_is_named() -> None:
     early = turn("s1", 0, [])
     body = early.body | {"episode_result": {}}
     with pytest.raises(Deviation, match="episode_result absent"):
-        told(one(), (opened()[0], replace(early, body=body)))
+        advance_all(
+            one_episode_run(), (attach_exchange()[0], replace(early, body=body))
+        )
 
 
-def test_what_is_no_request_demands_nothing() -> None:
-    (model,) = one()
+def test_an_unmodelled_request_has_no_demands() -> None:
+    (model,) = one_episode_run()
     assert (
         list(allowed_answers.allowed_answers(RULES, model, cast(Any, "get_run"))) == []
     )
 
 
-def test_detach_of_what_has_ended_is_done_already() -> None:
-    gone = told(one(), opened(), (Detach("a", "s1"), GONE))
-    assert told(gone, (Detach("a", "s1"), GONE)) == gone
+def test_a_second_detach_succeeds() -> None:
+    gone = advance_all(one_episode_run(), attach_exchange(), (Detach("a", "s1"), GONE))
+    assert advance_all(gone, (Detach("a", "s1"), GONE)) == gone
     with pytest.raises(Deviation, match="DET-002"):
-        told(gone, (Detach("a", "s1"), refused("session_ended")))
+        advance_all(gone, (Detach("a", "s1"), refused("session_ended")))
 
 
 @pytest.mark.parametrize("state", ["stopped", "completed"])
 def test_abort_of_the_last_attempt_may_complete_the_run(state: str) -> None:
-    played = told(
-        one(attempt=2), opened(attempt=2), (PLAY, turn("s1", 1, [STEP], attempt=2))
+    played = advance_all(
+        one_episode_run(attempt=2),
+        attach_exchange(attempt=2),
+        (PLAY, turn("s1", 1, [STEP], attempt=2)),
     )
-    after = told(played, (Stop("abort"), OK))
-    assert told(after, (Read(), shown(state, 0, 1, 0, 0)))
+    after = advance_all(played, (Stop("abort"), OK))
+    assert advance_all(after, (Read(), shown(state, 0, 1, 0, 0)))
     with pytest.raises(Deviation):
-        told(after, (Read(), shown(state, 0, 0, 0, 1)))
+        advance_all(after, (Read(), shown(state, 0, 0, 0, 1)))
 
 
 def test_abort_ends_a_session_that_is_done() -> None:
     """It holds no episode, so nothing is given back with it."""
-    draining = told(
+    draining = advance_all(
         two_sessions(),
         (Stop("drain"), OK),
         LAST,
         (Stop("abort"), OK),
     )
-    assert told(draining, (Read(), shown("stopped", 0, 1, 0, 1)))
+    assert advance_all(draining, (Read(), shown("stopped", 0, 1, 0, 1)))
     # What became of its kept turn is said nowhere: both are allowed, see STOP-002.
-    assert told(draining, LAST)
-    assert told(draining, (LAST[0], refused("session_ended")))
+    assert advance_all(draining, LAST)
+    assert advance_all(draining, (LAST[0], refused("session_ended")))
 
 
 # --- orders ---
@@ -159,8 +163,8 @@ def at(
     return TimedExchange(request, summary, started_at, ended_at)
 
 
-def test_an_order_that_led_nowhere_is_not_tried_again() -> None:
-    models = told(one(), opened())
+def test_a_failed_order_is_not_tried_again() -> None:
+    models = advance_all(one_episode_run(), attach_exchange())
     beats = [at(Heartbeat("a", "s1"), OK, 0, 9) for _ in range(6)]
     assert explain(RULES, models, beats)
     wrong = at(Read(), shown("ready", 0, 0, 0, 1), 0, 9)
@@ -189,7 +193,7 @@ def test_only_a_turn_that_has_begun_takes_its_seq(
 
 
 def test_a_turn_that_has_begun_explains_only_what_follows_from_it() -> None:
-    models = told(one(), opened())
+    models = advance_all(one_episode_run(), attach_exchange())
     begun = at(PLAY, turn("s1", 1, [STEP]), 0, 9)
     for due, is_so in ((2, True), (3, False)):
         ahead = refused("seq_out_of_order", expected_seq=due)

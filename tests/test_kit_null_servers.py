@@ -13,7 +13,7 @@ import jsonschema
 import pytest
 
 from tests import null_servers
-from tests.null_servers import Behaviour, serving
+from tests.null_servers import Behaviour, run_server
 
 ROOT = Path(__file__).parents[1]
 SCHEMA = json.loads(
@@ -22,7 +22,7 @@ SCHEMA = json.loads(
 # What answers that are valid and never change may satisfy: rules on single answers,
 # and rules that something does not happen. Nothing about playing, scoring, stopping,
 # refusing, or resuming is among them. Shrinks when a check learns to look closer.
-PARROT_PASSES = frozenset(
+CANNED_ANSWERS_PASS = frozenset(
     {
         *("SVC-001", "SVC-002", "VER-001", "BEN-001", "BEN-003"),
         *("RUN-001", "RUN-002", "RUN-016", "ATT-001", "ATT-011"),
@@ -32,7 +32,7 @@ PARROT_PASSES = frozenset(
 
 
 @dataclass
-class Kit:
+class KitResult:
     """One run of the kit as a person would start it."""
 
     code: int
@@ -51,7 +51,7 @@ class Kit:
         return self.output.strip().splitlines()[-1]
 
 
-def judge(report: Path, *arguments: str) -> Kit:
+def run_kit_on(report: Path, *arguments: str) -> KitResult:
     environment = os.environ | {"PROCTOR_TOKEN": "secret-token", "COLUMNS": "80"}
     done = subprocess.run(
         [sys.executable, "-m", "conformance", "--report", str(report), *arguments],
@@ -68,7 +68,7 @@ def judge(report: Path, *arguments: str) -> Kit:
     assert written["exit_code"] == done.returncode
     assert (report / "report.html").exists()
     junit = ET.fromstring((report / "junit.xml").read_text())  # noqa: S314 - ours
-    return Kit(done.returncode, done.stdout, written, junit)
+    return KitResult(done.returncode, done.stdout, written, junit)
 
 
 @pytest.mark.parametrize(
@@ -80,16 +80,16 @@ def judge(report: Path, *arguments: str) -> Kit:
         (null_servers.always(200, b"[]"), "not a Proctor server"),
         (null_servers.echo, "cannot be used"),
         (null_servers.close, "nothing answers"),
-        (null_servers.refusing, "is refused"),
-        (null_servers.of_another_version, "speaks Proctor 7.0 to 7.2"),
+        (null_servers.refuse_everyone, "is refused"),
+        (null_servers.other_protocol_version, "speaks Proctor 7.0 to 7.2"),
     ],
-    ids=["200", "404", "500", "list", "echo", "close", "refusing", "version"],
+    ids=["200", "404", "500", "list", "echo", "close", "refuse_everyone", "version"],
 )
-def test_cannot_judge_what_is_no_server(
+def test_cannot_judge_a_null_server(
     tmp_path: Path, behaviour: Behaviour, says: str
 ) -> None:
-    with serving(behaviour) as url:
-        kit = judge(tmp_path, "--url", url)
+    with run_server(behaviour) as url:
+        kit = run_kit_on(tmp_path, "--url", url)
     assert kit.code == 2
     assert says in kit.last_line()
     assert kit.last_line().startswith("could not judge")
@@ -98,18 +98,18 @@ def test_cannot_judge_what_is_no_server(
 
 
 def test_cannot_judge_where_nothing_listens(tmp_path: Path) -> None:
-    with serving(null_servers.echo) as url:
+    with run_server(null_servers.echo) as url:
         pass
-    kit = judge(tmp_path, "--url", url)
+    kit = run_kit_on(tmp_path, "--url", url)
     assert kit.code == 2
     assert "nothing answers" in kit.last_line()
 
 
-def test_parrot_passes_nothing_that_says_anything(tmp_path: Path) -> None:
-    with serving(null_servers.parrot) as url:
-        kit = judge(tmp_path, "--url", url)
+def test_canned_answers_pass_no_rule_about_playing(tmp_path: Path) -> None:
+    with run_server(null_servers.canned_answers) as url:
+        kit = run_kit_on(tmp_path, "--url", url)
     assert kit.code == 1
-    assert kit.passed() <= PARROT_PASSES
+    assert kit.passed() <= CANNED_ANSWERS_PASS
     assert kit.last_line() == "NOT conformant"
     failures = kit.junit.findall(".//failure")
     failed = [row for row in kit.report["rows"] if row["outcome"] == "failed"]
@@ -122,8 +122,10 @@ def test_parrot_passes_nothing_that_says_anything(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("processes", ["1", "2"])
 def test_cannot_judge_a_server_that_dies(tmp_path: Path, processes: str) -> None:
-    with serving(null_servers.dying(150, null_servers.parrot)) as url:
-        kit = judge(tmp_path, "--url", url, "-n", processes)
+    with run_server(
+        null_servers.stop_answering_after(150, null_servers.canned_answers)
+    ) as url:
+        kit = run_kit_on(tmp_path, "--url", url, "-n", processes)
     assert kit.code == 2
     assert "the server stopped answering during" in kit.last_line()
     assert len(kit.report["rows"]) > 100
@@ -145,13 +147,13 @@ def test_cannot_judge_a_server_that_dies(tmp_path: Path, processes: str) -> None
 def test_cannot_judge_with_bad_arguments(
     tmp_path: Path, arguments: list[str], says: str
 ) -> None:
-    kit = judge(tmp_path, *arguments)
+    kit = run_kit_on(tmp_path, *arguments)
     assert kit.code == 2
     assert says in kit.last_line()
 
 
 def test_cannot_judge_an_empty_selection(tmp_path: Path) -> None:
-    with serving(null_servers.parrot) as url:
-        kit = judge(tmp_path, "--url", url, "--only", "SVC", "--profile", "crash")
+    with run_server(null_servers.canned_answers) as url:
+        kit = run_kit_on(tmp_path, "--url", url, "--only", "SVC", "--profile", "crash")
     assert kit.code == 2
     assert "select nothing" in kit.last_line()

@@ -26,7 +26,7 @@ SCHEMA = json.loads(
     (ROOT / "conformance" / "reports" / "report.schema.json").read_text()
 )
 MUTANT = f"{sys.executable} -m tests.mutants.serve names_the_wrong_expected_seq"
-HOUSE = f"{sys.executable} -m reference_server"
+SERVER_COMMAND = f"{sys.executable} -m reference_server"
 
 
 def run_kit(report: Path, *arguments: str) -> tuple[int, str, dict[str, Any]]:
@@ -63,7 +63,7 @@ def test_dry_run_lists_checks_and_sends_nothing(tmp_path: Path) -> None:
     assert "nothing was sent; 1 of the 15 rules selected cannot be observed" in last
 
 
-def test_dry_run_of_nothing_is_no_success(tmp_path: Path) -> None:
+def test_an_empty_dry_run_is_no_success(tmp_path: Path) -> None:
     code, output, _ = run_kit(
         tmp_path, "--dry-run", "--only", "SVC", "--profile", "crash"
     )
@@ -77,21 +77,23 @@ def test_list_takes_a_choice(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 @pytest.mark.parametrize("processes", ["0", "2"])
-def test_time_that_is_up_leaves_rules_unverified(
+def test_rules_after_the_time_limit_are_not_verified(
     tmp_path: Path, processes: str
 ) -> None:
-    arguments = ("--start-cmd", HOUSE, "--max-time", "0.1", "-n", processes)
+    arguments = ("--start-cmd", SERVER_COMMAND, "--max-time", "0.1", "-n", processes)
     code, output, written = run_kit(tmp_path, *arguments)
     assert code == 2
     assert "time was up (--max-time 0.1)" in output.splitlines()[-1]
-    told, ledger = outcomes(written), load_ledger()
-    closed = {  # the doors of other houses
+    found_outcomes, ledger = outcomes(written), load_ledger()
+    disabled_profiles_rows = {  # the doors of other houses
         id_
-        for id_ in told
+        for id_ in found_outcomes
         if ledger[id_].profile in ("ebench", "flageval") and ledger[id_].is_observable
     }
-    assert {id_ for id_, outcome in told.items() if outcome != "not_verified"} == closed
-    assert {told[id_] for id_ in closed} == {"not_applicable"}
+    assert {
+        id_ for id_, outcome in found_outcomes.items() if outcome != "not_verified"
+    } == disabled_profiles_rows
+    assert {found_outcomes[id_] for id_ in disabled_profiles_rows} == {"not_applicable"}
 
 
 @pytest.mark.parametrize(
@@ -103,7 +105,7 @@ def test_time_that_is_up_leaves_rules_unverified(
         (Outcome.FAILED, True, 2),
     ],
 )
-def test_time_that_is_up_hides_no_violation(
+def test_the_time_limit_hides_no_violation(
     outcome: Outcome, is_known: bool, code: int
 ) -> None:
     judged = Result(Settings(only=["ATT-003", "ATT-004"], profiles=["core"]))
@@ -136,7 +138,7 @@ def test_unknown_id_gets_a_suggestion(wanted: str, says: str) -> None:
 
 
 @pytest.mark.parametrize("seconds", ["0", "-1", "nan"])
-def test_time_has_to_be_some(tmp_path: Path, seconds: str) -> None:
+def test_the_time_limit_must_be_positive(tmp_path: Path, seconds: str) -> None:
     time = f"--max-time={seconds}"
     code, output, _ = run_kit(tmp_path, "--url", "http://127.0.0.1:1", time)
     assert code == 2
@@ -156,7 +158,7 @@ def test_known_failure_is_excused_and_a_stale_one_is_not(tmp_path: Path) -> None
     assert "known fail." in output
     assert "#c62828" in (tmp_path / "badge.svg").read_text()
 
-    code, output, written = run_kit(tmp_path, "--start-cmd", HOUSE, *options)
+    code, output, written = run_kit(tmp_path, "--start-cmd", SERVER_COMMAND, *options)
     assert code == 1
     assert written["stale_known_failures"] == ["PRED-004"]
     last = output.splitlines()[-1]

@@ -31,7 +31,7 @@ def test_every_package_is_packed() -> None:
     assert set(SETUPTOOLS["packages"]) == here | {"conformance.specification.files"}
 
 
-def imported_in(*folders: Path) -> set[str]:
+def imported_modules(*folders: Path) -> set[str]:
     """Top-level names of what modules below import, the standard library's left out."""
     imported = set()
     for path in [path for folder in folders for path in folder.rglob("*.py")]:
@@ -43,29 +43,29 @@ def imported_in(*folders: Path) -> set[str]:
     return imported - set(sys.stdlib_module_names)
 
 
-def named_in(requirements: str) -> set[str]:
+def required_packages(requirements: str) -> set[str]:
     lines = (ROOT / "requirements" / requirements).read_text().splitlines()
     return {found[0] for line in lines if (found := re.match(r"[a-z][a-z0-9-]*", line))}
 
 
-def test_kit_imports_nothing_that_its_lock_lacks() -> None:
+def test_kit_imports_only_locked_packages() -> None:
     lock = (ROOT / "requirements" / "kit.txt").read_text()
     locked = {line.split("==")[0].lower() for line in lock.splitlines() if "==" in line}
     names = {"PIL": "pillow", "yaml": "pyyaml", "_pytest": "pytest"}
     names["jsonschema_rs"] = "jsonschema-rs"
-    foreign = imported_in(ROOT / "conformance") - {"conformance"}
+    foreign = imported_modules(ROOT / "conformance") - {"conformance"}
     assert {names.get(name, name) for name in foreign} <= locked
     assert not {"mujoco", "starlette", "uvicorn", "sqlalchemy"} & locked
 
 
-def test_client_imports_what_its_extra_brings_and_no_house() -> None:
+def test_client_imports_only_the_packages_of_its_extra() -> None:
     ours = {"reference_client", "proctor_client"}
     generated = ROOT / "generated_clients" / "python" / "proctor_client"
     names = {"PIL": "pillow", "dateutil": "python-dateutil"}
     names |= {"pydantic_core": "pydantic", "typing_extensions": "typing-extensions"}
-    foreign = imported_in(ROOT / "reference_client", generated) - ours
-    assert {names.get(name, name) for name in foreign} == named_in("client.in")
-    assert named_in("client.in") < named_in("house.in")
+    foreign = imported_modules(ROOT / "reference_client", generated) - ours
+    assert {names.get(name, name) for name in foreign} == required_packages("client.in")
+    assert required_packages("client.in") < required_packages("house.in")
 
 
 @pytest.fixture(scope="module")

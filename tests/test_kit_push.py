@@ -16,16 +16,16 @@ from conformance.policy import push_run, turns
 from conformance.policy.scripted import PolicyCall, ScriptedPolicy, busy_reply
 from conformance.specification.document import load_policy_spec, load_spec
 from conformance.verdicts.expect import SetUpFailed, Violation
-from tests.conftest import TOKENS, House
+from tests.conftest import TOKENS, ReferenceServer
 
 ROOT = Path(__file__).resolve().parent.parent
 
 
-def test_a_server_that_may_not_call_is_not_judged_by_these_rules(
-    house: House, tmp_path: Path
+def test_push_rules_are_not_verified_where_calls_are_not_allowed(
+    server: ReferenceServer, tmp_path: Path
 ) -> None:
     """Its operator has allowed no network: that is right of it."""
-    command = ["--url", house.url, "--only", "PUSH,CHAT,SVC-001"]
+    command = ["--url", server.url, "--only", "PUSH,CHAT,SVC-001"]
     command += ["--report", str(tmp_path)]
     done = subprocess.run(
         [sys.executable, "-m", "conformance", *command],
@@ -69,15 +69,15 @@ def test_a_run_that_never_ends_is_a_violation(monkeypatch: pytest.MonkeyPatch) -
     assert push_run.expect_end(run, "failed")["state"] == "failed"
 
 
-def test_a_fault_that_is_not_told_is_a_violation() -> None:
+def test_a_missing_policy_fault_is_a_violation() -> None:
     silent: Any = FakeRun("running")
     with pytest.raises(Violation, match="policy_fault"):
         push_run.expect_policy_fault(silent, 0.05)
     empty: Any = FakeRun("running", policy_fault="")
     with pytest.raises(Violation, match="a text"):
         push_run.expect_policy_fault(empty)
-    told: Any = FakeRun("running", policy_fault="It said nonsense.")
-    assert push_run.expect_policy_fault(told)["policy_fault"] == "It said nonsense."
+    reported: Any = FakeRun("running", policy_fault="It said nonsense.")
+    assert push_run.expect_policy_fault(reported)["policy_fault"] == "It said nonsense."
 
 
 @pytest.mark.parametrize(
@@ -88,13 +88,13 @@ def test_on_this_machine_the_kit_serves_on_loopback(url: str, address: str) -> N
     assert push_run.own_address(url) == address
 
 
-def test_an_address_that_nobody_knows_leaves_the_rules_unverified() -> None:
+def test_an_unknown_own_address_leaves_the_rules_unverified() -> None:
     with pytest.raises(SetUpFailed, match="no address of this machine") as caught:
         push_run.own_address("https://nobody.invalid")
     assert caught.value.allowed
 
 
-def test_what_the_kits_policy_says_is_as_the_document_has_it() -> None:
+def test_answers_of_the_kits_policy_fit_the_document() -> None:
     """What a judged server is given must be right, or its faults are ours."""
     benchmark = turns.calibration()
     view = turns.episode(benchmark)

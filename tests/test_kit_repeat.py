@@ -33,7 +33,7 @@ def few_tools(tmp_path: Path) -> Path:
 
 
 @contextmanager
-def a_fresh(mutant: str, directory: Path) -> Iterator[dict[str, str]]:
+def start_mutant(mutant: str, directory: Path) -> Iterator[dict[str, str]]:
     """A mutant that nobody has talked to, as the variables of the script."""
     tokens = AccountTokens.generate()
     command = f"{sys.executable} -m tests.mutants.serve {mutant}"
@@ -88,7 +88,7 @@ def printed_script(mutant: str, requirement_id: str, report: Path) -> str:
         # It asks again before the first request was answered.
         ("refuses_a_repeat_in_flight", "PRED-005", ("409", "seq_conflict")),
         # It goes on behind events that were told before.
-        ("begins_anew_for_who_comes_back", "EVT-005", ("200", "event: episode")),
+        ("restarts_the_stream_on_reconnect", "EVT-005", ("200", "event: episode")),
         # Its body is MessagePack.
         ("reads_messagepack_extensions", "ENC-008", ("422", "invalid_request")),
     ],
@@ -101,7 +101,7 @@ def test_script_finds_the_same_wrong_answer(
     answered: tuple[str, str],
 ) -> None:
     text = printed_script(mutant, requirement_id, tmp_path / "report")
-    with a_fresh(mutant, tmp_path) as variables:
+    with start_mutant(mutant, tmp_path) as variables:
         done = subprocess.run(
             ["bash", "-c", text],
             cwd=tmp_path,

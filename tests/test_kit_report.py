@@ -29,11 +29,11 @@ SCHEMA = json.loads(
 PROFILES = list(ledger.PROFILES)
 
 
-def exchange(number: int, method: str, path: str, **told: object) -> Exchange:
+def exchange(number: int, method: str, path: str, **fields: object) -> Exchange:
     sent = Exchange(
         number, f"T/{number}", method, f"http://host{path}", "TOKEN", {}, b"", 0
     )
-    for name, value in told.items():
+    for name, value in fields.items():
         setattr(sent, name, value)
     return sent
 
@@ -157,8 +157,8 @@ def test_card_says_everything() -> None:
         assert part in text
     assert 'curl -sS "$URL/v1" -H "Authorization: Bearer $TOKEN"' in text
     assert "seed" in text
-    told = text.partition("    : ")[0]
-    assert all(len(line) <= 80 for line in told.splitlines())
+    fields = text.partition("    : ")[0]
+    assert all(len(line) <= 80 for line in fields.splitlines())
 
 
 def test_script_catches_ids_and_keeps_pauses() -> None:

@@ -83,7 +83,7 @@ def test_a_generated_long_poll_waits_for_nothing() -> None:
         {},
     ],
 )
-def test_other_generated_headers_are_sent_as_they_are(headers: dict[str, Any]) -> None:
+def test_other_generated_headers_are_sent_unchanged(headers: dict[str, Any]) -> None:
     sent = dict(headers)
     _shorten_long_poll(sent)
     assert sent == headers
@@ -94,12 +94,12 @@ def test_two_threads_never_share_a_client() -> None:
     in_use: list[httpx.Client] = []
     both = threading.Barrier(2, timeout=10)
 
-    def use() -> None:
+    def send_from_thread() -> None:
         with pool.borrow() as client:
             in_use.append(client)
             both.wait()
 
-    threads = [threading.Thread(target=use) for _ in range(2)]
+    threads = [threading.Thread(target=send_from_thread) for _ in range(2)]
     for thread in threads:
         thread.start()
     for thread in threads:

@@ -40,7 +40,7 @@ KNOWN = verdict("A-002", "failed", is_known_failure=True)
         ([], 2),
     ],
 )
-def test_all_together_they_say(rows: list[Verdict], code: int) -> None:
+def test_the_exit_code_follows_from_all_rows(rows: list[Verdict], code: int) -> None:
     assert exit_code(rows, LEVELS) == code
     assert exit_code(reversed(rows), LEVELS) == code
 

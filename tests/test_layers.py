@@ -21,7 +21,7 @@ from reference_server.http.dispatch import PATH_PATTERNS
 from reference_server.rules import lifecycle, run
 from reference_server.rules.lifecycle import TRANSITIONS, Event, legal
 from reference_server.rules.run import State
-from tests.conftest import a_run
+from tests.conftest import make_run
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = ("conformance", "reference_client", "reference_server", "reference_sim")
@@ -32,15 +32,15 @@ GENERATED = {
     "reference_server/generated/models.py",
 }
 NOT_OURS = ("build", "dist", "report", "var")
-CARRIES_CODE = {"cloudpickle", "dill", "joblib", "marshal", "pickle", "shelve"}
+CODE_FORMAT_MODULES = {"cloudpickle", "dill", "joblib", "marshal", "pickle", "shelve"}
 # Who may read one all the same, and why; an entry too many fails.
-MAY_CARRY_CODE = {
+CODE_FORMAT_READERS = {
     "benchmarks/contenders/ebench_client.py": "pickle is what is measured",
     "benchmarks/contenders/ebench_server.py": "and both ends are ours",
     "conformance/profiles/pickles.py": "EBench; its reader lets nothing be named",
     "tests/ebench_client.py": "sends what EBench's client sends, and attacks",
 }
-SAY_NOTHING = {"base", "common", "helper", "helpers", "manager", "utils"}
+VAGUE_NAMES = {"base", "common", "helper", "helpers", "manager", "utils"}
 FUNCTION_LINES_MAX = 70
 
 
@@ -84,11 +84,11 @@ def tops(path: Path) -> set[str]:
     return {name.partition(".")[0] for name in imports(path, module_of(path))}
 
 
-def of_package(*packages: str) -> Iterator[Path]:
+def files_of_package(*packages: str) -> Iterator[Path]:
     return (p for p in HAND_WRITTEN if p.relative_to(ROOT).parts[0] in packages)
 
 
-def who_imports(*forbidden: str, among: Iterator[Path]) -> list[str]:
+def importers_of(*forbidden: str, among: Iterator[Path]) -> list[str]:
     return [name_of(path) for path in among if tops(path) & set(forbidden)]
 
 
@@ -117,7 +117,7 @@ PURE = sorted(path.stem for path in (ROOT / "reference_server" / "rules").glob("
 
 
 @pytest.mark.parametrize("name", PURE)
-def test_the_rules_know_only_each_other(name: str) -> None:
+def test_the_rules_import_only_each_other(name: str) -> None:
     path = ROOT / "reference_server" / "rules" / f"{name}.py"
     allowed = ("reference_server.rules", "reference_server.generated")
     others = {
@@ -130,7 +130,7 @@ def test_the_rules_know_only_each_other(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", PURE)
-def test_the_rules_wait_for_nothing_and_look_at_no_clock(name: str) -> None:
+def test_the_rules_are_synchronous_and_use_no_clock(name: str) -> None:
     source = (ROOT / "reference_server" / "rules" / f"{name}.py").read_text()
     waits = (ast.AsyncFunctionDef, ast.Await, ast.AsyncFor, ast.AsyncWith)
     assert [n for n in ast.walk(ast.parse(source)) if isinstance(n, waits)] == []
@@ -147,15 +147,15 @@ def test_the_rules_wait_for_nothing_and_look_at_no_clock(name: str) -> None:
     ],
 )
 def test_a_big_dependency_has_one_owner(module: str, owner: str) -> None:
-    assert who_imports(module, among=of_package(*PACKAGES)) == [owner]
+    assert importers_of(module, among=files_of_package(*PACKAGES)) == [owner]
 
 
 def test_ray_has_one_owner_at_most() -> None:
-    assert len(who_imports("ray", among=of_package(*PACKAGES))) <= 1
+    assert len(importers_of("ray", among=files_of_package(*PACKAGES))) <= 1
 
 
 @pytest.mark.parametrize(
-    ("package", "strangers"),
+    ("package", "forbidden_imports"),
     [
         ("reference_sim", ["reference_server", "reference_client", "conformance"]),
         ("reference_sim", ["proctor_client", "starlette", "uvicorn", "httpx"]),
@@ -167,13 +167,13 @@ def test_ray_has_one_owner_at_most() -> None:
         ),
     ],
 )
-def test_a_package_does_not_know(package: str, strangers: list[str]) -> None:
-    assert who_imports(*strangers, among=of_package(package)) == []
+def test_a_package_does_not_import(package: str, forbidden_imports: list[str]) -> None:
+    assert importers_of(*forbidden_imports, among=files_of_package(package)) == []
 
 
 def test_nothing_reads_a_format_that_carries_code() -> None:
-    found = who_imports(*CARRIES_CODE, among=iter(HAND_WRITTEN))
-    assert found == sorted(MAY_CARRY_CODE)
+    found = importers_of(*CODE_FORMAT_MODULES, among=iter(HAND_WRITTEN))
+    assert found == sorted(CODE_FORMAT_READERS)
 
 
 # --- the lifecycle ---
@@ -201,7 +201,7 @@ def test_the_table_decides_as_stated(
     state: State, event: Event, retryable: bool | None
 ) -> None:
     expected = stated(state, event, retryable)
-    assert legal(a_run(state=state, retryable=retryable), event) == bool(expected)
+    assert legal(make_run(state=state, retryable=retryable), event) == bool(expected)
     if expected is not None:
         assert TRANSITIONS[(state, event)] == expected
 
@@ -216,7 +216,7 @@ def test_every_command_is_stated_in_every_state() -> None:
     assert set(itertools.product(LIFECYCLE["states"], LIFECYCLE["commands"])) <= rows
 
 
-def test_the_words_of_the_lifecycle_are_the_same() -> None:
+def test_the_enums_match_the_specification() -> None:
     assert list(typing.get_args(State)) == LIFECYCLE["states"]
     assert set(typing.get_args(Event)) == {*LIFECYCLE["commands"], *LIFECYCLE["events"]}
     schemas = DOCUMENT["components"]["schemas"]
@@ -246,9 +246,9 @@ def refusals_in(source: str) -> set[str]:
     }
 
 
-def refusals_of_the_house() -> set[str]:
+def server_refusal_codes() -> set[str]:
     found = {code for _, code in PATH_PATTERNS.values()}
-    for path in of_package("reference_server"):
+    for path in files_of_package("reference_server"):
         found |= refusals_in(path.read_text())
     return found
 
@@ -259,31 +259,31 @@ def test_refusals_are_found_in_code() -> None:
 
 
 def test_every_problem_of_the_catalogue_is_used() -> None:
-    assert set(DOCUMENT["x-problems"]) - refusals_of_the_house() == set()
+    assert set(DOCUMENT["x-problems"]) - server_refusal_codes() == set()
 
 
 def test_no_problem_outside_the_catalogue_is_used() -> None:
-    assert refusals_of_the_house() - set(DOCUMENT["x-problems"]) == set()
+    assert server_refusal_codes() - set(DOCUMENT["x-problems"]) == set()
 
 
 def test_the_generated_catalogue_is_the_specification() -> None:
     assert DOCUMENT["x-problems"] == problem_codes.PROBLEMS
 
 
-def test_only_what_is_worth_a_retry_asks_for_one() -> None:
+def test_statuses_with_retry_after_are_retryable() -> None:
     for code, entry in DOCUMENT["x-problems"].items():
         if entry["status"] in (429, 503):
             assert entry["retryable"], code
 
 
-def test_requirements_that_the_house_cites_exist() -> None:
+def test_cited_requirements_exist() -> None:
     rows = [*DOCUMENT["x-requirements"], *DOCUMENT["x-lifecycle"]["transitions"]]
     for profile in (ROOT / "spec" / "profiles").glob("*.yaml"):
         rows += yaml.safe_load(profile.read_text())["x-requirements"]
     scoring = (ROOT / "spec" / "scoring.md").read_text()
     known = {row["id"] for row in rows} | set(re.findall(r"SCORE-\d{3}", scoring))
     cited: set[str] = set()
-    for path in of_package("reference_server", "reference_sim"):
+    for path in files_of_package("reference_server", "reference_sim"):
         cited |= set(re.findall(r"\b[A-Z]{2,6}-\d{3}\b", path.read_text()))
     assert len(cited) > 50
     assert cited - known == {"SHA-256"}
@@ -292,12 +292,12 @@ def test_requirements_that_the_house_cites_exist() -> None:
 # --- names and sizes ---
 
 
-def test_names_say_something() -> None:
+def test_file_names_are_not_vague() -> None:
     names = {name_of(path): path.relative_to(ROOT).parts for path in HAND_WRITTEN}
     vague = [
         name
         for name, parts in names.items()
-        if {part.removesuffix(".py").strip("_") for part in parts} & SAY_NOTHING
+        if {part.removesuffix(".py").strip("_") for part in parts} & VAGUE_NAMES
     ]
     assert vague == []
 
@@ -318,11 +318,11 @@ def test_a_function_fits_the_screen() -> None:
 
 
 @pytest.mark.parametrize(("name", "most"), [("README.md", 150), ("Makefile", 100)])
-def test_the_front_door_is_short(name: str, most: int) -> None:
+def test_readme_and_makefile_are_short(name: str, most: int) -> None:
     assert 0 < lines_of(ROOT / name) <= most
 
 
-def test_the_top_level_is_taken_in_at_a_glance() -> None:
+def test_the_top_level_has_few_entries() -> None:
     tracked = subprocess.run(
         ["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True
     ).stdout.split("\n")

@@ -15,19 +15,19 @@ from hypothesis import strategies as st
 
 from reference_server.generated import models
 from reference_server.generated.problem_codes import PROBLEMS
-from tests.conftest import PATIENCE_S, TOKENS, House
+from tests.conftest import TIMEOUT_S, TOKENS, ReferenceServer
 
 MSGPACK = "application/msgpack"
 LONG_POLLS = 200
 DEEP = 10**6
 
 
-class Scene:
+class LiveRun:
     """A server and a run on it with one live session, used by nobody else."""
 
-    def __init__(self, house: House) -> None:
-        self.house = house
-        self.client = house.client()
+    def __init__(self, server: ReferenceServer) -> None:
+        self.server = server
+        self.client = server.client()
         self.address = (self.client.base_url.host, self.client.base_url.port)
         body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
         self.run = self.client.post("/v1/runs", json=body).json()
@@ -48,7 +48,7 @@ class Scene:
 
     def raw(self, request: bytes) -> bytes:
         """The answer to bytes of any kind; empty when the server only hung up."""
-        with socket.create_connection(self.address, PATIENCE_S) as connection:
+        with socket.create_connection(self.address, TIMEOUT_S) as connection:
             # The server may stop listening before all is said.
             with contextlib.suppress(OSError):
                 connection.sendall(request)
@@ -60,20 +60,20 @@ class Scene:
 
 
 @pytest.fixture(scope="module")
-def scene(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Scene]:
-    house = House(tmp_path_factory.mktemp("limits"))
-    scene = Scene(house)
-    yield scene
-    scene.client.close()
-    house.end()
+def live_run(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LiveRun]:
+    server = ReferenceServer(tmp_path_factory.mktemp("limits"))
+    live_run = LiveRun(server)
+    yield live_run
+    live_run.client.close()
+    server.end()
 
 
 @pytest.fixture(autouse=True)
-def _nothing_is_disturbed(scene: Scene) -> Iterator[None]:
-    before = scene.snapshot()
+def _live_run_is_unchanged(live_run: LiveRun) -> Iterator[None]:
+    before = live_run.snapshot()
     yield
-    assert scene.snapshot() == before
-    assert "Traceback" not in scene.house.log()
+    assert live_run.snapshot() == before
+    assert "Traceback" not in live_run.server.log()
 
 
 def assert_problem(answer: httpx.Response, code: str) -> None:
@@ -94,26 +94,26 @@ def memory_peak(pid: int) -> int:
 # --- size ---
 
 
-@pytest.mark.parametrize("length_is_told", [True, False])
+@pytest.mark.parametrize("has_content_length", [True, False])
 def test_a_huge_body_is_refused_and_not_kept(
-    scene: Scene, length_is_told: bool
+    live_run: LiveRun, has_content_length: bool
 ) -> None:
-    before = memory_peak(scene.house.process.pid)
+    before = memory_peak(live_run.server.process.pid)
     part, count = b" " * 2**20, 100
     headers = {"Content-Type": "application/json"}
-    if length_is_told:
+    if has_content_length:
         headers["Content-Length"] = str(len(part) * count)
-    answer = scene.client.post(
+    answer = live_run.client.post(
         "/v1/runs", content=(part for _ in range(count)), headers=headers
     )
     assert_problem(answer, "body_too_large")
-    assert memory_peak(scene.house.process.pid) - before < 48 * 2**20
+    assert memory_peak(live_run.server.process.pid) - before < 48 * 2**20
 
 
-def test_a_body_of_just_the_limit_is_read(scene: Scene) -> None:
-    limits = scene.client.get("/v1").json()["limits"]
+def test_a_body_of_just_the_limit_is_read(live_run: LiveRun) -> None:
+    limits = live_run.client.get("/v1").json()["limits"]
     for extra, code in ((0, "malformed_body"), (1, "body_too_large")):
-        answer = scene.client.post(
+        answer = live_run.client.post(
             "/v1/runs",
             content=b" " * (limits["max_body_bytes"] + extra),
             headers={"Content-Type": "application/json"},
@@ -132,34 +132,34 @@ def test_a_body_of_just_the_limit_is_read(scene: Scene) -> None:
     ids=["json lists", "json maps", "msgpack lists", "msgpack maps"],
 )
 def test_a_body_nested_a_million_deep_is_malformed(
-    scene: Scene, body: bytes, media_type: str
+    live_run: LiveRun, body: bytes, media_type: str
 ) -> None:
     headers = {"Content-Type": media_type}
-    answer = scene.client.put(scene.worker, content=body, headers=headers)
+    answer = live_run.client.put(live_run.worker, content=body, headers=headers)
     assert_problem(answer, "malformed_body")
 
 
-def test_more_actions_than_a_chunk_holds_are_not_executed(scene: Scene) -> None:
+def test_more_actions_than_a_chunk_holds_are_not_executed(live_run: LiveRun) -> None:
     body = {
-        "session_id": scene.session_id,
+        "session_id": live_run.session_id,
         "seq": 1,
-        "actions": [{"values": scene.action()}] * 2000,
+        "actions": [{"values": live_run.action()}] * 2000,
     }
     assert_problem(
-        scene.client.post(f"{scene.worker}/predict", json=body), "invalid_request"
+        live_run.client.post(f"{live_run.worker}/predict", json=body), "invalid_request"
     )
 
 
 @pytest.mark.parametrize("size", [10**3, 10**5, 10**6])
-def test_a_long_header_breaks_nothing(scene: Scene, size: int) -> None:
+def test_a_long_header_breaks_nothing(live_run: LiveRun, size: int) -> None:
     for name in ("X-Long", "Authorization", "If-None-Match", "Accept", "Prefer"):
         line = f"{name}: {'a' * size}\r\n".encode()
-        assert_refused_or_fine(scene.raw(request(scene.path, line)))
+        assert_refused_or_fine(live_run.raw(request(live_run.path, line)))
 
 
-def test_many_headers_break_nothing(scene: Scene) -> None:
+def test_many_headers_break_nothing(live_run: LiveRun) -> None:
     lines = b"".join(b"X-%d: a\r\n" % number for number in range(10**4))
-    assert_refused_or_fine(scene.raw(request(scene.path, lines)))
+    assert_refused_or_fine(live_run.raw(request(live_run.path, lines)))
 
 
 # --- form ---
@@ -188,8 +188,8 @@ RAW = [*ODD, b"\x00", b"\xff", b"\x80\x81", b"\x7f", b"\x01", b"a b", b"[", b"#"
 
 
 @pytest.mark.parametrize("odd", RAW, ids=lambda odd: repr(odd[:8]))
-def test_odd_bytes_in_a_path_find_nothing(scene: Scene, odd: bytes) -> None:
-    token = scene.path.encode()
+def test_odd_bytes_in_a_path_find_nothing(live_run: LiveRun, odd: bytes) -> None:
+    token = live_run.path.encode()
     for path in (
         b"/" + odd,
         b"/v1/runs/" + odd,
@@ -199,9 +199,11 @@ def test_odd_bytes_in_a_path_find_nothing(scene: Scene, odd: bytes) -> None:
         b"/v1/runs?cursor=" + odd,
         token + b"?" + odd + b"=1",
     ):
-        assert_refused_or_fine(scene.raw(request(path)))
-    deleted = request(scene.worker.encode() + b"?session_id=" + odd, method=b"DELETE")
-    assert_refused_or_fine(scene.raw(deleted))
+        assert_refused_or_fine(live_run.raw(request(path)))
+    deleted = request(
+        live_run.worker.encode() + b"?session_id=" + odd, method=b"DELETE"
+    )
+    assert_refused_or_fine(live_run.raw(deleted))
 
 
 @pytest.mark.parametrize(
@@ -223,58 +225,69 @@ def test_odd_bytes_in_a_path_find_nothing(scene: Scene, odd: bytes) -> None:
     ],
     ids=lambda sent: repr(sent[-20:]),
 )
-def test_bytes_that_are_no_request_break_nothing(scene: Scene, sent: bytes) -> None:
-    answer = scene.raw(sent)
+def test_bytes_that_are_no_request_break_nothing(
+    live_run: LiveRun, sent: bytes
+) -> None:
+    answer = live_run.raw(sent)
     if answer:
         assert_refused_or_fine(answer)
 
 
-def test_a_body_that_breaks_off_breaks_nothing(scene: Scene) -> None:
+def test_a_body_that_breaks_off_breaks_nothing(live_run: LiveRun) -> None:
     lines = b"Content-Type: application/json\r\nContent-Length: 99\r\n"
-    with socket.create_connection(scene.address, PATIENCE_S) as connection:
+    with socket.create_connection(live_run.address, TIMEOUT_S) as connection:
         connection.sendall(request("/v1/runs", lines, b"POST") + b'{"bench')
     bad = request("/v1/runs", lines[:32] + b"Transfer-Encoding: chunked\r\n", b"POST")
-    scene.raw(bad + b"3\r\n{}}\r\nnonsense\r\n\r\n")
+    live_run.raw(bad + b"3\r\n{}}\r\nnonsense\r\n\r\n")
 
 
 @pytest.mark.parametrize(
     "media_type", ["", "text/plain", MSGPACK, "multipart/form-data"]
 )
-def test_other_media_types_are_refused(scene: Scene, media_type: str) -> None:
+def test_other_media_types_are_refused(live_run: LiveRun, media_type: str) -> None:
     headers = {"Content-Type": media_type}
-    for path in ("/v1/runs", f"{scene.path}/stop", f"{scene.worker}/heartbeat"):
-        answer = scene.client.post(path, content=b"{}", headers=headers)
+    for path in ("/v1/runs", f"{live_run.path}/stop", f"{live_run.worker}/heartbeat"):
+        answer = live_run.client.post(path, content=b"{}", headers=headers)
         assert_problem(answer, "unsupported_media_type")
 
 
 @pytest.mark.parametrize(
     "secret", [b"nobody", b"\xc3\xa9", b"\xff", b"a b", b"a" * 10**5], ids=len
 )
-def test_strangers_are_refused_everywhere(scene: Scene, secret: bytes) -> None:
+def test_requests_without_a_valid_token_are_refused(
+    live_run: LiveRun, secret: bytes
+) -> None:
     headers = {b"Authorization": b"Bearer " + secret}
-    with httpx.Client(base_url=scene.client.base_url, trust_env=False) as stranger:
+    with httpx.Client(base_url=live_run.client.base_url, trust_env=False) as anonymous:
         for method, path in (
             ("GET", "/v1/runs"),
-            ("GET", scene.path),
-            ("POST", f"{scene.path}/stop"),
-            ("PUT", scene.worker),
-            ("POST", f"{scene.worker}/predict"),
-            ("DELETE", f"{scene.worker}?session_id={scene.session_id}"),
+            ("GET", live_run.path),
+            ("POST", f"{live_run.path}/stop"),
+            ("PUT", live_run.worker),
+            ("POST", f"{live_run.worker}/predict"),
+            ("DELETE", f"{live_run.worker}?session_id={live_run.session_id}"),
         ):
-            answer = stranger.request(method, path, headers=headers)
+            answer = anonymous.request(method, path, headers=headers)
             assert_problem(answer, "unauthenticated")
 
 
-def test_another_account_sees_and_does_nothing(scene: Scene) -> None:
-    with scene.house.client("bob") as bob, scene.house.client("reader") as reader:
-        for path in (scene.path, f"{scene.path}/score", f"{scene.path}/episodes"):
+def test_another_account_can_neither_read_nor_change_a_run(live_run: LiveRun) -> None:
+    with (
+        live_run.server.client("bob") as bob,
+        live_run.server.client("reader") as reader,
+    ):
+        for path in (
+            live_run.path,
+            f"{live_run.path}/score",
+            f"{live_run.path}/episodes",
+        ):
             assert_problem(bob.get(path), "not_found")
             assert reader.get(path).status_code == 200
         for client, code in ((bob, "not_found"), (reader, "forbidden")):
-            assert_problem(client.post(f"{scene.path}/stop", json={}), code)
-            assert_problem(client.post(f"{scene.path}/resume"), code)
+            assert_problem(client.post(f"{live_run.path}/stop", json={}), code)
+            assert_problem(client.post(f"{live_run.path}/resume"), code)
             attach = client.put(
-                scene.worker, json={"attach_key": "x", "takeover": True}
+                live_run.worker, json={"attach_key": "x", "takeover": True}
             )
             assert_problem(attach, code)
 
@@ -300,12 +313,12 @@ def test_another_account_sees_and_does_nothing(scene: Scene) -> None:
     ).map(msgspec.msgpack.encode),
     media_type=st.sampled_from(["application/json", MSGPACK, "application/jso"]),
 )
-def test_nothing_sent_is_answered_with_a_defect(
-    scene: Scene, method: str, path: str, body: bytes, media_type: str
+def test_no_request_is_answered_with_status_500(
+    live_run: LiveRun, method: str, path: str, body: bytes, media_type: str
 ) -> None:
-    answer = scene.client.request(
+    answer = live_run.client.request(
         method,
-        scene.path + path,
+        live_run.path + path,
         content=body,
         headers={"Content-Type": media_type, "Accept": f"{media_type}, */*;q=0.5"},
     )
@@ -317,51 +330,51 @@ def test_nothing_sent_is_answered_with_a_defect(
 # --- patience ---
 
 
-def test_a_slow_body_keeps_nobody_waiting(scene: Scene) -> None:
+def test_a_slow_body_delays_no_other_request(live_run: LiveRun) -> None:
     body = b'{"attach_key":"key"}'
     lines = f"Content-Type: application/json\r\nContent-Length: {len(body)}\r\n"
-    with socket.create_connection(scene.address, PATIENCE_S) as slow:
-        slow.sendall(request(scene.worker, lines.encode(), b"PUT") + body[:1])
+    with socket.create_connection(live_run.address, TIMEOUT_S) as slow:
+        slow.sendall(request(live_run.worker, lines.encode(), b"PUT") + body[:1])
         for _ in range(20):
-            assert scene.client.get(scene.path).status_code == 200
+            assert live_run.client.get(live_run.path).status_code == 200
         slow.setblocking(False)
         with pytest.raises(BlockingIOError):
             slow.recv(1)
-        slow.settimeout(PATIENCE_S)
+        slow.settimeout(TIMEOUT_S)
         slow.sendall(body[1:])
         assert slow.recv(12) == b"HTTP/1.1 200"
 
 
-def test_many_who_wait_keep_nobody_waiting(scene: Scene) -> None:
+def test_many_long_polls_delay_no_other_request(live_run: LiveRun) -> None:
     body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
-    path = scene.client.post("/v1/runs", json=body).headers["location"]
+    path = live_run.client.post("/v1/runs", json=body).headers["location"]
     # run.endpoint names the host that was asked, and so does the ETag.
-    etag = scene.client.get(path, headers={"Host": "x"}).headers["etag"]
-    patience = f"If-None-Match: {etag}\r\nPrefer: wait=30\r\n"
+    etag = live_run.client.get(path, headers={"Host": "x"}).headers["etag"]
+    poll_headers = f"If-None-Match: {etag}\r\nPrefer: wait=30\r\n"
 
-    async def story() -> None:
+    async def scenario() -> None:
         ends = [
-            await asyncio.open_connection(*scene.address) for _ in range(LONG_POLLS)
+            await asyncio.open_connection(*live_run.address) for _ in range(LONG_POLLS)
         ]
-        silent = [await asyncio.open_connection(*scene.address) for _ in range(50)]
+        silent = [await asyncio.open_connection(*live_run.address) for _ in range(50)]
         for _, writer in ends:
-            writer.write(request(path, patience.encode()))
+            writer.write(request(path, poll_headers.encode()))
             await writer.drain()
         polls = [asyncio.create_task(reader.read()) for reader, _ in ends]
         # All of them arrived before the first of these, which find the server awake.
         for _ in range(20):
-            answer = await asyncio.to_thread(scene.client.get, path)
+            answer = await asyncio.to_thread(live_run.client.get, path)
             assert answer.status_code == 200
         assert not any(poll.done() for poll in polls)
-        await asyncio.to_thread(scene.client.post, f"{path}/stop", json={})
-        async with asyncio.timeout(PATIENCE_S / 2):  # long before they would give up
+        await asyncio.to_thread(live_run.client.post, f"{path}/stop", json={})
+        async with asyncio.timeout(TIMEOUT_S / 2):  # long before they would give up
             answers = await asyncio.gather(*polls)
-        for told in answers:
-            assert told.startswith(b"HTTP/1.1 200")
-            assert b'"state":"stopped"' in told
+        for answer_bytes in answers:
+            assert answer_bytes.startswith(b"HTTP/1.1 200")
+            assert b'"state":"stopped"' in answer_bytes
         for _, writer in [*ends, *silent]:
             writer.close()
             with contextlib.suppress(ConnectionError):
                 await writer.wait_closed()
 
-    asyncio.run(story())
+    asyncio.run(scenario())

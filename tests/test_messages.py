@@ -94,7 +94,7 @@ def request(parts: Iterable[bytes] = (), **headers: str | list[str]) -> Request:
     ],
     ids=lambda body: repr(body[:12]),
 )
-def test_what_is_no_json_is_malformed(body: bytes) -> None:
+def test_invalid_json_is_malformed(body: bytes) -> None:
     assert refused(lambda: decode(body, JSON), "malformed_body") == []
 
 
@@ -121,7 +121,7 @@ def test_what_is_no_json_is_malformed(body: bytes) -> None:
     ],
     ids=lambda body: repr(body[:12]),
 )
-def test_what_is_no_plain_msgpack_is_malformed(body: bytes) -> None:
+def test_invalid_msgpack_is_malformed(body: bytes) -> None:
     assert refused(lambda: decode(body, MSGPACK), "malformed_body") == []
 
 
@@ -235,7 +235,7 @@ def test_whole_numbers_excuse_no_other_fault() -> None:
     ]
 
 
-def test_what_is_absent_stays_absent() -> None:
+def test_absent_members_stay_absent() -> None:
     assert validate(models.SubmitRun, dict(SUBMIT)).model_dump() == SUBMIT
 
 
@@ -261,8 +261,8 @@ def test_a_media_type_may_have_parameters(declared: str) -> None:
     "declared", ["", "text/json", "application/jsonx", MSGPACK, "*/*", "json"]
 )
 def test_other_media_types_are_not_read(declared: str) -> None:
-    asked = request(content_type=declared)
-    refused(lambda: media_type_of(asked, [JSON]), "unsupported_media_type")
+    incoming_request = request(content_type=declared)
+    refused(lambda: media_type_of(incoming_request, [JSON]), "unsupported_media_type")
     refused(lambda: media_type_of(request(), [JSON]), "unsupported_media_type")
 
 
@@ -293,17 +293,20 @@ def test_other_media_types_are_not_read(declared: str) -> None:
         (",", None),
     ],
 )
-def test_the_answer_is_what_is_wanted_most(
+def test_the_preferred_media_type_is_chosen(
     accept: str | list[str], answer: str | None
 ) -> None:
-    asked = request(accept=accept)
+    incoming_request = request(accept=accept)
     if answer is None:
-        refused(lambda: negotiate_media_type(asked, [JSON, MSGPACK]), "not_acceptable")
+        refused(
+            lambda: negotiate_media_type(incoming_request, [JSON, MSGPACK]),
+            "not_acceptable",
+        )
     else:
-        assert negotiate_media_type(asked, [JSON, MSGPACK]) == answer
+        assert negotiate_media_type(incoming_request, [JSON, MSGPACK]) == answer
 
 
-def test_who_accepts_nothing_in_particular_gets_json() -> None:
+def test_the_default_media_type_is_json() -> None:
     assert negotiate_media_type(request(), [JSON, MSGPACK]) == JSON
 
 
@@ -319,8 +322,8 @@ def test_blobs_are_base64_in_json_and_bytes_in_msgpack() -> None:
 # --- bodies ---
 
 
-def read(parts: Iterable[bytes], most: int) -> bytes:
-    return asyncio.run(read_body(request(parts), most))
+def read(parts: Iterable[bytes], limit_bytes: int) -> bytes:
+    return asyncio.run(read_body(request(parts), limit_bytes))
 
 
 def test_a_body_is_read_in_parts_up_to_the_limit() -> None:
@@ -330,7 +333,7 @@ def test_a_body_is_read_in_parts_up_to_the_limit() -> None:
 
 
 def test_an_oversized_body_is_drained_and_not_kept() -> None:
-    part, most = b"x" * 2**16, 2**18
+    part, limit_bytes = b"x" * 2**16, 2**18
     taken = 0
 
     def parts() -> Iterable[bytes]:
@@ -340,12 +343,12 @@ def test_an_oversized_body_is_drained_and_not_kept() -> None:
             yield bytes(part)
 
     tracemalloc.start()
-    refused(lambda: read(parts(), most), "body_too_large")
+    refused(lambda: read(parts(), limit_bytes), "body_too_large")
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     # Read to the last bound that still reaches a client who is sending, and no further.
-    assert most * DRAIN_FACTOR < taken <= most * DRAIN_FACTOR + len(part)
-    assert peak < 4 * most
+    assert limit_bytes * DRAIN_FACTOR < taken <= limit_bytes * DRAIN_FACTOR + len(part)
+    assert peak < 4 * limit_bytes
 
 
 def test_a_body_a_bit_too_large_is_read_to_its_end() -> None:

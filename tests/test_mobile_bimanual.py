@@ -41,7 +41,7 @@ from reference_sim.benchmarks.mobile_bimanual.tasks import (
 )
 from reference_sim.interface import Action, Observation, Simulator
 from reference_sim.mujoco.physical import PhysicalSimulator
-from tests.physical_worlds import Policy, bits, play
+from tests.physical_worlds import Policy, observation_digest, play
 
 WIDTH, HEIGHT = 64, 48
 STILL: Action = {
@@ -80,7 +80,7 @@ def expert(
     return choose
 
 
-def anything(control: str = MODES[0]) -> Policy:
+def random_actions(control: str = MODES[0]) -> Policy:
     """The same lively actions each time, from all that may be sent."""
     rng = np.random.Generator(np.random.PCG64(99))
 
@@ -93,15 +93,15 @@ def anything(control: str = MODES[0]) -> Policy:
     return choose
 
 
-def lively_bits(control: str) -> list[str]:
+def random_action_digests(control: str) -> list[str]:
     """Three episodes' observations, images included; also run by a second process."""
     sim = make(cameras=True, control=control)
     seen = []
     for seed, task in enumerate(TASKS):
         sim.reset(task, seed, "test")
-        policy = anything(control)
+        policy = random_actions(control)
         for _ in range(6):
-            seen.append(bits(sim.observe()))
+            seen.append(observation_digest(sim.observe()))
             play(sim, policy, 2)
     sim.close()
     return seen
@@ -113,16 +113,21 @@ def lively_bits(control: str) -> list[str]:
 def test_another_process_sees_the_same_bits() -> None:
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(1, mp_context=spawn) as other:
-        theirs = [other.submit(lively_bits, control) for control in MODES]
-        ours = [lively_bits(control) for control in MODES]
-        assert [bits.result(timeout=60) for bits in theirs] == ours
-    together = [*itertools.chain(*ours)]
+        remote_digests = [
+            other.submit(random_action_digests, control) for control in MODES
+        ]
+        local_digests = [random_action_digests(control) for control in MODES]
+        assert [
+            observation_digest.result(timeout=60)
+            for observation_digest in remote_digests
+        ] == local_digests
+    all_digests = [*itertools.chain(*local_digests)]
     # Each episode begins alike in both modes; nothing else may repeat.
-    assert len(set(together)) == len(together) - len(TASKS)
+    assert len(set(all_digests)) == len(all_digests) - len(TASKS)
 
 
 @pytest.mark.parametrize("task", TASKS)
-def test_reset_forgets_a_dirty_episode(task: str) -> None:
+def test_reset_restores_the_initial_state(task: str) -> None:
     """Other colours, sizes and cameras, things moved, score above zero: all gone."""
     used, fresh = make(cameras=True), make(cameras=True)
     outcomes = play(used, expert(used, task, 3, "test"), 400)
@@ -131,7 +136,7 @@ def test_reset_forgets_a_dirty_episode(task: str) -> None:
         sim.reset("handover", 11, "val_train")
     assert used.snapshot().world.tobytes() == fresh.snapshot().world.tobytes()
     for _ in range(5):
-        assert bits(used.observe()) == bits(fresh.observe())
+        assert observation_digest(used.observe()) == observation_digest(fresh.observe())
         assert used.step(STILL) == fresh.step(STILL)
     used.close()
     fresh.close()
@@ -155,7 +160,9 @@ def test_a_snapshot_continues_exactly(task: str, steps_before: int) -> None:
     other.restore(snapshot)
     assert other.snapshot().world.tobytes() == snapshot.world.tobytes()
     for _ in range(12):
-        assert bits(other.observe()) == bits(played.observe())
+        assert observation_digest(other.observe()) == observation_digest(
+            played.observe()
+        )
         action = policy(played.observe())
         assert other.step(action) == played.step(action)
     played.close()
@@ -167,20 +174,20 @@ def test_a_snapshot_continues_exactly_with_hand_poses() -> None:
     played, other = make(control="ee_pose"), make(control="ee_pose")
     for sim, steps in ((played, 9), (other, 4)):
         sim.reset("fetch_and_place", 3)
-        play(sim, anything("ee_pose"), steps)
+        play(sim, random_actions("ee_pose"), steps)
     other.restore(played.snapshot())
-    policy, same_policy = anything("ee_pose"), anything("ee_pose")
+    policy, same_policy = random_actions("ee_pose"), random_actions("ee_pose")
     for _ in range(6):
         seen = played.observe()
-        assert bits(other.observe()) == bits(seen)
+        assert observation_digest(other.observe()) == observation_digest(seen)
         assert other.step(policy(seen)) == played.step(same_policy(seen))
 
 
-def test_looking_does_not_change_what_happens() -> None:
+def test_rendering_does_not_change_the_physics() -> None:
     seeing, blind = make(cameras=True), make()
     for sim in (seeing, blind):
         sim.reset("fetch_and_place", 5)
-    policy, same_policy = anything(), anything()
+    policy, same_policy = random_actions(), random_actions()
     for _ in range(15):
         seen = seeing.observe()
         assert blind.step(policy(seen)) == seeing.step(same_policy(seen))
@@ -210,7 +217,7 @@ def test_the_expert_solves_it_by_hand_poses_too(task: str) -> None:
     assert play(sim, policy, MAX_STEPS)[-1].success
 
 
-def test_the_expert_fetches_a_box_it_lost() -> None:
+def test_the_expert_picks_up_a_dropped_box() -> None:
     """Meanwhile the score stays at its best."""
     sim = make()
     policy = expert(sim, "fetch_and_place", 0)
@@ -224,12 +231,12 @@ def test_the_expert_fetches_a_box_it_lost() -> None:
     assert play(sim, policy, MAX_STEPS)[-1].success
 
 
-@pytest.mark.parametrize("kind", ["still", "anything"])
+@pytest.mark.parametrize("kind", ["still", "random_actions"])
 @pytest.mark.parametrize("task", TASKS)
-def test_luck_solves_nothing(task: str, kind: str) -> None:
+def test_random_and_still_policies_solve_nothing(task: str, kind: str) -> None:
     sim = make()
     sim.reset(task, 1)
-    policy = anything() if kind == "anything" else lambda _: STILL
+    policy = random_actions() if kind == "random_actions" else lambda _: STILL
     outcomes = play(sim, policy, MAX_STEPS)
     assert len(outcomes) == MAX_STEPS
     assert not outcomes[-1].success
@@ -261,7 +268,7 @@ def test_a_tray_in_the_air_is_not_lifted_unless_held() -> None:
     assert not task.goal_holds(scene)
 
 
-def test_an_expert_says_what_it_cannot_do() -> None:
+def test_an_expert_rejects_an_unknown_instruction() -> None:
     player = make_expert()
     with pytest.raises(RuntimeError, match="reset"):
         player.act({})
@@ -290,7 +297,7 @@ def test_unseen_splits_look_different_and_reach_further() -> None:
     sim.close()
 
 
-def test_things_that_a_task_does_not_need_wait_on_the_shelf() -> None:
+def test_unused_objects_stay_parked() -> None:
     """Weightless, and back there when the next task does not need them."""
     sim = make()
     for task in (*TASKS, *TASKS):
@@ -306,7 +313,7 @@ def test_things_that_a_task_does_not_need_wait_on_the_shelf() -> None:
             )
 
 
-def test_pictures_show_the_scene_upright_and_moving() -> None:
+def test_images_are_upright_and_change_with_motion() -> None:
     sim = make(cameras=True)
     sim.reset("two_handed_lift", 2)
     before = sim.observe().images
@@ -318,7 +325,7 @@ def test_pictures_show_the_scene_upright_and_moving() -> None:
     red, _, blue = before["head"].astype(int).mean(axis=1).T
     assert red[HEIGHT // 2] > blue[HEIGHT // 2] + 15, "the wooden table is in front"
     assert blue[2] >= red[2], "the floor behind it is above"
-    play(sim, anything(), 10)
+    play(sim, random_actions(), 10)
     after = sim.observe().images
     for camera in CAMERAS:
         assert np.count_nonzero(before[camera] != after[camera]) > 300, camera

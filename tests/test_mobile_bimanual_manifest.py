@@ -46,7 +46,7 @@ def drive(scene: MobileBimanualScene, steps: int, *motion: float) -> Vector:
 
 
 @pytest.mark.parametrize("benchmark_id", VARIANTS)
-def test_a_manifest_says_what_the_simulator_does(benchmark_id: str) -> None:
+def test_the_manifest_matches_the_simulator(benchmark_id: str) -> None:
     variant = VARIANTS[benchmark_id]
     resolved = benchmark_registry.resolve(benchmark_id)
     manifest = resolved.manifest
@@ -87,7 +87,7 @@ def test_tracks_share_their_episodes() -> None:
     assert set(TRACKS["generalist"]) == set(TASKS)
 
 
-def test_where_there_are_cameras_a_policy_has_to_look() -> None:
+def test_object_poses_are_hidden_where_there_are_cameras() -> None:
     poses = {f"{thing}_pose" for thing in layout.THINGS}
     for benchmark_id, variant in VARIANTS.items():
         space = benchmark_registry.resolve(benchmark_id).manifest["observation_space"]
@@ -152,7 +152,7 @@ def test_constants_agree_with_the_scene() -> None:
 # The base
 
 
-def test_the_base_moves_in_its_own_frame_and_arrives() -> None:
+def test_the_base_moves_in_its_own_frame_and_reaches_its_target() -> None:
     scene = MobileBimanualScene()
     scene.reset()
     scene.place_base(-0.5, 0.2, math.pi / 2)
@@ -179,7 +179,7 @@ def test_a_motion_beyond_its_bounds_is_clipped() -> None:
     assert ways[0][2] > 0.05
 
 
-def test_a_blocked_base_does_not_store_up_its_way() -> None:
+def test_a_blocked_base_accumulates_no_motion() -> None:
     scene = MobileBimanualScene()
     scene.reset()
     drive(scene, 60, 0.05, 0.0, 0.0)
@@ -191,7 +191,7 @@ def test_a_blocked_base_does_not_store_up_its_way() -> None:
 # The hands
 
 
-def test_a_hand_goes_where_it_is_told_in_the_base_frame() -> None:
+def test_a_hand_reaches_its_target_in_the_base_frame() -> None:
     scene = MobileBimanualScene(control="ee_pose")
     scene.reset()
     scene.place_base(-0.8, 0.1, 2.0)
@@ -214,7 +214,7 @@ def test_a_hand_goes_where_it_is_told_in_the_base_frame() -> None:
     assert state["gripper"] == pytest.approx([0, 0, 0.02, 0.02], abs=0.002)
 
 
-def test_a_hand_pose_that_makes_no_sense_does_no_harm() -> None:
+def test_an_unreachable_hand_pose_keeps_the_state_finite() -> None:
     scene = MobileBimanualScene(control="ee_pose")
     scene.reset()
     nowhere = [1e300, -1e300, 0.0, 0.0, 0.0, 0.0, 0.0]
@@ -227,7 +227,7 @@ def test_a_hand_pose_that_makes_no_sense_does_no_harm() -> None:
 # Frames
 
 
-def test_frames_lead_there_and_back() -> None:
+def test_frame_conversions_are_inverse() -> None:
     rng = np.random.Generator(np.random.PCG64(0))
     for _ in range(20):
         base, goal = rng.uniform(-3, 3, 3), rng.uniform(-3, 3, 3)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.mutants import load
-from tests.mutants.kill import judge
+from tests.mutants.kill import run_mutant
 
 MUTANTS = load()
 MATRIX = Path(__file__).parents[1] / "docs" / "kill-matrix.md"
@@ -16,7 +16,7 @@ MATRIX = Path(__file__).parents[1] / "docs" / "kill-matrix.md"
 @pytest.mark.parametrize("name", sorted(MUTANTS))
 def test_mutant_is_killed_by_exactly_what_it_breaks(name: str) -> None:
     """The whole kit against one mutant. Expect its ids and no others to fail."""
-    kill = judge(MUTANTS[name])
+    kill = run_mutant(MUTANTS[name])
     assert kill.is_exact, str(kill)
 
 

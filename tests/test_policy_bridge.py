@@ -14,18 +14,26 @@ from conformance.policy.scripted import (
 )
 from reference_client import ProctorError, evaluate
 from reference_client.policies.policy_server import PolicyServerClient
-from tests.conftest import TOKENS, House
-from tests.policy_parts import an_app, free_port, house, its_key, proctor
-from tests.policy_parts import serving as served
-from tests.push_parts import submitted, until
+from tests.conftest import TOKENS, ReferenceServer
+from tests.policy_parts import (
+    free_port,
+    make_app,
+    policy_key,
+    run_app,
+    run_proctor,
+    server,
+)
+from tests.push_parts import submit_push_run, wait_for_state
 
-__all__ = ["house", "its_key"]
+__all__ = ["server", "policy_key"]
 
 
-def evaluated(house: House, url: str, *tasks: str, **members: Any) -> Any:
+def evaluate_policy(
+    server: ReferenceServer, url: str, *tasks: str, **members: Any
+) -> Any:
     return evaluate(
         PolicyServerClient(url, patience_s=2.0),
-        url=house.url,
+        url=server.url,
         token=TOKENS["alice"],
         benchmark="calibration",
         options={"tasks": list(tasks), **members},
@@ -34,35 +42,37 @@ def evaluated(house: House, url: str, *tasks: str, **members: Any) -> Any:
     )
 
 
-def test_a_policy_server_is_evaluated_by_this_client(house: House) -> None:
-    with served(an_app().app) as url:
-        score = evaluated(house, url, *["score"] * 3)
+def test_a_policy_server_is_evaluated_by_this_client(server: ReferenceServer) -> None:
+    with run_app(make_app().app) as url:
+        score = evaluate_policy(server, url, *["score"] * 3)
     assert score.score == pytest.approx(0.3)
 
 
-def test_the_same_turns_come_in_both_directions(house: House) -> None:
+def test_the_same_turns_come_in_both_directions(server: ReferenceServer) -> None:
     """What a policy is asked by this client is what a server asks it."""
-    asked: list[list[dict[str, Any]]] = []
+    bodies_by_direction: list[list[dict[str, Any]]] = []
     for direction in ("pull", "push"):
-        with ScriptedPolicy() as policy, house.client() as client:
+        with ScriptedPolicy() as policy, server.client() as client:
             if direction == "pull":
-                evaluated(house, policy.url, "echo")
+                evaluate_policy(server, policy.url, "echo")
             else:
-                until(client, submitted(client, policy.url, "echo"))
+                wait_for_state(client, submit_push_run(client, policy.url, "echo"))
             bodies = [c.body for c in policy.calls if c.body is not None]
-            asked.append([_timeless(body) for body in bodies])
-    assert asked[0] == asked[1]
-    assert len(asked[0]) == 2
+            bodies_by_direction.append([_timeless(body) for body in bodies])
+    assert bodies_by_direction[0] == bodies_by_direction[1]
+    assert len(bodies_by_direction[0]) == 2
 
 
 def _timeless(body: dict[str, Any]) -> dict[str, Any]:
     volatile = ("session_id", "run_id", "timing", "lease", "benchmark")
     spaces = body.get("benchmark", {}).get("action_space")
-    kept = {name: value for name, value in body.items() if name not in volatile}
-    return kept | {"spaces": spaces}
+    stable_members = {
+        name: value for name, value in body.items() if name not in volatile
+    }
+    return stable_members | {"spaces": spaces}
 
 
-def test_a_call_that_was_not_answered_is_made_again(house: House) -> None:
+def test_an_unanswered_call_is_repeated(server: ReferenceServer) -> None:
     turned_away = threading.Event()
 
     def once(call: PolicyCall) -> PolicyReply:
@@ -73,11 +83,11 @@ def test_a_call_that_was_not_answered_is_made_again(house: House) -> None:
 
     with ScriptedPolicy() as policy:
         policy.on("predict", once)
-        assert evaluated(house, policy.url, "score").score == 0.5
+        assert evaluate_policy(server, policy.url, "score").score == 0.5
 
 
 @pytest.mark.parametrize(
-    ("operation", "reply", "said"),
+    ("operation", "reply", "message"),
     [
         ("describe_policy", PolicyReply({}), "does not describe itself"),
         ("describe_policy", PolicyReply(b"no"), "no JSON"),
@@ -89,17 +99,17 @@ def test_a_call_that_was_not_answered_is_made_again(house: House) -> None:
         ("predict", PolicyReply({"detail": "Too\nhot."}, 400), "Too\nhot."),
     ],
 )
-def test_what_a_policy_server_does_wrong_is_told(
-    house: House, operation: str, reply: PolicyReply, said: str
+def test_faults_of_a_policy_server_are_reported(
+    server: ReferenceServer, operation: str, reply: PolicyReply, message: str
 ) -> None:
     with ScriptedPolicy() as policy:
         policy.on(operation, lambda _: reply)
-        with pytest.raises(ProctorError, match=said) as caught:
-            evaluated(house, policy.url, "score")
+        with pytest.raises(ProctorError, match=message) as caught:
+            evaluate_policy(server, policy.url, "score")
     assert caught.value.code == "policy_failed"
 
 
-def test_actions_that_are_none_are_told(house: House) -> None:
+def test_invalid_actions_are_reported(server: ReferenceServer) -> None:
     with ScriptedPolicy() as policy:
 
         def nothing(call: PolicyCall) -> PolicyReply:
@@ -108,44 +118,44 @@ def test_actions_that_are_none_are_told(house: House) -> None:
 
         policy.on("predict", nothing)
         with pytest.raises(ProctorError, match="answered without actions"):
-            evaluated(house, policy.url, "score")
+            evaluate_policy(server, policy.url, "score")
 
 
-def test_a_policy_server_that_is_not_there_is_told_before_there_is_a_run(
-    house: House,
+def test_an_unreachable_policy_server_is_reported_before_submit(
+    server: ReferenceServer,
 ) -> None:
     with pytest.raises(ProctorError, match="does not answer"):
-        evaluated(house, f"http://127.0.0.1:{free_port()}", "score")
+        evaluate_policy(server, f"http://127.0.0.1:{free_port()}", "score")
 
 
-def test_the_command_asks_a_policy_server(house: House) -> None:
-    with served(an_app().app) as url:
-        done = proctor(house, "--policy-url", url, "--benchmark", "calibration")
+def test_the_command_calls_a_policy_server(server: ReferenceServer) -> None:
+    with run_app(make_app().app) as url:
+        done = run_proctor(server, "--policy-url", url, "--benchmark", "calibration")
     assert done.returncode == 0, done.stderr
     assert "0.3" in done.stdout
 
 
-def test_the_command_has_a_server_play_the_run(house: House) -> None:
-    with served(an_app().app) as url, house.client() as client:
-        words = ["--benchmark", "calibration", "--push", url, "--json"]
-        done = proctor(house, *words, command="submit")
+def test_the_command_has_a_server_play_the_run(server: ReferenceServer) -> None:
+    with run_app(make_app().app) as url, server.client() as client:
+        arguments = ["--benchmark", "calibration", "--push", url, "--json"]
+        done = run_proctor(server, *arguments, command="submit")
         assert done.returncode == 0, done.stderr
-        run = until(client, json.loads(done.stdout)["run_id"])
+        run = wait_for_state(client, json.loads(done.stdout)["run_id"])
         assert (run["state"], run["mode"]) == ("completed", "push")
         assert run["policy_server"]["has_api_key"]
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("arguments", "message"),
     [
         (["--policy", "proctor:host:1"], "takes a URL"),
         (["--policy-url", "http://h", "--policy", "a:b"], "both"),
         (["--policy-url", "http://h", "--processes"], "--processes"),
     ],
 )
-def test_the_command_refuses_what_cannot_be_meant(
-    house: House, words: list[str], said: str
+def test_the_command_refuses_contradicting_options(
+    server: ReferenceServer, arguments: list[str], message: str
 ) -> None:
-    done = proctor(house, "--benchmark", "calibration", *words)
+    done = run_proctor(server, "--benchmark", "calibration", *arguments)
     assert done.returncode == 2
-    assert said in done.stderr
+    assert message in done.stderr

@@ -25,12 +25,14 @@ from conformance.specification.ledger import POLICY, load_ledger
 from reference_client.policies import serving
 from reference_client.policies.serving import PolicyApp, Refusal
 from tests import policy_parts
-from tests.policy_parts import ACTION, KEY, Counting, an_app
+from tests.policy_parts import ACTION, KEY, CountingPolicy, make_app
 
 ROOT = Path(__file__).resolve().parent.parent
 
 
-def judged(url: str, report: Path, *more: str, key: str = KEY) -> tuple[int, Any]:
+def run_policy_kit(
+    url: str, report: Path, *more: str, key: str = KEY
+) -> tuple[int, Any]:
     """The exit code, and outcome by id."""
     flags = ["--url", url, *more, "--report", str(report), "--seed", "1"]
     done = subprocess.run(
@@ -41,12 +43,12 @@ def judged(url: str, report: Path, *more: str, key: str = KEY) -> tuple[int, Any
         text=True,
         check=False,
     )
-    code, rows = reported(report)
+    code, rows = read_report(report)
     assert done.returncode == code, done.stderr
     return code, rows
 
 
-def reported(report: Path) -> tuple[int, Any]:
+def read_report(report: Path) -> tuple[int, Any]:
     found = json.loads((report / "report.json").read_text())
     rows = {row["requirement_id"]: row["outcome"] for row in found["rows"]}
     return found["exit_code"], rows | {"problem": found["problem"]}
@@ -73,7 +75,7 @@ def answers(operation: str, **changes: Any) -> Callable[[PolicyApp], None]:
     return break_it
 
 
-def plays_dice(app: PolicyApp) -> None:
+def answers_randomly(app: PolicyApp) -> None:
     def action(_body: Any) -> Any:
         return [{"values": ACTION | {"score": [random.random()]}}]
 
@@ -86,7 +88,7 @@ async def session_of(request: Request) -> str:
 
 
 def plays_without_a_reset(app: PolicyApp) -> None:
-    class Ready(Counting):
+    class Ready(CountingPolicy):
         acts = 0
 
     right = app.predict
@@ -110,12 +112,12 @@ def is_reset_once(app: PolicyApp) -> None:
     app.reset = wrong  # type: ignore[method-assign]
 
 
-def promises_room_that_it_lacks(app: PolicyApp) -> None:
+def announces_too_many_sessions(app: PolicyApp) -> None:
     answers("describe_policy", max_sessions=16)(app)
     app._max_sessions = 1
 
 
-def renames(there: str, here: str) -> Callable[[PolicyApp], None]:
+def answers_another_code(there: str, here: str) -> Callable[[PolicyApp], None]:
     """Refuse with another code."""
 
     def break_it(app: PolicyApp) -> None:
@@ -134,7 +136,7 @@ def renames(there: str, here: str) -> Callable[[PolicyApp], None]:
     return break_it
 
 
-def asks_for_its_key_at_the_door_alone(app: PolicyApp) -> None:
+def checks_the_key_only_at_describe_and_reset(app: PolicyApp) -> None:
     right = app._authenticate
 
     def wrong(request: Request) -> None:
@@ -144,7 +146,7 @@ def asks_for_its_key_at_the_door_alone(app: PolicyApp) -> None:
     app._authenticate = wrong  # type: ignore[method-assign]
 
 
-def knows_only_today(app: PolicyApp) -> None:
+def refuses_unknown_members(app: PolicyApp) -> None:
     for operation in ("reset", "predict"):
         right = getattr(app, operation)
 
@@ -162,14 +164,14 @@ BROKEN: dict[str, Callable[[PolicyApp], None]] = {
     "POL-003": answers("reset", attempt=1),
     "POL-004": answers("predict", seq=lambda body: body["seq"] + 1),
     "POL-005": answers("predict", actions=[{"values": ACTION | {"score": [2.0]}}]),
-    "POL-006": plays_dice,
+    "POL-006": answers_randomly,
     "POL-007": plays_without_a_reset,
     "POL-008": is_reset_once,
-    "POL-009": promises_room_that_it_lacks,
-    "POL-010": renames("malformed_body", "invalid_request"),
-    "POL-011": renames("invalid_request", "malformed_body"),
-    "POL-012": asks_for_its_key_at_the_door_alone,
-    "POL-013": knows_only_today,
+    "POL-009": announces_too_many_sessions,
+    "POL-010": answers_another_code("malformed_body", "invalid_request"),
+    "POL-011": answers_another_code("invalid_request", "malformed_body"),
+    "POL-012": checks_the_key_only_at_describe_and_reset,
+    "POL-013": refuses_unknown_members,
 }
 
 
@@ -187,7 +189,7 @@ def broken_app(break_it: Callable[[PolicyApp], None]) -> PolicyApp:
         return break_late(app, latest)
 
     app._as_endpoint = guarded  # type: ignore[method-assign]
-    app.__init__(Counting, "broken", key=KEY)  # type: ignore[misc]
+    app.__init__(CountingPolicy, "broken", key=KEY)  # type: ignore[misc]
     break_it(app)
     return app
 
@@ -198,8 +200,8 @@ def test_every_rule_that_can_be_seen_has_a_server_that_breaks_it() -> None:
 
 
 def test_our_own_server_is_conformant(tmp_path: Path) -> None:
-    with policy_parts.serving(an_app().app) as url:
-        code, rows = judged(url, tmp_path)
+    with policy_parts.run_app(make_app().app) as url:
+        code, rows = run_policy_kit(url, tmp_path)
     assert (code, rows.pop("problem")) == (0, None)
     assert set(rows.values()) == {"passed"}
     schema = json.loads(
@@ -226,7 +228,7 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("reports")
     with contextlib.ExitStack() as stack:
         urls = {
-            row: stack.enter_context(policy_parts.serving(broken_app(break_it).app))
+            row: stack.enter_context(policy_parts.run_app(broken_app(break_it).app))
             for row, break_it in BROKEN.items()
         }
         pairs = [f"{url}={folder / row}" for row, url in urls.items()]
@@ -244,14 +246,14 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.parametrize("row", BROKEN)
 def test_a_broken_server_fails_exactly_its_row(row: str, reports: Path) -> None:
-    code, rows = reported(reports / row)
+    code, rows = read_report(reports / row)
     assert code == 1
     assert [name for name, outcome in rows.items() if outcome == "failed"] == [row]
 
 
-def test_without_a_key_the_rule_of_keys_says_nothing(tmp_path: Path) -> None:
-    with policy_parts.serving(an_app(key=None).app) as url:
-        code, rows = judged(url, tmp_path, "--only", "POL-012,POL-004", key="")
+def test_without_a_key_the_key_rule_is_not_applicable(tmp_path: Path) -> None:
+    with policy_parts.run_app(make_app(key=None).app) as url:
+        code, rows = run_policy_kit(url, tmp_path, "--only", "POL-012,POL-004", key="")
     assert (code, rows["POL-012"], rows["POL-004"]) == (0, "not_applicable", "passed")
 
 
@@ -260,9 +262,9 @@ def test_a_benchmark_of_ones_own_is_played(tmp_path: Path) -> None:
     space = calibration()["action_space"]["score"]
     other = calibration() | {"action_space": {"grip": space}}
     (tmp_path / "b.json").write_text(json.dumps(other))
-    with policy_parts.serving(an_app().app) as url:
+    with policy_parts.run_app(make_app().app) as url:
         flag = ("--benchmark", str(tmp_path / "b.json"), "--only", "POL-00")
-        code, rows = judged(url, tmp_path, *flag)
+        code, rows = run_policy_kit(url, tmp_path, *flag)
     assert code == 1
     failed = [name for name, outcome in rows.items() if outcome == "failed"]
     assert failed == ["POL-005"]
@@ -280,14 +282,14 @@ def test_a_benchmark_of_ones_own_is_played(tmp_path: Path) -> None:
 def test_what_cannot_be_judged_ends_with_2(
     arguments: list[str], said: str, tmp_path: Path
 ) -> None:
-    code, found = judged(arguments[0], tmp_path, *arguments[1:])
+    code, found = run_policy_kit(arguments[0], tmp_path, *arguments[1:])
     assert code == 2
     assert said in found["problem"]
 
 
 def test_a_wrong_key_cannot_be_judged(tmp_path: Path) -> None:
-    with policy_parts.serving(an_app().app) as url:
-        code, found = judged(url, tmp_path, key="wrong")
+    with policy_parts.run_app(make_app().app) as url:
+        code, found = run_policy_kit(url, tmp_path, key="wrong")
     assert code == 2
     assert "PROCTOR_POLICY_KEY" in found["problem"]
 
@@ -302,20 +304,20 @@ def test_the_document_is_valid_openapi() -> None:
     openapi_spec_validator.validate(DOCUMENT, base_uri=base)
 
 
-def test_its_rules_fit_the_schema_of_rules() -> None:
+def test_policy_rules_fit_the_schema() -> None:
     schema = json.loads((ROOT / "spec" / "schema" / "extensions.json").read_text())
     rules = schema["properties"]["x-requirements"] | {"$defs": schema["$defs"]}
     jsonschema.validate(DOCUMENT["x-requirements"], rules)
 
 
-def test_what_its_operations_cite_exists_and_is_cited() -> None:
+def test_policy_rules_are_cited_by_operations() -> None:
     known = {row["id"] for row in DOCUMENT["x-requirements"]}
     operations = load_policy_spec().operations.values()
     cited = {row for o in operations for row in o.description["x-requirements"]}
     assert cited == known
 
 
-def test_its_problems_are_those_of_the_other_document() -> None:
+def test_policy_problems_match_openapi_yaml() -> None:
     assert set(DOCUMENT["x-problems"]) <= set(load_spec().problems)
     ours = {
         code: (entry["status"], entry["retryable"], entry["side_effects"] == "possible")

@@ -20,20 +20,27 @@ from conformance.policy import turns
 from reference_client import Observation
 from reference_client.policies import serving
 from reference_client.policies.serving import PolicyApp
-from tests.conftest import PATIENCE_S, House
-from tests.policy_parts import KEY, Counting, an_app, free_port, house, its_key
-from tests.policy_parts import serving as served
-from tests.push_parts import episodes, submission, submitted, until
+from tests.conftest import TIMEOUT_S, ReferenceServer
+from tests.policy_parts import (
+    KEY,
+    CountingPolicy,
+    free_port,
+    make_app,
+    policy_key,
+    run_app,
+    server,
+)
+from tests.push_parts import episodes, push_submission, submit_push_run, wait_for_state
 
-__all__ = ["house", "its_key"]
+__all__ = ["server", "policy_key"]
 BENCHMARK = turns.calibration()
 
 
 @contextlib.contextmanager
-def calling(app: PolicyApp) -> Iterator[httpx.Client]:
+def call_app(app: PolicyApp) -> Iterator[httpx.Client]:
     headers = {"Authorization": f"Bearer {KEY}"}
     with (
-        served(app.app) as url,
+        run_app(app.app) as url,
         httpx.Client(base_url=url, headers=headers, trust_env=False) as client,
     ):
         yield client
@@ -60,7 +67,7 @@ def score_of(answer: httpx.Response) -> float:
 
 
 def test_a_repeated_turn_is_not_acted_twice() -> None:
-    with calling(an_app()) as client:
+    with call_app(make_app()) as client:
         assert reset(client, "s").status_code == 200
         assert [score_of(predict(client, "s", q)) for q in (0, 0, 1, 1)] == [
             *[0.1, 0.1],
@@ -70,8 +77,8 @@ def test_a_repeated_turn_is_not_acted_twice() -> None:
         assert score_of(predict(client, "s", 1)) == 0.1
 
 
-def test_the_session_idle_for_longest_makes_room() -> None:
-    with calling(an_app(max_sessions=2)) as client:
+def test_the_longest_idle_session_is_evicted() -> None:
+    with call_app(make_app(max_sessions=2)) as client:
         for name in ("a", "b"):
             reset(client, name)
         predict(client, "a")
@@ -81,40 +88,40 @@ def test_the_session_idle_for_longest_makes_room() -> None:
         assert predict(client, "c").status_code == 200
 
 
-def test_a_session_that_had_to_make_room_is_not_played_on() -> None:
+def test_an_evicted_session_has_ended() -> None:
     """It waits for its turn while another session takes its policy over."""
-    began, going = threading.Event(), threading.Event()
+    began, may_continue = threading.Event(), threading.Event()
 
-    class Slow(Counting):
+    class SlowPolicy(CountingPolicy):
         def act(self, observation: Observation) -> list[dict[str, Any]]:
             began.set()
-            going.wait(PATIENCE_S)
+            may_continue.wait(TIMEOUT_S)
             return super().act(observation)
 
-    app = PolicyApp(Slow, "slow", key=KEY, max_sessions=1)
-    with calling(app) as client, ThreadPoolExecutor(3) as threads:
+    app = PolicyApp(SlowPolicy, "slow", key=KEY, max_sessions=1)
+    with call_app(app) as client, ThreadPoolExecutor(3) as threads:
         reset(client, "a")
         first = threads.submit(predict, client, "a")
-        assert began.wait(PATIENCE_S)
+        assert began.wait(TIMEOUT_S)
         second = threads.submit(predict, client, "a", 1)
         other = threads.submit(reset, client, "b")
-        deadline = time.monotonic() + PATIENCE_S
+        deadline = time.monotonic() + TIMEOUT_S
         while "b" not in app._sessions:
             assert time.monotonic() < deadline
             time.sleep(0.005)
-        going.set()
+        may_continue.set()
         assert first.result().status_code == 200
         assert second.result().json()["code"] == "session_ended"
         assert other.result().status_code == 200
         assert score_of(predict(client, "b")) == 0.1
 
 
-class Failing(Counting):
+class RaisingPolicy(CountingPolicy):
     def act(self, observation: Observation) -> list[dict[str, Any]]:
         raise ValueError("no such joint")
 
 
-class Nonsense(Counting):
+class NanPolicy(CountingPolicy):
     def act(self, observation: Observation) -> list[dict[str, Any]]:
         return [{"score": [float("nan")]}]
 
@@ -122,12 +129,14 @@ class Nonsense(Counting):
 @pytest.mark.parametrize(
     ("policy", "said"),
     [
-        (Failing, "ValueError: no such joint (test_policy_serving.py:"),
-        (Nonsense, "/actions/0/values/score/0: is nan"),
+        (RaisingPolicy, "ValueError: no such joint (test_policy_serving.py:"),
+        (NanPolicy, "/actions/0/values/score/0: is nan"),
     ],
 )
-def test_what_a_policy_does_wrong_is_told(policy: type[Counting], said: str) -> None:
-    with calling(PolicyApp(policy, "wrong", key=KEY)) as client:
+def test_errors_of_a_policy_are_reported(
+    policy: type[CountingPolicy], said: str
+) -> None:
+    with call_app(PolicyApp(policy, "wrong", key=KEY)) as client:
         reset(client, "s")
         answer = predict(client, "s")
         assert (answer.status_code, answer.json()["code"]) == (500, "internal_error")
@@ -135,9 +144,9 @@ def test_what_a_policy_does_wrong_is_told(policy: type[Counting], said: str) -> 
         assert reset(client, "s").status_code == 200
 
 
-def test_what_is_no_operation_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_unknown_operations_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(serving, "BODY_BYTES_MAX", 1000)
-    with calling(an_app()) as client:
+    with call_app(make_app()) as client:
         assert client.get("/v1/elsewhere").json()["code"] == "not_found"
         wrong = client.get("/v1/policy/reset")
         assert wrong.json()["code"] == "method_not_allowed"
@@ -149,7 +158,7 @@ def test_what_is_no_operation_is_refused(monkeypatch: pytest.MonkeyPatch) -> Non
 
 def test_a_picture_that_does_not_decode_is_refused() -> None:
     picture = {"codec": "raw", "width": 9, "height": 9, "channels": 3, "data": "AAAA"}
-    with calling(an_app()) as client:
+    with call_app(make_app()) as client:
         reset(client, "s")
         turn = turns.turn(BENCHMARK, "s", 0, turns.episode(BENCHMARK))
         turn["observation"]["images"] = {"front": picture}
@@ -158,44 +167,46 @@ def test_a_picture_that_does_not_decode_is_refused() -> None:
         assert "front" in answer.json()["detail"]
 
 
-def test_what_it_takes_for_granted_is_told() -> None:
+def test_assumed_conventions_are_described() -> None:
     assumes = {"control_rate_hz": 20.0}
-    with calling(an_app(assumes=assumes, max_sessions=3)) as client:
-        told = client.get("/v1/policy").json()
-        assert (told["assumes"], told["max_sessions"]) == (assumes, 3)
+    with call_app(make_app(assumes=assumes, max_sessions=3)) as client:
+        description = client.get("/v1/policy").json()
+        assert (description["assumes"], description["max_sessions"]) == (assumes, 3)
 
 
 # --- end to end ---
 
 
-def test_a_server_plays_a_policy_that_is_served(house: House) -> None:
-    with served(an_app().app) as url, house.client() as client:
+def test_a_server_plays_a_policy_that_is_served(server: ReferenceServer) -> None:
+    with run_app(make_app().app) as url, server.client() as client:
         order = {"api_key": KEY, "max_concurrent": 3}
-        run_id = submitted(client, url, *["echo"] * 2, *["score"] * 4, **order)
-        run = until(client, run_id)
+        run_id = submit_push_run(client, url, *["echo"] * 2, *["score"] * 4, **order)
+        run = wait_for_state(client, run_id)
         assert (run["state"], run["reason"]) == ("completed", None)
         results = [e["result"] for e in episodes(client, run_id)]
         assert [r["steps"] for r in results] == [3] * 6
         assert [r["score"] for r in results[2:]] == [0.3] * 4
 
 
-def test_the_reason_names_the_policys_own_line(house: House) -> None:
-    app = PolicyApp(Failing, "failing", key=KEY)
-    with served(app.app) as url, house.client() as client:
-        run = until(client, submitted(client, url, api_key=KEY))
+def test_the_reason_names_the_policys_own_line(server: ReferenceServer) -> None:
+    app = PolicyApp(RaisingPolicy, "failing", key=KEY)
+    with run_app(app.app) as url, server.client() as client:
+        run = wait_for_state(client, submit_push_run(client, url, api_key=KEY))
         assert "ValueError: no such joint (test_policy_serving.py:" in run["reason"]
 
 
 @pytest.mark.parametrize("wrong", [{}, {"api_key": "wrong"}])
-def test_a_wrong_key_is_told(house: House, wrong: dict[str, str]) -> None:
-    with served(an_app().app) as url, house.client() as client:
-        run = until(client, submitted(client, url, **wrong))
+def test_a_wrong_key_fails_the_run(
+    server: ReferenceServer, wrong: dict[str, str]
+) -> None:
+    with run_app(make_app().app) as url, server.client() as client:
+        run = wait_for_state(client, submit_push_run(client, url, **wrong))
         assert run["state"] == "failed"
         assert "unauthenticated: This policy server wants its key" in run["reason"]
 
 
 def test_the_command_serves_an_expert_to_a_real_benchmark(
-    house: House, tmp_path: Path
+    server: ReferenceServer, tmp_path: Path
 ) -> None:
     """`proctor serve-policy`, called for a robot's benchmark. Expect a success."""
     (tmp_path / "mine.py").write_text(
@@ -218,28 +229,28 @@ def test_the_command_serves_an_expert_to_a_real_benchmark(
     )
     assert process.stderr is not None
     assert port in process.stderr.readline()
-    with house.client() as client:
+    with server.client() as client:
         order = {"api_key": KEY, "max_concurrent": 1, "max_retries": 5}
-        body = submission(f"http://127.0.0.1:{port}", **order)
+        body = push_submission(f"http://127.0.0.1:{port}", **order)
         body = {**body, "benchmark_id": "tabletop_state"}
         del body["options"]
         run_id = client.post("/v1/runs", json=body).json()["run_id"]
-        deadline = time.monotonic() + 2 * PATIENCE_S
-        while not (run := until(client, run_id, "ready", "running"))["progress"][
-            "episodes_scored"
-        ]:
+        deadline = time.monotonic() + 2 * TIMEOUT_S
+        while not (run := wait_for_state(client, run_id, "ready", "running"))[
+            "progress"
+        ]["episodes_scored"]:
             assert time.monotonic() < deadline, run
             time.sleep(0.05)
         client.post(f"/v1/runs/{run_id}/stop", json={})
         first = episodes(client, run_id)[0]["result"]
     assert (first["outcome"], first["score"]) == ("success", 1.0)
     process.send_signal(signal.SIGTERM)
-    process.wait(PATIENCE_S)
+    process.wait(TIMEOUT_S)
     process.stderr.close()
 
 
 @pytest.mark.parametrize("policy", ["nowhere.py:X", "json:nothing"])
-def test_the_command_tells_what_is_no_policy(policy: str, tmp_path: Path) -> None:
+def test_an_invalid_policy_reference_is_reported(policy: str, tmp_path: Path) -> None:
     done = subprocess.run(
         [sys.executable, "-m", "reference_client.policies.serve", "--policy", policy],
         cwd=tmp_path,

@@ -7,7 +7,7 @@ from reference_server.http.problems import RETRY_AFTER_S, Refused, problem_respo
 from reference_server.rules.lifecycle import Refuse
 
 
-def test_a_problem_says_what_happened_and_what_to_do() -> None:
+def test_a_problem_states_the_error_and_the_next_step() -> None:
     verdict = Refuse(
         "seq_out_of_order",
         "Turn 9 was asked for.",
@@ -25,7 +25,7 @@ def test_a_problem_says_what_happened_and_what_to_do() -> None:
     models.Problem.model_validate(body, strict=True)
 
 
-def test_a_problem_says_when_to_come_back_and_who_is_wanted() -> None:
+def test_a_problem_states_retry_after_and_authentication() -> None:
     for code in ("worker_limit", "no_capacity"):
         busy = problem_response(Refused(code, "Full."))
         assert busy.headers["retry-after"] == str(RETRY_AFTER_S)
@@ -33,8 +33,8 @@ def test_a_problem_says_when_to_come_back_and_who_is_wanted() -> None:
         Refused("unavailable", "Soon.", headers={"Retry-After": "9"})
     )
     assert later.headers["retry-after"] == "9"
-    stranger = problem_response(Refused("unauthenticated", "Who?"))
-    assert stranger.headers["www-authenticate"] == "Bearer"
-    body = msgspec.json.decode(bytes(stranger.body))
+    unauthenticated = problem_response(Refused("unauthenticated", "Who?"))
+    assert unauthenticated.headers["www-authenticate"] == "Bearer"
+    body = msgspec.json.decode(bytes(unauthenticated.body))
     assert "errors" not in body
     assert "requirement" not in body

@@ -18,23 +18,25 @@ import yaml
 from reference_client.command import aliases
 from reference_client.command.main import main
 from reference_client.evaluation.plan import WORKER_ID
-from tests.proctor_scenes import Proctor, here, options, server
-from tests.test_reference_client_scenes import ROOT, ServerProcess
+from tests.proctor_scenes import ProctorCommand, options, policy_folder, server
+from tests.test_reference_client_scenes import ROOT, RestartableServer
 
-__all__ = ["here", "server"]
-pytestmark = pytest.mark.usefixtures("here")
+__all__ = ["policy_folder", "server"]
+pytestmark = pytest.mark.usefixtures("policy_folder")
 
 
 @pytest.fixture
-def proctor(server: ServerProcess, capsys: pytest.CaptureFixture[str]) -> Proctor:
-    return Proctor(server.url, capsys)
+def proctor(
+    server: RestartableServer, capsys: pytest.CaptureFixture[str]
+) -> ProctorCommand:
+    return ProctorCommand(server.url, capsys)
 
 
 def one_line(text: str) -> bool:
     return text.startswith("proctor: ") and text.count("\n") == 1
 
 
-def test_a_run_is_submitted_stopped_resumed_and_scored(proctor: Proctor) -> None:
+def test_a_run_is_submitted_stopped_resumed_and_scored(proctor: ProctorCommand) -> None:
     """A run by its commands. Expect 1 from `results` until it is complete."""
     run = proctor.json("submit", *options("count"), "--name", "mine", "--wait")
     assert (proctor.code, run["state"], run["policy"]) == (0, "ready", {"name": "mine"})
@@ -52,14 +54,14 @@ def test_a_run_is_submitted_stopped_resumed_and_scored(proctor: Proctor) -> None
     assert proctor.code == 0
 
 
-def test_the_latest_runs_are_listed(proctor: Proctor) -> None:
+def test_the_latest_runs_are_listed(proctor: ProctorCommand) -> None:
     run_id = proctor.json("submit", *options("score"))["run_id"]
     assert proctor.json("status")[0]["run_id"] == run_id
     assert proctor("status") == 0
     assert re.search(rf"{run_id} +\w+ +calibration +unnamed +0/1", proctor.out)
 
 
-def test_who_submits_is_recorded(proctor: Proctor) -> None:
+def test_the_submitter_is_recorded(proctor: ProctorCommand) -> None:
     """Every flag about the policy arrives in the run."""
     flags = "--name n --type VLA --policy-version 2 --submitter s --homepage http://h"
     lease = ["--idle-timeout-s", "5", "--max-workers", "2", "--images", "png:64x48"]
@@ -74,14 +76,18 @@ def test_who_submits_is_recorded(proctor: Proctor) -> None:
     assert run["images"] == {"codec": "png", "width": 64, "height": 48}
 
 
-def test_what_gmp_users_type_means_the_same(
-    server: ServerProcess, capsys: pytest.CaptureFixture[str]
+def test_gmp_commands_are_accepted(
+    server: RestartableServer, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The line of the other house's manual, with our benchmark. Expect a ready run."""
     line = "--benchmark_set calibration --model_name internVLA --model_type VLA"
-    who = "--submitter_name test --submitter_homepage http://h --is_public 0"
+    submitter_flags = (
+        "--submitter_name test --submitter_homepage http://h --is_public 0"
+    )
     place = ["--base_url", server.url, "--interval", "5", "--json"]
-    assert main(["online", "submit", *place, *line.split(), *who.split()]) == 0
+    assert (
+        main(["online", "submit", *place, *line.split(), *submitter_flags.split()]) == 0
+    )
     out, err = capsys.readouterr()
     run = json.loads(out)
     assert run["policy"]["name"] == "internVLA (VLA)"
@@ -96,7 +102,7 @@ def test_what_gmp_users_type_means_the_same(
     assert json.loads(capsys.readouterr().out)["score"] == 1.0
 
 
-def test_aliases_stop_where_another_program_begins() -> None:
+def test_aliases_do_not_apply_to_passed_through_arguments() -> None:
     arguments = ["conformance", "--url", "u", "--is_public"]
     assert aliases.translate(arguments) == (arguments, [])
     assert aliases.translate(["run", "--", "--task_id"])[0] == [
@@ -110,7 +116,7 @@ def test_aliases_stop_where_another_program_begins() -> None:
     ]
 
 
-def test_benchmarks_are_listed_and_described(proctor: Proctor) -> None:
+def test_benchmarks_are_listed_and_described(proctor: ProctorCommand) -> None:
     assert proctor("benchmarks") == 0
     assert re.search(r"^tabletop_state +\S+ +64 +Tabletop", proctor.out, re.MULTILINE)
     assert proctor("benchmarks", "tabletop_state") == 0
@@ -120,7 +126,7 @@ def test_benchmarks_are_listed_and_described(proctor: Proctor) -> None:
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
+    ("line", "message"),
     [
         ("submit", "--benchmark NAME"),
         ("submit --benchmark none", "not_found"),
@@ -155,26 +161,28 @@ def test_benchmarks_are_listed_and_described(proctor: Proctor) -> None:
         ),
     ],
 )
-def test_a_mistake_is_one_line_and_2(proctor: Proctor, line: str, said: str) -> None:
+def test_a_usage_error_is_one_line_with_exit_code_2(
+    proctor: ProctorCommand, line: str, message: str
+) -> None:
     """Expect what is wrong, nothing on the standard output, and no run left behind."""
     before = proctor.json("status")
     line = line.replace("CALIBRATION", "--benchmark calibration")
     assert proctor(*shlex.split(line)) == 2
     assert one_line(proctor.err), proctor.err
-    assert said in proctor.err
+    assert message in proctor.err
     assert proctor.out == ""
     assert proctor.json("status") == before
 
 
-def test_a_script_reads_errors_too(proctor: Proctor) -> None:
-    told = proctor.json("status", "run_none")
-    assert (proctor.code, told["error"]["code"]) == (2, "not_found")
-    told = proctor.json("stop")
-    assert (proctor.code, told["error"]["code"]) == (2, "usage")
+def test_a_script_reads_errors_too(proctor: ProctorCommand) -> None:
+    answer_json = proctor.json("status", "run_none")
+    assert (proctor.code, answer_json["error"]["code"]) == (2, "not_found")
+    answer_json = proctor.json("stop")
+    assert (proctor.code, answer_json["error"]["code"]) == (2, "usage")
 
 
-def test_a_wrong_token_is_said_in_flags(
-    proctor: Proctor, monkeypatch: pytest.MonkeyPatch
+def test_a_wrong_token_is_reported_with_its_flag(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("PROCTOR_TOKEN", "wrong")
     assert proctor("status") == 2
@@ -182,15 +190,17 @@ def test_a_wrong_token_is_said_in_flags(
     assert one_line(proctor.err)
 
 
-def test_a_server_that_is_not_there_is_2(capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_unreachable_server_gives_exit_code_2(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
     place = ["--url", "http://127.0.0.1:9", "--patience-s", "0"]
     for command in (
         ["status"],
         ["run", "--policy", "policies:best", *options("count")],
     ):
         assert main([*command, *place]) == 2
-        said = capsys.readouterr().err.splitlines()[-1]
-        assert re.match(r"proctor: .*does not answer.*\[unreachable\]", said)
+        message = capsys.readouterr().err.splitlines()[-1]
+        assert re.match(r"proctor: .*does not answer.*\[unreachable\]", message)
     assert main(["status", "--url", "nowhere"]) == 2
     assert "url must be like" in capsys.readouterr().err
 
@@ -206,17 +216,17 @@ def test_help_fits_80_columns(
         assert max(map(len, capsys.readouterr().out.splitlines())) <= 80
 
 
-def test_debug_shows_where(proctor: Proctor) -> None:
+def test_debug_prints_a_traceback(proctor: ProctorCommand) -> None:
     assert proctor("status", "run_none", "--debug") == 2
     assert "Traceback" in proctor.err
 
 
 def test_the_command_is_installed_under_its_name() -> None:
     script = Path(sys.executable).with_name("proctor")
-    told = subprocess.run(
+    answer_json = subprocess.run(
         [script, "--help"], capture_output=True, text=True, check=True, timeout=60
     )
-    assert told.stdout.startswith("usage: proctor ")
+    assert answer_json.stdout.startswith("usage: proctor ")
 
 
 def test_ids_of_workers_are_those_of_the_specification() -> None:

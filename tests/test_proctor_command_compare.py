@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from tests.proctor_scenes import Proctor, here, options, server
-from tests.test_reference_client_scenes import ServerProcess
+from tests.proctor_scenes import ProctorCommand, options, policy_folder, server
+from tests.test_reference_client_scenes import RestartableServer
 
-__all__ = ["here", "server"]
-pytestmark = pytest.mark.usefixtures("here")
+__all__ = ["policy_folder", "server"]
+pytestmark = pytest.mark.usefixtures("policy_folder")
 TASKS = ("score", "score", "count")
 # Ends each episode at once, with the score that its number has in the file `scores`.
 GRADED = """
@@ -26,16 +26,18 @@ def graded(observation):
 
 
 @pytest.fixture
-def proctor(server: ServerProcess, capsys: pytest.CaptureFixture[str]) -> Proctor:
-    return Proctor(server.url, capsys)
+def proctor(
+    server: RestartableServer, capsys: pytest.CaptureFixture[str]
+) -> ProctorCommand:
+    return ProctorCommand(server.url, capsys)
 
 
 @pytest.fixture(autouse=True)
-def graded(here: Path) -> None:
-    (here / "graded.py").write_text(GRADED)
+def graded(policy_folder: Path) -> None:
+    (policy_folder / "graded.py").write_text(GRADED)
 
 
-def run(proctor: Proctor, scores: str) -> str:
+def run(proctor: ProctorCommand, scores: str) -> str:
     Path("scores").write_text(scores)
     made = ["run", "--policy", "graded.py:graded", *options(*TASKS)]
     run_id: str = proctor.json(*made)["run_id"]
@@ -43,7 +45,7 @@ def run(proctor: Proctor, scores: str) -> str:
     return run_id
 
 
-def test_the_gate_decides_the_exit_code(proctor: Proctor) -> None:
+def test_the_tolerance_decides_the_exit_code(proctor: ProctorCommand) -> None:
     """Expect 0 where nothing differs beyond the tolerance, and 1 where something does.
 
     It takes one run beyond it among several to close the gate.
@@ -56,7 +58,7 @@ def test_the_gate_decides_the_exit_code(proctor: Proctor) -> None:
     assert proctor("compare", worse, base, "--tolerance", "0.124") == 1
 
 
-def test_a_script_reads_the_specification_s_words(proctor: Proctor) -> None:
+def test_a_script_reads_the_specification_s_words(proctor: ProctorCommand) -> None:
     base, worse = run(proctor, "1 1 1"), run(proctor, "0 1 1")
     found = proctor.json("compare", base, worse, base)
     assert (found["baseline"], found["tolerance"]) == (base, 0.05)
@@ -67,7 +69,9 @@ def test_a_script_reads_the_specification_s_words(proctor: Proctor) -> None:
     assert first["by_task"]["count"]["difference"] == 0.0
 
 
-def test_people_read_a_table(proctor: Proctor, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_people_read_a_table(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Expect the numbers and where they are beyond the tolerance, in 80 columns."""
     monkeypatch.setenv("COLUMNS", "80")
     base, worse = run(proctor, "1 1 1"), run(proctor, "0 1 1")
@@ -82,7 +86,7 @@ def test_people_read_a_table(proctor: Proctor, monkeypatch: pytest.MonkeyPatch) 
     assert "yes: no difference beyond 0.05" in proctor.out
 
 
-def test_what_is_not_complete_is_not_released(proctor: Proctor) -> None:
+def test_an_incomplete_run_is_not_released(proctor: ProctorCommand) -> None:
     base = run(proctor, "1 1 1")
     empty = proctor.json("submit", *options(*TASKS))["run_id"]
     assert proctor("compare", base, empty) == 1
@@ -91,7 +95,7 @@ def test_what_is_not_complete_is_not_released(proctor: Proctor) -> None:
     assert "–" in proctor.out
 
 
-def test_what_cannot_be_compared_is_one_line_and_2(proctor: Proctor) -> None:
+def test_runs_that_cannot_be_compared_give_exit_code_2(proctor: ProctorCommand) -> None:
     base = run(proctor, "1 1 1")
     other = proctor.json("submit", *options("echo"))["run_id"]
     assert proctor("compare", base, other) == 2

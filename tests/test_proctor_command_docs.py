@@ -11,10 +11,10 @@ import pytest
 
 from reference_client.command import aliases
 from reference_client.command.arguments import build_parser
-from tests.proctor_scenes import Proctor, here, server
-from tests.test_reference_client_scenes import ROOT, House, ServerProcess
+from tests.proctor_scenes import ProctorCommand, policy_folder, server
+from tests.test_reference_client_scenes import ROOT, DirectClient, RestartableServer
 
-__all__ = ["here", "server"]
+__all__ = ["policy_folder", "server"]
 PAGE = (ROOT / "docs" / "command.md").read_text()
 LINES = [
     line
@@ -46,14 +46,14 @@ def test_every_command_and_flag_is_on_the_page() -> None:
     for name, parser in subparsers().items():
         assert any(line.startswith(f"proctor {name}") for line in LINES), name
         known |= set(parser._option_string_actions)
-    said = set(re.findall(r"--[a-z][a-z_-]*", PAGE))
+    mentioned = set(re.findall(r"--[a-z][a-z_-]*", PAGE))
     short = {flag for flag in known if flag.startswith("--")}
-    assert short - said - {"--help"} == set()
-    strange = {flag.replace("_", "-") for flag in said} - short
-    assert strange == (aliases.FLAGS.keys() | aliases.IGNORED_FLAGS.keys())
+    assert short - mentioned - {"--help"} == set()
+    undocumented = {flag.replace("_", "-") for flag in mentioned} - short
+    assert undocumented == (aliases.FLAGS.keys() | aliases.IGNORED_FLAGS.keys())
 
 
-def test_what_gmp_users_type_is_on_the_page() -> None:
+def test_gmp_commands_are_on_the_page() -> None:
     for there, here_ in aliases.FLAGS.items():
         row = f"| `{there.replace('-', '_').replace('__', '--', 1)}` | `{here_}` |"
         assert row in PAGE
@@ -70,15 +70,15 @@ def test_the_exit_codes_are_on_the_page() -> None:
     ]
 
 
-def test_every_line_runs(
-    server: ServerProcess, here: Path, capsys: pytest.CaptureFixture[str]
+def test_every_command_of_the_page_runs(
+    server: RestartableServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """In the order of the page; RUN is a run that the page has submitted.
 
     Expect exit codes as the page has them: 1 from a partial score alone.
     """
-    (here / "hold.py").write_text(HOLD)
-    proctor = Proctor(server.url, capsys)
+    (policy_folder / "hold.py").write_text(HOLD)
+    proctor = ProctorCommand(server.url, capsys)
     run_id = ""
     codes: list[int] = []
     for line in LINES:
@@ -87,15 +87,15 @@ def test_every_line_runs(
             continue  # programs of their own, started in test_proctor_command_run
         if "--watch" in words:
             # Stopped by draining, so over: but not completed.
-            assert proctor(*_for_this(words, run_id)) == 1
+            assert proctor(*_replace_names(words, run_id)) == 1
             continue
         if "RUN" in words and not run_id:
-            run_id = _submitted(server)
+            run_id = _submit_run(server)
         if words[0] == "submit":
-            run_id = proctor.json(*_for_this(words, run_id))["run_id"]
+            run_id = proctor.json(*_replace_names(words, run_id))["run_id"]
             assert proctor.code == 0
             continue
-        codes.append(proctor(*_for_this(words, run_id)))
+        codes.append(proctor(*_replace_names(words, run_id)))
         if codes[-1] != 0:
             # The run is not complete: no whole score, and nothing to release.
             assert words[0] in ("results", "compare"), (line, proctor.err)
@@ -103,13 +103,13 @@ def test_every_line_runs(
     assert len(codes) >= 12
 
 
-def _for_this(words: list[str], run_id: str) -> list[str]:
+def _replace_names(words: list[str], run_id: str) -> list[str]:
     exchanged = {"tabletop_state": "calibration", "RUN": run_id}
     rate = '{"control_rate_hz": 20}'
     exchanged[rate] = '{"control_rate_hz": 10}'
     return [exchanged.get(word, word) for word in words]
 
 
-def _submitted(server: ServerProcess) -> str:
-    with House(server.url) as house:
-        return house.submit("score", "score").run_id
+def _submit_run(server: RestartableServer) -> str:
+    with DirectClient(server.url) as direct_client:
+        return direct_client.submit("score", "score").run_id

@@ -19,49 +19,51 @@ from typing import Any, NoReturn
 import pytest
 
 from reference_client.command.main import main
-from tests.conftest import descendants, until_none_lives
+from tests.conftest import descendants, wait_until_ended
 from tests.proctor_scenes import (
-    PATIENCE_S,
-    Proctor,
-    here,
+    TIMEOUT_S,
+    ProctorCommand,
     options,
+    policy_folder,
     server,
-    started,
-    until,
+    start_proctor,
+    wait_until,
 )
-from tests.test_reference_client_scenes import House, ServerProcess
+from tests.test_reference_client_scenes import DirectClient, RestartableServer
 
-__all__ = ["here", "server"]
-pytestmark = pytest.mark.usefixtures("here")
+__all__ = ["policy_folder", "server"]
+pytestmark = pytest.mark.usefixtures("policy_folder")
 RESUME = re.compile(r"^  (proctor run .*)$", re.MULTILINE)
-HELD = ["run", "--policy", "policies:Held"]
+RUN_BLOCKING_POLICY = ["run", "--policy", "policies:Held"]
 
 
 @pytest.fixture
-def proctor(server: ServerProcess, capsys: pytest.CaptureFixture[str]) -> Proctor:
-    return Proctor(server.url, capsys)
+def proctor(
+    server: RestartableServer, capsys: pytest.CaptureFixture[str]
+) -> ProctorCommand:
+    return ProctorCommand(server.url, capsys)
 
 
 @pytest.fixture
-def house(server: ServerProcess) -> Iterator[House]:
-    with House(server.url) as house:
-        yield house
+def direct_client(server: RestartableServer) -> Iterator[DirectClient]:
+    with DirectClient(server.url) as direct_client:
+        yield direct_client
 
 
-def acting(here: Path) -> int:
-    return len(list(here.glob("acting-*")))
+def acting_policies(policy_folder: Path) -> int:
+    return len(list(policy_folder.glob("acting-*")))
 
 
-def said(here: Path) -> str:
-    return (here / "stderr").read_text()
+def stderr_text(policy_folder: Path) -> str:
+    return (policy_folder / "stderr").read_text()
 
 
-def ended(process: subprocess.Popen[str]) -> tuple[int, str]:
-    out, _ = process.communicate(timeout=PATIENCE_S)
+def wait_for_exit(process: subprocess.Popen[str]) -> tuple[int, str]:
+    out, _ = process.communicate(timeout=TIMEOUT_S)
     return process.returncode, out
 
 
-def test_processes_score_as_threads_do(proctor: Proctor) -> None:
+def test_processes_score_as_threads_do(proctor: ProctorCommand) -> None:
     """The same policy and episodes, in a process each. Expect the same score."""
     run = ["run", "--policy", "policies.py:Graded", *options(*["score"] * 6)]
     threads = proctor.json(*run, "--workers", "2")
@@ -71,138 +73,154 @@ def test_processes_score_as_threads_do(proctor: Proctor) -> None:
 
 
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
-def test_a_policy_that_raises_is_told_in_one_line(
-    proctor: Proctor, processes: list[str]
+def test_a_policy_error_is_one_line(
+    proctor: ProctorCommand, processes: list[str]
 ) -> None:
     """Expect its file and line, how it goes on, and no traceback."""
     run = ["run", "--policy", "policies:Wrong", *options("count"), *processes]
-    told = proctor.json(*run)
+    answer_json = proctor.json(*run)
     assert proctor.code == 1
     where = r"ZeroDivisionError: division by zero \(policies.py:\d+\)"
-    assert re.search(where, told["error"]["detail"])
+    assert re.search(where, answer_json["error"]["detail"])
     assert "Traceback" not in proctor.err
-    assert told["resume"].startswith(f"proctor run --run-id {told['run_id']} --policy")
+    assert answer_json["resume"].startswith(
+        f"proctor run --run-id {answer_json['run_id']} --policy"
+    )
 
 
-def test_debug_shows_where_a_policy_raises(proctor: Proctor) -> None:
+def test_debug_shows_where_a_policy_raises(proctor: ProctorCommand) -> None:
     proctor("run", "--policy", "policies:Wrong", *options("count"), "--debug")
     assert "return 1 / 0" in proctor.err
 
 
-def test_ctrl_c_detaches_and_says_how_to_go_on(
-    server: ServerProcess, house: House, here: Path
+def test_ctrl_c_detaches_and_prints_the_resume_command(
+    server: RestartableServer, direct_client: DirectClient, policy_folder: Path
 ) -> None:
     """Both workers think when it comes. Expect 130, no session left, and that the
     command which is printed completes the run."""
     tasks = options(*["count"] * 3)
     flags = ["--workers", "2", "--processes"]
-    with started(here, server.url, *HELD, *tasks, *flags) as process:
-        until(lambda: acting(here) == 2, "both workers act")
-        run_id = house.latest().run_id
+    with start_proctor(
+        policy_folder, server.url, *RUN_BLOCKING_POLICY, *tasks, *flags
+    ) as process:
+        wait_until(lambda: acting_policies(policy_folder) == 2, "both workers act")
+        run_id = direct_client.latest().run_id
         process.send_signal(signal.SIGINT)
-        until(lambda: "Leaving" in said(here), "it is said")
-        (here / "go").touch()
-        assert ended(process) == (130, "")
-    assert house.control.get_run(run_id).live_workers == 0
-    assert "Traceback" not in said(here)
-    assert "keeps its scores: 0/3" in said(here)
-    (command,) = RESUME.findall(said(here))
+        wait_until(lambda: "Leaving" in stderr_text(policy_folder), "it is said")
+        (policy_folder / "go").touch()
+        assert wait_for_exit(process) == (130, "")
+    assert direct_client.control.get_run(run_id).live_workers == 0
+    assert "Traceback" not in stderr_text(policy_folder)
+    assert "keeps its scores: 0/3" in stderr_text(policy_folder)
+    (command,) = RESUME.findall(stderr_text(policy_folder))
     assert f"--run-id {run_id}" in command
-    with started(here, server.url, *shlex.split(command)[1:], "--json") as process:
-        code, out = ended(process)
+    with start_proctor(
+        policy_folder, server.url, *shlex.split(command)[1:], "--json"
+    ) as process:
+        code, out = wait_for_exit(process)
     assert (code, json.loads(out)["score"]) == (0, 1.0)
 
 
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
 def test_a_second_ctrl_c_ends_at_once(
-    server: ServerProcess, here: Path, processes: list[str]
+    server: RestartableServer, policy_folder: Path, processes: list[str]
 ) -> None:
     """The policy never comes back. Expect the end of every process all the same."""
-    with started(here, server.url, *HELD, *options("count"), *processes) as process:
-        until(lambda: acting(here) == 1, "the worker acts")
+    with start_proctor(
+        policy_folder, server.url, *RUN_BLOCKING_POLICY, *options("count"), *processes
+    ) as process:
+        wait_until(lambda: acting_policies(policy_folder) == 1, "the worker acts")
         children = descendants(process.pid)
         process.send_signal(signal.SIGINT)
-        until(lambda: "Leaving" in said(here), "it is said")
+        wait_until(lambda: "Leaving" in stderr_text(policy_folder), "it is said")
         process.send_signal(signal.SIGINT)
-        assert ended(process) == (130, "")
-    assert "ended at once" in said(here)
-    until_none_lives(children)
+        assert wait_for_exit(process) == (130, "")
+    assert "ended at once" in stderr_text(policy_folder)
+    wait_until_ended(children)
 
 
-def test_sigterm_detaches_too(server: ServerProcess, house: House, here: Path) -> None:
+def test_sigterm_detaches(
+    server: RestartableServer, direct_client: DirectClient, policy_folder: Path
+) -> None:
     """A batch system ends the job. Expect 143, and no session left."""
-    with started(here, server.url, *HELD, *options("count")) as process:
-        until(lambda: acting(here) == 1, "the worker acts")
-        run_id = house.latest().run_id
+    with start_proctor(
+        policy_folder, server.url, *RUN_BLOCKING_POLICY, *options("count")
+    ) as process:
+        wait_until(lambda: acting_policies(policy_folder) == 1, "the worker acts")
+        run_id = direct_client.latest().run_id
         process.terminate()
-        until(lambda: "Leaving" in said(here), "it is said")
-        (here / "go").touch()
-        assert ended(process) == (143, "")
-    assert RESUME.search(said(here))
-    assert house.control.get_run(run_id).live_workers == 0
+        wait_until(lambda: "Leaving" in stderr_text(policy_folder), "it is said")
+        (policy_folder / "go").touch()
+        assert wait_for_exit(process) == (143, "")
+    assert RESUME.search(stderr_text(policy_folder))
+    assert direct_client.control.get_run(run_id).live_workers == 0
 
 
 def test_processes_leave_when_their_parent_is_killed(
-    server: ServerProcess, house: House, here: Path
+    server: RestartableServer, direct_client: DirectClient, policy_folder: Path
 ) -> None:
     """Expect no process left, and no session."""
-    run = [*HELD, *options("count"), "--processes"]
-    with started(here, server.url, *run) as process:
-        until(lambda: acting(here) == 1, "the worker acts")
+    run = [*RUN_BLOCKING_POLICY, *options("count"), "--processes"]
+    with start_proctor(policy_folder, server.url, *run) as process:
+        wait_until(lambda: acting_policies(policy_folder) == 1, "the worker acts")
         children = descendants(process.pid)
         assert children
-        run_id = house.latest().run_id
+        run_id = direct_client.latest().run_id
         process.kill()
         process.wait()
-    (here / "go").touch()
-    until_none_lives(children)
-    assert house.control.get_run(run_id).live_workers == 0
+    (policy_folder / "go").touch()
+    wait_until_ended(children)
+    assert direct_client.control.get_run(run_id).live_workers == 0
 
 
-def test_a_process_that_dies_is_told_and_its_episode_played(
-    proctor: Proctor, house: House
+def test_a_dead_process_is_reported_and_its_episode_replayed(
+    proctor: ProctorCommand, direct_client: DirectClient
 ) -> None:
     """One of two is killed in episode 2. Expect a second attempt, elsewhere."""
     run = ["run", "--policy", "policies:Dies", *options(*["score"] * 5)]
     score = proctor.json(*run, "--workers", "2", "--processes")
     assert (proctor.code, score["complete"]) == (0, True)
     assert re.search(r"The process of worker-\d has died \(SIGKILL\)", proctor.err)
-    assert house.attempts(score["run_id"]) == [1, 1, 2, 1, 1]
+    assert direct_client.attempts(score["run_id"]) == [1, 1, 2, 1, 1]
 
 
-def test_when_every_process_dies_the_run_is_not_complete(proctor: Proctor) -> None:
+def test_when_every_process_dies_the_run_is_not_complete(
+    proctor: ProctorCommand,
+) -> None:
     run = ["run", "--policy", "policies:Always", *options("score")]
-    told = proctor.json(*run, "--processes")
-    assert (proctor.code, told["error"]["code"]) == (1, "worker_died")
-    assert "--processes" in told["resume"]
+    answer_json = proctor.json(*run, "--processes")
+    assert (proctor.code, answer_json["error"]["code"]) == (1, "worker_died")
+    assert "--processes" in answer_json["resume"]
 
 
 def test_a_server_that_restarts_is_waited_for(
-    here: Path, tmp_path_factory: pytest.TempPathFactory
+    policy_folder: Path, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     """It is killed while both workers think. Expect the whole score all the same."""
     tasks = options(*["count"] * 3)
-    with ServerProcess(tmp_path_factory.mktemp("own")) as own:
-        run = [*HELD, *tasks, "--workers", "2", "--json", "--processes"]
-        with started(here, own.url, *run) as process:
-            until(lambda: acting(here) == 2, "both workers act")
-            own.end(signal.SIGKILL)
-            (here / "go").touch()
-            until(lambda: "does not answer" in said(here), "it is missed")
-            own.start()
-            code, out = ended(process)
+    with RestartableServer(tmp_path_factory.mktemp("own_server")) as own_server:
+        run = [*RUN_BLOCKING_POLICY, *tasks, "--workers", "2", "--json", "--processes"]
+        with start_proctor(policy_folder, own_server.url, *run) as process:
+            wait_until(lambda: acting_policies(policy_folder) == 2, "both workers act")
+            own_server.end(signal.SIGKILL)
+            (policy_folder / "go").touch()
+            wait_until(
+                lambda: "does not answer" in stderr_text(policy_folder), "it is missed"
+            )
+            own_server.start()
+            code, out = wait_for_exit(process)
     assert (code, json.loads(out)["score"]) == (0, 1.0)
 
 
-def test_a_run_that_fails_says_whether_it_goes_on(proctor: Proctor) -> None:
+def test_a_failed_run_states_whether_it_can_resume(proctor: ProctorCommand) -> None:
     """The policy breaks the simulator. Expect 1, and no command that cannot help."""
     Path("fatal.py").write_text(
         "from policies import action\n"
         "def fatal(observation):\n    return action(fault=2.0)\n"
     )
-    told: Any = proctor.json("run", "--policy", "fatal:fatal", *options("fault"))
-    assert (proctor.code, told["error"]["code"]) == (1, "run_failed")
-    assert "resume" not in told
+    answer_json: Any = proctor.json("run", "--policy", "fatal:fatal", *options("fault"))
+    assert (proctor.code, answer_json["error"]["code"]) == (1, "run_failed")
+    assert "resume" not in answer_json
 
 
 @pytest.mark.parametrize(
@@ -213,16 +231,16 @@ def test_the_server_and_the_kit_are_programs_of_their_own(
     monkeypatch: pytest.MonkeyPatch, command: str, module: str
 ) -> None:
     """Started as modules that exist, with their flags as they were typed."""
-    started: list[list[str]] = []
+    commands: list[list[str]] = []
 
     def become(_program: str, arguments: list[str]) -> NoReturn:
-        started.append(arguments)
+        commands.append(arguments)
         raise SystemExit(0)
 
     monkeypatch.setattr("os.execv", become)
     with pytest.raises(SystemExit):
         main([command, "--is_public", "3"])
-    assert started == [[sys.executable, "-m", module, "--is_public", "3"]]
+    assert commands == [[sys.executable, "-m", module, "--is_public", "3"]]
     assert importlib.util.find_spec(f"{module}.__main__") is not None
 
 

@@ -14,16 +14,23 @@ from urllib.parse import urlsplit
 import PIL.Image
 import pytest
 
-from tests.proctor_scenes import PATIENCE_S, here, options, server, started, until
-from tests.test_reference_client_scenes import ServerProcess
+from tests.proctor_scenes import (
+    TIMEOUT_S,
+    options,
+    policy_folder,
+    server,
+    start_proctor,
+    wait_until,
+)
+from tests.test_reference_client_scenes import RestartableServer
 
-__all__ = ["here", "server"]
+__all__ = ["policy_folder", "server"]
 URL = re.compile(r"Look on at (http://127\.0\.0\.1:\d+/)")
 
 
-def got(url: str, path: str, **headers: str) -> tuple[int, bytes, dict[str, str]]:
+def http_get(url: str, path: str, **headers: str) -> tuple[int, bytes, dict[str, str]]:
     place = urlsplit(url).netloc
-    connection = http.client.HTTPConnection(place, timeout=PATIENCE_S)
+    connection = http.client.HTTPConnection(place, timeout=TIMEOUT_S)
     try:
         connection.request("GET", path, headers=headers)
         answer = connection.getresponse()
@@ -33,12 +40,12 @@ def got(url: str, path: str, **headers: str) -> tuple[int, bytes, dict[str, str]
 
 
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
-def test_the_page_shows_what_the_workers_see(
-    server: ServerProcess, here: Path, processes: list[str]
+def test_the_page_shows_the_observations_of_the_workers(
+    server: RestartableServer, policy_folder: Path, processes: list[str]
 ) -> None:
     """A policy held in its second turn. Expect its picture, its times, the score so
     far; and that no other site and no other path gets anything."""
-    (here / "slow.py").write_text(
+    (policy_folder / "slow.py").write_text(
         "import pathlib, time, policies\n"
         "class Slow(policies.Graded):\n"
         "    def act(self, observation):\n"
@@ -48,18 +55,21 @@ def test_the_page_shows_what_the_workers_see(
     )
     run = ["run", "--policy", "slow:Slow", *options("echo"), "--view", *processes]
     images = ["--images", "png:64x48"]
-    with started(here, server.url, *run, *images) as process:
-        until(lambda: URL.search((here / "stderr").read_text()), "there is a page")
-        found = URL.search((here / "stderr").read_text())
+    with start_proctor(policy_folder, server.url, *run, *images) as process:
+        wait_until(
+            lambda: URL.search((policy_folder / "stderr").read_text()),
+            "there is a page",
+        )
+        found = URL.search((policy_folder / "stderr").read_text())
         assert found is not None
         url = found[1]
         states: list[Any] = []
 
         def shows_a_worker() -> bool:
-            states.append(json.loads(got(url, "/state.json")[1]))
+            states.append(json.loads(http_get(url, "/state.json")[1]))
             return bool(states[-1]["workers"]) and states[-1]["total"] == 1
 
-        until(shows_a_worker, "it shows the worker")
+        wait_until(shows_a_worker, "it shows the worker")
         state = states[-1]
         assert state["title"] == "Slow on calibration"
         assert (state["scored"], state["total"], state["mean"]) == (0, 1, None)
@@ -70,14 +80,14 @@ def test_the_page_shows_what_the_workers_see(
         data = base64.b64decode(seen["images"]["pattern"])
         assert PIL.Image.open(io.BytesIO(data)).size == (64, 48)
 
-        status, page, headers = got(url, "/")
+        status, page, headers = http_get(url, "/")
         assert status == 200
         assert "default-src 'none'" in headers["Content-Security-Policy"]
         assert re.findall(rb"(?:src|href)=|url\(|https?:", page) == []
-        assert got(url, "/", Host="elsewhere.example")[0] == 403
-        assert got(url, "/../secrets")[0] == 404
-        (here / "go").touch()
-        process.communicate(timeout=PATIENCE_S)
+        assert http_get(url, "/", Host="elsewhere.example")[0] == 403
+        assert http_get(url, "/../secrets")[0] == 404
+        (policy_folder / "go").touch()
+        process.communicate(timeout=TIMEOUT_S)
     assert process.returncode == 0
     with pytest.raises(OSError, match="refused"):
-        got(url, "/")
+        http_get(url, "/")

@@ -31,11 +31,11 @@ from reference_server.rules.lifecycle import (
     decide,
 )
 from reference_server.rules.run import Result, Run, Session, State
-from tests.conftest import ACTION, NOW, a_run
-from tests.progress_parts import WALL, Draw, play, played
+from tests.conftest import ACTION, NOW, make_run
+from tests.progress_parts import WALL, Draw, chunk_result, play_turn
 
 
-class Watched(Run):
+class TransitionCheckedRun(Run):
     """A run that lets its state change only along the table."""
 
     def __setattr__(self, name: str, value: Any) -> None:
@@ -47,7 +47,7 @@ class Watched(Run):
 
 # What happens next, and how often; one rule, because most steps need a session.
 STEPS = {
-    "go_on": 20,
+    "continue_session": 20,
     "attach": 5,
     "detach": 3,
     "repeat": 2,
@@ -73,8 +73,11 @@ class AnyOrder(RuleBasedStateMachine):
         state=st.sampled_from(["ready", "ready", "queued"]),
     )
     def submit(self, episodes: int, max_workers: int, state: State) -> None:
-        self.run = a_run(
-            episodes, run_type=Watched, state=state, max_workers=max_workers
+        self.run = make_run(
+            episodes,
+            run_type=TransitionCheckedRun,
+            state=state,
+            max_workers=max_workers,
         )
         self.now = NOW
         self.sessions: list[Session] = []
@@ -87,16 +90,16 @@ class AnyOrder(RuleBasedStateMachine):
     def next(self, data: st.DataObject, step: str) -> None:
         getattr(self, step)(data.draw)
 
-    def ask(self, command: Command) -> Verdict:
+    def decide_checked(self, command: Command) -> Verdict:
         effects.expire(self.run, self.now, WALL)
-        before = self.everything()
+        before = self.snapshot()
         verdict = decide(self.run, command, self.now)
-        assert self.everything() == before, "deciding changes nothing"
+        assert self.snapshot() == before, "deciding changes nothing"
         if isinstance(verdict, Refuse):
             assert verdict.code in PROBLEMS
         return verdict
 
-    def everything(self) -> str:
+    def snapshot(self) -> str:
         run = self.run
         return repr((run.state, run.pending, run.episodes, run.workers, run.ended))
 
@@ -116,13 +119,13 @@ class AnyOrder(RuleBasedStateMachine):
     def attach(self, draw: Draw) -> None:
         worker = draw(st.sampled_from("abcd"))
         command = Attach(worker, draw(st.sampled_from("xyz")), draw(st.booleans()))
-        match self.ask(command):
+        match self.decide_checked(command):
             case Accept():
                 self.open(command)
             case Replay(session) | Wait(session):
                 assert session is self.run.workers[worker]
 
-    def go_on(self, draw: Draw) -> None:
+    def continue_session(self, draw: Draw) -> None:
         """A session does what comes next for it."""
         sessions = list(self.run.workers.values())
         if not sessions:
@@ -132,13 +135,15 @@ class AnyOrder(RuleBasedStateMachine):
             return self.predict(session, session.seq + 1)
         if session.busy == "playing":
             executed, ended = draw(st.integers(1, 3)), draw(st.booleans())
-            effects.end_turn(self.run, session, played(executed, ended=ended), WALL)
+            effects.end_turn(
+                self.run, session, chunk_result(executed, ended=ended), WALL
+            )
             return None
         return effects.store_answer(session, {"seq": session.seq}, self.now)
 
     def predict(self, session: Session, seq: int) -> None:
         command = Predict(session.worker_id, session.session_id, seq, [ACTION])
-        match self.ask(command):
+        match self.decide_checked(command):
             case Accept():
                 assert seq == session.seq + 1
                 assert session.episode is not None
@@ -156,12 +161,12 @@ class AnyOrder(RuleBasedStateMachine):
         if session is not None:
             self.predict(session, max(1, session.seq + draw(st.integers(-1, 2))))
 
-    def breakable(self, draw: Draw) -> Session | None:
+    def any_busy_session(self, draw: Draw) -> Session | None:
         busy = [s for s in self.run.workers.values() if s.busy and s.episode]
         return draw(st.sampled_from(busy)) if busy else None
 
     def fault(self, draw: Draw) -> None:
-        session, unplayable = self.breakable(draw), draw(st.booleans())
+        session, unplayable = self.any_busy_session(draw), draw(st.booleans())
         if session is not None:
             session.busy = "turning"
             effects.record_fault(
@@ -170,7 +175,7 @@ class AnyOrder(RuleBasedStateMachine):
 
     def give_up(self, draw: Draw) -> None:
         """No simulator was free: the session ends by no fault of its policy."""
-        session = self.breakable(draw)
+        session = self.any_busy_session(draw)
         if session is not None:
             session.busy, session.steps = "turning", 0
             effects.close_session(self.run, session, "unknown", WALL)
@@ -179,26 +184,26 @@ class AnyOrder(RuleBasedStateMachine):
         session = self.any_session(draw)
         if session is not None:
             command = Heartbeat(session.worker_id, session.session_id)
-            if self.ask(command) == Accept():
+            if self.decide_checked(command) == Accept():
                 effects.extend_lease(session, self.now)
 
     def detach(self, draw: Draw) -> None:
         session = self.any_session(draw)
         if session is None:
             return
-        verdict = self.ask(Detach(session.worker_id, session.session_id))
+        verdict = self.decide_checked(Detach(session.worker_id, session.session_id))
         if verdict == Accept():
             effects.close_session(self.run, session, "detached", WALL)
         assert (verdict == NoChange()) <= (session not in self.run.workers.values())
 
     def stop(self, draw: Draw) -> None:
         mode: Any = draw(st.sampled_from(["abort", "drain"]))
-        if self.ask(Stop(mode)) == Accept():
+        if self.decide_checked(Stop(mode)) == Accept():
             effects.stop(self.run, mode, WALL)
             assert self.run.state in ("stopped", "stopping", "completed")
 
     def resume(self, _draw: Draw | None) -> None:
-        if self.ask(Resume()) == Accept():
+        if self.decide_checked(Resume()) == Accept():
             effects.resume(self.run, WALL)
         queued = [self.run] if self.run.state == "queued" else []
         assert effects.admit(queued, 0, 1, WALL) == queued
@@ -247,7 +252,7 @@ class AnyOrder(RuleBasedStateMachine):
         while run.scored < len(run.episodes):
             session = self.open(Attach("a", "last", takeover=True))
             effects.store_answer(session, {}, self.now)
-            play(run, session, played(1, ended=True), self.now)
+            play_turn(run, session, chunk_result(1, ended=True), self.now)
         self.every_episode_is_in_one_place()
         self.results_are_written_once()
         self.the_state_follows_from_the_rest()

@@ -28,7 +28,7 @@ from reference_server.rules.lifecycle import (
     legal,
 )
 from reference_server.rules.run import Run, State
-from tests.conftest import ACTION, NOW, a_run, attached
+from tests.conftest import ACTION, NOW, add_session, make_run
 
 
 def predict(seq: int = 4, *actions: dict[str, list[float]], **changes: Any) -> Predict:
@@ -37,7 +37,7 @@ def predict(seq: int = 4, *actions: dict[str, list[float]], **changes: Any) -> P
     return Predict(**fields | changes)
 
 
-def refusal(run: Run, command: Command, now: float = NOW) -> Refuse:
+def expect_refuse(run: Run, command: Command, now: float = NOW) -> Refuse:
     verdict = decide(run, command, now)
     assert isinstance(verdict, Refuse), verdict
     return verdict
@@ -51,7 +51,7 @@ def refusal(run: Run, command: Command, now: float = NOW) -> Refuse:
 )
 @pytest.mark.parametrize("state", typing.get_args(State))
 def test_the_table_decides(state: State, command: Command) -> None:
-    run = a_run(state=state, retryable=False, reason="it broke")
+    run = make_run(state=state, retryable=False, reason="it broke")
     match command:
         case Attach():
             event: Event = "attach_worker"
@@ -62,7 +62,7 @@ def test_the_table_decides(state: State, command: Command) -> None:
     if legal(run, event):
         assert decide(run, command, NOW) == Accept()
         return
-    refused = refusal(run, command)
+    refused = expect_refuse(run, command)
     assert refused.code == "illegal_transition"
     assert refused.members == {"state": state}
     assert ("it broke" in refused.detail) == (state == "failed")
@@ -84,7 +84,7 @@ def test_the_table_decides(state: State, command: Command) -> None:
 def test_a_lease_runs_only_while_nothing_is_executed(
     busy: Any, late_s: float, over: bool
 ) -> None:
-    session = attached(a_run(), busy=busy, expires_at=NOW)
+    session = add_session(make_run(), busy=busy, expires_at=NOW)
     assert lease_over(session, NOW + late_s) == over
 
 
@@ -127,8 +127,8 @@ SAME, OTHER, TAKEOVER = (
 def test_a_worker_has_one_session(
     held: dict[str, Any] | None, command: Attach, expected: str
 ) -> None:
-    run = a_run(state="running")
-    session = None if held is None else attached(run, **held)
+    run = make_run(state="running")
+    session = None if held is None else add_session(run, **held)
     verdict = decide(run, command, NOW)
     if isinstance(verdict, Refuse):
         assert (verdict.code, verdict.requirement) == (expected, "ATT-003")
@@ -139,40 +139,40 @@ def test_a_worker_has_one_session(
 
 
 @pytest.mark.parametrize("state", typing.get_args(State))
-def test_a_lost_answer_to_attach_costs_nothing_in_any_state(state: State) -> None:
-    run = a_run()
-    session = attached(run)
+def test_a_repeated_attach_is_replayed_in_any_state(state: State) -> None:
+    run = make_run()
+    session = add_session(run)
     run.state = state
     assert decide(run, SAME, NOW) == Replay(session)
 
 
 def test_no_more_workers_than_the_run_may_have() -> None:
-    run = a_run(max_workers=2)
-    attached(run, "a")
-    attached(run, "b")
-    refused = refusal(run, Attach("c", "key"))
+    run = make_run(max_workers=2)
+    add_session(run, "a")
+    add_session(run, "b")
+    refused = expect_refuse(run, Attach("c", "key"))
     assert (refused.code, refused.requirement) == ("worker_limit", "ATT-006")
 
 
 @pytest.mark.parametrize("frees", [DONE, OVER])
 def test_a_session_without_a_slot_does_not_count(frees: dict[str, Any]) -> None:
-    run = a_run(max_workers=2)
-    attached(run, "a")
-    attached(run, "b", **frees)
+    run = make_run(max_workers=2)
+    add_session(run, "a")
+    add_session(run, "b", **frees)
     assert decide(run, Attach("c", "key"), NOW) == Accept()
 
 
-def test_a_takeover_needs_no_slot_of_its_own() -> None:
-    run = a_run(max_workers=1)
-    attached(run)
+def test_a_takeover_needs_no_free_slot() -> None:
+    run = make_run(max_workers=1)
+    add_session(run)
     assert decide(run, Attach("w", "another", takeover=True), NOW) == Accept()
 
 
 def test_cannot_assume_other_conventions() -> None:
     right = {"control_rate_hz": 10, "action": {"arm": {"size": 2}}}
-    assert decide(a_run(), Attach("w", "key", False, right), NOW) == Accept()
+    assert decide(make_run(), Attach("w", "key", False, right), NOW) == Accept()
     wrong = {"state": {"joints": {"unit": "deg"}}}
-    refused = refusal(a_run(), Attach("w", "key", False, wrong))
+    refused = expect_refuse(make_run(), Attach("w", "key", False, wrong))
     assert (refused.code, refused.requirement) == ("convention_mismatch", "ATT-010")
     assert [at for at, _ in refused.errors] == ["/assumes/state/joints/unit"]
 
@@ -186,42 +186,44 @@ def session_commands(session_id: str = "session-of-w") -> list[Command]:
 
 
 def test_a_live_session_can_do_everything() -> None:
-    run = a_run()
-    attached(run)
+    run = make_run()
+    add_session(run)
     for command in session_commands():
         assert decide(run, command, NOW) == Accept()
 
 
-def ended(run: Run, session_id: str = "session-of-w", now: float = NOW) -> list[str]:
+def ended_by_reasons(
+    run: Run, session_id: str = "session-of-w", now: float = NOW
+) -> list[str]:
     """`ended_by` as predict and heartbeat tell it; detach finds nothing to do."""
     play, beat, detach = session_commands(session_id)
     assert decide(run, detach, now) == NoChange()  # DET-002
-    refused = [refusal(run, play, now), refusal(run, beat, now)]
+    refused = [expect_refuse(run, play, now), expect_refuse(run, beat, now)]
     assert {one.code for one in refused} == {"session_ended"}
     return [one.members["ended_by"] for one in refused]
 
 
-def test_an_ended_session_is_told_why() -> None:
-    run = a_run()
-    assert ended(run) == ["unknown", "unknown"]
-    run.record_end(attached(run), "run_stopped")
+def test_refusals_of_an_ended_session_state_the_reason() -> None:
+    run = make_run()
+    assert ended_by_reasons(run) == ["unknown", "unknown"]
+    run.record_end(add_session(run), "run_stopped")
     run.workers.clear()
-    assert ended(run) == ["run_stopped", "run_stopped"]
-    attached(run, session_id="successor")
-    assert ended(run) == ["run_stopped", "run_stopped"]
+    assert ended_by_reasons(run) == ["run_stopped", "run_stopped"]
+    add_session(run, session_id="successor")
+    assert ended_by_reasons(run) == ["run_stopped", "run_stopped"]
 
 
 def test_a_session_ends_with_its_lease() -> None:
-    run = a_run()
-    attached(run)
-    assert ended(run, now=NOW + 10.1) == ["lease_ended", "lease_ended"]
+    run = make_run()
+    add_session(run)
+    assert ended_by_reasons(run, now=NOW + 10.1) == ["lease_ended", "lease_ended"]
 
 
 def test_a_superseded_session_can_do_nothing() -> None:
-    run = a_run()
-    attached(run, session_id="successor")
+    run = make_run()
+    add_session(run, session_id="successor")
     for command in session_commands():
-        refused = refusal(run, command)
+        refused = expect_refuse(run, command)
         assert (refused.code, refused.requirement) == ("session_superseded", "ATT-005")
 
 
@@ -257,8 +259,8 @@ def test_a_superseded_session_can_do_nothing() -> None:
 def test_a_turn_is_played_once_and_in_order(
     held: dict[str, Any], command: Predict, expected: str
 ) -> None:
-    run = a_run()
-    session = attached(run, **held)
+    run = make_run()
+    session = add_session(run, **held)
     verdict = decide(run, command, NOW)
     if isinstance(verdict, Refuse):
         assert f"{verdict.code} {verdict.requirement}" == expected
@@ -268,16 +270,16 @@ def test_a_turn_is_played_once_and_in_order(
         assert verdict.session is session
 
 
-def test_who_is_out_of_order_is_told_what_is_expected() -> None:
-    run = a_run()
-    attached(run)
-    assert refusal(run, predict(9)).members == {"expected_seq": 4}
+def test_an_out_of_order_refusal_states_the_expected_seq() -> None:
+    run = make_run()
+    add_session(run)
+    assert expect_refuse(run, predict(9)).members == {"expected_seq": 4}
 
 
 def test_an_action_must_fit() -> None:
-    run = a_run()
-    attached(run)
-    refused = refusal(run, predict(4, ACTION, ACTION | {"grip": [2.0]}))
+    run = make_run()
+    add_session(run)
+    refused = expect_refuse(run, predict(4, ACTION, ACTION | {"grip": [2.0]}))
     assert (refused.code, refused.requirement) == ("invalid_request", None)
     assert [at for at, _ in refused.errors] == ["/actions/1/values/grip/0"]
 
@@ -285,10 +287,10 @@ def test_an_action_must_fit() -> None:
 # --- clients that count no turns ---
 
 
-def test_the_last_turn_is_asked_for_again_if_its_answer_was_not_heard() -> None:
+def test_an_unconfirmed_turn_is_recognised_when_repeated() -> None:
     """EBE-013, EBE-014: the same question, and nobody heard the answer."""
-    run = a_run()
-    session = attached(run, unconfirmed_turn=(3, "asked"))
+    run = make_run()
+    session = add_session(run, unconfirmed_turn=(3, "asked"))
     again = lifecycle.find_repeated_turn(session, "asked")
     assert again == predict(3)
     assert isinstance(decide(run, again, NOW), Replay)
@@ -298,19 +300,21 @@ def test_the_last_turn_is_asked_for_again_if_its_answer_was_not_heard() -> None:
 
 
 @pytest.mark.parametrize("unconfirmed_turn", [None, (2, "asked"), (4, "asked")])
-def test_any_other_turn_is_a_turn_of_its_own(
+def test_a_confirmed_turn_is_not_a_repeat(
     unconfirmed_turn: tuple[int, str] | None,
 ) -> None:
     assert (
         lifecycle.find_repeated_turn(
-            attached(a_run(), unconfirmed_turn=unconfirmed_turn), "asked"
+            add_session(make_run(), unconfirmed_turn=unconfirmed_turn), "asked"
         )
         is None
     )
 
 
-def test_nothing_was_asked_before_the_first_turn() -> None:
-    session = attached(a_run(), seq=0, request=None, unconfirmed_turn=(0, "asked"))
+def test_no_turn_can_be_repeated_before_the_first() -> None:
+    session = add_session(
+        make_run(), seq=0, request=None, unconfirmed_turn=(0, "asked")
+    )
     assert lifecycle.find_repeated_turn(session, "asked") is None
 
 
@@ -319,18 +323,18 @@ def test_nothing_was_asked_before_the_first_turn() -> None:
 
 def test_the_state_comes_before_conventions_and_those_before_workers() -> None:
     wrong = {"control_rate_hz": 99.0}
-    run = a_run(max_workers=1)
-    attached(run, "other")
-    refused = refusal(run, Attach("w", "another", False, wrong))
+    run = make_run(max_workers=1)
+    add_session(run, "other")
+    refused = expect_refuse(run, Attach("w", "another", False, wrong))
     assert refused.code == "convention_mismatch"
-    attached(run)
-    assert refusal(run, Attach("w", "another")).code == "worker_busy"
+    add_session(run)
+    assert expect_refuse(run, Attach("w", "another")).code == "worker_busy"
     run.state = "stopping"
-    refused = refusal(run, Attach("w", "another", False, wrong))
+    refused = expect_refuse(run, Attach("w", "another", False, wrong))
     assert refused.code == "illegal_transition"
 
 
-def test_the_guards_are_all_there_is() -> None:
+def test_every_guard_is_called() -> None:
     """A guard that nobody calls would be a rule that does not hold."""
     called = {guard for guards in GUARDS.values() for guard in guards}
     source = Path(lifecycle.__file__).read_text()

@@ -17,26 +17,26 @@ from conformance.client.check_context import CheckContext
 from conformance.policy.scripted import PolicyCall, PolicyReply, ScriptedPolicy
 from reference_server.generated import models
 from reference_server.http.codec import validate
-from tests.conftest import PATIENCE_S, House
+from tests.conftest import TIMEOUT_S, ReferenceServer
 from tests.push_parts import (
-    LOOPBACK,
-    calling,
+    ALLOW_LOOPBACK,
     episodes,
-    played,
-    submission,
-    submitted,
-    until,
+    play_push_run,
+    push_submission,
+    start_push_server,
+    submit_push_run,
+    wait_for_state,
 )
 
 
 @pytest.fixture(scope="module")
-def pushing(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
-    yield from calling(tmp_path_factory.mktemp("pushing"))
+def push_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
+    yield from start_push_server(tmp_path_factory.mktemp("push_server"))
 
 
 @pytest.fixture
-def client(pushing: House) -> Iterator[httpx.Client]:
-    with pushing.client() as opened:
+def client(push_server: ReferenceServer) -> Iterator[httpx.Client]:
+    with push_server.client() as opened:
         yield opened
 
 
@@ -46,8 +46,10 @@ def policy() -> Iterator[ScriptedPolicy]:
         yield server
 
 
-def test_a_run_is_played_to_its_score(pushing: House, policy: ScriptedPolicy) -> None:
-    run = played(pushing, policy.url, *["score"] * 6, max_concurrent=3)
+def test_a_run_is_played_to_its_score(
+    push_server: ReferenceServer, policy: ScriptedPolicy
+) -> None:
+    run = play_push_run(push_server, policy.url, *["score"] * 6, max_concurrent=3)
     assert (run["state"], run["reason"], run["mode"]) == ("completed", None, "push")
     assert [e["result"]["score"] for e in run["episodes"]] == [0.25] * 6
     assert "policy_fault" not in run["episodes"][0]
@@ -62,21 +64,21 @@ def test_a_run_is_played_to_its_score(pushing: House, policy: ScriptedPolicy) ->
     assert all("authorization" not in call.headers for call in policy.calls)
 
 
-def test_what_is_left_open_is_filled_in(
+def test_omitted_policy_server_settings_get_defaults(
     client: httpx.Client, policy: ScriptedPolicy
 ) -> None:
-    body = submission(policy.url + "/", max_workers=5)
+    body = push_submission(policy.url + "/", max_workers=5)
     for name in ("call_timeout_s", "max_retries"):
         del body["policy_server"][name]
     run = client.post("/v1/runs", json=body).json()
     shown = run["policy_server"]
     assert shown["call_timeout_s"] == 30.0
     assert (shown["max_concurrent"], shown["max_retries"]) == (5, 3)
-    assert until(client, run["run_id"])["state"] == "completed"
+    assert wait_for_state(client, run["run_id"])["state"] == "completed"
 
 
 def test_a_worker_plays_many_steps_and_chunks(
-    pushing: House, policy: ScriptedPolicy
+    push_server: ReferenceServer, policy: ScriptedPolicy
 ) -> None:
     """Turns are the same as a worker's: seq grows, what is left of a chunk is not
     executed, and each episode begins with a reset."""
@@ -90,7 +92,7 @@ def test_a_worker_plays_many_steps_and_chunks(
         return policy.actions_reply(call, *actions)
 
     policy.on("predict", three_then_end)
-    run = played(pushing, policy.url, "score", "count", max_concurrent=1)
+    run = play_push_run(push_server, policy.url, "score", "count", max_concurrent=1)
     assert [e["result"]["steps"] for e in run["episodes"]] == [5, 5]
     order = [
         (call.operation, call.body["episode"]["episode_id"])
@@ -104,7 +106,7 @@ def test_a_worker_plays_many_steps_and_chunks(
 
 
 def test_a_simulator_that_breaks_begins_the_attempt_anew(
-    pushing: House, policy: ScriptedPolicy
+    push_server: ReferenceServer, policy: ScriptedPolicy
 ) -> None:
     """FAULT-001 in this direction: another reset, the same attempt."""
     broke = threading.Event()
@@ -116,7 +118,7 @@ def test_a_simulator_that_breaks_begins_the_attempt_anew(
         return policy.actions_reply(call, CheckContext.action(fault=1))
 
     policy.on("predict", break_once)
-    run = played(pushing, policy.url, "fault")
+    run = play_push_run(push_server, policy.url, "fault")
     assert run["state"] == "completed"
     resets = [call.body["episode"]["attempt"] for call in policy.calls_of("reset")]
     assert resets == [1, 1]
@@ -133,17 +135,17 @@ def test_a_simulator_that_breaks_begins_the_attempt_anew(
         ({"policy_server": {}}, "/policy_server/url"),
     ],
 )
-def test_a_submission_that_cannot_be_meant_is_refused(
+def test_an_invalid_submission_is_refused(
     client: httpx.Client, change: dict[str, Any], pointer: str
 ) -> None:
-    body = submission("http://127.0.0.1:9") | change
+    body = push_submission("http://127.0.0.1:9") | change
     body = {name: value for name, value in body.items() if value is not None}
     answer = client.post("/v1/runs", json=body)
     assert (answer.status_code, answer.json()["code"]) == (422, "invalid_request")
     assert pointer in {e["pointer"] for e in answer.json()["errors"]}
 
 
-def test_the_request_of_the_page_is_one() -> None:
+def test_the_example_request_of_the_page_is_valid() -> None:
     page = (Path(__file__).parents[1] / "docs" / "push.md").read_text()
     (example,) = re.findall(r"```json\n(.*?)```", page, re.DOTALL)
     asked = json.loads(example)
@@ -169,33 +171,35 @@ def test_the_request_of_the_page_is_one() -> None:
         {"extra": 1},
     ],
 )
-def test_an_order_is_refused_at_the_member_that_is_wrong(
+def test_an_invalid_policy_server_is_refused_with_its_pointer(
     client: httpx.Client, order: dict[str, Any]
 ) -> None:
     (name,) = order
-    answer = client.post("/v1/runs", json=submission("http://127.0.0.1:9", **order))
+    answer = client.post(
+        "/v1/runs", json=push_submission("http://127.0.0.1:9", **order)
+    )
     assert (answer.status_code, answer.json()["code"]) == (422, "invalid_request")
     pointers = {e["pointer"] for e in answer.json()["errors"]}
     assert pointers == {f"/policy_server/{name}"}
 
 
-def held(policy: ScriptedPolicy) -> threading.Event:
+def hold_predict(policy: ScriptedPolicy) -> threading.Event:
     """Let predict wait for the event that is returned."""
-    going = threading.Event()
+    may_continue = threading.Event()
 
     def wait(call: PolicyCall) -> PolicyReply:
-        going.wait(PATIENCE_S)
+        may_continue.wait(TIMEOUT_S)
         return policy.final_action_reply(call)
 
     policy.on("predict", wait)
-    return going
+    return may_continue
 
 
-def test_nobody_attaches_to_a_run_of_the_server(
+def test_workers_cannot_attach_to_a_push_run(
     client: httpx.Client, policy: ScriptedPolicy
 ) -> None:
-    going = held(policy)
-    run_id = submitted(client, policy.url)
+    may_continue = hold_predict(policy)
+    run_id = submit_push_run(client, policy.url)
     assert policy.wait_for("predict")
     path = f"/v1/runs/{run_id}/workers/push-1"
     for takeover in (False, True):
@@ -216,26 +220,26 @@ def test_nobody_attaches_to_a_run_of_the_server(
         client.delete(path, params=session),
     ):
         assert answer.json()["code"] == "illegal_transition"
-    going.set()
-    assert until(client, run_id)["state"] == "completed"
+    may_continue.set()
+    assert wait_for_state(client, run_id)["state"] == "completed"
     assert len(policy.calls_of("reset")) == 1
     (episode,) = episodes(client, run_id)
     assert episode["result"]["score"] == 0.25
 
 
-def test_a_stop_ends_the_calls_and_a_resume_goes_on(
+def test_a_stop_ends_the_calls_and_a_resume_continues(
     client: httpx.Client, policy: ScriptedPolicy
 ) -> None:
-    going = held(policy)
-    run_id = submitted(client, policy.url, "score", "score", max_concurrent=1)
+    may_continue = hold_predict(policy)
+    run_id = submit_push_run(client, policy.url, "score", "score", max_concurrent=1)
     assert policy.wait_for("predict")
     assert client.post(f"/v1/runs/{run_id}/stop", json={}).json()["state"] == "stopped"
     calls = len(policy.calls)
-    going.set()
+    may_continue.set()
     assert client.get(f"/v1/runs/{run_id}").json()["state"] == "stopped"
     assert len(policy.calls) == calls
     assert client.post(f"/v1/runs/{run_id}/resume").status_code == 200
-    assert until(client, run_id)["state"] == "completed"
+    assert wait_for_state(client, run_id)["state"] == "completed"
     # No action of the attempt that was stopped had been executed.
     assert [e["result"]["attempt"] for e in episodes(client, run_id)] == [1, 1]
 
@@ -243,19 +247,19 @@ def test_a_stop_ends_the_calls_and_a_resume_goes_on(
 def test_a_drain_plays_the_episode_to_its_end(
     client: httpx.Client, policy: ScriptedPolicy
 ) -> None:
-    going = held(policy)
-    run_id = submitted(client, policy.url, "score", "score", max_concurrent=1)
+    may_continue = hold_predict(policy)
+    run_id = submit_push_run(client, policy.url, "score", "score", max_concurrent=1)
     assert policy.wait_for("predict")
     client.post(f"/v1/runs/{run_id}/stop", json={"mode": "drain"})
-    going.set()
-    assert until(client, run_id)["state"] == "stopped"
+    may_continue.set()
+    assert wait_for_state(client, run_id)["state"] == "stopped"
     statuses = [e["status"] for e in episodes(client, run_id)]
     assert statuses == ["scored", "pending"]
     client.post(f"/v1/runs/{run_id}/resume")
-    assert until(client, run_id)["state"] == "completed"
+    assert wait_for_state(client, run_id)["state"] == "completed"
 
 
-def test_a_policy_that_goes_down_fails_the_run_and_a_resume_goes_on(
+def test_an_unreachable_policy_fails_the_run_and_a_resume_continues(
     client: httpx.Client, policy: ScriptedPolicy
 ) -> None:
     def down_at_the_third(call: PolicyCall) -> PolicyReply:
@@ -265,8 +269,8 @@ def test_a_policy_that_goes_down_fails_the_run_and_a_resume_goes_on(
         return PolicyReply(b"", 500)
 
     policy.on("predict", down_at_the_third)
-    run_id = submitted(client, policy.url, *["score"] * 4, max_concurrent=1)
-    run = until(client, run_id)
+    run_id = submit_push_run(client, policy.url, *["score"] * 4, max_concurrent=1)
+    run = wait_for_state(client, run_id)
     assert (run["state"], run["retryable"]) == ("failed", True)
     assert run["reason"] == (
         f"The policy server at {policy.url} answered with status 500 (policy)."
@@ -277,7 +281,7 @@ def test_a_policy_that_goes_down_fails_the_run_and_a_resume_goes_on(
     policy.on("predict", policy.final_action_reply)
     policy.on("describe_policy", policy.description)
     assert client.post(f"/v1/runs/{run_id}/resume").status_code == 200
-    assert until(client, run_id)["state"] == "completed"
+    assert wait_for_state(client, run_id)["state"] == "completed"
     after = episodes(client, run_id)
     assert after[:2] == before[:2]
     assert [e["result"]["score"] for e in after] == [0.25] * 4
@@ -286,52 +290,54 @@ def test_a_policy_that_goes_down_fails_the_run_and_a_resume_goes_on(
 def test_a_queued_run_is_played_when_its_turn_comes(
     client: httpx.Client, policy: ScriptedPolicy
 ) -> None:
-    run_id = submitted(client, policy.url, options={"queue_s": 0.3})
+    run_id = submit_push_run(client, policy.url, options={"queue_s": 0.3})
     assert client.get(f"/v1/runs/{run_id}").json()["state"] == "queued"
     assert policy.calls == []
-    assert until(client, run_id)["state"] == "completed"
+    assert wait_for_state(client, run_id)["state"] == "completed"
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM])
-def test_a_server_that_starts_again_goes_on_with_the_key(
+def test_a_restarted_server_continues_with_the_stored_key(
     tmp_path: Path, policy: ScriptedPolicy, number: signal.Signals
 ) -> None:
-    house = House(tmp_path, **LOOPBACK)
-    going = held(policy)
-    with house.client() as client:
+    server = ReferenceServer(tmp_path, **ALLOW_LOOPBACK)
+    may_continue = hold_predict(policy)
+    with server.client() as client:
         order = {"api_key": "sesame", "max_concurrent": 1}
-        run_id = submitted(client, policy.url, "score", "score", **order)
+        run_id = submit_push_run(client, policy.url, "score", "score", **order)
     assert policy.wait_for("predict")
-    house.end(number)
-    going.set()
-    house.start()
-    with house.client() as client:
-        run = until(client, run_id)
+    server.end(number)
+    may_continue.set()
+    server.start()
+    with server.client() as client:
+        run = wait_for_state(client, run_id)
         assert (run["state"], run["reason"]) == ("completed", None)
         results = [e["result"] for e in episodes(client, run_id)]
         assert [r["attempt"] for r in results] == [1, 1]
     assert {c.headers["authorization"] for c in policy.calls} == {"Bearer sesame"}
-    house.end(signal.SIGKILL)
-    assert house.log() == ""
+    server.end(signal.SIGKILL)
+    assert server.log() == ""
     kept = b"".join(p.read_bytes() for p in tmp_path.iterdir())
     assert policy.url.encode() in kept
     assert b"sesame" not in kept
     assert (tmp_path / "proctor.sqlite.key").stat().st_mode & 0o777 == 0o600
 
 
-def test_a_lost_sealing_key_is_told(tmp_path: Path, policy: ScriptedPolicy) -> None:
-    house = House(tmp_path, **LOOPBACK)
-    held(policy)
-    with house.client() as client:
-        run_id = submitted(client, policy.url, api_key="sesame")
+def test_a_lost_encryption_key_fails_the_run(
+    tmp_path: Path, policy: ScriptedPolicy
+) -> None:
+    server = ReferenceServer(tmp_path, **ALLOW_LOOPBACK)
+    hold_predict(policy)
+    with server.client() as client:
+        run_id = submit_push_run(client, policy.url, api_key="sesame")
     assert policy.wait_for("predict")
-    house.end(signal.SIGKILL)
+    server.end(signal.SIGKILL)
     (tmp_path / "proctor.sqlite.key").unlink()
-    house.start()
-    with house.client() as client:
-        run = until(client, run_id)
+    server.start()
+    with server.client() as client:
+        run = wait_for_state(client, run_id)
         resumed = client.post(f"/v1/runs/{run_id}/resume")
     assert (run["state"], run["retryable"]) == ("failed", False)
     assert "Submit the run anew" in run["reason"]
     assert resumed.json()["code"] == "illegal_transition"
-    house.end(signal.SIGKILL)
+    server.end(signal.SIGKILL)

@@ -21,9 +21,9 @@ from reference_server.push.egress import (
     HostNotResolved,
 )
 from reference_server.push.http_calls import CallLimits, HttpCalls, PolicyFault
-from tests.certificates import certified
-from tests.conftest import House
-from tests.push_parts import LOOPBACK, played, submission
+from tests.certificates import create_certificate
+from tests.conftest import ReferenceServer
+from tests.push_parts import ALLOW_LOOPBACK, play_push_run, push_submission
 
 PUBLIC = ["93.184.215.14", "1.1.1.1", "2606:4700:4700::1111", "2002:5db8:d70e::1"]
 NOT_PUBLIC = [
@@ -67,7 +67,7 @@ def test_public_addresses_are_admitted(text: str) -> None:
 
 
 @pytest.mark.parametrize("text", NOT_PUBLIC)
-def test_others_are_not_unless_allowed(text: str) -> None:
+def test_other_addresses_are_refused_unless_allowed(text: str) -> None:
     assert not EgressPolicy().allows(ip_address(text))
     assert not EgressPolicy("203.0.113.0/24").allows(ip_address(text))
     assert EgressPolicy("all").allows(ip_address(text))
@@ -82,7 +82,7 @@ def test_a_network_admits_what_it_holds_and_no_more() -> None:
 
 
 @pytest.mark.parametrize("text", ["nonsense", "10.0.0.1/8", "10.0.0.0/33", "all,x"])
-def test_what_is_no_network_is_told(text: str) -> None:
+def test_an_invalid_network_is_an_error(text: str) -> None:
     with pytest.raises(ValueError, match=r"."):
         EgressPolicy(text)
 
@@ -105,19 +105,19 @@ def test_a_name_without_address_is_unresolved(host: str) -> None:
         run(EgressPolicy().resolve(host, 80))
 
 
-def resolving(
+def patch_resolver(
     monkeypatch: pytest.MonkeyPatch, *answers: list[str]
 ) -> list[tuple[str, int]]:
     """Let every name resolve to one answer after the other; the last one stays."""
     left = list(answers)
-    asked: list[tuple[str, int]] = []
+    resolved_names: list[tuple[str, int]] = []
 
     def resolve(host: str, port: int) -> list[egress.Address]:
-        asked.append((host, port))
+        resolved_names.append((host, port))
         return [ip_address(a) for a in (left.pop(0) if len(left) > 1 else left[0])]
 
     monkeypatch.setattr(egress, "_resolve", resolve)
-    return asked
+    return resolved_names
 
 
 @pytest.mark.parametrize(
@@ -134,24 +134,24 @@ def test_an_address_is_judged_without_a_resolver(
     monkeypatch: pytest.MonkeyPatch, host: str, connected_to: str | None
 ) -> None:
     """Strangers' slow names hold up names alone."""
-    asked = resolving(monkeypatch, ["9.9.9.9"])
+    resolved_names = patch_resolver(monkeypatch, ["9.9.9.9"])
     if connected_to is None:
         with pytest.raises(AddressNotAllowed):
             run(EgressPolicy().resolve(host, 80))
     else:
         assert run(EgressPolicy().resolve(host, 80)) == [connected_to]
-    assert asked == []
+    assert resolved_names == []
 
 
 def test_one_private_address_among_public_ones_refuses_the_name(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    resolving(monkeypatch, ["1.1.1.1", "10.0.0.1"])
+    patch_resolver(monkeypatch, ["1.1.1.1", "10.0.0.1"])
     with pytest.raises(AddressNotAllowed):
         run(EgressPolicy().resolve("policy.example", 443))
 
 
-async def described(url: str, egress: EgressPolicy) -> Any:
+async def call_describe(url: str, egress: EgressPolicy) -> Any:
     async with HttpCalls(url, egress, CallLimits(2.0, 1, 0, 10_000), "sesame") as calls:
         return await calls.get("/v1/policy")
 
@@ -162,15 +162,15 @@ def policy() -> Iterator[ScriptedPolicy]:
         yield server
 
 
-def test_a_name_is_resolved_once_for_a_connection_and_connected_to_that(
+def test_a_connection_uses_the_address_that_was_checked(
     monkeypatch: pytest.MonkeyPatch, policy: ScriptedPolicy
 ) -> None:
     """Nothing looks at the name again between the judgement and the connection."""
-    asked = resolving(monkeypatch, ["127.0.0.1"], ["10.0.0.1"])
+    resolved_names = patch_resolver(monkeypatch, ["127.0.0.1"], ["10.0.0.1"])
     url = policy.url.replace("127.0.0.1", "policy.example")
-    answer = run(described(url, EgressPolicy("127.0.0.1")))
+    answer = run(call_describe(url, EgressPolicy("127.0.0.1")))
     assert answer["name"] == "the kit's own policy"
-    assert [host for host, _ in asked] == ["policy.example"]
+    assert [host for host, _ in resolved_names] == ["policy.example"]
     (call,) = policy.calls
     assert call.headers["host"] == url.removeprefix("http://")
 
@@ -179,27 +179,27 @@ def test_a_name_that_turns_private_is_not_connected_to(
     monkeypatch: pytest.MonkeyPatch, policy: ScriptedPolicy
 ) -> None:
     """Rebinding: public when it was looked at first, this machine afterwards."""
-    resolving(monkeypatch, ["1.1.1.1"], ["127.0.0.1"])
+    patch_resolver(monkeypatch, ["1.1.1.1"], ["127.0.0.1"])
     egress = EgressPolicy()
     url = policy.url.replace("127.0.0.1", "policy.example")
     assert run(egress.resolve("policy.example", 80)) == ["1.1.1.1"]
     with pytest.raises(PolicyFault, match=r"is not called: policy\.example is in a"):
-        run(described(url, egress))
+        run(call_describe(url, egress))
     assert policy.calls == []
 
 
 def test_the_next_address_is_tried(
     monkeypatch: pytest.MonkeyPatch, policy: ScriptedPolicy
 ) -> None:
-    resolving(monkeypatch, ["127.0.0.9", "127.0.0.1"])
+    patch_resolver(monkeypatch, ["127.0.0.9", "127.0.0.1"])
     url = policy.url.replace("127.0.0.1", "policy.example")
-    assert run(described(url, EgressPolicy("all")))["max_sessions"] == 16
+    assert run(call_describe(url, EgressPolicy("all")))["max_sessions"] == 16
 
 
-def test_a_secure_server_is_held_to_its_name(policy: ScriptedPolicy) -> None:
+def test_the_key_is_not_sent_to_a_server_without_tls(policy: ScriptedPolicy) -> None:
     """TLS to a server that speaks none: told, and nothing of the key is sent."""
     with pytest.raises(PolicyFault, match=r"is not reached|broke off"):
-        run(described(policy.url.replace("http:", "https:"), EgressPolicy("all")))
+        run(call_describe(policy.url.replace("http:", "https:"), EgressPolicy("all")))
     assert policy.calls == []
 
 
@@ -211,7 +211,7 @@ def test_a_secure_server_is_held_to_its_name(policy: ScriptedPolicy) -> None:
         ("policy.example", False, False),
     ],
 )
-def test_a_certificate_is_held_to_the_name_and_not_to_the_address(
+def test_a_certificate_is_verified_against_the_name(
     monkeypatch: pytest.MonkeyPatch,
     tmp_path: Path,
     name: str,
@@ -219,8 +219,8 @@ def test_a_certificate_is_held_to_the_name_and_not_to_the_address(
     reached: bool,
 ) -> None:
     """The address is pinned, and TLS still asks for who was meant."""
-    resolving(monkeypatch, ["127.0.0.1"])
-    pem, context = certified(tmp_path, "policy.example")
+    patch_resolver(monkeypatch, ["127.0.0.1"])
+    pem, context = create_certificate(tmp_path, "policy.example")
     if trusted:
         monkeypatch.setenv("SSL_CERT_FILE", str(pem))
     policy = ScriptedPolicy()
@@ -229,10 +229,10 @@ def test_a_certificate_is_held_to_the_name_and_not_to_the_address(
     with policy:
         url = policy.url.replace("http://127.0.0.1", f"https://{name}")
         if reached:
-            assert run(described(url, EgressPolicy("all")))["max_sessions"] == 16
+            assert run(call_describe(url, EgressPolicy("all")))["max_sessions"] == 16
         else:
             with pytest.raises(PolicyFault, match="is not reached"):
-                run(described(url, EgressPolicy("all")))
+                run(call_describe(url, EgressPolicy("all")))
     assert len(policy.calls) == reached
 
 
@@ -240,8 +240,10 @@ def test_a_certificate_is_held_to_the_name_and_not_to_the_address(
 
 
 @pytest.fixture(scope="module")
-def closed(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
-    server = House(tmp_path_factory.mktemp("closed"))
+def client_without_allowed_networks(
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Iterator[httpx.Client]:
+    server = ReferenceServer(tmp_path_factory.mktemp("client_without_allowed_networks"))
     with server.client() as client:
         yield client
     server.end(signal.SIGKILL)
@@ -260,8 +262,10 @@ def closed(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
         "http://192.168.0.1:443",
     ],
 )
-def test_a_private_address_is_refused_at_submit(closed: httpx.Client, url: str) -> None:
-    answer = closed.post("/v1/runs", json=submission(url))
+def test_a_private_address_is_refused_at_submit(
+    client_without_allowed_networks: httpx.Client, url: str
+) -> None:
+    answer = client_without_allowed_networks.post("/v1/runs", json=push_submission(url))
     assert (answer.status_code, answer.json()["code"]) == (422, "invalid_request")
     assert [e["pointer"] for e in answer.json()["errors"]] == ["/policy_server/url"]
 
@@ -283,23 +287,25 @@ def test_a_private_address_is_refused_at_submit(closed: httpx.Client, url: str) 
         "http://" + "a" * 500,
     ],
 )
-def test_what_is_no_plain_url_is_refused(closed: httpx.Client, url: str) -> None:
-    answer = closed.post("/v1/runs", json=submission(url))
+def test_an_invalid_url_is_refused(
+    client_without_allowed_networks: httpx.Client, url: str
+) -> None:
+    answer = client_without_allowed_networks.post("/v1/runs", json=push_submission(url))
     assert (answer.status_code, answer.json()["code"]) == (422, "invalid_request")
     assert "secret" not in answer.text
     assert {e["pointer"] for e in answer.json()["errors"]} == {"/policy_server/url"}
 
 
-def test_a_redirect_leads_nowhere(tmp_path: Any, policy: ScriptedPolicy) -> None:
+def test_a_redirect_is_not_followed(tmp_path: Any, policy: ScriptedPolicy) -> None:
     """From an allowed address to another: the target hears nothing."""
-    house = House(tmp_path, **LOOPBACK)
+    server = ReferenceServer(tmp_path, **ALLOW_LOOPBACK)
     with ScriptedPolicy() as target:
 
         def elsewhere(_call: PolicyCall) -> PolicyReply:
             return PolicyReply(b"", 307, {"Location": f"{target.url}/v1/policy"})
 
         policy.on("describe_policy", elsewhere)
-        ended = played(house, policy.url, api_key="sesame")
+        ended = play_push_run(server, policy.url, api_key="sesame")
         assert "redirects (status 307)" in ended["reason"]
         assert target.calls == []
-    assert house.end(signal.SIGKILL) != 0
+    assert server.end(signal.SIGKILL) != 0

@@ -15,8 +15,13 @@ from reference_server.push.chat_calls import ChatPolicy, read_answer
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.question_answering.questions import action, draw
 from reference_sim.benchmarks.tabletop.scene import TabletopScene
-from tests.conftest import House, a_run
-from tests.push_parts import calling, episodes, submission, until
+from tests.conftest import ReferenceServer, make_run
+from tests.push_parts import (
+    episodes,
+    push_submission,
+    start_push_server,
+    wait_for_state,
+)
 
 NONE = action()
 
@@ -49,7 +54,7 @@ NONE = action()
         ("**Answer: `0.2, 0.75.`**", action(point=(0.2, 0.75))),
     ],
 )
-def test_words_are_read(said: str, answer: Any) -> None:
+def test_answers_are_parsed_from_text(said: str, answer: Any) -> None:
     assert read_answer(said) == answer
 
 
@@ -63,7 +68,7 @@ def test_words_are_read(said: str, answer: Any) -> None:
         *("Answer:", "Answer: Answer: B", "(B", "B]", "{}", "\x00", "B" * 100_000),
     ],
 )
-def test_what_cannot_be_read_is_no_answer(said: str) -> None:
+def test_unreadable_text_is_no_answer(said: str) -> None:
     assert read_answer(said) == NONE
 
 
@@ -78,8 +83,8 @@ def test_what_cannot_be_read_is_no_answer(said: str) -> None:
         ("320, 240", NONE),
     ],
 )
-def test_what_no_item_has_is_no_answer(said: str, answer: Any) -> None:
-    run, nothing = a_run(), cast("Any", None)
+def test_values_outside_the_action_space_are_no_answer(said: str, answer: Any) -> None:
+    run, nothing = make_run(), cast("Any", None)
     run.manifest = benchmark_registry.resolve("question_answering").manifest
     assert ChatPolicy(run, nothing, nothing)._values(read_answer(said)) == answer
 
@@ -88,13 +93,13 @@ def test_what_no_item_has_is_no_answer(said: str, answer: Any) -> None:
 
 
 @pytest.fixture(scope="module")
-def pushing(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
-    yield from calling(tmp_path_factory.mktemp("chat"))
+def push_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
+    yield from start_push_server(tmp_path_factory.mktemp("chat"))
 
 
 @pytest.fixture
-def client(pushing: House) -> Iterator[httpx.Client]:
-    with pushing.client() as opened:
+def client(push_server: ReferenceServer) -> Iterator[httpx.Client]:
+    with push_server.client() as opened:
         yield opened
 
 
@@ -104,8 +109,10 @@ def chat() -> Iterator[ScriptedChat]:
         yield server
 
 
-def ask(client: httpx.Client, chat: ScriptedChat, *tasks: str, **more: Any) -> str:
-    body = submission(chat.url, *tasks, protocol="openai_chat", **more)
+def submit_chat_run(
+    client: httpx.Client, chat: ScriptedChat, *tasks: str, **more: Any
+) -> str:
+    body = push_submission(chat.url, *tasks, protocol="openai_chat", **more)
     answer = client.post("/v1/runs", json=body)
     assert answer.status_code == 201, answer.text
     return str(answer.json()["run_id"])
@@ -117,8 +124,8 @@ def test_a_model_is_asked_once_for_each_episode(
     """Expect question, model, numbers and key as submitted; and the answer's score."""
     generation = {"temperature": 0.5, "max_tokens": 16000, "top_p": 1}
     order = {"model": "m-1", "api_key": "s3cret", "generation": generation}
-    run_id = ask(client, chat, "score", "count", **order)
-    run = until(client, run_id)
+    run_id = submit_chat_run(client, chat, "score", "count", **order)
+    run = wait_for_state(client, run_id)
     assert run["state"] == "completed", run
     assert [e["result"]["score"] for e in episodes(client, run_id)] == [0.25, 0.0]
     assert {r.path for r in chat.requests} == {"/v1/chat/completions"}
@@ -142,60 +149,60 @@ def test_a_model_is_asked_once_for_each_episode(
     ("said", "score"),
     [("1", 1.0), ("7", 1.0), ("no idea", 0.0), (None, 0.0), (["1"], 0.0)],
 )
-def test_words_are_no_fault(
+def test_an_unreadable_answer_is_no_fault(
     client: httpx.Client, chat: ScriptedChat, said: Any, score: float
 ) -> None:
     chat.reply = said
-    run_id = ask(client, chat, "score")
-    assert until(client, run_id)["state"] == "completed"
+    run_id = submit_chat_run(client, chat, "score")
+    assert wait_for_state(client, run_id)["state"] == "completed"
     (episode,) = episodes(client, run_id)
     assert (episode["result"]["score"], episode["attempt"]) == (score, 1)
     assert "policy_fault" not in episode
 
 
-def test_what_is_no_completion_is_a_fault(
+def test_an_invalid_completion_is_a_fault(
     client: httpx.Client, chat: ScriptedChat
 ) -> None:
     chat.body = {"choices": []}
-    run = until(client, ask(client, chat, "score"))
+    run = wait_for_state(client, submit_chat_run(client, chat, "score"))
     assert (run["state"], run["retryable"]) == ("failed", True)
     assert "is no chat completion" in run["reason"]
 
 
-def test_a_model_that_is_gone_fails_the_run_which_goes_on_later(
+def test_an_unreachable_model_fails_the_run_and_a_resume_continues(
     client: httpx.Client, chat: ScriptedChat
 ) -> None:
     chat.status = 503
-    run_id = ask(client, chat, "score", "score")
-    run = until(client, run_id)
+    run_id = submit_chat_run(client, chat, "score", "score")
+    run = wait_for_state(client, run_id)
     assert (run["state"], run["retryable"]) == ("failed", True)
     assert "answered with status 503" in run["reason"]
     chat.status = 200
     assert client.post(f"/v1/runs/{run_id}/resume").status_code == 200
-    assert until(client, run_id)["state"] == "completed"
+    assert wait_for_state(client, run_id)["state"] == "completed"
     assert [e["result"]["score"] for e in episodes(client, run_id)] == [0.25, 0.25]
 
 
-def test_a_benchmark_of_motions_is_not_answered_in_words(
+def test_a_chat_model_cannot_play_a_robot_benchmark(
     client: httpx.Client, chat: ScriptedChat
 ) -> None:
-    body = submission(chat.url, protocol="openai_chat") | {
+    body = push_submission(chat.url, protocol="openai_chat") | {
         "benchmark_id": "tabletop_state"
     }
     del body["options"]
     run_id = client.post("/v1/runs", json=body).json()["run_id"]
-    run = until(client, run_id)
+    run = wait_for_state(client, run_id)
     assert run["state"] == "failed"
     assert "tabletop_state is not answered in words" in run["reason"]
     assert chat.requests == []
 
 
-def test_questions_come_with_their_pictures(
+def test_questions_are_sent_with_their_pictures(
     client: httpx.Client, chat: ScriptedChat
 ) -> None:
     """Every answer is A. Expect what the scenes say of that, item by item."""
     chat.reply = "A"
-    body = submission(chat.url, protocol="openai_chat", max_concurrent=2) | {
+    body = push_submission(chat.url, protocol="openai_chat", max_concurrent=2) | {
         "benchmark_id": "question_answering",
         "images": {"codec": "png", "width": 320, "height": 240},
     }
@@ -224,14 +231,14 @@ def test_questions_come_with_their_pictures(
     assert texts <= {request.question for request in chat.requests}
 
 
-def test_a_picture_that_no_model_reads_is_not_sent(
+def test_raw_images_are_refused_for_chat_models(
     client: httpx.Client, chat: ScriptedChat
 ) -> None:
-    body = submission(chat.url, protocol="openai_chat") | {
+    body = push_submission(chat.url, protocol="openai_chat") | {
         "benchmark_id": "question_answering",
         "images": {"codec": "raw", "width": 320, "height": 240},
     }
     del body["options"]
-    run = until(client, client.post("/v1/runs", json=body).json()["run_id"])
+    run = wait_for_state(client, client.post("/v1/runs", json=body).json()["run_id"])
     assert run["state"] == "failed"
     assert "png or jpeg" in run["reason"]

@@ -25,18 +25,18 @@ from reference_server.rules.run import Run
 from reference_server.storage.store import StoreFailed
 from reference_sim.process.pool import NoCapacity, SimulatorPool
 from tests import parts as rest
-from tests.parts import Parts, calibration, refusal, tell
+from tests.parts import ServerParts, calibration_run, expect_refusal, run_scenarios
 
 ORDER = {"url": "http://127.0.0.1:9", "protocol": "proctor", "max_concurrent": 1}
 
 
-class Scripted:
+class FaultyPolicy:
     """A policy that goes wrong as often as `faults` says, and then plays."""
 
     def __init__(self, faults: int = 0) -> None:
         self.faults = faults
 
-    def __call__(self, *_: Any) -> "Scripted":
+    def __call__(self, *_: Any) -> "FaultyPolicy":
         return self
 
     async def describe(self) -> Description:
@@ -49,7 +49,7 @@ class Scripted:
         if self.faults:
             self.faults -= 1
             raise PolicyFault("It said nonsense.")
-        command = rest.predict(turn, end=1)
+        command = rest.predict_command(turn, end=1)
         return models.Predict(
             session_id=command.session_id,
             seq=command.seq,
@@ -62,18 +62,18 @@ class Scripted:
 
 
 def push_run() -> Run:
-    run = calibration("score")
+    run = calibration_run("score")
     run.submission = {**run.submission, "mode": "push", "policy_server": ORDER}
     return run
 
 
-def driving(parts: Parts) -> Driver:
+def make_driver(parts: ServerParts) -> Driver:
     return Driver(
         parts.registry, parts.executor, EgressPolicy("all"), KeyEncryption(), 65536
     )
 
 
-async def completed(parts: Parts) -> Run:
+async def wait_until_completed(parts: ServerParts) -> Run:
     while True:
         news, run = (
             parts.registry.change_event("run_1"),
@@ -99,17 +99,17 @@ def backoff(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     return asked
 
 
-def grow(asked: list[float], *due: float) -> bool:
+def matches_backoff(asked: list[float], *due: float) -> bool:
     return len(asked) == len(due) and all(
         0.79 * d <= a <= 1.21 * d for a, d in zip(asked, due, strict=True)
     )
 
 
-def test_a_worker_waits_ever_longer_for_a_simulator(
+def test_waits_for_a_simulator_back_off(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, backoff: list[float]
 ) -> None:
     """And begins anew with short pauses after a turn."""
-    monkeypatch.setitem(PROTOCOLS, "proctor", Scripted())
+    monkeypatch.setitem(PROTOCOLS, "proctor", FaultyPolicy())
     right, refused = SimulatorPool.acquire, 7
 
     async def acquire(self: SimulatorPool, *given: Any, **named: Any) -> Any:
@@ -119,37 +119,37 @@ def test_a_worker_waits_ever_longer_for_a_simulator(
 
     monkeypatch.setattr(SimulatorPool, "acquire", acquire)
 
-    async def story(parts: Parts) -> None:
-        playing = driving(parts)
+    async def scenario(parts: ServerParts) -> None:
+        push_driver = make_driver(parts)
         await parts.registry.add(push_run(), None, "")
-        run = await completed(parts)
+        run = await wait_until_completed(parts)
         assert [e.attempt for e in run.episodes] == [1]
-        await playing.close()
+        await push_driver.close()
 
-    tell(tmp_path, story)
-    assert grow(backoff, 0.2, 0.4, 0.8, 1.6, 3.2, 5.0, 5.0), backoff
+    run_scenarios(tmp_path, scenario)
+    assert matches_backoff(backoff, 0.2, 0.4, 0.8, 1.6, 3.2, 5.0, 5.0), backoff
 
 
 def test_a_worker_pauses_after_a_fault_of_its_policy(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, backoff: list[float]
 ) -> None:
-    monkeypatch.setitem(PROTOCOLS, "proctor", Scripted(faults=2))
+    monkeypatch.setitem(PROTOCOLS, "proctor", FaultyPolicy(faults=2))
 
-    async def story(parts: Parts) -> None:
-        playing = driving(parts)
+    async def scenario(parts: ServerParts) -> None:
+        push_driver = make_driver(parts)
         await parts.registry.add(push_run(), None, "")
-        await completed(parts)
-        await playing.close()
+        await wait_until_completed(parts)
+        await push_driver.close()
 
-    tell(tmp_path, story)
-    assert grow(backoff, 0.2, 0.4), backoff
+    run_scenarios(tmp_path, scenario)
+    assert matches_backoff(backoff, 0.2, 0.4), backoff
 
 
-def test_pauses_begin_anew() -> None:
+def test_the_backoff_restarts() -> None:
     one = Backoff(0.2, 5.0)
-    assert grow([one.next_s(), one.next_s()], 0.2, 0.4)
+    assert matches_backoff([one.next_s(), one.next_s()], 0.2, 0.4)
     one.reset()
-    assert grow([one.next_s()], 0.2)
+    assert matches_backoff([one.next_s()], 0.2)
 
 
 def test_a_session_without_a_simulator_is_not_stored(
@@ -162,8 +162,8 @@ def test_a_session_without_a_simulator_is_not_stored(
 
     monkeypatch.setattr(SimulatorPool, "acquire", acquire)
 
-    async def story(parts: Parts) -> None:
-        run = await parts.registry.add(calibration("score"), None, "")
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("score"), None, "")
         assert await parts.registry.is_stored(run)
         saved: list[str] = []
 
@@ -171,25 +171,25 @@ def test_a_session_without_a_simulator_is_not_stored(
             saved.append(run.state)
 
         monkeypatch.setattr(parts.store, "save", save)
-        with refusal("no_capacity"):
+        with expect_refusal("no_capacity"):
             await parts.executor.attach(run, Attach("w", "key"))
         await parts.registry.close()
         assert (run.state, run.workers, saved) == ("ready", {}, [])
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)
 
 
-def test_a_run_that_could_not_be_loaded_is_looked_at_again(
+def test_loading_a_run_is_retried(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """PUSH-017: nobody asks for it meanwhile."""
-    monkeypatch.setitem(PROTOCOLS, "proctor", Scripted())
+    monkeypatch.setitem(PROTOCOLS, "proctor", FaultyPolicy())
     monkeypatch.setattr(driver, "RELOAD_S", 0.001, raising=False)
 
-    async def before(parts: Parts) -> None:
+    async def before(parts: ServerParts) -> None:
         await parts.registry.add(push_run(), None, "")
 
-    async def story(parts: Parts) -> None:
+    async def scenario(parts: ServerParts) -> None:
         right, failed, scored = parts.store.load, 0, asyncio.Event()
 
         async def load(run_id: str) -> Run | None:
@@ -202,13 +202,13 @@ def test_a_run_that_could_not_be_loaded_is_looked_at_again(
             return run
 
         monkeypatch.setattr(parts.store, "load", load)
-        playing = driving(parts)
-        playing.open()
+        push_driver = make_driver(parts)
+        push_driver.open()
         await asyncio.wait_for(scored.wait(), 5)
-        await completed(parts)
-        await playing.close()
+        await wait_until_completed(parts)
+        await push_driver.close()
 
-    tell(tmp_path, before, story)
+    run_scenarios(tmp_path, before, scenario)
 
 
 # --- keys ---
@@ -223,7 +223,7 @@ def policy() -> Iterator[ScriptedPolicy]:
         yield server
 
 
-def told(policy: ScriptedPolicy, key: str, operation: str = "describe") -> str:
+def fault_text(policy: ScriptedPolicy, key: str, operation: str = "describe") -> str:
     """What a run's submitter is told when the policy server is asked."""
 
     async def ask() -> Any:
@@ -241,27 +241,27 @@ def told(policy: ScriptedPolicy, key: str, operation: str = "describe") -> str:
 
 
 @pytest.mark.parametrize("before", [0, 150, 170, 190, 195])
-def test_no_part_of_a_key_is_told_where_a_text_is_cut(
+def test_no_part_of_a_key_survives_truncation(
     policy: ScriptedPolicy, before: int
 ) -> None:
     problem = {"detail": "x" * before + LONG_KEY}
     reply = PolicyReply(problem, 401, {"Content-Type": PROBLEM_JSON})
     policy.on("describe_policy", lambda _: reply)
-    text = told(policy, LONG_KEY)
+    text = fault_text(policy, LONG_KEY)
     assert "status 401" in text
     assert LONG_KEY[:4] not in text
 
 
-def test_a_key_in_a_media_type_is_not_told(policy: ScriptedPolicy) -> None:
+def test_a_key_in_a_media_type_is_redacted(policy: ScriptedPolicy) -> None:
     named = {"Content-Type": "text/" + "x" * 40 + LONG_KEY.upper()}
     policy.on("describe_policy", lambda _: PolicyReply(b"", 200, named))
-    text = told(policy, LONG_KEY.upper())
+    text = fault_text(policy, LONG_KEY.upper())
     assert "answered with text/xx" in text
     assert LONG_KEY[:4] not in text.lower()
 
 
 @pytest.mark.parametrize("length", [0, 440, 460, 480])
-def test_a_key_as_a_name_is_not_told(policy: ScriptedPolicy, length: int) -> None:
+def test_a_key_in_a_pointer_is_redacted(policy: ScriptedPolicy, length: int) -> None:
     """A JSON pointer writes a slash otherwise, and long lists are cut."""
 
     def wrong(call: PolicyCall) -> PolicyReply:
@@ -269,13 +269,13 @@ def test_a_key_as_a_name_is_not_told(policy: ScriptedPolicy, length: int) -> Non
         return PolicyReply(right | {"x" * length + SLASHED: 1})
 
     policy.on("predict", wrong)
-    text = told(policy, SLASHED, "predict")
+    text = fault_text(policy, SLASHED, "predict")
     assert "was refused" in text
     assert "ab~1" not in text
     assert SLASHED[:3] not in text
 
 
-def test_a_key_as_a_name_that_a_benchmark_refuses_is_not_told() -> None:
+def test_a_key_in_a_refused_action_name_is_redacted() -> None:
     calls = HttpCalls("http://x", EgressPolicy(), CallLimits(1.0, 1, 0, 1), SLASHED)
     at = "/actions/0/values/ab~1cd~0ef~1gh"
     refused = Refused("invalid_request", "No.", errors=[(at, "is no name")])
@@ -285,18 +285,18 @@ def test_a_key_as_a_name_that_a_benchmark_refuses_is_not_told() -> None:
     )
 
 
-def test_a_key_among_the_assumptions_is_not_told(
+def test_a_key_in_the_assumptions_is_redacted(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    class Assuming(Scripted):
+    class AssumingPolicy(FaultyPolicy):
         async def describe(self) -> Description:
             return Description(1, {"action": {SLASHED: {"size": 1}}})
 
-    monkeypatch.setitem(PROTOCOLS, "proctor", Assuming())
+    monkeypatch.setitem(PROTOCOLS, "proctor", AssumingPolicy())
 
-    async def story(parts: Parts) -> None:
+    async def scenario(parts: ServerParts) -> None:
         key_encryption = KeyEncryption()
-        playing = Driver(
+        push_driver = Driver(
             parts.registry, parts.executor, EgressPolicy("all"), key_encryption, 65536
         )
         run = push_run()
@@ -304,7 +304,7 @@ def test_a_key_among_the_assumptions_is_not_told(
         run.submission = {**run.submission, "policy_server": asked}
         await parts.registry.add(run, None, "")
         with pytest.raises(AssertionError, match=r"/assumes/action/\(its API key\)"):
-            await completed(parts)
-        await playing.close()
+            await wait_until_completed(parts)
+        await push_driver.close()
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)

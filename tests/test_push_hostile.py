@@ -20,8 +20,8 @@ from conformance.policy.scripted import (
     busy_reply,
 )
 from tests import push_parts
-from tests.conftest import House
-from tests.push_parts import bare_server, calling, played
+from tests.conftest import ReferenceServer
+from tests.push_parts import play_push_run, raw_socket_server, start_push_server
 
 TIMEOUT_S = 0.5
 # Of a fault: so often it may happen in a row before the run fails, and once more.
@@ -29,9 +29,9 @@ LONGEST_S = 10.0
 
 
 @pytest.fixture(scope="module")
-def pushing(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
-    path = tmp_path_factory.mktemp("pushing")
-    yield from calling(path, PROCTOR_MAX_BODY_BYTES="65536")
+def push_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
+    path = tmp_path_factory.mktemp("push_server")
+    yield from start_push_server(path, PROCTOR_MAX_BODY_BYTES="65536")
 
 
 @pytest.fixture
@@ -44,19 +44,21 @@ BARE = {
     "endless_body": "answered more than 65536 bytes",
     "endless_chunks": "answered more than 65536 bytes",
     "endless_headers": "broke off, or does not speak HTTP",
-    "drip": r"gave no whole answer within 0\.5 s",
-    "silence": r"gave no whole answer within 0\.5 s",
-    "no_http": "broke off, or does not speak HTTP",
-    "hang_up": "broke off|not reached",
-    "broken_off": "broke off",
+    "slow_bytes": r"gave no whole answer within 0\.5 s",
+    "no_answer": r"gave no whole answer within 0\.5 s",
+    "not_http": "broke off, or does not speak HTTP",
+    "close_at_once": "broke off|not reached",
+    "truncated_body": "broke off",
 }
 
 
 @pytest.mark.parametrize("name", BARE)
-def test_a_server_that_is_none_fails_the_run(pushing: House, name: str) -> None:
+def test_an_invalid_http_server_fails_the_run(
+    push_server: ReferenceServer, name: str
+) -> None:
     began = time.monotonic()
-    with bare_server(getattr(push_parts, name)) as url:
-        run = played(pushing, url, call_timeout_s=TIMEOUT_S)
+    with raw_socket_server(getattr(push_parts, name)) as url:
+        run = play_push_run(push_server, url, call_timeout_s=TIMEOUT_S)
     assert (run["state"], run["retryable"]) == ("failed", True)
     assert url in run["reason"]
     assert re.search(BARE[name], run["reason"])
@@ -64,16 +66,16 @@ def test_a_server_that_is_none_fails_the_run(pushing: House, name: str) -> None:
     assert time.monotonic() - began < LONGEST_S
 
 
-def test_nobody_there_fails_the_run(pushing: House) -> None:
+def test_a_refused_connection_fails_the_run(push_server: ReferenceServer) -> None:
     with socket.create_server(("127.0.0.1", 0)) as listener:
         port = listener.getsockname()[1]
-    run = played(pushing, f"http://127.0.0.1:{port}", max_retries=1)
+    run = play_push_run(push_server, f"http://127.0.0.1:{port}", max_retries=1)
     assert (run["state"], run["retryable"]) == ("failed", True)
     assert "is not reached (policy, 2 times)" in run["reason"]
 
 
-def test_a_name_without_address_fails_the_run(pushing: House) -> None:
-    run = played(pushing, "http://nobody.invalid/")
+def test_a_name_without_address_fails_the_run(push_server: ReferenceServer) -> None:
+    run = play_push_run(push_server, "http://nobody.invalid/")
     assert (run["state"], run["retryable"]) == ("failed", True)
     assert "nobody.invalid has no address" in run["reason"]
 
@@ -90,9 +92,9 @@ def status(number: int, **headers: str) -> Wrong:
     return lambda _: PolicyReply(b"{}", number, named)
 
 
-def described(**lies: Any) -> Wrong:
-    truth = {"name": "x", "protocol": {"min": "1.0", "max": "1.0"}, "max_sessions": 1}
-    return lambda _: PolicyReply(truth | lies)
+def description_with(**changes: Any) -> Wrong:
+    valid = {"name": "x", "protocol": {"min": "1.0", "max": "1.0"}, "max_sessions": 1}
+    return lambda _: PolicyReply(valid | changes)
 
 
 DESCRIPTIONS: dict[str, tuple[Wrong, str]] = {
@@ -109,14 +111,20 @@ DESCRIPTIONS: dict[str, tuple[Wrong, str]] = {
     "deep": (body(b"[" * 60000), "no JSON"),
     "list": (body(b"[]"), "not as policy.yaml says"),
     "null": (body(b"null"), "not as policy.yaml says"),
-    "future": (described(protocol={"min": "9.0", "max": "9.1"}), "speaks 9.0 to 9.1"),
-    "digits": (described(protocol={"min": "9" * 9999 + ".0", "max": "1.0"}), "speaks"),
-    "no_room": (described(max_sessions=0), "/max_sessions"),
-    "huge_room": (described(max_sessions=10**9), "/max_sessions"),
-    "text_room": (described(max_sessions="8"), "/max_sessions"),
-    "assumes_nonsense": (described(assumes={"action": 7}), "/assumes/action"),
+    "future": (
+        description_with(protocol={"min": "9.0", "max": "9.1"}),
+        "speaks 9.0 to 9.1",
+    ),
+    "digits": (
+        description_with(protocol={"min": "9" * 9999 + ".0", "max": "1.0"}),
+        "speaks",
+    ),
+    "no_room": (description_with(max_sessions=0), "/max_sessions"),
+    "huge_room": (description_with(max_sessions=10**9), "/max_sessions"),
+    "text_room": (description_with(max_sessions="8"), "/max_sessions"),
+    "assumes_nonsense": (description_with(assumes={"action": 7}), "/assumes/action"),
     "assumes_else": (
-        described(assumes={"action": {"score": {"size": 7}}}),
+        description_with(assumes={"action": {"score": {"size": 7}}}),
         "assumes conventions.*score",
     ),
 }
@@ -124,17 +132,17 @@ DESCRIPTIONS: dict[str, tuple[Wrong, str]] = {
 
 @pytest.mark.parametrize("name", DESCRIPTIONS)
 def test_a_bad_description_fails_the_run(
-    pushing: House, policy: ScriptedPolicy, name: str
+    push_server: ReferenceServer, policy: ScriptedPolicy, name: str
 ) -> None:
     wrong, reason = DESCRIPTIONS[name]
     policy.on("describe_policy", wrong)
-    run = played(pushing, policy.url)
+    run = play_push_run(push_server, policy.url)
     assert (run["state"], run["retryable"]) == ("failed", True)
     assert re.search(reason, run["reason"])
     assert policy.calls_of("predict") == []
 
 
-def acted(change: Callable[[dict[str, Any]], Any]) -> Wrong:
+def answer_with(change: Callable[[dict[str, Any]], Any]) -> Wrong:
     """An answer to predict that was right before the change."""
 
     def wrong(call: PolicyCall) -> PolicyReply:
@@ -151,7 +159,7 @@ def acted(change: Callable[[dict[str, Any]], Any]) -> Wrong:
 
 
 def encoded(find: bytes, replace: bytes) -> Wrong:
-    right = acted(lambda _answer: None)
+    right = answer_with(lambda _answer: None)
     return lambda call: PolicyReply(right(call).encoded().replace(find, replace))
 
 
@@ -164,18 +172,27 @@ ANSWERS: dict[str, tuple[Wrong, str]] = {
     "nan": (encoded(b'"score": [1]', b'"score": [NaN]'), "no JSON"),
     "infinity": (encoded(b'"score": [1]', b'"score": [1e999]'), "no JSON"),
     "surrogate": (encoded(b'"score"', b'"\\ud800"'), "no JSON"),
-    "text": (acted(lambda a: values(a).update(score="1")), "/actions/0/values/score"),
-    "boolean": (acted(lambda a: values(a).update(score=[True])), "/values/score/0"),
-    "length": (acted(lambda a: values(a).update(score=[1, 1])), "/values/score"),
-    "range": (acted(lambda a: values(a).update(score=[2])), "/values/score"),
-    "missing": (acted(lambda a: values(a).pop("score")), "/actions/0/values"),
-    "unknown": (acted(lambda a: values(a).update(grip=[1])), "/values/grip"),
-    "member": (acted(lambda a: a.update(extra=1)), "/extra"),
-    "no_actions": (acted(lambda a: a.update(actions=[])), "/actions"),
-    "too_many": (acted(lambda a: a.update(actions=a["actions"] * 65)), "/actions"),
-    "session": (acted(lambda a: a.update(session_id="x")), "another turn"),
-    "seq": (acted(lambda a: a.update(seq=7)), "another turn"),
-    "observe": (acted(lambda a: a.update(observe="some")), "/observe"),
+    "text": (
+        answer_with(lambda a: values(a).update(score="1")),
+        "/actions/0/values/score",
+    ),
+    "boolean": (
+        answer_with(lambda a: values(a).update(score=[True])),
+        "/values/score/0",
+    ),
+    "length": (answer_with(lambda a: values(a).update(score=[1, 1])), "/values/score"),
+    "range": (answer_with(lambda a: values(a).update(score=[2])), "/values/score"),
+    "missing": (answer_with(lambda a: values(a).pop("score")), "/actions/0/values"),
+    "unknown": (answer_with(lambda a: values(a).update(grip=[1])), "/values/grip"),
+    "member": (answer_with(lambda a: a.update(extra=1)), "/extra"),
+    "no_actions": (answer_with(lambda a: a.update(actions=[])), "/actions"),
+    "too_many": (
+        answer_with(lambda a: a.update(actions=a["actions"] * 65)),
+        "/actions",
+    ),
+    "session": (answer_with(lambda a: a.update(session_id="x")), "another turn"),
+    "seq": (answer_with(lambda a: a.update(seq=7)), "another turn"),
+    "observe": (answer_with(lambda a: a.update(observe="some")), "/observe"),
     "list": (lambda _: PolicyReply([]), "refused"),
     "redirect": (status(307, Location="http://127.0.0.1:1/"), "redirects"),
     "refusal": (status(422), "status 422"),
@@ -185,12 +202,12 @@ ANSWERS: dict[str, tuple[Wrong, str]] = {
 
 @pytest.mark.parametrize("name", ANSWERS)
 def test_a_bad_answer_ends_the_attempt_unexecuted(
-    pushing: House, policy: ScriptedPolicy, name: str
+    push_server: ReferenceServer, policy: ScriptedPolicy, name: str
 ) -> None:
     """Nothing was executed, so no attempt counts; three in a row fail the run."""
     wrong, reason = ANSWERS[name]
     policy.on("predict", wrong)
-    run = played(pushing, policy.url)
+    run = play_push_run(push_server, policy.url)
     assert (run["state"], run["retryable"]) == ("failed", True)
     assert re.search(reason, run["reason"])
     (episode,) = run["episodes"]
@@ -209,7 +226,7 @@ RESETS: dict[str, tuple[Callable[[dict[str, Any]], Any], str]] = {
 
 @pytest.mark.parametrize("name", RESETS)
 def test_an_episode_does_not_begin_without_its_reset(
-    pushing: House, policy: ScriptedPolicy, name: str
+    push_server: ReferenceServer, policy: ScriptedPolicy, name: str
 ) -> None:
     change, reason = RESETS[name]
 
@@ -219,14 +236,14 @@ def test_an_episode_does_not_begin_without_its_reset(
         return PolicyReply(answer)
 
     policy.on("reset", wrong)
-    run = played(pushing, policy.url)
+    run = play_push_run(push_server, policy.url)
     assert run["state"] == "failed"
     assert re.search(reason, run["reason"])
     assert policy.calls_of("predict") == []
 
 
 def test_an_executed_action_makes_the_attempt_count(
-    pushing: House, policy: ScriptedPolicy
+    push_server: ReferenceServer, policy: ScriptedPolicy
 ) -> None:
     """A policy that always dies in the middle is abandoned, and the run completes."""
 
@@ -236,7 +253,7 @@ def test_an_executed_action_makes_the_attempt_count(
         return PolicyReply(b"", 400)
 
     policy.on("predict", dies)
-    run = played(pushing, policy.url, options={"max_attempts": 2})
+    run = play_push_run(push_server, policy.url, options={"max_attempts": 2})
     assert run["state"] == "completed"
     (episode,) = run["episodes"]
     assert episode["result"]["outcome"] == "abandoned"
@@ -245,7 +262,7 @@ def test_an_executed_action_makes_the_attempt_count(
 
 
 def test_a_call_is_repeated_with_the_same_body_until_it_is_answered(
-    pushing: House, policy: ScriptedPolicy
+    push_server: ReferenceServer, policy: ScriptedPolicy
 ) -> None:
     turns = itertools.count()
 
@@ -253,7 +270,9 @@ def test_a_call_is_repeated_with_the_same_body_until_it_is_answered(
         return busy_reply() if next(turns) % 3 < 2 else policy.final_action_reply(call)
 
     policy.on("predict", busy_at_first)
-    run = played(pushing, policy.url, "score", "score", max_retries=2, max_concurrent=1)
+    run = play_push_run(
+        push_server, policy.url, "score", "score", max_retries=2, max_concurrent=1
+    )
     assert run["state"] == "completed"
     assert [e["result"]["steps"] for e in run["episodes"]] == [1, 1]
     asked = [call.raw for call in policy.calls_of("predict")]
@@ -262,7 +281,7 @@ def test_a_call_is_repeated_with_the_same_body_until_it_is_answered(
 
 
 def test_a_policy_that_is_sometimes_slow_is_waited_for(
-    pushing: House, policy: ScriptedPolicy
+    push_server: ReferenceServer, policy: ScriptedPolicy
 ) -> None:
     """For longer than the lease of a run's workers: the server's own have none."""
     thought = threading.Event()
@@ -272,50 +291,50 @@ def test_a_policy_that_is_sometimes_slow_is_waited_for(
         return policy.final_action_reply(call)
 
     policy.on("predict", slow)
-    run = played(pushing, policy.url, idle_timeout_s=1.0)
+    run = play_push_run(push_server, policy.url, idle_timeout_s=1.0)
     assert run["state"] == "completed"
     assert run["episodes"][0]["result"]["attempt"] == 1
     assert run["episodes"][0]["result"]["think_s"] > 1.3
 
 
 def test_no_more_calls_are_in_flight_than_allowed(
-    pushing: House, policy: ScriptedPolicy
+    push_server: ReferenceServer, policy: ScriptedPolicy
 ) -> None:
-    met = threading.Barrier(3)
+    barrier = threading.Barrier(3)
 
     def together(call: PolicyCall) -> PolicyReply:
-        met.wait(10)
+        barrier.wait(10)
         return policy.final_action_reply(call)
 
     policy.on("predict", together)
-    run = played(pushing, policy.url, *["score"] * 9, max_concurrent=3)
+    run = play_push_run(push_server, policy.url, *["score"] * 9, max_concurrent=3)
     assert run["state"] == "completed"
     assert policy.max_in_flight == 3
 
 
-def test_a_policy_with_little_room_is_not_overrun(
-    pushing: House, policy: ScriptedPolicy
+def test_max_sessions_of_the_policy_is_respected(
+    push_server: ReferenceServer, policy: ScriptedPolicy
 ) -> None:
     policy.max_sessions = 1
-    run = played(pushing, policy.url, *["score"] * 4)
+    run = play_push_run(push_server, policy.url, *["score"] * 4)
     assert run["state"] == "completed"
     assert len({call.body["session_id"] for call in policy.calls_of("reset")}) == 1
 
 
-def test_what_a_policy_says_of_itself_is_told(
-    pushing: House, policy: ScriptedPolicy
+def test_the_problem_of_a_policy_appears_in_the_reason(
+    push_server: ReferenceServer, policy: ScriptedPolicy
 ) -> None:
     policy.on("describe_policy", lambda _: busy_reply())
-    run = played(pushing, policy.url)
+    run = play_push_run(push_server, policy.url)
     assert "unavailable: The kit wants this call once more." in run["reason"]
 
 
-def test_the_server_is_well_after_all_that(
-    pushing: House, policy: ScriptedPolicy
+def test_the_server_works_after_all_faults(
+    push_server: ReferenceServer, policy: ScriptedPolicy
 ) -> None:
-    run = played(pushing, policy.url, api_key="sesame")
+    run = play_push_run(push_server, policy.url, api_key="sesame")
     assert run["state"] == "completed"
     assert run["policy_server"]["has_api_key"]
     headers = {call.headers["authorization"] for call in policy.calls}
     assert headers == {"Bearer sesame"}
-    assert "sesame" not in str(run) + pushing.log()
+    assert "sesame" not in str(run) + push_server.log()

@@ -9,29 +9,29 @@ import pytest
 from reference_server.push.key_encryption import DecryptionFailed, KeyEncryption
 
 
-def opened(path: Path | None) -> KeyEncryption:
+def open_key_encryption(path: Path | None) -> KeyEncryption:
     key_encryption = KeyEncryption(path)
     key_encryption.open()
     return key_encryption
 
 
-def test_what_is_sealed_is_read_with_the_same_file_alone(tmp_path: Path) -> None:
+def test_a_key_is_decrypted_only_with_the_same_file(tmp_path: Path) -> None:
     path = tmp_path / "var" / "x.key"
-    sealed = opened(path).encrypt("sesame")
+    sealed = open_key_encryption(path).encrypt("sesame")
     assert "sesame" not in sealed
-    assert opened(path).decrypt(sealed) == "sesame"
+    assert open_key_encryption(path).decrypt(sealed) == "sesame"
     for other in (tmp_path / "y.key", None):
         with pytest.raises(DecryptionFailed):
-            opened(other).decrypt(sealed)
+            open_key_encryption(other).decrypt(sealed)
 
 
-def test_without_a_file_it_is_read_until_the_process_ends() -> None:
-    key_encryption = opened(None)
+def test_without_a_file_the_encryption_key_is_in_memory() -> None:
+    key_encryption = open_key_encryption(None)
     assert key_encryption.decrypt(key_encryption.encrypt("sesame")) == "sesame"
 
 
-def test_the_file_is_its_owners_alone_and_the_only_one(tmp_path: Path) -> None:
-    opened(tmp_path / "x.key")
+def test_the_key_file_has_mode_0600(tmp_path: Path) -> None:
+    open_key_encryption(tmp_path / "x.key")
     (file,) = tmp_path.iterdir()
     assert file.stat().st_mode & 0o777 == 0o600
 
@@ -43,7 +43,7 @@ def test_a_file_that_holds_no_key_ends_the_start_with_one_line(
     path = tmp_path / "x.key"
     path.write_bytes(content)
     with pytest.raises(ValueError, match=r"."):
-        opened(path)
+        open_key_encryption(path)
     command = [sys.executable, "-m", "reference_server", "--sealing-key", str(path)]
     database = ["--database", str(tmp_path / "x.sqlite")]
     done = subprocess.run(

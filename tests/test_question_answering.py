@@ -63,10 +63,10 @@ def simulator() -> Iterator[QuestionSimulator]:
 
 @pytest.fixture(scope="module")
 def items(simulator: QuestionSimulator) -> list[Item]:
-    return [noted(simulator, plan) for plan in MANIFEST["episodes"]]
+    return [measure_item(simulator, plan) for plan in MANIFEST["episodes"]]
 
 
-def noted(simulator: QuestionSimulator, plan: dict[str, Any]) -> Item:
+def measure_item(simulator: QuestionSimulator, plan: dict[str, Any]) -> Item:
     text = simulator.reset(plan["task"], plan["seed"], plan["split"])
     assert simulator._item is not None
     question, shown = simulator._item
@@ -96,7 +96,7 @@ def by_task(items: list[Item]) -> dict[str, list[Item]]:
 # --- what is right ---
 
 
-def test_who_knows_the_truth_scores_1_on_all(items: list[Item]) -> None:
+def test_the_truth_scores_one_on_every_item(items: list[Item]) -> None:
     assert len(items) == MANIFEST["episodes_total"] == 2 * BLOCK * len(CHANCES)
     assert {item.truth_scores for item in items} == {1.0}
     assert {item.nothing_scores for item in items} == {0.0}
@@ -104,24 +104,25 @@ def test_who_knows_the_truth_scores_1_on_all(items: list[Item]) -> None:
 
 def test_a_constant_answer_is_no_better_than_chance(items: list[Item]) -> None:
     """Every letter, every count, every point of a grid, over the items of a task."""
-    for task, asked in by_task(items).items():
+    for task, task_items in by_task(items).items():
         if task == "point":
-            best = max(Counter(i for item in asked for i in item.hits).values())
-            assert 0 < best / len(asked) <= CHANCES[task]
+            best = max(Counter(i for item in task_items for i in item.hits).values())
+            assert 0 < best / len(task_items) <= CHANCES[task]
             continue
         answers = Counter(
-            (tuple(item.truth["choice"]), tuple(item.truth["number"])) for item in asked
+            (tuple(item.truth["choice"]), tuple(item.truth["number"]))
+            for item in task_items
         )
         # Balanced, not only on the average: each right answer comes as often.
-        assert set(answers.values()) == {round(CHANCES[task] * len(asked))}, task
+        assert set(answers.values()) == {round(CHANCES[task] * len(task_items))}, task
 
 
-def test_a_block_of_seeds_does_not_tell_its_answers(items: list[Item]) -> None:
+def test_the_order_of_answers_has_no_period(items: list[Item]) -> None:
     """The order of right answers has no period, in which the manifest's would show."""
-    for task, asked in by_task(items).items():
+    for task, task_items in by_task(items).items():
         if task == "point":
             continue
-        answers = [(item.truth["choice"], item.truth["number"]) for item in asked]
+        answers = [(item.truth["choice"], item.truth["number"]) for item in task_items]
         period = round(1 / CHANCES[task])
         repeats = [a == b for a, b in itertools.pairwise(answers[::period])]
         assert not all(repeats), task
@@ -148,11 +149,11 @@ def test_no_other_answer_is_right(simulator: QuestionSimulator) -> None:
 # --- what is seen ---
 
 
-def test_nothing_is_hidden(items: list[Item]) -> None:
+def test_every_object_is_visible(items: list[Item]) -> None:
     assert [item.text for item in items if item.hidden] == []
 
 
-def test_the_picture_shows_what_the_scene_says(simulator: QuestionSimulator) -> None:
+def test_the_picture_matches_the_arrangement(simulator: QuestionSimulator) -> None:
     """The pixel at each thing's middle has the hue of its colour, in both splits."""
     seen: Counter[str] = Counter()
     for task, split in (("count", "val"), ("count", "test"), ("point", "test")):
@@ -201,7 +202,7 @@ def test_a_point_is_judged_as_it_is_drawn(simulator: QuestionSimulator) -> None:
         assert (drawn != found).sum() <= 0.25 * drawn.sum()
 
 
-def test_the_reach_that_is_told_is_the_arm_s() -> None:
+def test_the_stated_reach_is_that_of_the_arm() -> None:
     """The arm is stretched and lowered to the table: it ends near REACH_M."""
     scene = TabletopScene()
     reached = []
@@ -218,7 +219,7 @@ def test_the_reach_that_is_told_is_the_arm_s() -> None:
 # --- what is asked ---
 
 
-def test_questions_say_how_to_answer(items: list[Item]) -> None:
+def test_questions_state_the_answer_format(items: list[Item]) -> None:
     for item in items:
         if item.task == "count":
             assert item.text.endswith("Answer with the number alone.")
@@ -281,7 +282,9 @@ def test_an_item_is_an_episode_of_one_step() -> None:
     simulator.close()
 
 
-def test_what_is_not_asked_here_cannot_be_played(simulator: QuestionSimulator) -> None:
+def test_an_unknown_task_is_unplayable_in_question_answering(
+    simulator: QuestionSimulator,
+) -> None:
     with pytest.raises(TaskUnplayable):
         simulator.reset("riddle", 1)
     with pytest.raises(RuntimeError, match="reset comes before"):

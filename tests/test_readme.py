@@ -7,7 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from tests.conftest import TOKENS, House
+from tests.conftest import TOKENS, ReferenceServer
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text()
@@ -30,7 +30,7 @@ def test_make_knows_every_command() -> None:
     )
 
 
-def test_places_of_the_map_exist() -> None:
+def test_folders_and_links_exist() -> None:
     """Folders and links are there."""
     places = re.findall(r"^\| `([a-z_]+)/`", README, re.MULTILINE)
     links = re.findall(r"\]\(([A-Za-z/._-]+)\)", README)
@@ -39,14 +39,14 @@ def test_places_of_the_map_exist() -> None:
         assert (ROOT / place).exists(), place
 
 
-def test_program_evaluates_a_policy(house: House, tmp_path: Path) -> None:
+def test_program_evaluates_a_policy(server: ReferenceServer, tmp_path: Path) -> None:
     """The program, copied, against a server. Expect the expert's score: 1 of 1."""
     (program,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
     assert len([line for line in program.splitlines() if line.strip()]) <= 20
     file = tmp_path / "evaluate.py"
     file.write_text(program)
     done = subprocess.run(
-        [sys.executable, file, house.url, TOKENS["alice"]],
+        [sys.executable, file, server.url, TOKENS["alice"]],
         cwd=tmp_path,
         capture_output=True,
         text=True,

@@ -18,75 +18,75 @@ from proctor_client import Action, Predict
 
 from reference_client import Observation, ProctorError, evaluate
 from tests.test_reference_client_scenes import (
-    ANY_ANSWER,
+    ACCEPT_ANY,
     DEADLINE_S,
     TOKEN,
     Actions,
-    Counting,
-    Graded,
-    Held,
-    House,
-    Listener,
-    Relay,
-    ServerProcess,
+    BlockingPolicy,
+    DirectClient,
+    ExactlyOncePolicy,
+    FaultyProxy,
+    GradedPolicy,
+    ProgressRecorder,
+    RestartableServer,
     action,
-    aside,
-    calibration,
-    quiet,
-    serving,
+    calibration_evaluation,
+    ignore_progress,
+    run_in_thread,
+    serve_in_thread,
 )
 
 
 @pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServerProcess]:
-    with ServerProcess(tmp_path_factory.mktemp("server")) as process:
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RestartableServer]:
+    with RestartableServer(tmp_path_factory.mktemp("server")) as process:
         yield process
 
 
 @pytest.fixture
-def relay(server: ServerProcess) -> Iterator[Relay]:
-    with serving(Relay(server.url)) as relay:
-        yield relay
+def proxy(server: RestartableServer) -> Iterator[FaultyProxy]:
+    with serve_in_thread(FaultyProxy(server.url)) as proxy:
+        yield proxy
 
 
 @pytest.fixture
-def house(server: ServerProcess) -> Iterator[House]:
-    with House(server.url) as house:
-        yield house
+def direct_client(server: RestartableServer) -> Iterator[DirectClient]:
+    with DirectClient(server.url) as direct_client:
+        yield direct_client
 
 
 # An undisturbed evaluation
 
 
 def test_several_workers_play_every_episode_once(
-    server: ServerProcess, house: House
+    server: RestartableServer, direct_client: DirectClient
 ) -> None:
     """Each has its own policy, which is reset for each episode it plays."""
-    policies: list[Graded] = []
+    policies: list[GradedPolicy] = []
 
-    def make() -> Graded:
-        policies.append(Graded())
+    def make() -> GradedPolicy:
+        policies.append(GradedPolicy())
         return policies[-1]
 
-    listener = Listener()
+    recorder = ProgressRecorder()
     score = evaluate(
         make,
         url=server.url,
         workers=3,
-        **calibration(*["score"] * 12) | {"progress": listener},
+        **calibration_evaluation(*["score"] * 12) | {"progress": recorder},
     )
     assert score.score == pytest.approx(sum(i % 5 / 4 for i in range(12)) / 12)
     assert len(policies) == 3
     assert sum(policy.resets for policy in policies) == 12
-    assert house.attempts(score.run_id) == [1] * 12
-    scored = [progress.episodes_scored for progress in listener.heard]
+    assert direct_client.attempts(score.run_id) == [1] * 12
+    scored = [progress.episodes_scored for progress in recorder.received]
     assert scored == sorted(scored)
     assert (scored[0], scored[-1]) == (0, 12)
-    assert listener.heard[0].mean is None
-    assert listener.heard[-1].mean == score.mean
+    assert recorder.received[0].mean is None
+    assert recorder.received[-1].mean == score.mean
 
 
-def test_the_readme_policy_solves_every_task(server: ServerProcess) -> None:
+def test_the_readme_policy_solves_every_task(server: RestartableServer) -> None:
     from reference_sim.benchmarks.tabletop.experts import TabletopExpert
 
     class Expert:
@@ -106,24 +106,26 @@ def test_the_readme_policy_solves_every_task(server: ServerProcess) -> None:
         token=TOKEN,
         benchmark="tabletop_state",
         workers=2,
-        progress=quiet,
+        progress=ignore_progress,
     )
     assert score.score == 1.0
 
 
 @pytest.mark.parametrize("codec", ["raw", "png", "jpeg"])
 def test_images_and_tensors_arrive_as_the_benchmark_says(
-    server: ServerProcess, codec: str
+    server: RestartableServer, codec: str
 ) -> None:
     seen: list[Observation] = []
 
-    class Looking(Graded):
+    class RecordingPolicy(GradedPolicy):
         def act(self, observation: Observation) -> Actions:
             seen.append(observation)
             return super().act(observation)
 
     images = {"codec": codec, "width": 64, "height": 48}
-    evaluate(Looking, url=server.url, images=images, **calibration("echo"))
+    evaluate(
+        RecordingPolicy, url=server.url, images=images, **calibration_evaluation("echo")
+    )
     for count, observation in enumerate(seen):
         pattern = observation.images["pattern"]
         assert pattern.shape == (48, 64, 3)
@@ -141,37 +143,48 @@ def test_images_and_tensors_arrive_as_the_benchmark_says(
 
 
 def test_lost_answers_to_predict_execute_nothing_twice(
-    relay: Relay, house: House
+    proxy: FaultyProxy, direct_client: DirectClient
 ) -> None:
-    relay.fates["predict"] = deque(
+    proxy.faults["predict"] = deque(
         ["lose_answer", "pass", "lose_request", "cut_answer", "gateway"]
         + ["lose_answer"] * 3
     )
-    score = evaluate(Counting, url=relay.url, **calibration("count", "count"))
+    score = evaluate(
+        ExactlyOncePolicy, url=proxy.url, **calibration_evaluation("count", "count")
+    )
     assert score.score == 1.0
-    assert not relay.fates["predict"]
-    for episode in house.episodes(score.run_id):
+    assert not proxy.faults["predict"]
+    for episode in direct_client.episodes(score.run_id):
         assert episode.result is not None
         assert (episode.result.attempt, episode.result.steps) == (1, 10)
     # 10 turns of 2 steps, and 7 that were asked for again.
-    assert len(relay.bodies("predict")) == 17
+    assert len(proxy.bodies("predict")) == 17
 
 
-def test_a_lost_answer_to_attach_is_asked_for_again(relay: Relay, house: House) -> None:
-    relay.fates["attach_worker"] = deque(["lose_answer", "cut_answer"])
+def test_a_lost_answer_to_attach_is_repeated(
+    proxy: FaultyProxy, direct_client: DirectClient
+) -> None:
+    proxy.faults["attach_worker"] = deque(["lose_answer", "cut_answer"])
     # With a short lease, so that a session that nobody knows of would not hold us up.
-    score = evaluate(Counting, url=relay.url, idle_timeout_s=1, **calibration("count"))
-    attachments = relay.bodies("attach_worker")
+    score = evaluate(
+        ExactlyOncePolicy,
+        url=proxy.url,
+        idle_timeout_s=1,
+        **calibration_evaluation("count"),
+    )
+    attachments = proxy.bodies("attach_worker")
     assert len({body["attach_key"] for body in attachments}) == 1
     assert len(attachments) == 3
-    assert house.attempts(score.run_id) == [1]
+    assert direct_client.attempts(score.run_id) == [1]
 
 
-def test_a_lost_answer_to_submit_makes_one_run(relay: Relay, house: House) -> None:
-    before = {run.run_id for run in house.control.list_runs().runs}
-    relay.fates["submit_run"] = deque(["lose_answer", "gateway"])
-    score = evaluate(Graded, url=relay.url, **calibration("score"))
-    after = {run.run_id for run in house.control.list_runs().runs}
+def test_a_lost_answer_to_submit_makes_one_run(
+    proxy: FaultyProxy, direct_client: DirectClient
+) -> None:
+    before = {run.run_id for run in direct_client.control.list_runs().runs}
+    proxy.faults["submit_run"] = deque(["lose_answer", "gateway"])
+    score = evaluate(GradedPolicy, url=proxy.url, **calibration_evaluation("score"))
+    after = {run.run_id for run in direct_client.control.list_runs().runs}
     assert after - before == {score.run_id}
 
 
@@ -179,137 +192,151 @@ def test_a_server_killed_and_restarted_gives_the_same_score(tmp_path: Path) -> N
     turns = iter(range(1000))
     restart: list[threading.Thread] = []
 
-    class Killing(Graded):
+    class KillingPolicy(GradedPolicy):
         def act(self, observation: Observation) -> Actions:
             if next(turns) == 7:
-                mortal.end(signal.SIGKILL)
-                restart.append(threading.Thread(target=mortal.start))
+                killed_server.end(signal.SIGKILL)
+                restart.append(threading.Thread(target=killed_server.start))
                 restart[0].start()
             return super().act(observation)
 
-    eight = calibration(*["score"] * 8)
-    listener = Listener()
-    with ServerProcess(tmp_path) as mortal, House(mortal.url) as house:
-        undisturbed = evaluate(Graded, url=mortal.url, **eight)
+    eight = calibration_evaluation(*["score"] * 8)
+    recorder = ProgressRecorder()
+    with (
+        RestartableServer(tmp_path) as killed_server,
+        DirectClient(killed_server.url) as direct_client,
+    ):
+        undisturbed = evaluate(GradedPolicy, url=killed_server.url, **eight)
         try:
             score = evaluate(
-                Killing, url=mortal.url, workers=2, **eight | {"progress": listener}
+                KillingPolicy,
+                url=killed_server.url,
+                workers=2,
+                **eight | {"progress": recorder},
             )
         finally:
             restart[0].join()
-        attempts = house.attempts(score.run_id)
+        attempts = direct_client.attempts(score.run_id)
     assert score.score == undisturbed.score
     assert attempts == [1] * 8
-    waited_for = [progress.waiting or "" for progress in listener.heard]
-    assert any(f"{mortal.url} does not answer" in text for text in waited_for)
+    waited_for = [progress.waiting or "" for progress in recorder.received]
+    assert any(f"{killed_server.url} does not answer" in text for text in waited_for)
 
 
 # Other sessions
 
 
-def test_a_worker_that_is_taken_over_stops(server: ServerProcess, house: House) -> None:
-    policy = Held()
-    evaluation = aside(evaluate, lambda: policy, url=server.url, **calibration("count"))
+def test_a_worker_that_is_taken_over_stops(
+    server: RestartableServer, direct_client: DirectClient
+) -> None:
+    policy = BlockingPolicy()
+    evaluation = run_in_thread(
+        evaluate, lambda: policy, url=server.url, **calibration_evaluation("count")
+    )
     assert policy.is_acting.wait(DEADLINE_S)
-    run_id = house.latest().run_id
-    house.attach(run_id, "worker-0", takeover=True)
-    policy.may_go.set()
+    run_id = direct_client.latest().run_id
+    direct_client.attach(run_id, "worker-0", takeover=True)
+    policy.may_continue.set()
     with pytest.raises(ProctorError, match="takeover=True") as caught:
         evaluation.result(DEADLINE_S)
     assert caught.value.code == "session_superseded"
-    assert house.control.get_run(run_id).live_workers == 1
+    assert direct_client.control.get_run(run_id).live_workers == 1
 
 
-def test_takeover_goes_on_where_a_crashed_program_stood(
-    server: ServerProcess, house: House
+def test_takeover_continues_the_episode_of_a_crashed_program(
+    server: RestartableServer, direct_client: DirectClient
 ) -> None:
-    run = house.submit("count", idle_timeout_s=5)
-    turn = house.attach(run.run_id, "worker-0")
+    run = direct_client.submit("count", idle_timeout_s=5)
+    turn = direct_client.attach(run.run_id, "worker-0")
     chunk = [Action(values=action())] * 3
-    house.data.predict(
+    direct_client.data.predict(
         run.run_id,
         "worker-0",
         Predict(session_id=turn.session_id, seq=1, actions=chunk),
     )
-    policy = Held()
-    policy.may_go.set()
+    policy = BlockingPolicy()
+    policy.may_continue.set()
     score = evaluate(
         lambda: policy,
         url=server.url,
         token=TOKEN,
         run_id=run.run_id,
         takeover=True,
-        progress=quiet,
+        progress=ignore_progress,
     )
     assert policy.first is not None
     assert policy.first.step == 3
     assert policy.instructions == ["Calibration task count."]
     assert score.score == 1.0
-    assert house.attempts(run.run_id) == [1]
+    assert direct_client.attempts(run.run_id) == [1]
 
 
 def test_a_busy_worker_is_waited_for_until_its_lease_ends(
-    server: ServerProcess, house: House
+    server: RestartableServer, direct_client: DirectClient
 ) -> None:
-    run = house.submit("score", "score", idle_timeout_s=1)
-    house.attach(run.run_id, "worker-0")
-    listener = Listener()
-    busy = listener.waits_for("takeover=True")
+    run = direct_client.submit("score", "score", idle_timeout_s=1)
+    direct_client.attach(run.run_id, "worker-0")
+    recorder = ProgressRecorder()
+    busy = recorder.waiting_event("takeover=True")
     score = evaluate(
-        Graded, url=server.url, token=TOKEN, run_id=run.run_id, progress=listener
+        GradedPolicy, url=server.url, token=TOKEN, run_id=run.run_id, progress=recorder
     )
     assert score.complete
     assert busy.is_set()
 
 
-def test_a_full_run_is_waited_for(server: ServerProcess, house: House) -> None:
-    run = house.submit("score", "score", max_workers=1)
-    occupant = house.attach(run.run_id, "occupant")
-    listener = Listener()
-    full = listener.waits_for("live workers")
-    evaluation = aside(
+def test_a_full_run_is_waited_for(
+    server: RestartableServer, direct_client: DirectClient
+) -> None:
+    run = direct_client.submit("score", "score", max_workers=1)
+    occupant = direct_client.attach(run.run_id, "occupant")
+    recorder = ProgressRecorder()
+    full = recorder.waiting_event("live workers")
+    evaluation = run_in_thread(
         evaluate,
-        Graded,
+        GradedPolicy,
         url=server.url,
         token=TOKEN,
         run_id=run.run_id,
-        progress=listener,
+        progress=recorder,
     )
     assert full.wait(DEADLINE_S)
-    house.data.detach_worker(
-        run.run_id, "occupant", occupant.session_id, _headers=ANY_ANSWER
+    direct_client.data.detach_worker(
+        run.run_id, "occupant", occupant.session_id, _headers=ACCEPT_ANY
     )
     assert evaluation.result(DEADLINE_S).complete
-    assert listener.heard[-1].waiting is None
+    assert recorder.received[-1].waiting is None
 
 
-def test_what_a_dead_session_leaves_is_played(
-    server: ServerProcess, house: House
+def test_episodes_of_a_dead_session_are_played(
+    server: RestartableServer, direct_client: DirectClient
 ) -> None:
     """Its episode is pending again only after our workers found nothing more."""
-    run = house.submit("score", "score", "score", idle_timeout_s=1)
-    house.attach(run.run_id, "dead")
+    run = direct_client.submit("score", "score", "score", idle_timeout_s=1)
+    direct_client.attach(run.run_id, "dead")
     score = evaluate(
-        Graded,
+        GradedPolicy,
         url=server.url,
         token=TOKEN,
         run_id=run.run_id,
         workers=2,
-        progress=quiet,
+        progress=ignore_progress,
     )
     assert score.counts.success == 3
 
 
 def test_heartbeats_keep_the_lease_while_the_policy_thinks(
-    relay: Relay, house: House
+    proxy: FaultyProxy, direct_client: DirectClient
 ) -> None:
-    class Slow(Graded):
+    class SlowPolicy(GradedPolicy):
         def act(self, observation: Observation) -> Actions:
             time.sleep(1.7)  # the lease is 1 s
             return [action(score=1.0, end=1.0)]
 
-    relay.fates["heartbeat"] = deque(["pass", "lose_answer"])
-    score = evaluate(Slow, url=relay.url, idle_timeout_s=1, **calibration("score"))
-    assert len(relay.bodies("heartbeat")) >= 3
-    assert len(relay.bodies("attach_worker")) == 1
-    assert house.attempts(score.run_id) == [1]
+    proxy.faults["heartbeat"] = deque(["pass", "lose_answer"])
+    score = evaluate(
+        SlowPolicy, url=proxy.url, idle_timeout_s=1, **calibration_evaluation("score")
+    )
+    assert len(proxy.bodies("heartbeat")) >= 3
+    assert len(proxy.bodies("attach_worker")) == 1
+    assert direct_client.attempts(score.run_id) == [1]

@@ -43,16 +43,16 @@ from reference_client import Observation, Progress
 ROOT = Path(__file__).parent.parent
 TOKEN = "t1"
 DEADLINE_S = 10.0
-ANY_ANSWER = {"Accept": "*/*"}
-Answer = TypeVar("Answer")
-Listening = TypeVar("Listening", bound=ThreadingHTTPServer)
+ACCEPT_ANY = {"Accept": "*/*"}
+AnswerT = TypeVar("AnswerT")
+ServerT = TypeVar("ServerT", bound=ThreadingHTTPServer)
 Actions = list[dict[str, list[float]]]
 
 
 # The server and the wire
 
 
-class ServerProcess:
+class RestartableServer:
     """A reference server with a database of its own; may die and come back.
 
     A context that starts it, and ends whatever it is then.
@@ -79,8 +79,8 @@ class ServerProcess:
             text=True,
         )
         assert self._process.stdout is not None
-        greeting = self._process.stdout.readline()
-        self.url = greeting.rpartition(" ")[2].strip()
+        startup_line = self._process.stdout.readline()
+        self.url = startup_line.rpartition(" ")[2].strip()
         self._port = int(self.url.rpartition(":")[2])
         return self
 
@@ -98,7 +98,7 @@ class ServerProcess:
         self._process.stdout.close()
 
 
-class Relay(ThreadingHTTPServer):
+class FaultyProxy(ThreadingHTTPServer):
     """Passes requests on to a server, and does with their answers what `fates` says.
 
     fates: operation → what happens to its next requests, in order; what is not said
@@ -108,47 +108,47 @@ class Relay(ThreadingHTTPServer):
     daemon_threads = True
 
     def __init__(self, upstream_url: str) -> None:
-        super().__init__(("127.0.0.1", 0), _RelayHandler)
+        super().__init__(("127.0.0.1", 0), _FaultyProxyHandler)
         self.upstream = urlsplit(upstream_url).netloc
         self.url = f"http://127.0.0.1:{self.server_address[1]}"
-        self.fates: dict[str, deque[str]] = {}
-        self.seen: list[tuple[str, dict[str, Any]]] = []
+        self.faults: dict[str, deque[str]] = {}
+        self.received_requests: list[tuple[str, dict[str, Any]]] = []
 
     def bodies(self, operation: str) -> list[dict[str, Any]]:
-        return [body for name, body in self.seen if name == operation]
+        return [body for name, body in self.received_requests if name == operation]
 
 
-class _RelayHandler(BaseHTTPRequestHandler):
+class _FaultyProxyHandler(BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
-    server: Relay
+    server: FaultyProxy
 
-    def _relay(self) -> None:
+    def _forward_with_fault(self) -> None:
         body = self.rfile.read(int(self.headers.get("Content-Length", 0)))
         operation = operation_of(self.command, self.path)
         packed = self.headers.get("Content-Type") == "application/msgpack"
         decode = msgspec.msgpack.decode if packed else msgspec.json.decode
-        self.server.seen.append((operation, decode(body) if body else {}))
-        fates = self.server.fates.get(operation)
-        fate = fates.popleft() if fates else "pass"
-        if fate == "lose_request":
+        self.server.received_requests.append((operation, decode(body) if body else {}))
+        faults = self.server.faults.get(operation)
+        fault = faults.popleft() if faults else "pass"
+        if fault == "lose_request":
             self.close_connection = True
-        elif fate == "gateway":
+        elif fault == "gateway":
             html = {"Content-Type": "text/html", "Content-Length": "20"}
             self._answer(502, html, b"<h1>Bad Gateway</h1>")
         else:
-            self._pass_on(body, fate)
+            self._forward(body, fault)
 
-    def _pass_on(self, body: bytes, fate: str) -> None:
+    def _forward(self, body: bytes, fault: str) -> None:
         upstream = http.client.HTTPConnection(self.server.upstream, timeout=DEADLINE_S)
         with contextlib.closing(upstream):
             upstream.request(self.command, self.path, body, dict(self.headers.items()))
             answer = upstream.getresponse()
             content = answer.read()
-        if fate == "lose_answer":
+        if fault == "lose_answer":
             self.close_connection = True
             return
         headers = dict(answer.getheaders())
-        if fate == "cut_answer":
+        if fault == "cut_answer":
             self.close_connection = True
             content = content[: len(content) // 2]
         self._answer(answer.status, headers, content)
@@ -163,11 +163,11 @@ class _RelayHandler(BaseHTTPRequestHandler):
         self.end_headers()
         self.wfile.write(content)
 
-    do_GET = do_PUT = do_POST = do_DELETE = _relay  # noqa: N815 - http.server's names
+    do_GET = do_PUT = do_POST = do_DELETE = _forward_with_fault  # noqa: N815 - http.server's names
 
 
 @contextlib.contextmanager
-def serving(listener: Listening) -> Iterator[Listening]:
+def serve_in_thread(listener: ServerT) -> Iterator[ServerT]:
     """Serves in a thread, until the context ends."""
     with listener:
         threading.Thread(
@@ -187,7 +187,7 @@ def operation_of(method: str, path: str) -> str:
     return {"/v1/runs": "submit_run"}.get(path, path) if method == "POST" else path
 
 
-class House:
+class DirectClient:
     """The server without the reference client: what others do, and what is true."""
 
     def __init__(self, url: str) -> None:
@@ -236,7 +236,7 @@ def action(**values: float) -> dict[str, list[float]]:
     return {name: [values.get(name, 0.0)] * sizes.get(name, 1) for name in names}
 
 
-class Graded:
+class GradedPolicy:
     """Ends every episode after two turns with a score that depends on the episode."""
 
     def __init__(self) -> None:
@@ -246,15 +246,15 @@ class Graded:
         self.resets += 1
 
     def act(self, observation: Observation) -> Actions:
-        score = graded(observation.episode_id)
+        score = episode_score(observation.episode_id)
         return [action(score=score, success=1.0, end=float(observation.step > 0))]
 
 
-def graded(episode_id: str) -> float:
+def episode_score(episode_id: str) -> float:
     return int(episode_id[1:]) % 5 / 4
 
 
-class Counting:
+class ExactlyOncePolicy:
     """Expects after each turn that what it has sent was executed exactly once."""
 
     def reset(self, instruction: str) -> None:
@@ -267,12 +267,12 @@ class Counting:
         return [action(), action(success=1.0)]
 
 
-class Held:
+class BlockingPolicy:
     """Waits in `act` until it is let go; says that it is there."""
 
     def __init__(self) -> None:
         self.is_acting = threading.Event()
-        self.may_go = threading.Event()
+        self.may_continue = threading.Event()
         self.first: Observation | None = None
         self.instructions: list[str] = []
 
@@ -282,26 +282,28 @@ class Held:
     def act(self, observation: Observation) -> Actions:
         self.first = self.first or observation
         self.is_acting.set()
-        assert self.may_go.wait(DEADLINE_S)
+        assert self.may_continue.wait(DEADLINE_S)
         return [action(success=1.0, end=1.0)]
 
 
-def calibration(*tasks: str, **options: Any) -> dict[str, Any]:
+def calibration_evaluation(*tasks: str, **options: Any) -> dict[str, Any]:
     return {
         "benchmark": "calibration",
         "token": TOKEN,
         "options": {"tasks": list(tasks), **options},
-        "progress": quiet,
+        "progress": ignore_progress,
     }
 
 
-def quiet(_progress: Progress) -> None:
+def ignore_progress(_progress: Progress) -> None:
     """For evaluations whose progress nobody reads."""
 
 
-def aside(call: Callable[..., Answer], *args: Any, **kwargs: Any) -> Future[Answer]:
+def run_in_thread(
+    call: Callable[..., AnswerT], *args: Any, **kwargs: Any
+) -> Future[AnswerT]:
     """Calls in a thread of its own, which does not keep a failed test from ending."""
-    future: Future[Answer] = Future()
+    future: Future[AnswerT] = Future()
 
     def run() -> None:
         try:
@@ -313,20 +315,20 @@ def aside(call: Callable[..., Answer], *args: Any, **kwargs: Any) -> Future[Answ
     return future
 
 
-class Listener:
+class ProgressRecorder:
     """A progress callback that remembers."""
 
     def __init__(self) -> None:
-        self.heard: list[Progress] = []
+        self.received: list[Progress] = []
         self._waits: dict[str, threading.Event] = {}
 
     def __call__(self, progress: Progress) -> None:
-        self.heard.append(progress)
+        self.received.append(progress)
         for text, event in list(self._waits.items()):
             if text in (progress.waiting or ""):
                 event.set()
 
-    def waits_for(self, text: str) -> threading.Event:
+    def waiting_event(self, text: str) -> threading.Event:
         """Is set when the evaluation says that it waits for this."""
         return self._waits.setdefault(text, threading.Event())
 
@@ -335,15 +337,15 @@ class Listener:
 
 
 @pytest.mark.parametrize(
-    ("fate", "arrives", "error"),
+    ("fault", "arrives", "error"),
     [
         ("lose_request", 0, http.client.RemoteDisconnected),
         ("lose_answer", 1, http.client.RemoteDisconnected),
         ("cut_answer", 1, http.client.IncompleteRead),
     ],
 )
-def test_the_relay_loses_what_it_is_told_to(
-    fate: str, arrives: int, error: type[Exception]
+def test_the_proxy_applies_its_faults(
+    fault: str, arrives: int, error: type[Exception]
 ) -> None:
     arrived: list[str] = []
 
@@ -358,18 +360,18 @@ def test_the_relay_loses_what_it_is_told_to(
         def log_message(self, *_: object) -> None:
             pass
 
-    with serving(ThreadingHTTPServer(("127.0.0.1", 0), Upstream)) as upstream:
+    with serve_in_thread(ThreadingHTTPServer(("127.0.0.1", 0), Upstream)) as upstream:
         upstream_url = f"http://127.0.0.1:{upstream.server_address[1]}"
-        with serving(Relay(upstream_url)) as relay:
-            relay.fates["/x"] = deque([fate])
+        with serve_in_thread(FaultyProxy(upstream_url)) as proxy:
+            proxy.faults["/x"] = deque([fault])
             with pytest.raises(error):
-                ask(relay)
+                get_x(proxy)
             assert len(arrived) == arrives
-            assert ask(relay) == b"true"
+            assert get_x(proxy) == b"true"
 
 
-def ask(relay: Relay) -> bytes:
-    connection = http.client.HTTPConnection(urlsplit(relay.url).netloc)
+def get_x(proxy: FaultyProxy) -> bytes:
+    connection = http.client.HTTPConnection(urlsplit(proxy.url).netloc)
     try:
         connection.request("GET", "/x")
         return connection.getresponse().read()

@@ -31,7 +31,7 @@ URL = "http://127.0.0.1:1"
 BLACK = np.zeros((2, 2, 3), np.uint8)
 
 
-def test_the_public_surface_is_what_it_says() -> None:
+def test_the_public_names_are_those_of_all() -> None:
     exported = {name for name in dir(reference_client) if name[0] != "_"}
     modules = {
         n for n in exported if isinstance(getattr(reference_client, n), ModuleType)
@@ -63,7 +63,7 @@ def test_numpy_vectors_become_a_chunk() -> None:
         ([{"a/b~": [np.inf]}], "/actions/0/values/a~1b~0/0", "not finite"),
     ],
 )
-def test_what_cannot_be_sent_is_pointed_at(
+def test_an_invalid_action_is_refused_with_its_pointer(
     actions: Any, pointer: str, text: str
 ) -> None:
     with pytest.raises(ProctorError, match=text) as caught:
@@ -190,7 +190,7 @@ def test_tensors_are_little_endian_views() -> None:
         ),
     ],
 )
-def test_what_does_not_decode_is_told(parts: Any, text: str) -> None:
+def test_an_undecodable_observation_is_an_error(parts: Any, text: str) -> None:
     with pytest.raises(ProctorError, match=text) as caught:
         observation_of(turn_with(**parts))
     assert caught.value.code == "bad_answer"
@@ -199,7 +199,7 @@ def test_what_does_not_decode_is_told(parts: Any, text: str) -> None:
 # Failures
 
 
-def refusal(
+def api_exception(
     code: str, status: int, *, retryable: bool, retry_after_s: int | None = None
 ) -> ApiException:
     problem = Problem.from_dict(
@@ -219,19 +219,19 @@ def refusal(
     return error
 
 
-def test_a_problem_is_told_with_its_pointers() -> None:
-    error = from_failure(refusal("invalid_request", 422, retryable=False), URL)
+def test_a_problem_is_reported_with_its_pointers() -> None:
+    error = from_failure(api_exception("invalid_request", 422, retryable=False), URL)
     assert str(error) == "It is invalid_request. [invalid_request]\n  /a: is wrong"
     assert error.errors == (("/a", "is wrong"),)
     assert error.problem is not None
 
 
-def test_a_certificate_that_fails_is_silence() -> None:
+def test_a_failed_certificate_counts_as_unreachable() -> None:
     failure = ApiException(status=0, reason="SSLError\ncertificate verify failed")
     assert from_failure(failure, URL).code == "unreachable"
 
 
-def test_an_answer_that_is_no_json_is_told() -> None:
+def test_an_answer_that_is_not_json_is_an_error() -> None:
     error = from_failure(ValueError("Expecting value"), URL)
     assert (error.code, error.retryable) == ("bad_answer", False)
     assert URL in str(error)
@@ -261,7 +261,7 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> FakeClock:
     return clock
 
 
-def failing(*failures: Exception, then: str = "answer") -> Callable[[], str]:
+def fail_then_answer(*failures: Exception, then: str = "answer") -> Callable[[], str]:
     """Fails with each of them, then answers; the last is repeated for `then` empty."""
     left: Iterator[Exception] = iter(failures)
 
@@ -274,51 +274,57 @@ def failing(*failures: Exception, then: str = "answer") -> Callable[[], str]:
     return send
 
 
-def test_pauses_grow_and_are_told_once(clock: FakeClock) -> None:
-    told: list[str | None] = []
+def test_retry_delays_grow_and_are_reported_once(clock: FakeClock) -> None:
+    reported: list[str | None] = []
     silence = urllib3.exceptions.ProtocolError("Connection aborted.")
-    retry_policy = RetryPolicy(URL, 100.0, clock, told.append)
-    assert retry_policy.call(failing(*[silence] * 9)) == "answer"
+    retry_policy = RetryPolicy(URL, 100.0, clock, reported.append)
+    assert retry_policy.call(fail_then_answer(*[silence] * 9)) == "answer"
     ideal = [0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 5.0, 5.0, 5.0]
     assert all(w / 2 <= wait <= w for wait, w in zip(clock.waits, ideal, strict=True))
-    assert len(told) == 2
-    assert told[-1] is None
+    assert len(reported) == 2
+    assert reported[-1] is None
 
 
 def test_retry_after_is_honoured_and_a_full_server_waited_for(clock: FakeClock) -> None:
-    full = refusal("no_capacity", 503, retryable=True, retry_after_s=7)
+    full = api_exception("no_capacity", 503, retryable=True, retry_after_s=7)
     retry_policy = RetryPolicy(URL, 1.0, clock, lambda _why: None)
-    assert retry_policy.call(failing(*[full] * 100)) == "answer"
+    assert retry_policy.call(fail_then_answer(*[full] * 100)) == "answer"
     assert min(clock.waits) >= 7.0
 
 
 @pytest.mark.parametrize(
-    ("failure", "borne_s"),
+    ("failure", "retried_s"),
     [
-        (refusal("unavailable", 503, retryable=True, retry_after_s=1), 20.0),
-        (refusal("internal_error", 500, retryable=True), 10.0),
-        (refusal("worker_busy", 409, retryable=True), 3.0),
-        (refusal("not_found", 404, retryable=False), 0.0),
+        (api_exception("unavailable", 503, retryable=True, retry_after_s=1), 20.0),
+        (api_exception("internal_error", 500, retryable=True), 10.0),
+        (api_exception("worker_busy", 409, retryable=True), 3.0),
+        (api_exception("not_found", 404, retryable=False), 0.0),
         (urllib3.exceptions.ProtocolError("gone"), 20.0),
     ],
 )
-def test_patience_ends(clock: FakeClock, failure: Exception, borne_s: float) -> None:
+def test_retrying_ends_after_the_time_limit(
+    clock: FakeClock, failure: Exception, retried_s: float
+) -> None:
     retry_policy = RetryPolicy(URL, 20.0, clock, lambda _why: None)
     with pytest.raises(ProctorError):
-        retry_policy.call(failing(failure, then=""), limits_s={"worker_busy": 3.0})
-    assert borne_s - 5.0 <= clock.now <= borne_s
+        retry_policy.call(
+            fail_then_answer(failure, then=""), limits_s={"worker_busy": 3.0}
+        )
+    assert retried_s - 5.0 <= clock.now <= retried_s
 
 
-def test_what_was_borne_explains_the_last_word(clock: FakeClock) -> None:
-    defect = refusal("internal_error", 500, retryable=True)
-    ended = refusal("session_ended", 409, retryable=False)
+def test_the_last_error_names_the_error_that_was_retried(clock: FakeClock) -> None:
+    defect = api_exception("internal_error", 500, retryable=True)
+    ended = api_exception("session_ended", 409, retryable=False)
     with pytest.raises(ProctorError, match="session_ended") as caught:
-        RetryPolicy(URL, 20.0, clock, lambda _why: None).call(failing(defect, ended))
+        RetryPolicy(URL, 20.0, clock, lambda _why: None).call(
+            fail_then_answer(defect, ended)
+        )
     assert isinstance(caught.value.__cause__, ProctorError)
     assert caught.value.__cause__.code == "internal_error"
 
 
-def test_an_evaluation_that_ends_waits_for_nothing(clock: FakeClock) -> None:
+def test_a_stopped_evaluation_does_not_wait(clock: FakeClock) -> None:
     clock.set()
     retry_policy = RetryPolicy(URL, 20.0, clock, lambda _why: None)
     with pytest.raises(Interrupted):
@@ -327,7 +333,7 @@ def test_an_evaluation_that_ends_waits_for_nothing(clock: FakeClock) -> None:
         retry_policy.pause(1.0)
 
 
-def test_a_token_does_not_travel_in_clear() -> None:
+def test_a_token_is_not_sent_unencrypted() -> None:
     with Connection("https://example.org", "t", requests=1) as connection:
         connection.data("https://other.example.org/")
         with pytest.raises(ProctorError, match="in clear"):
@@ -337,7 +343,7 @@ def test_a_token_does_not_travel_in_clear() -> None:
 # Heartbeats and progress
 
 
-def test_a_heart_beats_while_thinking_only() -> None:
+def test_heartbeats_are_sent_only_while_the_policy_thinks() -> None:
     beats = threading.Semaphore(0)
 
     def send_heartbeat() -> bool:
@@ -351,7 +357,7 @@ def test_a_heart_beats_while_thinking_only() -> None:
             assert beats.acquire(timeout=5.0)
 
 
-def test_a_heart_stops_when_the_session_is_over() -> None:
+def test_heartbeats_stop_when_the_session_has_ended() -> None:
     beaten = threading.Event()
 
     def send_heartbeat() -> bool:
@@ -379,7 +385,7 @@ def test_progress_is_one_line_that_fits(monkeypatch: pytest.MonkeyPatch) -> None
     assert len(second) == 60  # 59 and the line's end
 
 
-def test_a_board_shows_one_of_those_who_wait() -> None:
+def test_the_status_board_shows_one_waiting_worker() -> None:
     board = StatusBoard()
     first, second = (
         board.waiting_reporter("worker-0"),

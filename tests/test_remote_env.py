@@ -19,8 +19,8 @@ from tests.proctor_scenes import server
 from tests.test_reference_client_scenes import (
     ROOT,
     TOKEN,
-    House,
-    ServerProcess,
+    DirectClient,
+    RestartableServer,
     action,
 )
 
@@ -30,13 +30,13 @@ ADVICE = ("symmetric and normalized space", "is probably too (low|high)")
 
 
 @pytest.fixture
-def house(server: ServerProcess) -> Iterator[House]:
-    with House(server.url) as house:
-        yield house
+def direct_client(server: RestartableServer) -> Iterator[DirectClient]:
+    with DirectClient(server.url) as direct_client:
+        yield direct_client
 
 
 @pytest.fixture(autouse=True)
-def _place(server: ServerProcess, monkeypatch: pytest.MonkeyPatch) -> None:
+def _environment(server: RestartableServer, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PROCTOR_URL", server.url)
     monkeypatch.setenv("PROCTOR_TOKEN", TOKEN)
 
@@ -72,9 +72,9 @@ def test_gymnasium_finds_nothing_wrong(settings: dict[str, Any]) -> None:
     env.close()
 
 
-def test_spaces_are_those_of_the_manifest(house: House) -> None:
+def test_spaces_are_those_of_the_manifest(direct_client: DirectClient) -> None:
     env = remote("echo", images={"codec": "png", "width": 64, "height": 48})
-    benchmark = house.control.get_benchmark("calibration")
+    benchmark = direct_client.control.get_benchmark("calibration")
     acts = env.action_space
     assert isinstance(acts, spaces.Dict)
     assert set(acts) == set(benchmark.action_space)
@@ -97,7 +97,7 @@ def test_spaces_are_those_of_the_manifest(house: House) -> None:
     env.close()
 
 
-def test_what_a_task_does_not_show_is_zeros() -> None:
+def test_missing_observations_are_zeros() -> None:
     env = remote("count")
     seen, _ = env.reset()
     assert seen in env.observation_space
@@ -105,7 +105,7 @@ def test_what_a_task_does_not_show_is_zeros() -> None:
     env.close()
 
 
-def test_episodes_are_played_one_after_another(house: House) -> None:
+def test_episodes_are_played_one_after_another(direct_client: DirectClient) -> None:
     """The last observation of an episode is its own, and the next begins with reset."""
     env = remote("count", "count")
     for number in range(2):
@@ -122,7 +122,7 @@ def test_episodes_are_played_one_after_another(house: House) -> None:
         assert info["episode_result"]["score"] == 1.0
     assert env.score()["score"] == 1.0
     assert env.run_id is not None
-    assert house.attempts(env.run_id) == [1, 1]
+    assert direct_client.attempts(env.run_id) == [1, 1]
     with pytest.raises(RunDone, match="renew=True"):
         env.reset()
     with pytest.raises(gymnasium.error.ResetNeeded):
@@ -131,7 +131,7 @@ def test_episodes_are_played_one_after_another(house: House) -> None:
     env.close()
 
 
-def test_a_run_that_is_done_is_followed_by_another_if_wanted() -> None:
+def test_renew_starts_a_new_run() -> None:
     env = remote("count", renew=True)
     runs = []
     for _ in range(2):
@@ -150,16 +150,16 @@ def test_the_step_limit_truncates() -> None:
     env.close()
 
 
-def test_a_reset_before_the_end_costs_an_attempt(house: House) -> None:
+def test_a_reset_before_the_end_costs_an_attempt(direct_client: DirectClient) -> None:
     """Before the first step it costs none. Expect the same episode each time."""
     env = remote("count")
     env.reset()
     env.reset()
-    assert house.attempts(str(env.run_id)) == [1]
+    assert direct_client.attempts(str(env.run_id)) == [1]
     env.step(arrays())
     seen, info = env.reset()
     assert (seen["state"]["count"][0], info["episode_id"]) == (0, "e0000")
-    assert house.attempts(str(env.run_id)) == [2]
+    assert direct_client.attempts(str(env.run_id)) == [2]
     env.close()
 
 
@@ -176,14 +176,16 @@ def test_sessions_share_one_connection() -> None:
     env.close()
 
 
-def test_a_lost_session_truncates_and_the_episode_comes_again(house: House) -> None:
+def test_a_lost_session_truncates_and_the_episode_comes_again(
+    direct_client: DirectClient,
+) -> None:
     """Another program takes the worker over and leaves. Expect to be told why."""
     env = remote("count")
     env.reset()
     first, *_ = env.step(arrays())
     run_id = str(env.run_id)
-    other = house.attach(run_id, "env-0", takeover=True)
-    house.data.detach_worker(run_id, "env-0", other.session_id)
+    other = direct_client.attach(run_id, "env-0", takeover=True)
+    direct_client.data.detach_worker(run_id, "env-0", other.session_id)
     seen, reward, terminated, truncated, info = env.step(END)
     assert (reward, terminated, truncated) == (0.0, False, True)
     assert seen["state"]["count"] == first["state"]["count"]
@@ -194,7 +196,7 @@ def test_a_lost_session_truncates_and_the_episode_comes_again(house: House) -> N
     env.close()
 
 
-def test_a_simulator_that_fails_truncates(house: House) -> None:
+def test_a_simulator_that_fails_truncates(direct_client: DirectClient) -> None:
     env = remote("fault")
     env.reset()
     _, _, terminated, truncated, info = env.step(arrays(fault=1.0))
@@ -202,18 +204,18 @@ def test_a_simulator_that_fails_truncates(house: House) -> None:
     assert "lost" in info
     env.reset()
     assert env.step(END)[2]
-    assert house.attempts(str(env.run_id)) == [1]
+    assert direct_client.attempts(str(env.run_id)) == [1]
     env.close()
 
 
-def test_a_known_run_is_gone_on_with(house: House) -> None:
+def test_an_existing_run_is_continued(direct_client: DirectClient) -> None:
     """With its own images. Closing leaves no worker behind."""
-    run = house.submit("count", "count")
+    run = direct_client.submit("count", "count")
     env = RemoteEnv(run_id=run.run_id, worker_id="mine")
     env.reset()
-    assert house.control.get_run(run.run_id).live_workers == 1
+    assert direct_client.control.get_run(run.run_id).live_workers == 1
     env.close()
-    assert house.control.get_run(run.run_id).live_workers == 0
+    assert direct_client.control.get_run(run.run_id).live_workers == 0
 
 
 def test_an_action_that_cannot_be_sent_is_refused() -> None:
@@ -227,7 +229,7 @@ def test_an_action_that_cannot_be_sent_is_refused() -> None:
     env.close()
 
 
-def test_settings_that_cannot_be_meant_are_refused(
+def test_invalid_settings_are_refused(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     with pytest.raises(ValueError, match="benchmark=… or run_id=…"):
@@ -242,7 +244,7 @@ def test_settings_that_cannot_be_meant_are_refused(
 
 
 def test_the_program_of_the_manual_runs(
-    server: ServerProcess, capsys: pytest.CaptureFixture[str]
+    server: RestartableServer, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """As pasted, with this server's URL and token, for a shorter benchmark."""
     page = (ROOT / "docs" / "policies.md").read_text()

@@ -74,7 +74,7 @@ def no_graphics(tmp_path: Path) -> dict[str, str]:
 
 
 @pytest.fixture
-def no_answer_yet(monkeypatch: pytest.MonkeyPatch) -> pytest.MonkeyPatch:
+def no_backend_chosen(monkeypatch: pytest.MonkeyPatch) -> pytest.MonkeyPatch:
     # Set first, so that whatever the test leaves behind is undone.
     monkeypatch.setenv("PROCTOR_GL", "")
     monkeypatch.setenv("MUJOCO_GL", "")
@@ -87,7 +87,7 @@ def test_this_machine_can_draw() -> None:
     assert answer.stdout.strip() in rendering.BACKENDS
 
 
-def test_without_graphics_one_line_names_the_remedy(
+def test_without_graphics_one_line_names_the_package_to_install(
     no_graphics: dict[str, str],
 ) -> None:
     answer = run(*COMMAND, **no_graphics)
@@ -106,27 +106,29 @@ def test_state_needs_no_graphics(no_graphics: dict[str, str], exported: str) -> 
     assert rendering.APT_COMMAND in played.stdout
 
 
-def test_cameras_may_be_wanted_after_a_state_only_world() -> None:
+def test_cameras_work_after_a_state_only_simulator() -> None:
     played = run("-c", STATE_ONLY + THEN_CAMERAS, MUJOCO_GL="nonsense")
     assert played.returncode == 0, played.stderr
     assert played.stderr == ""
 
 
-def test_children_do_not_look_again(no_graphics: dict[str, str]) -> None:
+def test_child_processes_inherit_the_backend(no_graphics: dict[str, str]) -> None:
     """Where nothing draws, only an inherited answer can be positive."""
     answer = run(*COMMAND, PROCTOR_GL="osmesa", **no_graphics)
     assert answer.stdout == "osmesa\n"
 
 
-def test_the_answer_is_exported(no_answer_yet: pytest.MonkeyPatch) -> None:
-    no_answer_yet.setattr(rendering, "_PROBE", "")
+def test_the_backend_is_exported(no_backend_chosen: pytest.MonkeyPatch) -> None:
+    no_backend_chosen.setattr(rendering, "_PROBE", "")
     assert rendering.find_backend() == "egl"
     assert os.environ["MUJOCO_GL"] == os.environ["PROCTOR_GL"] == "egl"
 
 
-def test_a_wish_is_tried_first(no_answer_yet: pytest.MonkeyPatch) -> None:
-    no_answer_yet.setattr(rendering, "_PROBE", "")
-    no_answer_yet.setenv("MUJOCO_GL", "OSMesa")
+def test_the_backend_from_the_environment_is_tried_first(
+    no_backend_chosen: pytest.MonkeyPatch,
+) -> None:
+    no_backend_chosen.setattr(rendering, "_PROBE", "")
+    no_backend_chosen.setenv("MUJOCO_GL", "OSMesa")
     assert rendering.find_backend() == "osmesa"
 
 
@@ -138,13 +140,13 @@ def test_a_wish_is_tried_first(no_answer_yet: pytest.MonkeyPatch) -> None:
         ("raise SystemExit('line\\nlast line ' + 'x' * 999)", "last line xxx"),
     ],
 )
-def test_a_dying_driver_is_a_reason_not_a_crash(
-    no_answer_yet: pytest.MonkeyPatch, probe: str, reason: str
+def test_a_crashing_driver_is_reported_as_a_reason(
+    no_backend_chosen: pytest.MonkeyPatch, probe: str, reason: str
 ) -> None:
     """Expect one short line, MUJOCO_GL removed, and no second look."""
-    no_answer_yet.setattr(rendering, "_PROBE", probe)
+    no_backend_chosen.setattr(rendering, "_PROBE", probe)
     if "sleep" in probe:
-        no_answer_yet.setattr(rendering, "_PROBE_TIMEOUT_S", 0.1)
+        no_backend_chosen.setattr(rendering, "_PROBE_TIMEOUT_S", 0.1)
     with pytest.raises(rendering.RenderingUnavailable) as first:
         rendering.find_backend()
     assert reason in str(first.value)
@@ -152,6 +154,6 @@ def test_a_dying_driver_is_a_reason_not_a_crash(
     assert len(str(first.value)) < 500
     assert "MUJOCO_GL" not in os.environ
 
-    no_answer_yet.setattr(rendering, "_probe_backends", None)
+    no_backend_chosen.setattr(rendering, "_probe_backends", None)
     with pytest.raises(rendering.RenderingUnavailable, match=reason):
         rendering.find_backend()

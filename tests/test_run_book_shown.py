@@ -15,11 +15,20 @@ from reference_server.rules.run import RunHead
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.settings import Settings
 from reference_server.storage.store import StoreFailed
-from tests.conftest import PATIENCE_S
-from tests.parts import Gate, Parts, calibration, failing, predict, refusal, score, tell
+from tests.conftest import TIMEOUT_S
+from tests.parts import (
+    BlockedCall,
+    ServerParts,
+    calibration_run,
+    expect_refusal,
+    fail_writes,
+    predict_command,
+    record_score,
+    run_scenarios,
+)
 
 
-def a_call(run_id: str) -> OperationCall:
+def make_call(run_id: str) -> OperationCall:
     request = Request({"type": "http", "headers": []})
     caller = Caller("alice", frozenset({"read", "run"}))
     return OperationCall(
@@ -34,58 +43,58 @@ def shown_score(run: RunHead) -> int:
     return run.scored
 
 
-def test_what_is_shown_is_stored(tmp_path: Path) -> None:
+def test_shown_results_are_stored(tmp_path: Path) -> None:
     """A write that was only just begun counts as well; nobody waits for it here."""
 
-    async def story(parts: Parts) -> None:
-        run = await parts.registry.add(calibration(), None, "")
-        score(run, 0)
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(), None, "")
+        record_score(run, 0)
         parts.registry.commit_later(run)
         assert await parts.registry.render_when_stored(run, shown_score) == 1
         stored = await parts.store.load(run.run_id)
         assert stored is not None
         assert stored.scored == 1
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)
 
 
-def test_what_could_not_be_stored_is_not_shown(
+def test_unstored_results_are_not_shown(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    async def story(parts: Parts) -> None:
-        run = await parts.registry.add(calibration(), None, "")
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(), None, "")
         await parts.registry.is_stored(run)
-        failing(monkeypatch, parts, {run.run_id}, StoreFailed("full"))
-        score(run, 0)
+        fail_writes(monkeypatch, parts, {run.run_id}, StoreFailed("full"))
+        record_score(run, 0)
         parts.registry.commit_later(run)
         assert await parts.registry.render_when_stored(run, shown_score) == 0
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)
 
 
-def test_a_look_waits_for_no_later_write(
+def test_a_read_does_not_wait_for_later_writes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A run whose workers never pause can be looked at, and shows no more than then."""
 
-    async def story(parts: Parts) -> None:
-        run = await parts.registry.add(calibration(), None, "")
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(), None, "")
         await parts.registry.is_stored(run)
-        score(run, 0)
+        record_score(run, 0)
         parts.registry.commit_later(run)
         looking = asyncio.create_task(
             parts.registry.render_when_stored(run, shown_score)
         )
         await asyncio.sleep(0)
-        gate = Gate(monkeypatch, parts.store, "save")
-        score(run, 1)
+        blocked = BlockedCall(monkeypatch, parts.store, "save")
+        record_score(run, 1)
         parts.registry.commit_later(run)
-        await gate.reached()
+        await blocked.wait_until_reached()
         assert await looking == 1
-        gate.open()
+        blocked.open()
         assert await parts.registry.render_when_stored(run, shown_score) == 2
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)
 
 
 def test_a_page_shows_each_run_as_it_was_stored(
@@ -93,70 +102,72 @@ def test_a_page_shows_each_run_as_it_was_stored(
 ) -> None:
     """While the second run of the page is waited for, the first one plays on."""
 
-    async def story(parts: Parts) -> None:
+    async def scenario(parts: ServerParts) -> None:
         runs = [
-            await parts.registry.add(calibration(run_id=f"run_{number}"), None, "")
+            await parts.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
             for number in (1, 2)
         ]
         for run in runs:
             await parts.registry.is_stored(run)
-        gate = Gate(monkeypatch, parts.store, "save")
+        blocked = BlockedCall(monkeypatch, parts.store, "save")
         parts.registry.commit_later(runs[0])
         looking = asyncio.create_task(
             parts.registry.page("alice", None, 9, shown_score)
         )
-        seen = Gate(monkeypatch, parts.registry, "is_stored")
-        await seen.reached()  # the newest, run_2, has been looked at
-        score(runs[1], 0)
+        seen = BlockedCall(monkeypatch, parts.registry, "is_stored")
+        await seen.wait_until_reached()  # the newest, run_2, has been looked at
+        record_score(runs[1], 0)
         parts.registry.commit_later(runs[1])
         seen.open()
-        gate.open()
+        blocked.open()
         assert await looking == [0, 0]
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)
 
 
 @pytest.mark.parametrize("is_lost", [False, True])
-def test_a_refusal_tells_no_state_that_may_be_lost(
+def test_a_refusal_states_only_stored_states(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_lost: bool
 ) -> None:
-    async def story(parts: Parts) -> None:
-        run = await parts.registry.add(calibration("score", state="ready"), None, "")
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(
+            calibration_run("score", state="ready"), None, ""
+        )
         turn = await parts.executor.attach(run, Attach("w", "key"))
         broken = {run.run_id} if is_lost else set[str]()
-        failing(monkeypatch, parts, broken, StoreFailed("full"))
-        gate = Gate(monkeypatch, parts.store, "save")
+        fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
+        blocked = BlockedCall(monkeypatch, parts.store, "save")
         last = asyncio.create_task(
-            parts.executor.predict(run, predict(turn, score=1, end=1))
+            parts.executor.predict(run, predict_command(turn, score=1, end=1))
         )
-        await gate.reached()
+        await blocked.wait_until_reached()
         assert run.state == "completed"
         routes = Handlers(Settings(), Benchmarks(64), parts.registry, parts.executor)
         resuming = asyncio.create_task(
-            routes._run_accepting(a_call(run.run_id), Resume())
+            routes._run_accepting(make_call(run.run_id), Resume())
         )
-        gate.open()
+        blocked.open()
         await asyncio.wait([last])
         if is_lost:
             found = await resuming
             assert (found is run, found.state) == (False, "ready")
         else:
-            with refusal("illegal_transition", state="completed"):
+            with expect_refusal("illegal_transition", state="completed"):
                 await resuming
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)
 
 
 # --- news ---
 
 
-def test_no_change_is_missed_between_a_look_and_the_wait(tmp_path: Path) -> None:
-    async def story(parts: Parts) -> None:
-        run = await parts.registry.add(calibration(), None, "")
+def test_no_change_between_read_and_wait_is_missed(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(), None, "")
         await parts.registry.is_stored(run)
         news = parts.registry.change_event(run.run_id)
         parts.registry.notify(run)
-        assert await parts.registry.wait_for_change(news, PATIENCE_S)
+        assert await parts.registry.wait_for_change(news, TIMEOUT_S)
         assert not await parts.registry.wait_for_change(
             parts.registry.change_event(run.run_id), 0.001
         )
@@ -166,29 +177,29 @@ def test_no_change_is_missed_between_a_look_and_the_wait(tmp_path: Path) -> None
             "what nobody waits for is not kept"
         )
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)
 
 
-def test_nobody_begins_to_wait_when_the_server_ends(tmp_path: Path) -> None:
-    async def story(parts: Parts) -> None:
-        run = await parts.registry.add(calibration(), None, "")
+def test_waiting_is_refused_during_shutdown(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(), None, "")
         await parts.registry.is_stored(run)
         waiting = asyncio.create_task(
             parts.registry.wait_for_change(
-                parts.registry.change_event(run.run_id), PATIENCE_S
+                parts.registry.change_event(run.run_id), TIMEOUT_S
             )
         )
         await asyncio.sleep(0)
         parts.registry.release_waiters()
         for _ in range(2):
-            with refusal("unavailable"):
+            with expect_refusal("unavailable"):
                 await waiting
             waiting = asyncio.create_task(
                 parts.registry.wait_for_change(
-                    parts.registry.change_event(run.run_id), PATIENCE_S
+                    parts.registry.change_event(run.run_id), TIMEOUT_S
                 )
             )
-        with refusal("unavailable"):
+        with expect_refusal("unavailable"):
             await waiting
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)

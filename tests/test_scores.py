@@ -15,18 +15,18 @@ from reference_server.runs.scores import ScoreCache
 from reference_server.storage.store import StoreFailed
 from tests.parts import (
     RESULT,
-    Gate,
-    Parts,
-    begun,
-    calibration,
-    failing,
-    refusal,
-    score,
-    tell,
+    BlockedCall,
+    ServerParts,
+    calibration_run,
+    expect_refusal,
+    fail_writes,
+    record_score,
+    run_scenarios,
+    start_task,
 )
 
 
-def counted(patch: pytest.MonkeyPatch) -> list[str]:
+def record_computed_scores(patch: pytest.MonkeyPatch) -> list[str]:
     """The ids of the runs whose score is computed from now on."""
     computed: list[str] = []
     right = views.score_view
@@ -39,132 +39,136 @@ def counted(patch: pytest.MonkeyPatch) -> list[str]:
     return computed
 
 
-async def put_down(parts: Parts, run: Run) -> None:
+async def evict_run(parts: ServerParts, run: Run) -> None:
     """The run is stored and leaves memory as soon as nobody holds it."""
     await parts.registry.commit(run)
     parts.registry._recent.clear()
 
 
-async def at_rest(parts: Parts, run_id: str, count: int) -> None:
+async def add_stopped_run(parts: ServerParts, run_id: str, count: int) -> None:
     """A stopped run with three episodes and `count` results, in nobody's memory."""
-    run = calibration("score", "score", "score", run_id=run_id, state="stopped")
+    run = calibration_run("score", "score", "score", run_id=run_id, state="stopped")
     await parts.registry.add(run, None, "")
     for index in range(count):
-        score(run, index)
-    await put_down(parts, run)
+        record_score(run, index)
+    await evict_run(parts, run)
 
 
-def test_the_score_of_a_run_at_rest_is_computed_once(
+def test_the_score_of_a_stable_run_is_computed_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    computed = counted(monkeypatch)
+    computed = record_computed_scores(monkeypatch)
 
-    async def story(parts: Parts) -> None:
-        await at_rest(parts, "run_1", 1)
-        await at_rest(parts, "run_2", 2)
+    async def scenario(parts: ServerParts) -> None:
+        await add_stopped_run(parts, "run_1", 1)
+        await add_stopped_run(parts, "run_2", 2)
         gc.collect()
-        told = ScoreCache()
+        score_cache = ScoreCache()
         for _ in range(3):
-            first = await told.get(parts.registry, "run_1", "alice")
-            second = await told.get(parts.registry, "run_2", "alice")
+            first = await score_cache.get(parts.registry, "run_1", "alice")
+            second = await score_cache.get(parts.registry, "run_2", "alice")
         assert [s["counts"]["success"] for s in (first, second)] == [1, 2]
         assert [s["run_id"] for s in (first, second)] == computed == ["run_1", "run_2"]
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)
 
 
-def test_it_is_computed_anew_when_the_run_has_changed(
+def test_a_changed_run_is_scored_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    computed = counted(monkeypatch)
+    computed = record_computed_scores(monkeypatch)
 
-    async def story(parts: Parts) -> None:
-        await at_rest(parts, "run_1", 1)
+    async def scenario(parts: ServerParts) -> None:
+        await add_stopped_run(parts, "run_1", 1)
         gc.collect()
-        told = ScoreCache()
-        before = await told.get(parts.registry, "run_1", "alice")
+        score_cache = ScoreCache()
+        before = await score_cache.get(parts.registry, "run_1", "alice")
         assert (before["state"], before["counts"]["unscored"]) == ("stopped", 2)
         run = await parts.registry.get("run_1")
         effects.resume(run, 1e11)
         await parts.registry.commit(run)
-        queued = await told.get(parts.registry, "run_1", "alice")
+        queued = await score_cache.get(parts.registry, "run_1", "alice")
         assert queued == before | {"state": "queued"}
-        score(run, 1)
-        playing = await told.get(parts.registry, "run_1", "alice")
+        record_score(run, 1)
+        playing = await score_cache.get(parts.registry, "run_1", "alice")
         assert playing["counts"]["unscored"] == 1
         effects.stop(run, "abort", 0.0)
-        await put_down(parts, run)
+        await evict_run(parts, run)
         del run
         gc.collect()
         del computed[:]
         for _ in range(2):
-            after = await told.get(parts.registry, "run_1", "alice")
+            after = await score_cache.get(parts.registry, "run_1", "alice")
             assert after == playing | {"state": "stopped"}
         assert computed == ["run_1"]
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)
 
 
-def test_what_was_lost_is_not_kept(
+def test_lost_results_are_not_cached(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Who asked has left before it was known; then another result is stored."""
-    computed = counted(monkeypatch)
+    computed = record_computed_scores(monkeypatch)
 
-    async def story(parts: Parts) -> None:
-        told, broken = ScoreCache(), {"run_1"}
-        run = await parts.registry.add(calibration("score", state="ready"), None, "")
-        failing(monkeypatch, parts, broken, StoreFailed("full"))
-        gate = Gate(monkeypatch, parts.store, "save")
-        looked = Gate(monkeypatch, parts.registry, "is_stored")
-        score(run, 0)
+    async def scenario(parts: ServerParts) -> None:
+        score_cache, broken = ScoreCache(), {"run_1"}
+        run = await parts.registry.add(
+            calibration_run("score", state="ready"), None, ""
+        )
+        fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
+        blocked = BlockedCall(monkeypatch, parts.store, "save")
+        blocked_is_stored = BlockedCall(monkeypatch, parts.registry, "is_stored")
+        record_score(run, 0)
         parts.registry.commit_later(run)
-        leaving = begun(told.get(parts.registry, "run_1", "alice"))
-        await looked.reached()
+        leaving = start_task(score_cache.get(parts.registry, "run_1", "alice"))
+        await blocked_is_stored.wait_until_reached()
         assert computed == ["run_1"]
         leaving.cancel()
-        looked.open()
-        gate.open()
+        blocked_is_stored.open()
+        blocked.open()
         assert not await parts.registry.is_stored(run)
         broken.clear()
         run = await parts.registry.get("run_1")
-        score(run, 0)
+        record_score(run, 0)
         run.episodes[0].result = replace(RESULT, score=0.25)
-        await put_down(parts, run)
+        await evict_run(parts, run)
         del run
         gc.collect()
         for _ in range(2):
-            assert (await told.get(parts.registry, "run_1", "alice"))["mean"] == 0.25
+            assert (await score_cache.get(parts.registry, "run_1", "alice"))[
+                "mean"
+            ] == 0.25
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)
 
 
-def test_a_kept_score_is_no_strangers_business(tmp_path: Path) -> None:
-    async def story(parts: Parts) -> None:
-        await at_rest(parts, "run_1", 1)
+def test_a_cached_score_is_private_to_its_account(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        await add_stopped_run(parts, "run_1", 1)
         gc.collect()
-        told = ScoreCache()
+        score_cache = ScoreCache()
         for _ in range(2):
-            await told.get(parts.registry, "run_1", "alice")
-            with refusal("not_found"):
-                await told.get(parts.registry, "run_1", "bob")
+            await score_cache.get(parts.registry, "run_1", "alice")
+            with expect_refusal("not_found"):
+                await score_cache.get(parts.registry, "run_1", "bob")
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)
 
 
-def test_so_many_are_kept_and_no_more(
+def test_the_score_cache_is_bounded(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(scores, "CACHED_SCORES_MAX", 2)
-    computed = counted(monkeypatch)
+    computed = record_computed_scores(monkeypatch)
 
-    async def story(parts: Parts) -> None:
+    async def scenario(parts: ServerParts) -> None:
         for number in range(3):
-            await at_rest(parts, f"run_{number}", 1)
+            await add_stopped_run(parts, f"run_{number}", 1)
         gc.collect()
-        told = ScoreCache()
+        score_cache = ScoreCache()
         for number in (0, 1, 2, 2, 1, 0):
-            await told.get(parts.registry, f"run_{number}", "alice")
+            await score_cache.get(parts.registry, f"run_{number}", "alice")
         assert computed == ["run_0", "run_1", "run_2", "run_0"]
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)

@@ -96,7 +96,7 @@ def test_known_intervals(successes: int, n: int, low: float, high: float) -> Non
     assert (round(found["low"], 4), round(found["high"], 4)) == (low, high)
 
 
-def test_nothing_is_known_of_nothing() -> None:
+def test_the_interval_without_trials_is_zero_to_one() -> None:
     assert wilson(None, 0) == {"low": 0.0, "high": 1.0}
     assert wilson(0.5, 0) == {"low": 0.0, "high": 1.0}
     assert wilson(None, 3) == {"low": 0.0, "high": 1.0}
@@ -114,7 +114,7 @@ def test_the_ends_are_where_the_rate_is_z_deviations_away(rate: float, n: int) -
 
 
 @given(rate=st.floats(0, 1), n=st.integers(1, 10**6))
-def test_more_trials_never_tell_less(rate: float, n: int) -> None:
+def test_more_trials_never_widen_the_interval(rate: float, n: int) -> None:
     few, many = wilson(rate, n), wilson(rate, 2 * n)
     assert many["high"] - many["low"] <= few["high"] - few["low"]
 
@@ -160,7 +160,7 @@ def test_counts_add_up(episodes: list[ScoredEpisode]) -> None:
 
 
 @given(runs)
-def test_the_truth_lies_within_the_bounds(episodes: list[ScoredEpisode]) -> None:
+def test_the_final_score_lies_within_the_bounds(episodes: list[ScoredEpisode]) -> None:
     found = score_of(episodes)
     assert 0 <= found["score_low"] <= found["score_high"] <= 1
     for rate in ("mean", "success_rate"):

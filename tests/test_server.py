@@ -22,7 +22,13 @@ from starlette.responses import Response
 from reference_server.__main__ import main
 from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import Operation, perform
-from tests.conftest import PATIENCE_S, TOKENS, House, descendants, until_none_lives
+from tests.conftest import (
+    TIMEOUT_S,
+    TOKENS,
+    ReferenceServer,
+    descendants,
+    wait_until_ended,
+)
 
 ROOT = Path(__file__).resolve().parent.parent
 WORKER = "/v1/runs/{run_id}/workers/w"
@@ -30,13 +36,13 @@ WORKER = "/v1/runs/{run_id}/workers/w"
 
 def environment(**settings: str) -> dict[str, str]:
     """This process's, without settings of the house and without proxies."""
-    kept = {
+    inherited = {
         name: value
         for name, value in os.environ.items()
         if not name.upper().startswith("PROCTOR_")
         and not name.lower().endswith("_proxy")
     }
-    return kept | settings
+    return inherited | settings
 
 
 def submit(client: httpx.Client, *tasks: str) -> str:
@@ -82,17 +88,17 @@ def results(client: httpx.Client, run_id: str) -> list[Any]:
     return [(e["attempt"], e.get("result")) for e in episodes]
 
 
-def is_one_line(code: int | None, said: str, *, about: str) -> bool:
-    assert (code, said.count("\n")) == (2, 1), said
-    assert said.startswith("proctor: ")
-    return about in said
+def is_one_line(code: int | None, stderr_text: str, *, about: str) -> bool:
+    assert (code, stderr_text.count("\n")) == (2, 1), stderr_text
+    assert stderr_text.startswith("proctor: ")
+    return about in stderr_text
 
 
 # --- starting ---
 
 
 @pytest.mark.parametrize("about", ["port", "tokens", "database"])
-def test_a_start_in_vain_is_one_line(tmp_path: Path, about: str) -> None:
+def test_a_failed_start_prints_one_line(tmp_path: Path, about: str) -> None:
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         taken.listen()
@@ -108,7 +114,7 @@ def test_a_start_in_vain_is_one_line(tmp_path: Path, about: str) -> None:
             env=environment(PROCTOR_DATABASE=str(tmp_path / "proctor.sqlite")),
             capture_output=True,
             text=True,
-            timeout=PATIENCE_S,
+            timeout=TIMEOUT_S,
             check=False,
         )
     assert is_one_line(ended.returncode, ended.stderr, about=about)
@@ -129,7 +135,7 @@ def test_a_start_in_vain_is_one_line(tmp_path: Path, about: str) -> None:
         (["--database", "nonsense://x"], "database"),
     ],
 )
-def test_a_bad_setting_is_one_line(
+def test_an_invalid_setting_prints_one_line(
     flags: list[str],
     about: str,
     monkeypatch: pytest.MonkeyPatch,
@@ -141,7 +147,7 @@ def test_a_bad_setting_is_one_line(
     assert is_one_line(code, capsys.readouterr().err, about=about)
 
 
-def test_the_greeting_can_be_pasted(tmp_path: Path) -> None:
+def test_the_printed_command_works(tmp_path: Path) -> None:
     with subprocess.Popen(
         [sys.executable, "-m", "reference_server", "--port", "0"],
         cwd=ROOT,
@@ -157,7 +163,7 @@ def test_the_greeting_can_be_pasted(tmp_path: Path) -> None:
                 env=environment(),
                 capture_output=True,
                 text=True,
-                timeout=PATIENCE_S,
+                timeout=TIMEOUT_S,
                 check=True,
             )
         finally:
@@ -171,54 +177,56 @@ def test_the_greeting_can_be_pasted(tmp_path: Path) -> None:
     assert "calibration" in named
 
 
-def test_who_is_given_tokens_is_not_told_them(house: House) -> None:
-    assert house.process.stdout is not None
-    house.end()
-    assert house.process.stdout.closed
-    assert not any(token in house.log() for token in TOKENS.values())
+def test_configured_tokens_are_not_printed(server: ReferenceServer) -> None:
+    assert server.process.stdout is not None
+    server.end()
+    assert server.process.stdout.closed
+    assert not any(token in server.log() for token in TOKENS.values())
 
 
 # --- ending ---
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
-def test_no_process_is_left(house: House, number: signal.Signals) -> None:
-    with house.client() as client:
+def test_no_process_outlives_the_server(
+    server: ReferenceServer, number: signal.Signals
+) -> None:
+    with server.client() as client:
         idle, busy = submit(client, "count"), submit(client, "delay")
         attach(client, idle)
         turn = attach(client, busy)
         # In order, the server lets the turn end; by force, there is no time for that.
         delay_s = 5 if number == signal.SIGKILL else 0.5
-        with in_play(house, client, busy, turn, delay_s=delay_s):
-            children = descendants(house.process.pid)
+        with in_play(server, client, busy, turn, delay_s=delay_s):
+            children = descendants(server.process.pid)
             assert len(children) >= 3, "two simulators and who started them"
-            house.end(number)
-            until_none_lives(children)
-    assert house.log() == ""
+            server.end(number)
+            wait_until_ended(children)
+    assert server.log() == ""
 
 
-def test_who_waits_for_a_change_is_answered_at_the_end(house: House) -> None:
-    with house.client() as client, house.client() as waiter:
+def test_long_polls_are_answered_at_shutdown(server: ReferenceServer) -> None:
+    with server.client() as client, server.client() as waiter:
         path = f"/v1/runs/{submit(client, 'count')}"
         etag = client.get(path).headers["etag"]
-        patience = {"If-None-Match": etag, "Prefer": "wait=30"}
+        poll_headers = {"If-None-Match": etag, "Prefer": "wait=30"}
         with ThreadPoolExecutor(1) as pool:
-            waiting = pool.submit(waiter.get, path, headers=patience)
+            waiting = pool.submit(waiter.get, path, headers=poll_headers)
             for _ in range(50):  # it arrives meanwhile
                 client.get(path)
-            house.end()
-            answer = waiting.result(PATIENCE_S)
+            server.end()
+            answer = waiting.result(TIMEOUT_S)
     assert (answer.status_code, answer.json()["code"]) == (503, "unavailable")
     assert answer.headers["retry-after"]
-    assert house.log() == ""
+    assert server.log() == ""
 
 
-def test_what_the_server_breaks_off_is_answered_too() -> None:
+def test_cancelled_requests_are_answered_with_503() -> None:
     async def endless(_call: Any) -> Response:
         await asyncio.Event().wait()
         raise AssertionError("nobody sets it")
 
-    async def story() -> Response:
+    async def scenario() -> Response:
         request = Request({"type": "http", "headers": [], "query_string": b""})
         operation = Operation(endless, scope=None)
         task = asyncio.ensure_future(perform(request, operation, Tokens({}), 1024))
@@ -226,12 +234,12 @@ def test_what_the_server_breaks_off_is_answered_too() -> None:
         task.cancel()
         return await task
 
-    assert asyncio.run(story()).status_code == 503
+    assert asyncio.run(scenario()).status_code == 503
 
 
 @contextmanager
 def in_play(
-    house: House,
+    server: ReferenceServer,
     client: httpx.Client,
     run_id: str,
     turn: dict[str, Any],
@@ -241,7 +249,7 @@ def in_play(
     path, body = f"{WORKER.format(run_id=run_id)}/predict", predict_body(turn, **values)
 
     def play() -> None:
-        with house.client() as player, contextlib.suppress(httpx.TransportError):
+        with server.client() as player, contextlib.suppress(httpx.TransportError):
             assert player.post(path, json=body).status_code in (200, 409, 503)
 
     with ThreadPoolExecutor(1) as pool:
@@ -251,28 +259,32 @@ def in_play(
         while expected <= body["seq"]:  # until the turn has used up its seq
             expected = client.post(path, json=ahead).json()["expected_seq"]
         yield
-        playing.result(PATIENCE_S)
+        playing.result(TIMEOUT_S)
 
 
 # --- being killed ---
 
 
-def test_a_kill_loses_no_scored_episode(house: House) -> None:
-    with house.client() as client:
+def test_a_kill_loses_no_scored_episode(server: ReferenceServer) -> None:
+    with server.client() as client:
         run_id = submit(client, "score", "score", "delay")
         turn = attach(client, run_id)
         turn = predict(client, run_id, turn, score=0.25, end=1)
         turn = predict(client, run_id, turn, score=0.75)
         turn = predict(client, run_id, turn, score=1 / 3, end=1)
         turn = predict(client, run_id, turn)
-        told = results(client, run_id)
+        results_before = results(client, run_id)
         before = client.get(f"/v1/runs/{run_id}").json()
-        with in_play(house, client, run_id, turn, delay_s=5):
-            house.end(signal.SIGKILL)
-    house.start()
-    with house.client() as client:
-        assert results(client, run_id) == told
-        assert [result and result["score"] for _, result in told] == [0.25, 1 / 3, None]
+        with in_play(server, client, run_id, turn, delay_s=5):
+            server.end(signal.SIGKILL)
+    server.start()
+    with server.client() as client:
+        assert results(client, run_id) == results_before
+        assert [result and result["score"] for _, result in results_before] == [
+            0.25,
+            1 / 3,
+            None,
+        ]
         after = client.get(f"/v1/runs/{run_id}").json()
         assert (before["state"], after["state"]) == ("running", "ready")
         assert after["live_workers"] == 0
@@ -288,14 +300,14 @@ def test_a_kill_loses_no_scored_episode(house: House) -> None:
         assert abs(score["score"] - (0.25 + 1 / 3) / 3) <= 1e-12
 
 
-def test_a_key_outlives_a_kill(house: House) -> None:
+def test_an_idempotency_key_survives_a_kill(server: ReferenceServer) -> None:
     body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
     headers = {"Idempotency-Key": "key"}
-    with house.client() as client:
+    with server.client() as client:
         first = client.post("/v1/runs", json=body, headers=headers).json()
-    house.end(signal.SIGKILL)
-    house.start()
-    with house.client() as client:
+    server.end(signal.SIGKILL)
+    server.start()
+    with server.client() as client:
         again = client.post("/v1/runs", json=body, headers=headers).json()
         assert again["run_id"] == first["run_id"]
         assert len(client.get("/v1/runs").json()["runs"]) == 1

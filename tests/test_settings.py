@@ -169,7 +169,7 @@ def test_tokens_have_accounts_and_scopes() -> None:
 @pytest.mark.parametrize(
     "header", [None, "", "Bearer", "Bearer ", "Bearer x", "Basic c", "c", "Bearer c c"]
 )
-def test_nobody_else_is_let_in(header: str | None) -> None:
+def test_other_credentials_are_refused(header: str | None) -> None:
     tokens = Tokens.parse("bob:read:c")
     assert caller(tokens, header) == "unauthenticated"
 
@@ -203,7 +203,7 @@ def test_secrets_are_not_kept() -> None:
         *("alice:read:sha256=12", "alice:read:sha256="),
     ],
 )
-def test_bad_tokens_are_said_to_be_bad(text: str) -> None:
+def test_invalid_tokens_are_an_error(text: str) -> None:
     with pytest.raises(BadTokens, match="tokens"):
         Tokens.parse(text)
 

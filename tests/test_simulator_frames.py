@@ -16,7 +16,7 @@ SMALL = simulator_main.FailureReply("x", unplayable=True)
 LARGE = simulator_main.FailureReply("y" * 200_000, unplayable=True)
 
 
-class Here:
+class TestProcessStarter:
     """`ProcessStarter` of a process that this test plays."""
 
     def start(self, child_end: socket.socket) -> None:
@@ -31,8 +31,8 @@ class Here:
 
 
 @pytest.fixture
-def here() -> Iterator[Here]:
-    starter = Here()
+def process_starter() -> Iterator[TestProcessStarter]:
+    starter = TestProcessStarter()
     yield starter
     starter.end.close()
 
@@ -53,23 +53,27 @@ def cut(stream: bytes, size: int) -> list[bytes]:
     ],
 )
 def test_frames_come_in_any_pieces(
-    here: Here, replies: Sequence[simulator_main.SimulatorReply], size: int
+    process_starter: TestProcessStarter,
+    replies: Sequence[simulator_main.SimulatorReply],
+    size: int,
 ) -> None:
     async def play() -> None:
         loop = asyncio.get_running_loop()
-        process = SimulatorProcess(here, 20.0, lambda _: None)
+        process = SimulatorProcess(process_starter, 20.0, lambda _: None)
         starting = asyncio.create_task(process.start())
         await asyncio.sleep(0)
-        await loop.sock_sendall(here.end, simulator_main.frame(simulator_main.Hello(1)))
+        await loop.sock_sendall(
+            process_starter.end, simulator_main.frame(simulator_main.Hello(1))
+        )
         await starting
         for _ in range(3):  # nothing of one answer is left to the next
             asking = asyncio.create_task(
                 process.request(simulator_main.Observe(), simulator_main.FailureReply)
             )
-            await loop.sock_recv(here.end, 4096)
+            await loop.sock_recv(process_starter.end, 4096)
             stream = b"".join(map(bytes, map(simulator_main.frame, replies)))
             for piece in cut(stream, size):
-                await loop.sock_sendall(here.end, piece)
+                await loop.sock_sendall(process_starter.end, piece)
                 await asyncio.sleep(0)
             assert await asking == replies[-1]
         process.end("is not needed")

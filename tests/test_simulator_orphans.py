@@ -23,7 +23,7 @@ def is_running(pid: int | None) -> bool:
     return listed.stdout.strip()[:1] not in ("", "Z", "X")
 
 
-def expect_all_gone(pids: Sequence[int]) -> None:
+def wait_until_all_ended(pids: Sequence[int]) -> None:
     deadline = time.monotonic() + DEADLINE_S
     while any(is_running(pid) for pid in pids):
         assert time.monotonic() < deadline, "a process was left behind"
@@ -66,11 +66,11 @@ def test_no_process_outlives_a_server_that_was_killed(fork: bool) -> None:
         assert len(pids) == 3 + fork
         assert all(is_running(pid) for pid in pids)
         server.kill()
-    expect_all_gone(pids)
+    wait_until_all_ended(pids)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="forks on Linux only")
-def test_no_process_outlives_a_nursery_and_a_server_killed_together() -> None:
+def test_no_process_outlives_a_fork_server_and_a_server_killed_together() -> None:
     with subprocess.Popen(
         [sys.executable, "-c", SERVER, "True"], stdout=subprocess.PIPE, text=True
     ) as server:
@@ -79,4 +79,4 @@ def test_no_process_outlives_a_nursery_and_a_server_killed_together() -> None:
         server.send_signal(signal.SIGSTOP)
         os.kill(pids[0], signal.SIGKILL)
         server.kill()
-    expect_all_gone(pids)
+    wait_until_all_ended(pids)

@@ -39,7 +39,7 @@ def action(**values: float) -> Action:
 
 
 def with_pool(
-    story: Callable[[SimulatorPool], Coroutine[Any, Any, None]], **settings: Any
+    scenario: Callable[[SimulatorPool], Coroutine[Any, Any, None]], **settings: Any
 ) -> None:
     """Runs a story with a pool, and expects that none of its processes is left."""
 
@@ -47,12 +47,12 @@ def with_pool(
         pool = SimulatorPool(**settings)
         await pool.start()
         try:
-            await asyncio.wait_for(story(pool), DEADLINE_S)
+            await asyncio.wait_for(scenario(pool), DEADLINE_S)
         finally:
             pids = [process.pid for process in pool._processes]
             await pool.close()
         assert (pool.busy, pool.idle) == (0, 0)
-        await until(lambda: not any(pid and exists(pid) for pid in pids))
+        await wait_until(lambda: not any(pid and exists(pid) for pid in pids))
 
     asyncio.run(run())
 
@@ -61,7 +61,7 @@ async def begin(handle: SimulatorHandle, task: str, max_steps: int = 100) -> Non
     await handle.begin(task, 1000, max_steps=max_steps, success_rule="any_step")
 
 
-async def until(holds: Callable[[], bool]) -> None:
+async def wait_until(holds: Callable[[], bool]) -> None:
     deadline = time.monotonic() + DEADLINE_S
     while not holds():
         assert time.monotonic() < deadline, "did not come true in time"
@@ -80,7 +80,7 @@ def exists(pid: int | None) -> bool:
 
 @fork_and_exec
 def test_plays_an_episode(fork: bool) -> None:
-    async def story(pool: SimulatorPool) -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(WORLD)
         beginning = await handle.begin("score", 7, max_steps=3, success_rule="any_step")
         assert beginning.instruction == "Calibration task score."
@@ -98,11 +98,11 @@ def test_plays_an_episode(fork: bool) -> None:
         assert (last.ended, last.terminated, last.truncated) == (True, False, True)
         assert last.observation is None
 
-    with_pool(story, fork=fork)
+    with_pool(scenario, fork=fork)
 
 
 def test_observes_every_step_when_all_are_wanted() -> None:
-    async def story(pool: SimulatorPool) -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(WORLD)
         await begin(handle, "count", max_steps=2)
         played = await handle.play([action()] * 5, observe_all=True)
@@ -111,34 +111,34 @@ def test_observes_every_step_when_all_are_wanted() -> None:
         assert counts == [[1.0], [2.0]]
         assert played.observation == played.observations[-1]
 
-    with_pool(story)
+    with_pool(scenario)
 
 
-def test_the_current_observation_can_be_had_again() -> None:
-    async def story(pool: SimulatorPool) -> None:
+def test_the_current_observation_can_be_read_again() -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(OTHER_WORLD)
         await begin(handle, "echo")
         played = await handle.play([action()], observe_all=False)
         assert await handle.observe() == played.observation
         assert (await handle.observe())["images"]["pattern"]["width"] == 64
 
-    with_pool(story)
+    with_pool(scenario)
 
 
 def test_observations_arrive_bit_for_bit() -> None:
-    async def story(pool: SimulatorPool) -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(WORLD)
         beginning = await handle.begin("echo", 7, max_steps=3, success_rule="any_step")
         simulator = Calibration(width=16, height=12)
         simulator.reset("echo", 7)
         assert beginning.observation == encode(simulator.observe(), "raw")
 
-    with_pool(story)
+    with_pool(scenario)
 
 
 @pytest.mark.parametrize(("rule", "score"), [("any_step", 1.0), ("last_step", 0.0)])
 def test_outside_task_score_the_score_is_the_success(rule: str, score: float) -> None:
-    async def story(pool: SimulatorPool) -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(WORLD)
         await handle.begin("count", 7, max_steps=2, success_rule=rule)
         played = await handle.play(
@@ -146,11 +146,11 @@ def test_outside_task_score_the_score_is_the_success(rule: str, score: float) ->
         )
         assert (played.score, played.success) == (score, bool(score))
 
-    with_pool(story)
+    with_pool(scenario)
 
 
 def test_parts_of_the_timing_fit_into_the_whole() -> None:
-    async def story(pool: SimulatorPool) -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(WORLD)
         await begin(handle, "delay")
         started = time.perf_counter()
@@ -160,11 +160,11 @@ def test_parts_of_the_timing_fit_into_the_whole() -> None:
         assert timing.simulate_s >= 0.1
         assert timing.simulate_s + timing.render_s + timing.encode_s <= total
 
-    with_pool(story)
+    with_pool(scenario)
 
 
 def test_a_released_process_is_lent_again_for_the_same_world() -> None:
-    async def story(pool: SimulatorPool) -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         first = await pool.acquire(WORLD)
         other = await pool.acquire(OTHER_WORLD)
         await first.release()
@@ -175,11 +175,11 @@ def test_a_released_process_is_lent_again_for_the_same_world() -> None:
             assert handle.pid == previous.pid
         assert first.pid != other.pid
 
-    with_pool(story)
+    with_pool(scenario)
 
 
 def test_a_process_can_be_rebuilt_for_another_world() -> None:
-    async def story(pool: SimulatorPool) -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         first = await pool.acquire(WORLD)
         await first.release()
         second = await pool.acquire(OTHER_WORLD)
@@ -187,11 +187,11 @@ def test_a_process_can_be_rebuilt_for_another_world() -> None:
         beginning = await second.begin("echo", 1, max_steps=1, success_rule="any_step")
         assert beginning.observation["images"]["pattern"]["codec"] == "png"
 
-    with_pool(story, spares=0)
+    with_pool(scenario, spares=0)
 
 
 def test_a_released_handle_cannot_be_used() -> None:
-    async def story(pool: SimulatorPool) -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(WORLD)
         await handle.release()
         await handle.release()
@@ -200,11 +200,11 @@ def test_a_released_handle_cannot_be_used() -> None:
         with pytest.raises(SimulatorFault):
             await begin(handle, "count")
 
-    with_pool(story, spares=0)
+    with_pool(scenario, spares=0)
 
 
-def test_no_more_are_lent_than_the_pool_may_have() -> None:
-    async def story(pool: SimulatorPool) -> None:
+def test_the_pool_lends_at_most_size_max() -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handles = await asyncio.gather(
             *(pool.acquire(WORLD) for _ in range(5)), return_exceptions=True
         )
@@ -214,39 +214,39 @@ def test_no_more_are_lent_than_the_pool_may_have() -> None:
         await lent[0].release()
         await pool.acquire(WORLD)
 
-    with_pool(story, size_max=3)
+    with_pool(scenario, size_max=3)
 
 
-def test_spares_come_up_behind_and_are_replaced() -> None:
-    async def story(pool: SimulatorPool) -> None:
+def test_spare_processes_are_started_and_replaced() -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         assert pool.idle == 0
-        await until(lambda: pool.idle == 2)
+        await wait_until(lambda: pool.idle == 2)
         await pool.acquire(WORLD)
-        await until(lambda: pool.idle == 2)
+        await wait_until(lambda: pool.idle == 2)
 
-    with_pool(story, spares=2)
+    with_pool(scenario, spares=2)
 
 
 @fork_and_exec
 def test_a_crash_is_a_fault_and_frees_the_slot(fork: bool) -> None:
-    async def story(pool: SimulatorPool) -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(WORLD)
         await begin(handle, "fault")
         with pytest.raises(SimulatorFault, match="died"):
             await handle.play([action(), action(fault=1)], observe_all=False)
         assert pool.busy == 0
-        await until(lambda: not exists(handle.pid))
+        await wait_until(lambda: not exists(handle.pid))
         with pytest.raises(SimulatorFault):
             await handle.observe()
         await handle.release()
         again = await pool.acquire(WORLD)
         await begin(again, "fault")
 
-    with_pool(story, size_max=1, fork=fork)
+    with_pool(scenario, size_max=1, fork=fork)
 
 
-def test_an_unplayable_task_is_told_from_a_fault() -> None:
-    async def story(pool: SimulatorPool) -> None:
+def test_an_unplayable_task_differs_from_a_fault() -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(WORLD)
         with pytest.raises(TaskUnplayable):
             await begin(handle, "juggle")
@@ -255,57 +255,57 @@ def test_an_unplayable_task_is_told_from_a_fault() -> None:
             await handle.play([action(fault=2)], observe_all=False)
         await begin(handle, "count")
 
-    with_pool(story)
+    with_pool(scenario)
 
 
 def test_an_exception_in_the_simulator_is_a_fault() -> None:
-    async def story(pool: SimulatorPool) -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(WORLD)
         await begin(handle, "count")
         with pytest.raises(SimulatorFault, match="KeyError"):
             await handle.play([{"unheard_of": [1.0]}], observe_all=False)
         assert pool.busy == 0
 
-    with_pool(story)
+    with_pool(scenario)
 
 
 def test_a_world_that_cannot_be_built_is_a_fault() -> None:
-    async def story(pool: SimulatorPool) -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         nowhere = benchmark_registry.SimulatorConfig("nowhere", {"codec": "raw"})
         with pytest.raises(SimulatorFault, match="nowhere"):
             await pool.acquire(nowhere)
         assert pool.busy == 0
 
-    with_pool(story)
+    with_pool(scenario)
 
 
 @fork_and_exec
 def test_a_hung_process_is_killed_after_the_timeout(fork: bool) -> None:
-    async def story(pool: SimulatorPool) -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(WORLD)
         await begin(handle, "count")
         assert handle.pid is not None
         os.kill(handle.pid, signal.SIGSTOP)  # as deaf as a process can be
         with pytest.raises(SimulatorFault, match="no step for"):
             await handle.play([action()], observe_all=False)
-        await until(lambda: not exists(handle.pid))
+        await wait_until(lambda: not exists(handle.pid))
 
-    with_pool(story, turn_timeout_s=2.0, fork=fork)
+    with_pool(scenario, turn_timeout_s=2.0, fork=fork)
 
 
-def test_a_long_chunk_that_makes_steps_is_not_taken_for_hung() -> None:
-    async def story(pool: SimulatorPool) -> None:
+def test_a_slow_chunk_that_makes_steps_does_not_time_out() -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(WORLD)
         await begin(handle, "delay")
         played = await handle.play([action(delay_s=0.6)] * 5, observe_all=False)
         assert played.executed == 5
 
-    with_pool(story, turn_timeout_s=2.5)
+    with_pool(scenario, turn_timeout_s=2.5)
 
 
 @fork_and_exec
 def test_discarding_ends_a_running_play(fork: bool) -> None:
-    async def story(pool: SimulatorPool) -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(WORLD)
         await begin(handle, "delay")
         playing = asyncio.create_task(
@@ -316,26 +316,26 @@ def test_discarding_ends_a_running_play(fork: bool) -> None:
         assert pool.busy == 0
         with pytest.raises(SimulatorFault, match="discarded"):
             await playing
-        await until(lambda: not exists(handle.pid))
+        await wait_until(lambda: not exists(handle.pid))
 
-    with_pool(story, fork=fork)
+    with_pool(scenario, fork=fork)
 
 
 def test_a_cancelled_play_ends_its_process() -> None:
-    async def story(pool: SimulatorPool) -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(WORLD)
         await begin(handle, "delay")
         play = handle.play([action(delay_s=5)], observe_all=False)
         with pytest.raises(asyncio.TimeoutError):
             await asyncio.wait_for(play, 0.05)
-        await until(lambda: not exists(handle.pid))
+        await wait_until(lambda: not exists(handle.pid))
         assert pool.busy == 0
 
-    with_pool(story)
+    with_pool(scenario)
 
 
-def test_a_long_turn_delays_nobody_else() -> None:
-    async def story(pool: SimulatorPool) -> None:
+def test_a_long_turn_delays_no_other_simulator() -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         slow, quick = await pool.acquire(WORLD), await pool.acquire(WORLD)
         await begin(slow, "delay")
         await begin(quick, "count", max_steps=1000)
@@ -345,23 +345,23 @@ def test_a_long_turn_delays_nobody_else() -> None:
         assert not playing.done()
         await playing
 
-    with_pool(story)
+    with_pool(scenario)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="forks on Linux only")
-def test_a_dead_nursery_is_replaced() -> None:
-    async def story(pool: SimulatorPool) -> None:
+def test_a_dead_fork_server_is_replaced() -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(WORLD)
         await begin(handle, "count")
         assert isinstance(pool._starter, ForkStarter)
         assert pool._starter.fork_server_pid is not None
         os.kill(pool._starter.fork_server_pid, signal.SIGKILL)
-        await until(lambda: not exists(handle.pid))
+        await wait_until(lambda: not exists(handle.pid))
         with pytest.raises(SimulatorFault):
             await handle.observe()
         await begin(await pool.acquire(WORLD), "count")
 
-    with_pool(story, fork=True)
+    with_pool(scenario, fork=True)
 
 
 def test_a_closed_pool_lends_nothing() -> None:
@@ -375,20 +375,20 @@ def test_a_closed_pool_lends_nothing() -> None:
     asyncio.run(run())
 
 
-def test_ctrl_c_is_left_to_the_server() -> None:
-    async def story(pool: SimulatorPool) -> None:
+def test_simulators_ignore_ctrl_c() -> None:
+    async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(WORLD)
         assert handle.pid is not None
         os.kill(handle.pid, signal.SIGINT)
         await begin(handle, "count")
 
-    with_pool(story)
+    with_pool(scenario)
 
 
 def test_works_on_uvloop() -> None:
     uvloop = pytest.importorskip("uvloop")
 
-    async def story() -> None:
+    async def scenario() -> None:
         pool = SimulatorPool()
         handle = await pool.acquire(WORLD)
         await begin(handle, "fault")
@@ -396,4 +396,4 @@ def test_works_on_uvloop() -> None:
             await handle.play([action(fault=1)], observe_all=False)
         await pool.close()
 
-    uvloop.run(story())
+    uvloop.run(scenario())

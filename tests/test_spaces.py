@@ -6,9 +6,9 @@ from typing import Any
 import pytest
 
 from reference_server.rules import action_space
-from tests.conftest import ACTION, a_run
+from tests.conftest import ACTION, make_run
 
-MANIFEST = a_run().manifest
+MANIFEST = make_run().manifest
 
 
 def pointers(breaches: action_space.SpaceErrors) -> list[str]:
@@ -61,11 +61,11 @@ def test_every_misfit_is_named() -> None:
 
 
 @pytest.mark.parametrize("value", [0.0, 1.0, -0.0, 5e-324])
-def test_the_ends_of_a_range_belong_to_it(value: float) -> None:
+def test_range_bounds_are_inclusive(value: float) -> None:
     assert action_errors(ACTION | {"grip": [value]}) == []
 
 
-def test_only_a_range_that_refuses_has_an_outside() -> None:
+def test_only_range_refuse_refuses_values() -> None:
     assert action_errors(ACTION | {"head": [-1e300]}) == []
     assert action_errors(ACTION | {"arm": [1e300, -1e300]}) == []
 
@@ -87,7 +87,7 @@ def test_values_are_clipped_only_where_that_is_declared() -> None:
 
 
 @pytest.mark.parametrize("value", [0.0, -0.0, 5e-324, 0.1, 1.0])
-def test_what_is_inside_is_not_touched(value: float) -> None:
+def test_values_inside_the_range_are_unchanged(value: float) -> None:
     (clipped,) = action_space.clip_actions([ACTION | {"head": [value]}], MANIFEST)
     assert math.copysign(1.0, clipped["head"][0]) == math.copysign(1.0, value)
     assert clipped["head"] == [value]

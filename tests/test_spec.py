@@ -276,7 +276,7 @@ CHECKS = [globals()[name] for name in dict.fromkeys(row[0] for row in BREACHES)]
 
 
 @pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.__name__)
-def test_the_document_obeys(check: Callable[[Json], Iterator[str]]) -> None:
+def test_the_document_obeys_each_rule(check: Callable[[Json], Iterator[str]]) -> None:
     assert list(check(DOCUMENT)) == []
 
 
@@ -309,7 +309,7 @@ def test_the_extensions_fit_their_schema() -> None:
     assert extensions == set(schema["properties"])
 
 
-def test_ids_are_of_a_kind() -> None:
+def test_requirement_ids_have_one_format() -> None:
     ids = requirement_ids(DOCUMENT)
     assert len(ids) > 150
     assert [i for i in ids if not re.fullmatch(r"[A-Z]{2,6}-[0-9]{3}", i)] == []

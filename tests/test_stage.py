@@ -13,103 +13,105 @@ from reference_server.rules.run import Run
 from reference_server.runs import session_executor as stage_module
 from reference_sim.process.pool import SimulatorHandle
 from tests.parts import (
-    Gate,
-    Parts,
-    begun,
-    calibration,
-    no_defect,
-    nothing_is_held,
-    predict,
-    refusal,
-    stop,
-    tell,
+    BlockedCall,
+    ServerParts,
+    assert_no_error_logged,
+    assert_no_simulator_lent,
+    calibration_run,
+    expect_refusal,
+    predict_command,
+    run_scenarios,
+    start_task,
+    stop_run,
 )
 
 # --- a successor meets a turn ---
 
 
-def test_a_successor_goes_on_where_the_turn_ends(
+def test_a_takeover_continues_after_the_turn_in_progress(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    async def story(parts: Parts) -> None:
-        run = await parts.registry.add(calibration("count"), None, "")
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("count"), None, "")
         turn = await parts.executor.attach(run, Attach("w", "key"))
         before = parts.executor._resources.find(run.workers["w"])
-        gate = Gate(monkeypatch, SimulatorHandle, "play")
-        played = begun(parts.executor.predict(run, predict(turn)))
-        await gate.reached()
-        taking = begun(
+        blocked = BlockedCall(monkeypatch, SimulatorHandle, "play")
+        played = start_task(parts.executor.predict(run, predict_command(turn)))
+        await blocked.wait_until_reached()
+        taking = start_task(
             parts.executor.attach(run, Attach("w", "another", takeover=True))
         )
         await asyncio.sleep(0)
-        gate.open()
+        blocked.open()
         assert (await played)["executed_steps"] == 1
         successor = await taking
         assert successor["episode"]["step"] == 1
         assert successor["observation"]["state"]["count"] == [1.0]
-        with refusal("session_superseded"):
-            await parts.executor.predict(run, predict(await played))
+        with expect_refusal("session_superseded"):
+            await parts.executor.predict(run, predict_command(await played))
         assert before is not None
         assert before.timer is not None
         assert before.timer.cancelled()
         assert parts.pool.busy == len(parts.executor._resources) == 1
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)
 
 
-def test_successors_come_one_after_another(
+def test_takeovers_are_serialised(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    async def story(parts: Parts) -> None:
-        run = await parts.registry.add(calibration("count"), None, "")
-        gate = Gate(monkeypatch, SimulatorHandle, "begin")
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("count"), None, "")
+        blocked = BlockedCall(monkeypatch, SimulatorHandle, "begin")
         attachments = [
-            begun(parts.executor.attach(run, Attach("w", key, takeover=True)))
+            start_task(parts.executor.attach(run, Attach("w", key, takeover=True)))
             for key in ("first", "second", "third")
         ]
-        await gate.reached()
-        gate.open()
+        await blocked.wait_until_reached()
+        blocked.open()
         *before, last = [await task for task in attachments]
         for turn in before:
-            with refusal("session_superseded"):
+            with expect_refusal("session_superseded"):
                 parts.executor.heartbeat(run, Heartbeat("w", turn["session_id"]))
         parts.executor.heartbeat(run, Heartbeat("w", last["session_id"]))
         assert run.episodes[0].attempt == 1
         assert parts.pool.busy == len(parts.executor._resources) == 1
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)
 
 
-def test_a_successor_finds_that_the_run_has_failed_meanwhile(
+def test_a_takeover_of_a_failed_run_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    async def story(parts: Parts) -> None:
-        run = await parts.registry.add(calibration("fault", "count"), None, "")
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("fault", "count"), None, "")
         turn = await parts.executor.attach(run, Attach("w", "key"))
         other = await parts.executor.attach(run, Attach("other", "key"))
         # What the other one's simulator answers is held up until all is over.
-        gate = Gate(monkeypatch, SimulatorHandle, "play", after=True)
-        dying = begun(parts.executor.predict(run, predict(turn, fault=2)))
-        beside = begun(parts.executor.predict(run, predict(other, "other")))
-        taking = begun(
+        blocked = BlockedCall(monkeypatch, SimulatorHandle, "play", after=True)
+        dying = start_task(parts.executor.predict(run, predict_command(turn, fault=2)))
+        beside = start_task(
+            parts.executor.predict(run, predict_command(other, "other"))
+        )
+        taking = start_task(
             parts.executor.attach(run, Attach("w", "another", takeover=True))
         )
         await asyncio.wait([taking])
-        gate.open()
+        blocked.open()
         for task in (dying, beside):
-            with refusal("session_ended", ended_by="run_failed"):
+            with expect_refusal("session_ended", ended_by="run_failed"):
                 await task
-        with refusal("illegal_transition", state="failed"):
+        with expect_refusal("illegal_transition", state="failed"):
             await taking
-        await nothing_is_held(parts)
+        await assert_no_simulator_lent(parts)
         assert [e.attempt for e in run.episodes] == [1, 1]
 
-    tell(tmp_path, story)
-    no_defect(caplog)
+    run_scenarios(tmp_path, scenario)
+    assert_no_error_logged(caplog)
 
 
 @pytest.mark.parametrize("then", ["goes on", "is stopped", "fails"])
-def test_a_successor_finds_a_dead_simulator(
+def test_a_takeover_with_a_dead_simulator_restarts_the_episode(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     caplog: pytest.LogCaptureFixture,
@@ -117,22 +119,22 @@ def test_a_successor_finds_a_dead_simulator(
 ) -> None:
     """The fault is recorded; while it is stored anything may happen to the run."""
 
-    async def story(parts: Parts) -> None:
-        run = await parts.registry.add(calibration("count"), None, "")
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("count"), None, "")
         if then == "fails":
             run.manifest = {**run.manifest, "max_faults": 1}
         turn = await parts.executor.attach(run, Attach("w", "key"))
-        await parts.executor.predict(run, predict(turn))
+        await parts.executor.predict(run, predict_command(turn))
         for process in list(parts.pool._processes):
             process.end("was killed by the test")
-        gate = Gate(monkeypatch, parts.store, "save")
-        taking = begun(
+        blocked = BlockedCall(monkeypatch, parts.store, "save")
+        taking = start_task(
             parts.executor.attach(run, Attach("w", "another", takeover=True))
         )
-        await gate.reached()
+        await blocked.wait_until_reached()
         if then == "is stopped":
-            stop(parts, run)
-        gate.open()
+            stop_run(parts, run)
+        blocked.open()
         if then == "goes on":
             successor = await taking
             assert successor["fault"]["faults"] == 1
@@ -141,21 +143,21 @@ def test_a_successor_finds_a_dead_simulator(
             assert successor["observation"]["state"]["count"] == [0.0]
             return
         ended_by = {"is stopped": "run_stopped", "fails": "run_failed"}[then]
-        with refusal("session_ended", ended_by=ended_by):
+        with expect_refusal("session_ended", ended_by=ended_by):
             await taking
-        await nothing_is_held(parts)
+        await assert_no_simulator_lent(parts)
         assert (run.episodes[0].attempt, run.episodes[0].faults) == (1, 1)
 
-    tell(tmp_path, story)
-    no_defect(caplog)
+    run_scenarios(tmp_path, scenario)
+    assert_no_error_logged(caplog)
 
 
-def test_who_waits_for_a_turn_that_is_lost_is_told(tmp_path: Path) -> None:
-    async def story(parts: Parts) -> None:
-        run = await parts.registry.add(calibration("delay"), None, "")
+def test_waiters_for_a_lost_turn_are_refused(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("delay"), None, "")
         turn = await parts.executor.attach(run, Attach("w", "key"))
-        command = predict(turn, delay_s=0.2, end=1)
-        with parts.unwritable():
+        command = predict_command(turn, delay_s=0.2, end=1)
+        with parts.reject_writes():
             work = [
                 parts.executor.predict(run, command),
                 parts.executor.predict(run, command),
@@ -163,7 +165,7 @@ def test_who_waits_for_a_turn_that_is_lost_is_told(tmp_path: Path) -> None:
             ]
             tasks = [asyncio.create_task(one) for one in work]
             await asyncio.wait(tasks)
-        with refusal("unavailable"):
+        with expect_refusal("unavailable"):
             await tasks[0]
         with pytest.raises(Refused, match=r"has ended|newer session"):
             await tasks[1]
@@ -174,30 +176,30 @@ def test_who_waits_for_a_turn_that_is_lost_is_told(tmp_path: Path) -> None:
         assert list(found.workers) == ["w"]
         assert successor["episode"]["step"] == 0
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)
 
 
-def test_who_comes_with_a_run_that_was_lost_is_told(tmp_path: Path) -> None:
+def test_commands_for_a_lost_run_object_are_refused(tmp_path: Path) -> None:
     """Its caller found the run, awaited something else, and another's write failed."""
 
-    async def story(parts: Parts) -> None:
-        run = await parts.registry.add(calibration("count", "count"), None, "")
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("count", "count"), None, "")
         one = await parts.executor.attach(run, Attach("one", "key"))
         other = await parts.executor.attach(run, Attach("other", "key"))
-        with parts.unwritable(), refusal("unavailable"):
-            await parts.executor.predict(run, predict(one, "one", end=1))
-        with refusal("session_ended", ended_by="unknown"):
-            await parts.executor.predict(run, predict(other, "other"))
+        with parts.reject_writes(), expect_refusal("unavailable"):
+            await parts.executor.predict(run, predict_command(one, "one", end=1))
+        with expect_refusal("session_ended", ended_by="unknown"):
+            await parts.executor.predict(run, predict_command(other, "other"))
         assert await parts.registry.get(run.run_id) is not run
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)
 
 
-def test_the_last_turn_is_answered_although_a_successor_is_there(
+def test_the_last_turn_is_answered_despite_a_takeover(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    async def story(parts: Parts) -> None:
-        run = await parts.registry.add(calibration("score", "score"), None, "")
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("score", "score"), None, "")
         await parts.executor.attach(run, Attach("other", "key"))
         turn = await parts.executor.attach(run, Attach("w", "key"))
         saving, release, save = asyncio.Event(), asyncio.Event(), parts.store.save
@@ -209,7 +211,7 @@ def test_the_last_turn_is_answered_although_a_successor_is_there(
 
         monkeypatch.setattr(parts.store, "save", slow_save)
         last = asyncio.create_task(
-            parts.executor.predict(run, predict(turn, score=1, end=1))
+            parts.executor.predict(run, predict_command(turn, score=1, end=1))
         )
         await saving.wait()
         successor = asyncio.create_task(
@@ -220,18 +222,18 @@ def test_the_last_turn_is_answered_although_a_successor_is_there(
         assert (await last)["done"]
         assert (await successor)["done"]
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)
 
 
-def test_a_lease_ends_at_one_moment_for_all(
+def test_a_lease_end_is_evaluated_once_per_command(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Between two looks at the clock a lease ended: then it ended for both or none."""
 
-    async def story(parts: Parts) -> None:
-        run = await parts.registry.add(calibration("count", "count"), None, "")
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("count", "count"), None, "")
         turn = await parts.executor.attach(run, Attach("w", "key"))
-        await parts.executor.predict(run, predict(turn))
+        await parts.executor.predict(run, predict_command(turn))
         expires_at = run.workers["w"].expires_at
         moments = iter([expires_at])  # the first look; all others are too late
 
@@ -241,7 +243,7 @@ def test_a_lease_ends_at_one_moment_for_all(
         clock = types.SimpleNamespace(**vars(time))
         clock.monotonic = monotonic
         monkeypatch.setattr(stage_module, "time", clock)
-        with refusal("worker_busy"):
+        with expect_refusal("worker_busy"):
             await parts.executor.attach(run, Attach("w", "another"))
         turn = await parts.executor.attach(run, Attach("w", "another"))
         assert turn["episode"]["attempt"] == 2
@@ -249,4 +251,4 @@ def test_a_lease_ends_at_one_moment_for_all(
         monkeypatch.undo()
         parts.executor.heartbeat(run, Heartbeat("w", turn["session_id"]))
 
-    tell(tmp_path, story)
+    run_scenarios(tmp_path, scenario)

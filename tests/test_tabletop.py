@@ -22,18 +22,18 @@ from reference_sim.benchmarks.tabletop.tasks import TASKS
 from reference_sim.interface import Action, TaskUnplayable
 from reference_sim.mujoco.kinematics import ArmKinematics
 from reference_sim.mujoco.world import SimulationDiverged, World
-from tests.physical_worlds import bits, play
+from tests.physical_worlds import observation_digest, play
 from tests.tabletop_worlds import (
-    ALL,
     HEIGHT,
     HOME,
+    TASKS_AND_SPLITS,
     WIDTH,
     Tabletop,
     expert,
     scene_elements,
+    scripted_motion,
+    scripted_motion_digests,
     tabletop,
-    waving,
-    waving_bits,
 )
 
 
@@ -60,17 +60,19 @@ def _closing(sim: Tabletop) -> Iterator[Tabletop]:
 def test_another_process_sees_the_same_bits() -> None:
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(1, mp_context=spawn) as other:
-        theirs = other.submit(waving_bits, 7)
-        ours = waving_bits(7)
-        assert theirs.result(timeout=60) == ours
-    assert len(set(ours)) == len(ours), (
+        remote_digests = other.submit(scripted_motion_digests, 7)
+        local_digests = scripted_motion_digests(7)
+        assert remote_digests.result(timeout=60) == local_digests
+    assert len(set(local_digests)) == len(local_digests), (
         "an observation that never changes proves little"
     )
 
 
-def test_reset_forgets_a_dirty_episode(sim: Tabletop) -> None:
+def test_reset_restores_the_initial_state(sim: Tabletop) -> None:
     """A thing gripped, another size, score above zero: nothing of it is left."""
-    for (before, look), (task, split) in zip(ALL[4:] + ALL[:4], ALL, strict=True):
+    for (before, look), (task, split) in zip(
+        TASKS_AND_SPLITS[4:] + TASKS_AND_SPLITS[:4], TASKS_AND_SPLITS, strict=True
+    ):
         play(sim, expert(sim, before, 3, look), 22)
         fresh = tabletop(cameras=False)
         for one in (sim, fresh):
@@ -79,10 +81,12 @@ def test_reset_forgets_a_dirty_episode(sim: Tabletop) -> None:
         assert sim.snapshot().world.tobytes() == fresh.snapshot().world.tobytes()
         for _ in range(3):
             assert sim.step(HOME) == fresh.step(HOME)
-            assert bits(sim.observe()) == bits(fresh.observe())
+            assert observation_digest(sim.observe()) == observation_digest(
+                fresh.observe()
+            )
 
 
-def test_reset_forgets_another_look(seeing_sim: Tabletop) -> None:
+def test_reset_restores_the_appearance(seeing_sim: Tabletop) -> None:
     """Colours, camera and light of an unseen split, seen or not, leave no trace."""
     for split in variation.SPLITS:
         fresh = tabletop(cameras=True)
@@ -91,24 +95,28 @@ def test_reset_forgets_another_look(seeing_sim: Tabletop) -> None:
             seeing_sim.observe()
         for one in (seeing_sim, fresh):
             one.reset("push", 11, split)
-        assert bits(seeing_sim.observe()) == bits(fresh.observe())
+        assert observation_digest(seeing_sim.observe()) == observation_digest(
+            fresh.observe()
+        )
         fresh.close()
 
 
-def test_looking_does_not_change_what_happens(
+def test_rendering_does_not_change_the_physics(
     sim: Tabletop, seeing_sim: Tabletop
 ) -> None:
     for simulator in (sim, seeing_sim):
         simulator.reset("stack", 5, "test")
-    policy, same_policy = waving(), waving()
+    policy, same_policy = scripted_motion(), scripted_motion()
     for _ in range(20):
-        assert bits(seeing_sim.observe()) == bits(seeing_sim.observe())
+        assert observation_digest(seeing_sim.observe()) == observation_digest(
+            seeing_sim.observe()
+        )
         seen = seeing_sim.observe()
         assert sim.step(policy(seen)) == seeing_sim.step(same_policy(seen))
     assert sim.snapshot().world.tobytes() == seeing_sim.snapshot().world.tobytes()
 
 
-@pytest.mark.parametrize(("task", "split"), ALL)
+@pytest.mark.parametrize(("task", "split"), TASKS_AND_SPLITS)
 def test_a_snapshot_continues_exactly(task: str, split: str) -> None:
     """Half way and while the goal is being held, in a world that played another."""
     sim, other = tabletop(cameras=False), tabletop(cameras=False)
@@ -122,26 +130,30 @@ def test_a_snapshot_continues_exactly(task: str, split: str) -> None:
         assert other.snapshot().world.tobytes() == snapshot.world.tobytes()
         success = False
         while not success:
-            assert bits(other.observe()) == bits(sim.observe())
+            assert observation_digest(other.observe()) == observation_digest(
+                sim.observe()
+            )
             action = policy(sim.observe())
             outcome = sim.step(action)
             assert other.step(action) == outcome
             success = outcome.success
 
 
-def test_a_snapshot_looks_the_same(seeing_sim: Tabletop) -> None:
+def test_a_snapshot_renders_identically(seeing_sim: Tabletop) -> None:
     """Colours, sizes, camera and light come back with it."""
     other = tabletop(cameras=True)
-    for task, split in ALL[::2]:
+    for task, split in TASKS_AND_SPLITS[::2]:
         seeing_sim.reset(task, 8, split)
-        play(seeing_sim, waving(), 4)
+        play(seeing_sim, scripted_motion(), 4)
         other.reset("reach", 1, "val_unseen")
         other.restore(seeing_sim.snapshot())
-        assert bits(other.observe()) == bits(seeing_sim.observe())
+        assert observation_digest(other.observe()) == observation_digest(
+            seeing_sim.observe()
+        )
     other.close()
 
 
-def test_a_scaled_body_moves_like_one_made_so() -> None:
+def test_a_scaled_body_moves_like_a_compiled_one() -> None:
     """Size, inertia and what the solver derives of them, against the XML's own."""
     factor = 1.1
     half = scene_elements("geom")["cube"]["size"]
@@ -163,7 +175,7 @@ def test_a_scaled_body_moves_like_one_made_so() -> None:
 # What a policy sends and sees
 
 
-def test_pictures_show_the_scene_upright_and_moving(seeing_sim: Tabletop) -> None:
+def test_images_are_upright_and_change_with_motion(seeing_sim: Tabletop) -> None:
     seeing_sim.reset("lift_cube", 2)
     before = seeing_sim.observe().images
     assert tuple(before) == layout.CAMERAS
@@ -176,7 +188,7 @@ def test_pictures_show_the_scene_upright_and_moving(seeing_sim: Tabletop) -> Non
     assert red[-1] > blue[-1] + 20, "the wooden table is below"
     r, g, b = before["front"].astype(int).reshape(-1, 3).T
     assert np.count_nonzero((r > 2 * g) & (r > 2 * b)) > 5, "the cube is red"
-    play(seeing_sim, waving(), 10)
+    play(seeing_sim, scripted_motion(), 10)
     after = seeing_sim.observe().images
     for camera in layout.CAMERAS:
         assert np.count_nonzero(before[camera] != after[camera]) > 500, camera
@@ -200,7 +212,7 @@ def test_targets_beyond_their_bounds_are_clipped(sim: Tabletop) -> None:
     for action in (farthest, beyond):
         sim.reset("lift_cube", 0)
         sim.step(action)
-        ends.append(bits(sim.observe()))
+        ends.append(observation_digest(sim.observe()))
     assert ends[0] == ends[1]
 
 
@@ -218,7 +230,7 @@ def test_the_state_has_the_declared_channels(sim: Tabletop, task: str) -> None:
     assert state["ee_pose"][3:] == pytest.approx([0, 0, 1, 0], abs=1e-9)
 
 
-def test_what_has_no_part_is_parked_and_stays_there(sim: Tabletop) -> None:
+def test_unused_objects_stay_parked(sim: Tabletop) -> None:
     """Its pose says so: farther than 2 m. What has a part is within reach."""
     parts = {
         "reach": {"ball_position"},
@@ -234,7 +246,7 @@ def test_what_has_no_part_is_parked_and_stays_there(sim: Tabletop) -> None:
     for task, named in parts.items():
         sim.reset(task, 4, "test")
         first = sim.observe().state
-        play(sim, waving(), 30)
+        play(sim, scripted_motion(), 30)
         later = sim.observe().state
         for name in first:
             if not name.endswith(("_pose", "_position")) or name.startswith(
@@ -267,12 +279,12 @@ def test_constants_agree_with_the_scene() -> None:
     assert numbers["peg"][2] == layout.PEG_HALF_LENGTH_M
 
 
-def test_the_manifest_names_the_tasks_and_splits_there_are() -> None:
+def test_the_manifest_lists_all_tasks_and_splits() -> None:
     manifest = benchmark_registry.resolve("tabletop").manifest
     assert manifest["tasks"] == list(TASKS)
     assert manifest["splits"] == list(variation.SPLITS)
     episodes = manifest["episodes"]
-    assert {(one["task"], one["split"]) for one in episodes} == set(ALL)
+    assert {(one["task"], one["split"]) for one in episodes} == set(TASKS_AND_SPLITS)
     seeds = [one["seed"] for one in episodes]
     assert len(set(seeds)) == len(seeds) == manifest["episodes_total"]
     assert {one["task"] for one in episodes[: len(TASKS)]} == set(TASKS)
@@ -285,7 +297,7 @@ def test_an_unknown_task_is_unplayable(sim: Tabletop) -> None:
         sim.observe()
 
 
-def test_a_diverged_world_says_so() -> None:
+def test_a_diverged_simulation_raises() -> None:
     world = World(scene_mjcf())
     world.set_joint_positions(layout.JOINTS, [math.nan] * 7)
     with pytest.raises(SimulationDiverged):
@@ -300,7 +312,7 @@ def arm() -> ArmKinematics:
     return tabletop_arm()
 
 
-def test_inverse_kinematics_arrives(arm: ArmKinematics) -> None:
+def test_inverse_kinematics_reaches_the_target(arm: ArmKinematics) -> None:
     rng = np.random.Generator(np.random.PCG64(0))
     for _ in range(50):
         joints = np.array(layout.HOME_RAD) + rng.uniform(-0.4, 0.4, 7)

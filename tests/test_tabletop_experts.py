@@ -22,7 +22,7 @@ SHOWN = [
 ]
 
 
-def test_experts_solve_everything_and_luck_nothing() -> None:
+def test_experts_solve_every_task_and_random_actions_none() -> None:
     """One seed of each task and split, played for real."""
     done = subprocess.run(
         [sys.executable, "tools/experts.py", "tabletop", "--seeds", "1"],
@@ -47,7 +47,7 @@ def test_experts_solve_everything_and_luck_nothing() -> None:
         ("still", 3, True),
     ],
 )
-def test_a_missed_criterion_is_told_and_fails(
+def test_a_missed_criterion_is_reported_and_fails(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
     player: str,
@@ -63,7 +63,7 @@ def test_a_missed_criterion_is_told_and_fails(
     assert f"1 measured, {int(missed)} missed" in capsys.readouterr().out
 
 
-def test_the_tabletop_takes_part() -> None:
+def test_the_tabletop_is_measured() -> None:
     assert "tabletop" in experts.benchmark_names()
     assert "runners" not in experts.benchmark_names()
 
@@ -93,7 +93,7 @@ def test_the_figures_on_the_page_meet_the_criteria() -> None:
             assert successes <= experts.LUCK_AT_MOST * seeds, task
 
 
-def test_an_expert_asks_for_an_instruction_it_knows() -> None:
+def test_an_expert_rejects_an_unknown_instruction() -> None:
     expert = TabletopExpert()
     with pytest.raises(RuntimeError, match="reset"):
         expert.act({})

@@ -12,7 +12,13 @@ from reference_sim.benchmarks.tabletop.benchmark import MAX_STEPS
 from reference_sim.benchmarks.tabletop.scene import TabletopScene
 from reference_sim.benchmarks.tabletop.tasks import TASKS
 from tests.physical_worlds import play
-from tests.tabletop_worlds import ALL, Tabletop, expert, scene_elements, tabletop
+from tests.tabletop_worlds import (
+    TASKS_AND_SPLITS,
+    Tabletop,
+    expert,
+    scene_elements,
+    tabletop,
+)
 
 CUBE = layout.CUBE_HALF_M
 Arrange = Callable[[TabletopScene], None]
@@ -109,7 +115,7 @@ def test_the_goal_holds_where_it_should(task: str, case: str) -> None:
     assert TASKS[task]().goal_holds(scene) is holds
 
 
-def test_every_goal_is_tried() -> None:
+def test_every_task_has_goal_cases() -> None:
     assert set(GOALS) == set(TASKS)
 
 
@@ -128,7 +134,7 @@ def test_a_cube_that_is_still_held_is_not_placed(sim: Tabletop, task: str) -> No
 # What is worth how much
 
 
-@pytest.mark.parametrize(("task", "split"), ALL)
+@pytest.mark.parametrize(("task", "split"), TASKS_AND_SPLITS)
 def test_scores_grow_by_stages_to_one(sim: Tabletop, task: str, split: str) -> None:
     """An expert's episode. Expect every stage, in order, and 1 only on success."""
     policy = expert(sim, task, 1, split)
@@ -148,7 +154,7 @@ def test_scores_grow_by_stages_to_one(sim: Tabletop, task: str, split: str) -> N
         assert 0.5 <= half_done < 1
 
 
-def test_what_is_lost_is_fetched_again(sim: Tabletop) -> None:
+def test_a_dropped_cube_is_picked_up_again(sim: Tabletop) -> None:
     """The gripper opens on the way up; meanwhile the score stays at its best."""
     policy = expert(sim, "lift_cube", 0)
     up = 2 * CUBE
@@ -227,10 +233,11 @@ def test_instructions_name_the_colours_shown() -> None:
 
 
 def test_instructions_differ_by_colour_and_name_no_placeholder(sim: Tabletop) -> None:
-    said = {
-        task: {sim.reset(task, seed, split) for seed in range(8)} for task, split in ALL
+    instructions_by_task = {
+        task: {sim.reset(task, seed, split) for seed in range(8)}
+        for task, split in TASKS_AND_SPLITS
     }
-    for task, instructions in said.items():
+    for task, instructions in instructions_by_task.items():
         for instruction in instructions:
             assert instruction[0].isupper()
             assert instruction.endswith(".")
@@ -244,7 +251,7 @@ def test_an_unknown_split_is_refused(sim: Tabletop) -> None:
         sim.reset("reach", 0, "holiday")
 
 
-def test_things_never_start_where_a_finger_must_go(sim: Tabletop) -> None:
+def test_objects_start_with_room_for_the_gripper(sim: Tabletop) -> None:
     """Two hundred arrangements: what is to be gripped stands free."""
     apart = {"pick_and_place": "tray_pose", "insert_peg": "hole_pose"}
     for split in variation.SPLITS:

@@ -19,7 +19,7 @@ from reference_server.generated import models
 from reference_server.http import codec
 from reference_server.http.problems import Refused
 from reference_server.rules import action_space
-from tests.interop.pictures import same
+from tests.interop.pictures import values_equal
 
 FILES = sorted((Path(__file__).parents[1] / "spec" / "vectors" / "wire").glob("*.json"))
 VECTORS = [
@@ -75,25 +75,27 @@ def test_there_are_vectors_of_every_kind() -> None:
 def test_both_encodings_hold_one_value(vector: dict[str, Any]) -> None:
     packed = base64.b64decode(vector["msgpack"])
     structure = codec.decode(packed, codec.MSGPACK)
-    assert same(in_json(structure), json.loads(vector["json"]))
+    assert values_equal(in_json(structure), json.loads(vector["json"]))
     assert msgspec.msgpack.encode(structure) == packed
 
 
 @pytest.mark.parametrize("vector", ACCEPTED)
-def test_our_models_and_encoder_give_it_back(vector: dict[str, Any]) -> None:
+def test_models_and_encoder_round_trip_each_vector(vector: dict[str, Any]) -> None:
     structure = codec.decode(base64.b64decode(vector["msgpack"]), codec.MSGPACK)
     for name in vector.get("may_drop", ()):
         del structure[name]  # our models are those of the version that we speak
     model = getattr(models, vector["schema"])
     again = model.model_validate(structure).model_dump(exclude_unset=True)
-    assert same(in_json(again), in_json(structure))
+    assert values_equal(in_json(again), in_json(structure))
     for media_type in (codec.JSON, codec.MSGPACK):
         body = codec.encode_response(again, media_type).body
-        assert same(in_json(codec.decode(bytes(body), media_type)), in_json(again))
+        assert values_equal(
+            in_json(codec.decode(bytes(body), media_type)), in_json(again)
+        )
 
 
 @pytest.mark.parametrize(("media_type", "body"), REFUSED)
-def test_what_is_marked_refused_is_refused(media_type: str, body: bytes) -> None:
+def test_vectors_marked_refused_are_refused(media_type: str, body: bytes) -> None:
     with pytest.raises(Refused) as refusal:
         execute(media_type, body)
     assert refusal.value.code in ("malformed_body", "invalid_request")

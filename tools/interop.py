@@ -22,16 +22,16 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
-from tests.conftest import TOKENS, House
-from tests.interop.clients import LANGUAGES, NOT_COMPILED, ROOT, CannotRun, Language
+from tests.conftest import TOKENS, ReferenceServer
+from tests.interop.clients import LANGUAGES, NOT_COMPILED, ROOT, BuildFailed, Language
 from tests.interop.scenarios import (
+    DESCRIPTIONS,
     LIMITS,
-    MEANING,
     SCENARIOS,
-    CannotJudge,
     Program,
+    ScenarioNotRunnable,
     Server,
-    Wrong,
+    UnexpectedResult,
 )
 
 PAGE = ROOT / "docs" / "interop.md"
@@ -76,7 +76,7 @@ def play(language: Language, server: Server, names: list[str], matrix: Matrix) -
     started = time.monotonic()
     try:
         language.build()
-    except (CannotRun, subprocess.TimeoutExpired) as error:
+    except (BuildFailed, subprocess.TimeoutExpired) as error:
         row |= {name: Cell(FAILED, f"the build: {error}") for name in names}
         return
     print(f"{language.name}: built in {time.monotonic() - started:.0f} s", flush=True)
@@ -92,9 +92,9 @@ def judge(name: str, server: Server, program: Program) -> Cell:
     started = time.monotonic()
     try:
         SCENARIOS[name](server, program)
-    except CannotJudge as error:
+    except ScenarioNotRunnable as error:
         return Cell(NOT_RUN, str(error))
-    except (Wrong, KeyError, TypeError, ValueError) as error:
+    except (UnexpectedResult, KeyError, TypeError, ValueError) as error:
         # A member that is missing or misshapen in what the program said is its fault.
         why = f"{type(error).__name__}: {error}"
         return Cell(FAILED, why, time.monotonic() - started)
@@ -118,7 +118,7 @@ def table(matrix: Matrix) -> list[str]:
             if limit:
                 mark += f" [{notes.setdefault(f'{language}: {limit}', len(notes) + 1)}]"
             marks.append(mark)
-        lines.append(f"| {name}: {MEANING[name]} | {' | '.join(marks)} |")
+        lines.append(f"| {name}: {DESCRIPTIONS[name]} | {' | '.join(marks)} |")
     lines += ["", *(f"[{number}] {note}." for note, number in notes.items())]
     return lines
 
@@ -193,7 +193,7 @@ def the_server(arguments: argparse.Namespace) -> Iterator[Server]:
         yield Server(arguments.url.rstrip("/"), token, restart if command else None)
         return
     with tempfile.TemporaryDirectory() as directory:
-        house = House(Path(directory))
+        house = ReferenceServer(Path(directory))
 
         def again() -> str:
             house.end(signal.SIGKILL)

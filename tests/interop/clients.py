@@ -19,11 +19,11 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 CLIENTS = ROOT / "generated_clients"
 CACHE = ROOT / ".cache" / "interop"
-LEFT_BY_BUILDS = {"__pycache__", "build", "dist", "node_modules", "target"}
+BUILD_OUTPUT = {"__pycache__", "build", "dist", "node_modules", "target"}
 BUILD_S = 1800.0
 
 
-class CannotRun(Exception):
+class BuildFailed(Exception):
     """A program is not there to be run, for its build failed."""
 
 
@@ -52,8 +52,10 @@ class Language:
         return f"{' and '.join(absent)} not found" if absent else ""
 
     def toolchain(self) -> str:
-        said = subprocess.run(self.version, capture_output=True, text=True, check=True)
-        return (said.stdout or said.stderr).splitlines()[0].strip()
+        output = subprocess.run(
+            self.version, capture_output=True, text=True, check=True
+        )
+        return (output.stdout or output.stderr).splitlines()[0].strip()
 
     def build(self) -> None:
         """Bring the program up to date; CannotRun holds what the compiler said."""
@@ -69,8 +71,8 @@ class Language:
                 check=False,
             )
             if done.returncode != 0:
-                said = (done.stdout + done.stderr).strip()[-3000:]
-                raise CannotRun(f"{' '.join(step)} failed:\n{said}")
+                output = (done.stdout + done.stderr).strip()[-3000:]
+                raise BuildFailed(f"{' '.join(step)} failed:\n{output}")
 
     def env(self) -> dict[str, str]:
         base = CACHE / self.name
@@ -83,10 +85,10 @@ def mirror(source: Path, target: Path) -> None:
     """Make `target` the same as `source`, but for what builds left in it."""
     target.mkdir(parents=True, exist_ok=True)
     wanted = {path.relative_to(source) for path in source.rglob("*") if path.is_file()}
-    wanted = {path for path in wanted if not LEFT_BY_BUILDS & set(path.parts)}
+    wanted = {path for path in wanted if not BUILD_OUTPUT & set(path.parts)}
     for path in [path for path in target.rglob("*") if path.is_file()]:
         name = path.relative_to(target)
-        if name not in wanted and not LEFT_BY_BUILDS & set(name.parts):
+        if name not in wanted and not BUILD_OUTPUT & set(name.parts):
             path.unlink()
     for name in wanted:
         old, new = target / name, source / name

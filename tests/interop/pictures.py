@@ -43,19 +43,19 @@ def tensors() -> dict[str, dict[str, Any]]:
     for name, (code, tiny, huge) in FLOATS.items():
         values = [-2.0, -0.5, 0.0, 0.5, tiny, huge]
         data[name] = b"".join(struct.pack(code, x) for x in values)
-    shown = {
+    encoded = {
         name: {"dtype": name, "shape": [2, 3], "data": raw.hex()}
         for name, raw in data.items()
     }
-    return shown | {"empty": {"dtype": "float64", "shape": [0, 3], "data": ""}}
+    return encoded | {"empty": {"dtype": "float64", "shape": [0, 3], "data": ""}}
 
 
-def instant(text: str) -> datetime:
+def parse_time(text: str) -> datetime:
     """The time that a text names; it can be written in several ways."""
     return datetime.fromisoformat(text)
 
 
-def same(one: Any, other: Any, *, ulps: int = 0) -> bool:
+def values_equal(one: Any, other: Any, *, ulps: int = 0) -> bool:
     """Whether two parsed JSON values are equal; 1 and 1.0 are, true and 1 are not.
 
     ulps: by how many units in the last place two floats may differ.
@@ -64,14 +64,15 @@ def same(one: Any, other: Any, *, ulps: int = 0) -> bool:
     """
     if isinstance(one, dict) and isinstance(other, dict):
         return one.keys() == other.keys() and all(
-            instant(value) == instant(other[name])
+            parse_time(value) == parse_time(other[name])
             if name.endswith("_at")
-            else same(value, other[name], ulps=ulps)
+            else values_equal(value, other[name], ulps=ulps)
             for name, value in one.items()
         )
     if isinstance(one, list) and isinstance(other, list):
         return len(one) == len(other) and all(
-            same(mine, yours, ulps=ulps) for mine, yours in zip(one, other, strict=True)
+            values_equal(left, right, ulps=ulps)
+            for left, right in zip(one, other, strict=True)
         )
     if isinstance(one, bool) or isinstance(other, bool):
         return one is other

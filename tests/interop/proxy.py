@@ -30,7 +30,7 @@ HOP_BY_HOP = {"connection", "content-length", "host", "keep-alive", "transfer-en
 
 
 @dataclass(frozen=True)
-class Passed:
+class RecordedRequest:
     """One request as it arrived: its kind, its body, its Idempotency-Key."""
 
     kind: str
@@ -55,8 +55,8 @@ class Proxy:
         crash: Callable[[], str] | None = None,
     ) -> None:
         self.upstream = upstream
-        self.passed: list[Passed] = []
-        self.dropped: list[str] = []
+        self.recorded: list[RecordedRequest] = []
+        self.dropped_answers: list[str] = []
         self._to_drop, self._crash_at, self._crash = set(drop), crash_at, crash
         self._lock = threading.Lock()
         # The environment may name a proxy; this machine is never behind it.
@@ -66,10 +66,10 @@ class Proxy:
         class Handler(BaseHTTPRequestHandler):
             protocol_version = "HTTP/1.1"
 
-            def _pass(self) -> None:
+            def _forward(self) -> None:
                 proxy.handle(self)
 
-            do_GET = do_POST = do_PUT = do_DELETE = _pass  # noqa: N815
+            do_GET = do_POST = do_PUT = do_DELETE = _forward  # noqa: N815
 
             def log_message(self, format: str, *arguments: object) -> None:  # noqa: A002
                 """The record is `passed`."""
@@ -100,8 +100,10 @@ class Proxy:
         body = request.rfile.read(int(request.headers.get("Content-Length") or 0))
         kind = self._kind(f"{request.command} {urlsplit(request.path).path}")
         with self._lock:
-            self.passed.append(Passed(kind, body, request.headers["Idempotency-Key"]))
-            predicts = sum(passed.kind == "predict" for passed in self.passed)
+            self.recorded.append(
+                RecordedRequest(kind, body, request.headers["Idempotency-Key"])
+            )
+            predicts = sum(recorded.kind == "predict" for recorded in self.recorded)
         headers = [
             (k, v) for k, v in request.headers.items() if k.lower() not in HOP_BY_HOP
         ]
@@ -113,33 +115,35 @@ class Proxy:
                 headers=headers,
             )
         except httpx.TransportError:
-            return hang_up(request)
+            return drop_connection(request)
         if kind == "predict" and predicts == self._crash_at and self._crash is not None:
             with self._lock:
-                self.dropped.append("crash")
+                self.dropped_answers.append("crash")
                 self.upstream = self._crash()
-            return hang_up(request)
+            return drop_connection(request)
         with self._lock:
             if kind in self._to_drop:
                 self._to_drop.remove(kind)
-                self.dropped.append(kind)
-                return hang_up(request)
+                self.dropped_answers.append(kind)
+                return drop_connection(request)
         return self._answer(request, answer)
 
-    def repeats(self, kind: str) -> list[Passed]:
+    def repeats(self, kind: str) -> list[RecordedRequest]:
         """Requests of a kind that are the same as an earlier one."""
-        found: list[Passed] = []
-        seen: set[Passed] = set()
-        for passed in self.passed:
-            if passed.kind == kind and passed in seen:
-                found.append(passed)
-            seen.add(passed)
-        return found
+        matches: list[RecordedRequest] = []
+        seen: set[RecordedRequest] = set()
+        for recorded in self.recorded:
+            if recorded.kind == kind and recorded in seen:
+                matches.append(recorded)
+            seen.add(recorded)
+        return matches
 
     def _answer(self, request: BaseHTTPRequestHandler, answer: httpx.Response) -> None:
         content = answer.content
         if request.path.startswith("/v1/runs") and b'"endpoint"' in content:
-            content = json.dumps(self._through_here(json.loads(content))).encode()
+            content = json.dumps(
+                self._with_proxy_endpoints(json.loads(content))
+            ).encode()
         request.send_response_only(answer.status_code)
         for name, value in answer.headers.items():
             if name not in HOP_BY_HOP | {"content-encoding"}:
@@ -149,23 +153,25 @@ class Proxy:
         request.end_headers()
         request.wfile.write(content)
 
-    def _through_here(self, value: object) -> object:
+    def _with_proxy_endpoints(self, value: object) -> object:
         if isinstance(value, list):
-            return [self._through_here(item) for item in value]
+            return [self._with_proxy_endpoints(item) for item in value]
         if isinstance(value, dict):
             return {
-                name: self.url if name == "endpoint" else self._through_here(item)
+                name: self.url
+                if name == "endpoint"
+                else self._with_proxy_endpoints(item)
                 for name, item in value.items()
             }
         return value
 
     @staticmethod
     def _kind(line: str) -> str:
-        found = [kind for kind, pattern in KINDS.items() if pattern.fullmatch(line)]
-        return found[0] if found else "other"
+        matches = [kind for kind, pattern in KINDS.items() if pattern.fullmatch(line)]
+        return matches[0] if matches else "other"
 
 
-def hang_up(request: BaseHTTPRequestHandler) -> None:
+def drop_connection(request: BaseHTTPRequestHandler) -> None:
     """Close the connection without a word, as a gateway that dies."""
     request.close_connection = True
     request.connection.shutdown(socket.SHUT_RDWR)

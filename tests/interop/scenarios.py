@@ -21,7 +21,7 @@ import httpx
 from tests.interop import pictures
 from tests.interop.proxy import Proxy
 
-PATIENCE_S = 120.0
+TIMEOUT_S = 120.0
 VECTORS = Path(__file__).resolve().parents[2] / "spec" / "vectors" / "wire"
 VECTOR = [-0.0, 0.1, 5e-324, 1.7976931348623157e308, 2.0**53 - 1, 1 / 3, -2.5e-8, 1e22]
 ACTION_SIZES = {
@@ -43,7 +43,7 @@ LIMITS = {
 }
 
 
-class Wrong(Exception):
+class UnexpectedResult(Exception):
     """A program saw something else than it should have."""
 
 
@@ -85,70 +85,70 @@ class Program:
                 env=dict(self.env),
                 capture_output=True,
                 text=True,
-                timeout=PATIENCE_S,
+                timeout=TIMEOUT_S,
                 check=False,
             )
         except subprocess.TimeoutExpired:
-            raise Wrong(f"no answer within {PATIENCE_S:.0f} s") from None
+            raise UnexpectedResult(f"no answer within {TIMEOUT_S:.0f} s") from None
         if done.returncode != 0:
-            raise Wrong(
+            raise UnexpectedResult(
                 f"exit {done.returncode}: {(done.stdout + done.stderr)[-1500:]}"
             )
         try:
-            seen = json.loads(done.stdout)
+            observed = json.loads(done.stdout)
         except ValueError:
-            raise Wrong(f"no JSON: {done.stdout[-500:]!r}") from None
-        if not isinstance(seen, dict):
-            raise Wrong(f"no object: {done.stdout[-500:]!r}")
-        return seen
+            raise UnexpectedResult(f"no JSON: {done.stdout[-500:]!r}") from None
+        if not isinstance(observed, dict):
+            raise UnexpectedResult(f"no object: {done.stdout[-500:]!r}")
+        return observed
 
 
-def expect(what: str, seen: object, wanted: object) -> None:
-    if seen != wanted:
-        raise Wrong(f"{what} is {seen!r}, expected {wanted!r}")
+def expect(what: str, observed: object, wanted: object) -> None:
+    if observed != wanted:
+        raise UnexpectedResult(f"{what} is {observed!r}, expected {wanted!r}")
 
 
 def expect_refusal(
-    seen: Mapping[str, Any], status: int, code: str, **more: Any
+    observed: Mapping[str, Any], status: int, code: str, **more: Any
 ) -> None:
     wanted = {"status": status, "code": code, "side_effects": "none"} | more
-    expect("the problem", {name: seen.get(name) for name in wanted}, wanted)
+    expect("the problem", {name: observed.get(name) for name in wanted}, wanted)
 
 
-def expect_run(server: Server, seen: Mapping[str, Any], score: float) -> list[Any]:
+def expect_run(server: Server, observed: Mapping[str, Any], score: float) -> list[Any]:
     """The run is complete with this score, here and there; returns its episodes."""
-    expect("score", seen["score"], score)
-    expect("complete", seen["complete"], True)
-    told = server.read(f"/v1/runs/{seen['run_id']}/score")
-    expect("the server's score", told["score"], score)
-    page = server.read(f"/v1/runs/{seen['run_id']}/episodes")
+    expect("score", observed["score"], score)
+    expect("complete", observed["complete"], True)
+    reported = server.read(f"/v1/runs/{observed['run_id']}/score")
+    expect("the server's score", reported["score"], score)
+    page = server.read(f"/v1/runs/{observed['run_id']}/episodes")
     episodes = page["episodes"]
     assert isinstance(episodes, list)
     return episodes
 
 
 def submit(server: Server, program: Program) -> None:
-    seen = program.play("submit", server.url, server.token)
-    first, second = seen["run_ids"]
+    observed = program.play("submit", server.url, server.token)
+    first, second = observed["run_ids"]
     expect("the run of the repeated submit", second, first)
-    expect("runs listed under this id", seen["listed"], 1)
+    expect("runs listed under this id", observed["listed"], 1)
     limits = server.read("/v1")["limits"]
-    expect("limits.max_workers", seen["max_workers"], limits["max_workers"])
-    expect("sizes of the action space", seen["action_sizes"], ACTION_SIZES)
+    expect("limits.max_workers", observed["max_workers"], limits["max_workers"])
+    expect("sizes of the action space", observed["action_sizes"], ACTION_SIZES)
 
 
 def two_workers(server: Server, program: Program) -> None:
-    seen = program.play("two_workers", server.url, server.token)
-    expect_run(server, seen, 0.5)
-    played = seen["played"]
+    observed = program.play("two_workers", server.url, server.token)
+    expect_run(server, observed, 0.5)
+    played = observed["played"]
     expect("workers", sorted(played), ["worker-0", "worker-1"])
     expect("episodes played", sorted(itertools.chain(*played.values())), list(range(8)))
     if not all(played.values()):
-        raise Wrong(f"one worker played everything: {played}")
+        raise UnexpectedResult(f"one worker played everything: {played}")
 
 
 def chunks(server: Server, program: Program) -> None:
-    seen = program.play("chunks", server.url, server.token)
+    observed = program.play("chunks", server.url, server.token)
     wanted = {
         "executed": [4, 4, 2],
         "counts": [[1, 2, 3, 4], [5, 6, 7, 8], [9, 10]],
@@ -158,23 +158,29 @@ def chunks(server: Server, program: Program) -> None:
         "done": True,
         "steps": 10,
     }
-    expect("the turns", seen, wanted)
+    expect("the turns", observed, wanted)
 
 
 def echo(server: Server, program: Program) -> None:
-    seen = program.play("echo", server.url, server.token)
-    expect("codec", seen["codec"], "raw")
-    expect("size", seen["size"], [48, 64, 3])
-    expect("image", seen["image"], pictures.pattern(48, 64, count=1).hex())
-    expect("tensors", seen["tensors"], pictures.tensors())
+    observed = program.play("echo", server.url, server.token)
+    expect("codec", observed["codec"], "raw")
+    expect("size", observed["size"], [48, 64, 3])
+    expect("image", observed["image"], pictures.pattern(48, 64, count=1).hex())
+    expect("tensors", observed["tensors"], pictures.tensors())
     wanted = [struct.pack(">d", number).hex() for number in VECTOR]
-    expect("vector", tolerated(program.language, seen["vector"], wanted), wanted)
+    expect(
+        "vector",
+        apply_known_limits(program.language, observed["vector"], wanted),
+        wanted,
+    )
 
 
-def tolerated(language: str, seen: list[str], wanted: list[str]) -> list[str]:
+def apply_known_limits(
+    language: str, observed: list[str], wanted: list[str]
+) -> list[str]:
     """The numbers seen, as bits in hexadecimal digits; what LIMITS allows is mended."""
-    if (language, "echo") not in LIMITS or len(seen) != len(wanted):
-        return seen
+    if (language, "echo") not in LIMITS or len(observed) != len(wanted):
+        return observed
     off = 1 if language == "cpp" else 0
     minus_zero = "8" + "0" * 15 if language != "cpp" else None
     return [
@@ -182,35 +188,39 @@ def tolerated(language: str, seen: list[str], wanted: list[str]) -> list[str]:
         if abs(int(bits, 16) - int(want, 16)) <= off
         or (want == minus_zero and bits == "0" * 16)
         else bits
-        for bits, want in zip(seen, wanted, strict=True)
+        for bits, want in zip(observed, wanted, strict=True)
     ]
 
 
 def lost_answer(server: Server, program: Program) -> None:
     with Proxy(server.url, drop=("submit", "attach", "predict")) as proxy:
-        seen = program.play("lost_answer", proxy.url, server.token)
-    expect("answers lost", sorted(proxy.dropped), ["attach", "predict", "submit"])
+        observed = program.play("lost_answer", proxy.url, server.token)
+    expect(
+        "answers lost", sorted(proxy.dropped_answers), ["attach", "predict", "submit"]
+    )
     for kind in ("submit", "attach", "predict"):
         if not proxy.repeats(kind):
-            raise Wrong(f"{kind} was not repeated with the same body and key")
-    expect("counts", seen["counts"], [1, 2, 3, 4, 5, 6])
-    expect("done", seen["done"], True)
-    (episode,) = server.read(f"/v1/runs/{seen['run_id']}/episodes")["episodes"]
+            raise UnexpectedResult(
+                f"{kind} was not repeated with the same body and key"
+            )
+    expect("counts", observed["counts"], [1, 2, 3, 4, 5, 6])
+    expect("done", observed["done"], True)
+    (episode,) = server.read(f"/v1/runs/{observed['run_id']}/episodes")["episodes"]
     expect("steps", episode["result"]["steps"], 6)
     expect("attempt", episode["attempt"], 1)
 
 
 def lost_session(server: Server, program: Program) -> None:
-    seen = program.play("lost_session", server.url, server.token)
-    (episode,) = expect_run(server, seen, 1.0)
-    expect("sessions", seen["sessions"], 2)
-    expect("attempt", seen["attempt"], 2)
+    observed = program.play("lost_session", server.url, server.token)
+    (episode,) = expect_run(server, observed, 1.0)
+    expect("sessions", observed["sessions"], 2)
+    expect("attempt", observed["attempt"], 2)
     expect("the server's attempt", episode["result"]["attempt"], 2)
 
 
 def restart(server: Server, program: Program) -> None:
     if server.restart is None:
-        raise CannotJudge("nobody can restart this server; give RESTART_CMD")
+        raise ScenarioNotRunnable("nobody can restart this server; give RESTART_CMD")
 
     failures: list[Exception] = []
 
@@ -223,81 +233,83 @@ def restart(server: Server, program: Program) -> None:
         return server.url
 
     with Proxy(server.url, crash_at=6, crash=crash) as proxy:
-        seen = program.play("restart", proxy.url, server.token)
+        observed = program.play("restart", proxy.url, server.token)
     if failures:
-        raise CannotJudge(f"the server was not restarted: {failures[0]}")
-    expect("crashes", proxy.dropped, ["crash"])
-    episodes = expect_run(server, seen, 0.625)
+        raise ScenarioNotRunnable(f"the server was not restarted: {failures[0]}")
+    expect("crashes", proxy.dropped_answers, ["crash"])
+    episodes = expect_run(server, observed, 0.625)
     scores = [episode["result"]["score"] for episode in episodes]
     expect("scores", scores, [0.25, 0.5, 0.75, 1.0])
     expect("attempts", [e["result"]["attempt"] for e in episodes], [1, 1, 1, 1])
 
 
 def worker_limit(server: Server, program: Program) -> None:
-    seen = program.play("worker_limit", server.url, server.token)
-    expect_refusal(seen["problem"], 429, "worker_limit", retryable=True)
-    if not (seen["problem"]["retry_after_s"] or 0) > 0:
-        raise Wrong(f"Retry-After is {seen['problem']['retry_after_s']!r}")
-    expect_run(server, seen, 1.0)
+    observed = program.play("worker_limit", server.url, server.token)
+    expect_refusal(observed["problem"], 429, "worker_limit", retryable=True)
+    if not (observed["problem"]["retry_after_s"] or 0) > 0:
+        raise UnexpectedResult(
+            f"Retry-After is {observed['problem']['retry_after_s']!r}"
+        )
+    expect_run(server, observed, 1.0)
 
 
 def stop_resume(server: Server, program: Program) -> None:
-    seen = program.play("stop_resume", server.url, server.token)
-    expect("state after the stop", seen["stopped"], "stopped")
-    expect_refusal(seen["problem"], 409, "session_ended", ended_by="run_stopped")
-    expect("episodes after the resume", seen["after"], [1, 2])
-    episodes = expect_run(server, seen, (0.5 + 0.25 + 1.0) / 3)
+    observed = program.play("stop_resume", server.url, server.token)
+    expect("state after the stop", observed["stopped"], "stopped")
+    expect_refusal(observed["problem"], 409, "session_ended", ended_by="run_stopped")
+    expect("episodes after the resume", observed["after"], [1, 2])
+    episodes = expect_run(server, observed, (0.5 + 0.25 + 1.0) / 3)
     scores = [episode["result"]["score"] for episode in episodes]
     expect("scores", scores, [0.5, 0.25, 1.0])
 
 
 def problems(server: Server, program: Program) -> None:
-    seen = program.play("problems", server.url, server.token)["problems"]
-    unknown, missing, stranger, vector, order = seen
+    observed = program.play("problems", server.url, server.token)["problems"]
+    unknown, missing, unauthenticated, vector, order = observed
     never = {"retryable": False}
     expect_refusal(unknown, 422, "invalid_request", pointers=["/benchmark_id"], **never)
     expect_refusal(missing, 404, "not_found", **never)
-    expect_refusal(stranger, 401, "unauthenticated", **never)
+    expect_refusal(unauthenticated, 401, "unauthenticated", **never)
     expect_refusal(vector, 422, "invalid_request", **never)
     expect("pointers", vector["pointers"], ["/actions/0/values/vector"])
     expect_refusal(order, 409, "seq_out_of_order", expected_seq=1, **never)
 
 
 def score(server: Server, program: Program) -> None:
-    seen = program.play("score", server.url, server.token)
-    told = server.read(f"/v1/runs/{seen['run_id']}/score")
-    expect("score", seen["score"], 0.4)
-    expect("success rate", seen["success_rate"], 0.2)
-    expect("successes", seen["success"], 1)
-    interval = told["success_interval"]
-    expect("interval", seen["interval"], [interval["low"], interval["high"]])
-    expect("splits", seen["splits"], {"even": 0.5, "odd": 0.25})
-    expect("pages", seen["pages"], 3)
+    observed = program.play("score", server.url, server.token)
+    reported = server.read(f"/v1/runs/{observed['run_id']}/score")
+    expect("score", observed["score"], 0.4)
+    expect("success rate", observed["success_rate"], 0.2)
+    expect("successes", observed["success"], 1)
+    interval = reported["success_interval"]
+    expect("interval", observed["interval"], [interval["low"], interval["high"]])
+    expect("splits", observed["splits"], {"even": 0.5, "odd": 0.25})
+    expect("pages", observed["pages"], 3)
     scores = [1.0, 0.5, 0.25, 0.0, 0.25]
     wanted = [[index, scores[index], 1000 + index] for index in range(5)]
-    expect("episodes", seen["episodes"], wanted)
+    expect("episodes", observed["episodes"], wanted)
 
 
 def vectors(_server: Server, program: Program) -> None:
     """The golden vectors need no server."""
-    seen = program.play("vectors", str(VECTORS), "-")
+    observed = program.play("vectors", str(VECTORS), "-")
     for file in sorted(VECTORS.glob("*.json")):
         for vector in json.loads(file.read_text())["vectors"]:
             if vector.get("refused"):
                 continue  # what servers refuse
-            said = seen.get(vector["id"], "refused")
-            if said == "refused":
-                raise Wrong(f"vector {vector['id']} does not decode")
-            again, wanted = json.loads(said), json.loads(vector["json"])
+            decoded = observed.get(vector["id"], "refused")
+            if decoded == "refused":
+                raise UnexpectedResult(f"vector {vector['id']} does not decode")
+            again, wanted = json.loads(decoded), json.loads(vector["json"])
             for name in vector.get("may_drop", ()):
                 again.pop(name, None)
                 wanted.pop(name)
             off = 1 if (program.language, "vectors") in LIMITS else 0
-            if not pictures.same(again, wanted, ulps=off):
-                raise Wrong(f"vector {vector['id']} came back as {said}")
+            if not pictures.values_equal(again, wanted, ulps=off):
+                raise UnexpectedResult(f"vector {vector['id']} came back as {decoded}")
 
 
-class CannotJudge(Exception):
+class ScenarioNotRunnable(Exception):
     """A scenario cannot be played here."""
 
 
@@ -315,7 +327,7 @@ SCENARIOS: dict[str, Callable[[Server, Program], None]] = {
     "score": score,
     "vectors": vectors,
 }
-MEANING = {
+DESCRIPTIONS = {
     "submit": "a submit repeated with its Idempotency-Key makes one run",
     "two_workers": "two workers play one run at the same time",
     "chunks": "chunks of actions, all observations, the step limit",

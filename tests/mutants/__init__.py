@@ -19,7 +19,7 @@ class Mutant:
 
     name: str
     kills: frozenset[str]
-    suffering: str
+    user_impact: str
     patch: Patch
     tries: int = 2
 
@@ -31,11 +31,11 @@ def mutant(*kills: str, tries: int = 2) -> Callable[[Patch], Patch]:
     """Register a patch of the server under its function's name."""
 
     def register(patch: Patch) -> Patch:
-        suffering = (patch.__doc__ or "").strip()
-        assert suffering, f"{patch.__name__} does not say what a user would suffer"
+        user_impact = (patch.__doc__ or "").strip()
+        assert user_impact, f"{patch.__name__} does not say what a user would suffer"
         assert patch.__name__ not in MUTANTS, f"{patch.__name__} exists twice"
         MUTANTS[patch.__name__] = Mutant(
-            patch.__name__, frozenset(kills), suffering, patch, tries
+            patch.__name__, frozenset(kills), user_impact, patch, tries
         )
         return patch
 

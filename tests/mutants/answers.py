@@ -44,10 +44,10 @@ def leaves_abandoned_episodes_out() -> None:
     right = scoring.score_of
 
     def wrong(episodes: Any) -> dict[str, Any]:
-        kept = [e for e in episodes if e.outcome != "abandoned"]
+        counted_episodes = [e for e in episodes if e.outcome != "abandoned"]
         return (
-            right(kept) | {"counts": right(episodes)["counts"]}
-            if kept
+            right(counted_episodes) | {"counts": right(episodes)["counts"]}
+            if counted_episodes
             else right(episodes)
         )
 
@@ -175,7 +175,7 @@ def lets_readers_write() -> None:
 
 
 @mutant("VER-002")
-def speaks_any_version() -> None:
+def accepts_any_version() -> None:
     """A client of another protocol is misunderstood instead of refused."""
     put(dispatch, "check_version", lambda _request: None)
 
@@ -291,7 +291,7 @@ def forgets_runs_that_were_held_in_the_queue() -> None:
 
 
 @mutant("CRASH-001")
-def stores_results_after_it_has_told_them() -> None:
+def stores_results_after_sending_them() -> None:
     """A crash loses what the client has seen."""
     right = RunRegistry.commit
 

@@ -11,7 +11,7 @@ from tests.mutants import mutant, put
 
 
 @mutant("CHAT-001")
-def asks_without_the_picture() -> None:
+def sends_no_picture() -> None:
     """A model is scored for questions about what it was never shown."""
     right = ChatPolicy._question
 
@@ -36,7 +36,7 @@ def takes_the_first_line_for_the_answer() -> None:
 
 
 @mutant("CHAT-003")
-def calls_words_a_fault() -> None:
+def counts_an_unreadable_answer_as_a_fault() -> None:
     """A model that cannot answer three questions ends its whole evaluation."""
     right = chat_calls.read_answer
 

@@ -109,7 +109,7 @@ def approximates_the_p_value() -> None:
 
 
 @mutant("CMP-008")
-def gates_on_the_whole_alone() -> None:
+def compares_only_the_whole_with_the_tolerance() -> None:
     """A policy that lost one task and gained another is released."""
     right = comparison.is_within
     put(comparison, "is_within", lambda groups, limit: right(groups[:1], limit))
@@ -152,7 +152,7 @@ def compares_runs_of_any_account() -> None:
 
 
 @mutant("CMP-011")
-def refuses_to_compare_what_waits() -> None:
+def refuses_to_compare_queued_runs() -> None:
     """A table of all runs breaks as soon as one of them is queued."""
     right = Handlers.compare_runs
 

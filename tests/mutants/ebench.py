@@ -39,7 +39,7 @@ def takes_another_benchmark_for_the_task() -> None:
 
 
 @mutant("EBE-002")
-def refuses_a_task_without_a_word() -> None:
+def refuses_a_task_without_a_message() -> None:
     """The client prints an error that says nothing."""
 
     def wrong(refused: Refused) -> Response:
@@ -75,7 +75,7 @@ def gives_a_resumed_task_another_id() -> None:
 
 
 @mutant("EBE-005")
-def has_no_page_that_says_it_lives() -> None:
+def has_no_docs_page() -> None:
     """The client refuses to begin."""
 
     async def wrong(_self: EbenchHandlers, _call: Any) -> Response:
@@ -85,7 +85,7 @@ def has_no_page_that_says_it_lives() -> None:
 
 
 @mutant("EBE-018")
-def stops_in_one_place_only() -> None:
+def lacks_one_of_two_stop_paths() -> None:
     """An older client cannot stop what it began."""
     right = EbenchHandlers.table
 
@@ -98,7 +98,7 @@ def stops_in_one_place_only() -> None:
 
 
 @mutant("EBE-019")
-def counts_what_is_played_as_completed() -> None:
+def counts_episodes_in_progress_as_completed() -> None:
     """A run seems nearer to its end than it is."""
     right = responses.status_of
 
@@ -144,7 +144,7 @@ def begins_an_episode_anew_at_every_reset() -> None:
 
 
 @mutant("EBE-016")
-def lets_killed_workers_live() -> None:
+def ignores_kill_requests() -> None:
     """A slot is lost until the lease ends."""
 
     async def wrong(_self: EbenchHandlers, call: Any) -> Response:
@@ -154,7 +154,7 @@ def lets_killed_workers_live() -> None:
 
 
 @mutant("EBE-017")
-def executes_what_was_meant_for_a_lost_episode() -> None:
+def executes_actions_of_a_lost_episode() -> None:
     """A new episode begins with an action that was chosen in another one."""
     right = EbenchHandlers._turn
 
@@ -205,13 +205,13 @@ def executes_a_list_of_steps_backwards() -> None:
 
 
 @mutant("EBE-023")
-def calls_no_chunk_cut() -> None:
+def never_reports_a_chunk_as_stopped_early() -> None:
     """A policy believes that it is still in the episode it planned for."""
     put(handlers, "_is_stopped_early", lambda _turn: False)
 
 
 @mutant("EBE-009")
-def keeps_the_result_of_an_episode() -> None:
+def omits_the_result_of_an_episode() -> None:
     """The client's folder of results stays empty."""
     right = responses.worker_view
 
@@ -240,7 +240,7 @@ def reads_numbers_in_single_precision() -> None:
 
 
 @mutant("EBE-012")
-def moves_the_workers_whose_actions_fit() -> None:
+def executes_part_of_a_refused_step() -> None:
     """A refused step was executed by half of the workers."""
     right = EbenchHandlers._turn
 
@@ -291,7 +291,7 @@ def shares_scores_among_the_workers_of_a_step() -> None:
 
 
 @mutant("EBE-015")
-def passes_over_what_a_pickle_would_call() -> None:
+def accepts_pickles_that_call_functions() -> None:
     """An attack looks like a slip of the pen."""
     right = pickle_reader.read
 

@@ -19,20 +19,23 @@ from reference_server.storage.store import Store
 from tests.mutants import Patch, mutant, put
 
 
-def prompt(patch: Patch) -> Patch:
+def with_short_keepalive(patch: Patch) -> Patch:
     """Let comments come soon, so that the kit need not wait for one."""
 
-    def hurried() -> None:
+    def patch_with_short_keepalive() -> None:
         put(event_streams, "KEEPALIVE_S", 1.0)
         patch()
 
-    hurried.__name__, hurried.__doc__ = patch.__name__, patch.__doc__
-    return hurried
+    patch_with_short_keepalive.__name__, patch_with_short_keepalive.__doc__ = (
+        patch.__name__,
+        patch.__doc__,
+    )
+    return patch_with_short_keepalive
 
 
 @mutant("EVT-001")
-@prompt
-def tells_an_episode_by_its_id_alone() -> None:
+@with_short_keepalive
+def sends_only_the_ids_of_episodes() -> None:
     """Who follows a run has to ask for each result after all."""
     right = views.episode_view
     names = ("episode_id", "index", "task")
@@ -44,8 +47,8 @@ def tells_an_episode_by_its_id_alone() -> None:
 
 
 @mutant("EVT-002")
-@prompt
-def tells_episodes_in_manifest_order() -> None:
+@with_short_keepalive
+def sends_episodes_in_manifest_order() -> None:
     """With two workers, an episode is skipped whenever a later one is scored first."""
 
     def wrong(run: Run, start: int, end: int | None, scored: bool) -> list[Episode]:
@@ -57,8 +60,8 @@ def tells_episodes_in_manifest_order() -> None:
 
 
 @mutant("EVT-003")
-@prompt
-def tells_the_run_first() -> None:
+@with_short_keepalive
+def sends_the_run_before_its_episodes() -> None:
     """A page counts ten episodes as scored and has the results of nine."""
 
     right = events.next_batch
@@ -77,8 +80,8 @@ def tells_the_run_first() -> None:
 
 
 @mutant("EVT-004")
-@prompt
-def tells_late_of_a_stop() -> None:
+@with_short_keepalive
+def sends_a_stop_late() -> None:
     """Who follows a run lets its policy compute for nothing."""
     right = EventStream._read_batch
 
@@ -92,28 +95,30 @@ def tells_late_of_a_stop() -> None:
 
 
 @mutant("EVT-004")
-@prompt
-def tells_the_run_again_and_again() -> None:
+@with_short_keepalive
+def resends_an_unchanged_run() -> None:
     """A page that follows a run is drawn anew while nothing happens."""
     right, changed = events.next_batch, RunRegistry.wait_for_change
 
-    async def restless(
+    async def wake_early(
         self: RunRegistry, event: asyncio.Event, timeout_s: float
     ) -> bool:
         return await changed(self, event, min(timeout_s, 0.2)) or True
 
-    put(RunRegistry, "wait_for_change", restless)
+    put(RunRegistry, "wait_for_change", wake_early)
 
     def wrong(cursor: Cursor, run: RunHead, *rest: Any) -> EventBatch:
-        forgotten = cursor if events.is_final(run) else Cursor(cursor.results_sent)
-        return right(forgotten, run, *rest)
+        without_run_digest = (
+            cursor if events.is_final(run) else Cursor(cursor.results_sent)
+        )
+        return right(without_run_digest, run, *rest)
 
     put(event_streams, "next_batch", wrong)
 
 
 @mutant("EVT-005")
-@prompt
-def begins_anew_for_who_comes_back() -> None:
+@with_short_keepalive
+def restarts_the_stream_on_reconnect() -> None:
     """Each lost connection counts the results so far once more."""
     right = EventStream.answer
 
@@ -125,8 +130,8 @@ def begins_anew_for_who_comes_back() -> None:
 
 
 @mutant("EVT-006")
-@prompt
-def follows_a_run_for_ever() -> None:
+@with_short_keepalive
+def never_ends_a_stream() -> None:
     """A script that waits for the end of a stream never comes back."""
 
     def wrong(_run: RunHead) -> bool:
@@ -136,8 +141,8 @@ def follows_a_run_for_ever() -> None:
 
 
 @mutant("EVT-007")
-@prompt
-def takes_ids_of_other_runs() -> None:
+@with_short_keepalive
+def accepts_event_ids_of_other_runs() -> None:
     """A reader that mixes up two runs misses the first results of the second."""
 
     def wrong(id_: str, _run_id: str) -> Cursor | None:
@@ -148,28 +153,28 @@ def takes_ids_of_other_runs() -> None:
 
 
 @mutant("EVT-008")
-def says_nothing_without_news() -> None:
+def sends_no_keepalive_comments() -> None:
     """A connection that broke hours ago looks like a run in which nothing happens."""
     put(event_streams, "KEEPALIVE_S", 1e6)
 
 
 @mutant("EVT-009")
-@prompt
-def tells_what_is_not_yet_stored() -> None:
+@with_short_keepalive
+def sends_results_before_they_are_stored() -> None:
     """After a power cut a result that was published does not exist."""
     right, save = RunRegistry.commit, Store.save
 
-    async def hasty(self: RunRegistry, run: Run) -> None:
+    async def commit_after_notify(self: RunRegistry, run: Run) -> None:
         self.notify(run)
         await right(self, run)
 
-    async def slow(self: Store, run: Run) -> None:
+    async def save_slowly(self: Store, run: Run) -> None:
         await asyncio.sleep(0.25)
         await save(self, run)
 
-    async def trusting(_self: RunRegistry, _run: Run) -> bool:
+    async def always_stored(_self: RunRegistry, _run: Run) -> bool:
         return True
 
-    put(RunRegistry, "commit", hasty)
-    put(Store, "save", slow)
-    put(RunRegistry, "is_stored", trusting)
+    put(RunRegistry, "commit", commit_after_notify)
+    put(Store, "save", save_slowly)
+    put(RunRegistry, "is_stored", always_stored)

@@ -52,13 +52,13 @@ def change_body(operation: str, change: Callable[[Json, OperationCall], None]) -
 
 
 @mutant("FLE-001")
-def tells_the_evaluations_in_another_order() -> None:
+def returns_evaluations_in_another_order() -> None:
     """The number of one model is published as the other's."""
     change_body("evaluation", lambda body, _: body["eval_tasks"].reverse())
 
 
 @mutant("FLE-002")
-def has_one_name_for_the_message() -> None:
+def omits_err_message() -> None:
     """Scripts written from the document find no reason."""
     right = responses.refusal_response
 
@@ -83,13 +83,13 @@ def refuses_a_repeat() -> None:
 
 
 @mutant("FLE-005")
-def forgets_how_to_generate() -> None:
+def ignores_generation_settings() -> None:
     """Every model is asked at the temperature of its server."""
     put(requests, "_generation", lambda _text, _at: {})
 
 
 @mutant("FLE-006")
-def repeats_what_it_was_asked() -> None:
+def returns_api_keys() -> None:
     """API keys stand in the logs of everybody's scripts."""
 
     def wrong(body: Json, call: OperationCall) -> None:
@@ -107,7 +107,7 @@ def calls_the_success_rate_accuracy() -> None:
 
 
 @mutant("FLE-008")
-def reads_no_query() -> None:
+def ignores_the_query() -> None:
     """Clients that cannot send a body with GET get no result."""
     right = FlagevalHandlers._read_query_or_body
 
@@ -118,7 +118,7 @@ def reads_no_query() -> None:
 
 
 @mutant("FLE-009")
-def calls_every_failure_a_failure() -> None:
+def reports_retryable_failures_as_final() -> None:
     """A model server that was restarted is not waited for."""
     right = responses.status_of
 
@@ -141,7 +141,7 @@ def subtracts_the_other_way() -> None:
 
 
 @mutant("FLE-011")
-def releases_what_was_compared_with_nothing() -> None:
+def releases_without_a_baseline() -> None:
     """A chip is released because its baseline was never evaluated."""
     right = EvaluationView.result
 
@@ -165,7 +165,7 @@ def stops_the_first_model_alone() -> None:
 
 
 @mutant("FLE-009", "FLE-013")
-def says_that_it_resumes() -> None:
+def reports_success_without_resuming() -> None:
     """A script waits for a night for what was never begun."""
 
     async def wrong(self: FlagevalHandlers, call: OperationCall) -> Response:
@@ -188,7 +188,7 @@ def counts_models_instead_of_datasets() -> None:
 
 
 @mutant("FLE-015")
-def answers_a_map_whatever_the_method() -> None:
+def always_answers_diffs_as_a_map() -> None:
     """Scripts written from the document go through a list and find none."""
     put(FlagevalHandlers, "diffs_as_list", FlagevalHandlers.diffs_by_id)
 

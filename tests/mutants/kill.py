@@ -29,8 +29,8 @@ ROOT = Path(__file__).parents[2]
 # Long enough for every wait in the kit to time out one after another.
 KIT_TIMEOUT_S = 600
 # Profiles that are off unless asked for, and those with code of their own.
-DOORS = {"ebench", "flageval"}
-APART = {*DOORS, "compare", "events", "push"}
+OPTIONAL_PROFILES = {"ebench", "flageval"}
+SEPARATE_PROFILES = {*OPTIONAL_PROFILES, "compare", "events", "push"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,47 +44,47 @@ class Kill:
     elapsed_s: float
 
     @property
-    def told(self) -> frozenset[str]:
+    def counted_failures(self) -> frozenset[str]:
         """What failed, but for the rows on all rules that the mutant does not name."""
-        foreign = self.failed - self.mutant.kills
-        return self.failed - {id_ for id_ in foreign if id_.startswith("MODEL-")}
+        unexpected = self.failed - self.mutant.kills
+        return self.failed - {id_ for id_ in unexpected if id_.startswith("MODEL-")}
 
     @property
     def is_exact(self) -> bool:
-        return self.exit_code == 1 and self.told == self.mutant.kills
+        return self.exit_code == 1 and self.counted_failures == self.mutant.kills
 
     def __str__(self) -> str:
         if self.is_exact:
             return f"killed   {self.mutant.name} ({self.elapsed_s:.0f} s)"
         missed = sorted(self.mutant.kills - self.failed)
-        foreign = sorted(self.told - self.mutant.kills)
+        unexpected = sorted(self.counted_failures - self.mutant.kills)
         return (
             f"SURVIVED {self.mutant.name} ({self.elapsed_s:.0f} s): "
-            f"missed {missed}, foreign {foreign}, kit's exit code {self.exit_code}"
+            f"missed {missed}, foreign {unexpected}, kit's exit code {self.exit_code}"
         )
 
 
-def judge(mutant: Mutant) -> Kill:
+def run_mutant(mutant: Mutant) -> Kill:
     """Run the whole kit against one mutant, with another seed while it is not exact.
 
     A race may hide, and a broken server on a busy machine may break in more ways than
     it was meant to; the servers that are right get one try only.
     """
     for seed in range(1, mutant.tries):
-        kill = _judge(mutant, seed)
+        kill = _run_kit(mutant, seed)
         if kill.is_exact:
             return kill
-    return _judge(mutant, mutant.tries)
+    return _run_kit(mutant, mutant.tries)
 
 
-def _judge(mutant: Mutant, seed: int) -> Kill:
+def _run_kit(mutant: Mutant, seed: int) -> Kill:
     with contextlib.suppress(RenderingUnavailable):
         find_backend()  # once for all servers: they inherit what was found
     with tempfile.TemporaryDirectory() as report:
         server = f"{sys.executable} -m tests.mutants.serve {mutant.name}"
         profiles = {load_ledger()[id_].profile for id_ in mutant.kills}
-        if doors := profiles & DOORS:
-            server += f" --profiles {','.join(sorted(doors))}"
+        if enabled_profiles := profiles & OPTIONAL_PROFILES:
+            server += f" --profiles {','.join(sorted(enabled_profiles))}"
         kit = [sys.executable, "-m", "conformance", "--start-cmd", server]
         kit += _selection(mutant, profiles)
         done = subprocess.run(
@@ -107,7 +107,7 @@ def _judge(mutant: Mutant, seed: int) -> Kill:
 
 def _selection(mutant: Mutant, profiles: set[str]) -> list[str]:
     """Which rows the kit looks at."""
-    if len(profiles) == 1 and profiles <= APART:
+    if len(profiles) == 1 and profiles <= SEPARATE_PROFILES:
         return ["--profile", *profiles]
     # Killing, restarting, calling policies and following take most of the kit's time.
     left_out = {"crash", "events", "push"} - profiles
@@ -130,12 +130,12 @@ def matrix(kills: Sequence[Kill]) -> str:
         "|---|---|---|",
     ]
     lines += [
-        f"| `{kill.mutant.name}` | {' '.join(kill.mutant.suffering.split())} "
-        f"| {' '.join(sorted(kill.told))} |"
+        f"| `{kill.mutant.name}` | {' '.join(kill.mutant.user_impact.split())} "
+        f"| {' '.join(sorted(kill.counted_failures))} |"
         for kill in sorted(kills, key=lambda k: k.mutant.name)
     ]
     exact = sum(kill.is_exact for kill in kills)
-    broken = frozenset[str]().union(*(kill.told for kill in kills))
+    broken = frozenset[str]().union(*(kill.counted_failures for kill in kills))
     lines += ["", f"{exact} of {len(kills)} mutants killed exactly; "]
     lines[-1] += f"{len(broken)} requirements seen to fail."
     return "\n".join(lines) + "\n"
@@ -152,7 +152,7 @@ def main() -> int:
     chosen = [mutants[name] for name in options.names or mutants]
     kills = []
     with ThreadPoolExecutor(options.j) as executor:
-        for kill in executor.map(judge, chosen):
+        for kill in executor.map(run_mutant, chosen):
             kills.append(kill)
             print(kill, flush=True)
     if options.write:

@@ -58,7 +58,7 @@ def reads_nan_in_json() -> None:
 
 
 @mutant("ERR-002")
-def mends_text_that_is_no_unicode() -> None:
+def replaces_invalid_unicode() -> None:
     """A name is silently another one."""
     right = codec.decode
     first, second = rb"\\ud[89ab][0-9a-f]{2}", rb"\\ud[c-f][0-9a-f]{2}"
@@ -172,7 +172,7 @@ def fails_on_text_outside_latin() -> None:
 
 
 @mutant("ERR-014")
-def ignores_query_parameters_it_cannot_read() -> None:
+def ignores_invalid_query_parameters() -> None:
     """A misspelt limit is silently another."""
     right = dispatch._query
 
@@ -188,7 +188,7 @@ def ignores_query_parameters_it_cannot_read() -> None:
 
 
 @mutant("ERR-014")
-def passes_over_headers_it_cannot_read() -> None:
+def ignores_invalid_headers() -> None:
     """A misspelt wish to wait is no wish, and a cut key is another run's."""
     right = dispatch._headers
 

@@ -15,7 +15,7 @@ from reference_server.push.policy_calls import ProctorPolicy
 from reference_server.rules import effects, lifecycle
 from reference_server.rules.run import Run, Session
 from tests.mutants import mutant, put
-from tests.mutants.turns import no_guard, swap
+from tests.mutants.turns import no_guard, replace_guard
 
 
 @mutant("PUSH-001")
@@ -32,7 +32,7 @@ def plays_only_the_first_action_of_a_chunk() -> None:
 
 
 @mutant("PUSH-002")
-def takes_an_order_without_its_mode() -> None:
+def accepts_a_policy_server_without_push_mode() -> None:
     """A run waits for ever for workers, while its submitter waits for calls."""
     put(policy_server_config, "_errors", lambda _submission: iter(()))
     right = policy_server_config.PolicyServerValidator.validate_and_encrypt
@@ -48,13 +48,13 @@ def takes_an_order_without_its_mode() -> None:
 
 
 @mutant("PUSH-003")
-def lets_workers_into_a_push_run() -> None:
+def lets_workers_attach_to_a_push_run() -> None:
     """Somebody else plays episodes in the name of the policy."""
-    swap(lifecycle._mode_allows_caller, no_guard)
+    replace_guard(lifecycle._mode_allows_caller, no_guard)
 
 
 @mutant("PUSH-004")
-def keeps_the_key_for_predict_alone() -> None:
+def sends_the_key_only_to_predict() -> None:
     """A policy server that asks for its key never gets as far as a run."""
     right = HttpCalls._send_once
 
@@ -70,13 +70,13 @@ def keeps_the_key_for_predict_alone() -> None:
 
 
 @mutant("PUSH-005")
-def tells_the_key_in_a_reason() -> None:
+def exposes_the_key_in_a_reason() -> None:
     """Who reads the run's page reads the key of its policy server."""
     put(HttpCalls, "redact_key", lambda _self, text: text)
 
 
 @mutant("PUSH-006")
-def does_not_read_what_a_reset_answers() -> None:
+def ignores_the_answer_to_reset() -> None:
     """A policy that was not ready plays on with the memory of another episode."""
 
     async def wrong(self: ProctorPolicy, turn: Mapping[str, Any]) -> None:
@@ -92,7 +92,7 @@ def does_not_read_what_a_reset_answers() -> None:
 
 
 @mutant("PUSH-007")
-def calls_as_often_as_it_likes() -> None:
+def ignores_max_concurrent() -> None:
     """A policy on one graphics card is asked by sixteen workers and runs out of it."""
     right = policy_server_config.PolicyServerConfig.from_run
 
@@ -107,23 +107,23 @@ def calls_as_often_as_it_likes() -> None:
 
 
 @mutant("PUSH-008")
-def asks_something_else_when_it_asks_again() -> None:
+def changes_the_body_of_a_repeated_call() -> None:
     """A policy with a memory sees the same moment twice, as two moments."""
     right = HttpCalls._call_with_deadline
-    asked: set[bytes] = set()
+    sent_bodies: set[bytes] = set()
 
     async def wrong(self: HttpCalls, method: str, path: str, content: Any) -> Any:
-        if content is not None and content in asked:
+        if content is not None and content in sent_bodies:
             content = content.replace(b'"done":false', b'"done":false,"again":true')
         elif content is not None:
-            asked.add(content)
+            sent_bodies.add(content)
         return await right(self, method, path, content)
 
     put(HttpCalls, "_call_with_deadline", wrong)
 
 
 @mutant("PUSH-009")
-def waits_while_anything_comes() -> None:
+def has_no_total_call_timeout() -> None:
     """One byte a second holds a worker and its simulator for days."""
 
     async def wrong(self: HttpCalls, method: str, path: str, content: Any) -> Any:
@@ -136,7 +136,7 @@ def waits_while_anything_comes() -> None:
 
 
 @mutant("PUSH-010")
-def blames_nobody_for_misfit_actions() -> None:
+def omits_policy_fault_for_invalid_actions() -> None:
     """A run fails, and its episodes do not say what the policy did wrong."""
     right = effects.end_by_policy
 
@@ -172,7 +172,7 @@ def follows_redirects() -> None:
 
 
 @mutant("PUSH-012")
-def fails_for_good_without_its_policy() -> None:
+def fails_finally_when_the_policy_is_unreachable() -> None:
     """A policy server was restarted; the hours of its run are lost."""
     right = effects.fail_run
 
@@ -201,13 +201,13 @@ def never_plays_a_resumed_run() -> None:
 
 
 @mutant("PUSH-017")
-def forgets_its_runs_when_it_ends() -> None:
+def does_not_continue_push_runs_after_a_restart() -> None:
     """A server was updated at noon; the run of the morning is ready ever since."""
     put(Driver, "open", lambda _self: None)
 
 
 @mutant("PUSH-014")
-def goes_on_calling_after_a_stop() -> None:
+def continues_calling_after_a_stop() -> None:
     """A policy is paid for by the call, and called for a run that nobody wants."""
     right = Driver._drive
 

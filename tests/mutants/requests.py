@@ -22,7 +22,7 @@ from tests.mutants import mutant, put
 
 
 @mutant("SVC-001")
-def hides_the_service_behind_a_token() -> None:
+def requires_a_token_for_the_service() -> None:
     """A stranger cannot learn what this server is."""
     right = Handlers.table
 
@@ -35,7 +35,7 @@ def hides_the_service_behind_a_token() -> None:
 
 
 @mutant("AUTH-001", "AUTH-002")
-def lets_anybody_in() -> None:
+def accepts_requests_without_a_token() -> None:
     """No token is needed."""
     right = auth.Tokens.authenticate
 
@@ -45,7 +45,7 @@ def lets_anybody_in() -> None:
         except Refused as refused:
             if refused.code == "forbidden":
                 raise
-            return auth.Caller("anybody", auth.SCOPES)
+            return auth.Caller("get_of_any_account", auth.SCOPES)
 
     put(auth.Tokens, "authenticate", wrong)
 
@@ -87,12 +87,12 @@ def lists_the_runs_of_every_account() -> None:
     async def wrong_page(self: RunRegistry, *arguments: Any) -> list[Any]:
         get = RunRegistry.get
 
-        async def anybody(
+        async def get_of_any_account(
             self: RunRegistry, run_id: str, _account: str | None = None
         ) -> Run:
             return await get(self, run_id)
 
-        put(RunRegistry, "get", anybody)
+        put(RunRegistry, "get", get_of_any_account)
         try:
             return await right(self, *arguments)
         finally:
@@ -153,7 +153,7 @@ def spoil_run(change: Any) -> None:
 
 
 @mutant("RUN-001")
-def points_to_nowhere_after_submit() -> None:
+def returns_a_wrong_location_after_submit() -> None:
     """A client that follows Location is lost."""
     right = Handlers.submit_run
 
@@ -237,7 +237,7 @@ def ignores_options_that_do_not_apply() -> None:
 
 
 @mutant("RUN-008")
-def never_tells_the_queue_position() -> None:
+def omits_the_queue_position() -> None:
     """Nobody knows how long the wait will be."""
     put(RunRegistry, "queue_position", lambda _self, _run: None)
 

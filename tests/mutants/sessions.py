@@ -15,24 +15,24 @@ from reference_server.runs import session_executor, session_resources
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.runs.session_resources import ResourceManager, SessionResources
 from tests.mutants import mutant, put
-from tests.mutants.turns import no_guard, swap
+from tests.mutants.turns import no_guard, replace_guard
 
 
 @mutant("ATT-002", "ENC-002")
 def opens_a_new_session_for_the_same_key() -> None:
     """A lost answer to attach locks the worker out until its lease ends."""
-    swap(lifecycle._same_attach_key, no_guard)
+    replace_guard(lifecycle._same_attach_key, no_guard)
 
 
 @mutant("ATT-003", "ATT-008")
-def lets_anybody_in_without_takeover() -> None:
+def replaces_a_live_session_without_takeover() -> None:
     """Two clients with the same worker id throw each other out."""
     right = lifecycle._worker_is_free
 
     def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
         return right(run, replace(command, takeover=True), now)
 
-    swap(right, wrong)
+    replace_guard(right, wrong)
 
 
 @mutant("ATT-004")
@@ -70,7 +70,7 @@ def goes_on_serving_a_superseded_session() -> None:
             return None
         return verdict
 
-    swap(right, wrong)
+    replace_guard(right, wrong)
     put(lifecycle, "_session_is_live", wrong)
 
 
@@ -86,7 +86,7 @@ def allows_one_worker_too_many() -> None:
         finally:
             run.max_workers -= 1
 
-    swap(right, wrong)
+    replace_guard(right, wrong)
 
 
 @mutant("ATT-007")
@@ -111,13 +111,13 @@ def decides_first_and_opens_later() -> None:
 
 
 @mutant("ATT-010")
-def ignores_what_a_policy_assumes() -> None:
+def ignores_assumed_conventions() -> None:
     """Radians are played as degrees, and scored."""
-    swap(lifecycle._conventions_agree, no_guard)
+    replace_guard(lifecycle._conventions_agree, no_guard)
 
 
 @mutant("ATT-011")
-def refuses_whatever_a_policy_assumes() -> None:
+def refuses_all_assumed_conventions() -> None:
     """A careful client is punished for stating its conventions."""
 
     def wrong(_run: Run, command: Attach, _now: float) -> Verdict | None:
@@ -126,11 +126,11 @@ def refuses_whatever_a_policy_assumes() -> None:
         errors = (("/assumes", "no"),)
         return Refuse("convention_mismatch", "No assumptions.", errors=errors)
 
-    swap(lifecycle._conventions_agree, wrong)
+    replace_guard(lifecycle._conventions_agree, wrong)
 
 
 @mutant("ATT-012")
-def refuses_to_attach_when_all_is_handed_out() -> None:
+def refuses_to_attach_without_pending_episodes() -> None:
     """A late worker sees an error instead of an end."""
     right = lifecycle._below_worker_limit
 
@@ -139,7 +139,7 @@ def refuses_to_attach_when_all_is_handed_out() -> None:
             return Refuse("no_episode", "Nothing is left.")
         return right(run, command, now)
 
-    swap(right, wrong)
+    replace_guard(right, wrong)
 
 
 def _change_lease_over(wrong: Any) -> None:
@@ -165,7 +165,7 @@ def ends_leases_early() -> None:
 
 
 @mutant("LEASE-003")
-def hears_heartbeats_and_forgets_them() -> None:
+def accepts_heartbeats_without_extending_the_lease() -> None:
     """A policy that thinks long loses its episode although it said that it lives."""
 
     def wrong(self: SessionExecutor, run: Run, command: Any) -> Session:
@@ -214,7 +214,7 @@ def extends_the_lease_on_refused_requests() -> None:
             effects.extend_lease(run.workers[command.worker_id], now)
         return verdict
 
-    swap(right, wrong)
+    replace_guard(right, wrong)
 
 
 @mutant("DET-001")
@@ -222,22 +222,22 @@ def keeps_the_slot_after_detach() -> None:
     """A polite client blocks its slot until the lease would have ended."""
     right = SessionExecutor.detach
     limit = lifecycle._below_worker_limit
-    ghosts: dict[str, int] = {}
+    unreleased_slots: dict[str, int] = {}
 
     async def wrong(self: SessionExecutor, run: Run, command: Detach) -> None:
-        ghosts[run.run_id] = ghosts.get(run.run_id, 0) + 1
+        unreleased_slots[run.run_id] = unreleased_slots.get(run.run_id, 0) + 1
         await right(self, run, command)
 
     def wrong_limit(run: Run, command: Attach, now: float) -> Verdict | None:
-        kept = run.max_workers
-        run.max_workers -= ghosts.get(run.run_id, 0)
+        max_workers_before = run.max_workers
+        run.max_workers -= unreleased_slots.get(run.run_id, 0)
         try:
             return limit(run, command, now)
         finally:
-            run.max_workers = kept
+            run.max_workers = max_workers_before
 
     put(SessionExecutor, "detach", wrong)
-    swap(limit, wrong_limit)
+    replace_guard(limit, wrong_limit)
 
 
 @mutant("DET-002")
@@ -248,4 +248,4 @@ def refuses_a_second_detach() -> None:
         heartbeat = lifecycle.Heartbeat(command.worker_id, command.session_id)
         return lifecycle._session_is_live(run, heartbeat, now)
 
-    swap(lifecycle._detach_target_exists, wrong)
+    replace_guard(lifecycle._detach_target_exists, wrong)

@@ -43,7 +43,7 @@ def spoil_play(
 def spoil_observations(change: Callable[[Any], None]) -> None:
     """Change every observation on its way from the simulator."""
 
-    def seen(report: Any) -> Any:
+    def change_report(report: Any) -> Any:
         for observation in [report.observation, *(_all(report) or [])]:
             if observation is not None:
                 change(observation)
@@ -53,10 +53,10 @@ def spoil_observations(change: Callable[[Any], None]) -> None:
     right_observe = SimulatorHandle.observe
 
     async def begin(self: Any, *arguments: Any, **named: Any) -> Any:
-        return seen(await right_begin(self, *arguments, **named))
+        return change_report(await right_begin(self, *arguments, **named))
 
     async def play(self: Any, *arguments: Any, **named: Any) -> Any:
-        return seen(await right_play(self, *arguments, **named))
+        return change_report(await right_play(self, *arguments, **named))
 
     async def observe(self: Any) -> Any:
         observation = await right_observe(self)
@@ -121,7 +121,7 @@ def shows_the_seed_to_the_policy() -> None:
 
 
 @mutant("STOP-002")
-def hears_heartbeats_of_a_stopped_run() -> None:
+def accepts_heartbeats_of_a_stopped_run() -> None:
     """A client thinks for hours about a run that is over."""
     right, remember = SessionExecutor.heartbeat, Run.record_end
     stopped: dict[str, Session] = {}
@@ -191,13 +191,13 @@ def _force_rule(rule: str) -> None:
 
 
 @mutant("SCORE-002")
-def looks_only_at_the_last_step() -> None:
+def judges_only_the_last_step() -> None:
     """A cube that was lifted and put down again was never lifted."""
     _force_rule("last_step")
 
 
 @mutant("SCORE-003")
-def looks_at_every_step() -> None:
+def judges_every_step() -> None:
     """A cube that was dropped in the end counts as lifted."""
     _force_rule("any_step")
 
@@ -238,13 +238,13 @@ def counts_one_action_too_many() -> None:
 
 
 @mutant("CAL-004")
-def sleeps_less_than_it_is_told() -> None:
+def sleeps_less_than_commanded() -> None:
     """Leases and timeouts cannot be judged."""
     spoil_play(lambda acts: [{**a, "delay_s": [a["delay_s"][0] * 0.8]} for a in acts])
 
 
 @mutant("CAL-005")
-def ends_an_episode_before_it_is_told() -> None:
+def ends_an_episode_too_early() -> None:
     """`end` is rounded."""
     spoil_play(
         lambda acts: [{**a, "end": [1.0 if a["end"][0] > 0.5 else 0.0]} for a in acts]
@@ -267,7 +267,7 @@ def counts_attempts_over_a_crash() -> None:
 
 
 @mutant("FAULT-003", "RES-001", "RES-003")
-def rounds_what_is_scored_on_resume() -> None:
+def rounds_scores_on_resume() -> None:
     """Resuming changes results that were published."""
     right = effects.resume
 

@@ -24,7 +24,7 @@ from tests.mutants import mutant, put
 SpaceErrors = list[tuple[str, str]]
 
 
-def swap(guard: Any, other: Any) -> None:
+def replace_guard(guard: Any, other: Any) -> None:
     """Replace one guard wherever it stands."""
     for command, guards in GUARDS.items():
         GUARDS[command] = tuple(other if g is guard else g for g in guards)
@@ -74,13 +74,13 @@ def answers_another_body_under_the_same_seq() -> None:
             return None
         return Wait(session) if session.busy else Replay(session)
 
-    swap(lifecycle._repeated_seq, wrong)
+    replace_guard(lifecycle._repeated_seq, wrong)
 
 
 @mutant("PRED-004")
 def accepts_a_seq_from_the_future() -> None:
     """A client that has lost count is never told."""
-    swap(lifecycle._expected_seq, no_guard)
+    replace_guard(lifecycle._expected_seq, no_guard)
 
 
 @mutant("PRED-004")
@@ -95,7 +95,7 @@ def names_the_wrong_expected_seq() -> None:
             return replace(verdict, members={"expected_seq": wrong_seq})
         return verdict
 
-    swap(right, wrong)
+    replace_guard(right, wrong)
 
 
 @mutant("PRED-005")
@@ -109,7 +109,7 @@ def refuses_a_repeat_in_flight() -> None:
             return Refuse("seq_conflict", "Still executing.")
         return verdict
 
-    swap(right, wrong)
+    replace_guard(right, wrong)
 
 
 @mutant("PRED-013")
@@ -237,7 +237,7 @@ def uses_up_the_seq_of_a_refused_turn() -> None:
             session.request = None
         return verdict
 
-    swap(right, wrong)
+    replace_guard(right, wrong)
 
 
 @mutant("PRED-007")
@@ -280,7 +280,7 @@ def repeats_done_for_any_seq() -> None:
         session = run.workers[command.worker_id]
         return Replay(session) if session.done else None
 
-    swap(lifecycle._has_an_episode, wrong)
+    replace_guard(lifecycle._has_an_episode, wrong)
 
 
 @mutant("PRED-012")
