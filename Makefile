@@ -60,7 +60,7 @@ metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics ap
 	@:
 
 metaworld-check: metaworld ## Run the tests that need Meta-World
-	@.venv-metaworld/bin/python -m pytest tests/metaworld_checks.py
+	@.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py
 
 metaworld-table: metaworld ## Play its experts both ways, rewrite docs/metaworld.md
 	@OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python tools/metaworld_table.py $(ARGS)

@@ -18,7 +18,7 @@ from typing import Any
 
 import httpx
 
-from tests.interop import pictures
+from tests.interop import expected_values
 from tests.interop.proxy import Proxy
 
 TIMEOUT_S = 120.0
@@ -165,8 +165,8 @@ def echo(server: Server, program: Program) -> None:
     observed = program.play("echo", server.url, server.token)
     expect("codec", observed["codec"], "raw")
     expect("size", observed["size"], [48, 64, 3])
-    expect("image", observed["image"], pictures.pattern(48, 64, count=1).hex())
-    expect("tensors", observed["tensors"], pictures.tensors())
+    expect("image", observed["image"], expected_values.pattern(48, 64, count=1).hex())
+    expect("tensors", observed["tensors"], expected_values.tensors())
     wanted = [struct.pack(">d", number).hex() for number in VECTOR]
     expect(
         "vector",
@@ -305,7 +305,7 @@ def vectors(_server: Server, program: Program) -> None:
                 again.pop(name, None)
                 wanted.pop(name)
             off = 1 if (program.language, "vectors") in LIMITS else 0
-            if not pictures.values_equal(again, wanted, ulps=off):
+            if not expected_values.values_equal(again, wanted, ulps=off):
                 raise UnexpectedResult(f"vector {vector['id']} came back as {decoded}")
 
 

@@ -1,0 +1,235 @@
+"""`proctor submit, status, stop, resume, results, benchmarks`: asked of a real server.
+
+What people read, what scripts read, the exit codes, and every mistake in one line.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import yaml
+
+from reference_client.command import aliases
+from reference_client.command.main import main
+from reference_client.evaluation.plan import WORKER_ID
+from tests.support.client.command import ProctorCommand, options, policy_folder, server
+from tests.test_reference_client_scenes import ROOT, RestartableServer
+
+__all__ = ["policy_folder", "server"]
+pytestmark = pytest.mark.usefixtures("policy_folder")
+
+
+@pytest.fixture
+def proctor(
+    server: RestartableServer, capsys: pytest.CaptureFixture[str]
+) -> ProctorCommand:
+    return ProctorCommand(server.url, capsys)
+
+
+def one_line(text: str) -> bool:
+    return text.startswith("proctor: ") and text.count("\n") == 1
+
+
+def test_a_run_is_submitted_stopped_resumed_and_scored(proctor: ProctorCommand) -> None:
+    """A run by its commands. Expect 1 from `results` until it is complete."""
+    run = proctor.json("submit", *options("count"), "--name", "mine", "--wait")
+    assert (proctor.code, run["state"], run["policy"]) == (0, "ready", {"name": "mine"})
+    run_id = run["run_id"]
+    assert proctor.json("stop", run_id)["state"] == "stopped"
+    assert proctor.json("status", run_id)["state"] == "stopped"
+    assert proctor.json("resume", "--run-id", run_id)["state"] in ("queued", "ready")
+    assert proctor("results", run_id) == 1
+    assert "not complete: between 0.0000 and 1.0000" in proctor.out
+    assert proctor("run", "--policy", "policies:Graded", "--run-id", run_id) == 0
+    score = proctor.json("results", run_id, "--episodes")
+    assert (proctor.code, score["score"]) == (0, 1.0)
+    assert [episode["status"] for episode in score["episodes"]] == ["scored"]
+    assert proctor.json("status", run_id, "--watch")["state"] == "completed"
+    assert proctor.code == 0
+
+
+def test_the_latest_runs_are_listed(proctor: ProctorCommand) -> None:
+    run_id = proctor.json("submit", *options("score"))["run_id"]
+    assert proctor.json("status")[0]["run_id"] == run_id
+    assert proctor("status") == 0
+    assert re.search(rf"{run_id} +\w+ +calibration +unnamed +0/1", proctor.out)
+
+
+def test_the_submitter_is_recorded(proctor: ProctorCommand) -> None:
+    """Every flag about the policy arrives in the run."""
+    flags = "--name n --type VLA --policy-version 2 --submitter s --homepage http://h"
+    lease = ["--idle-timeout-s", "5", "--max-workers", "2", "--images", "png:64x48"]
+    run = proctor.json("submit", *options("echo"), *flags.split(), *lease)
+    assert run["policy"] == {
+        "name": "n (VLA)",
+        "version": "2",
+        "submitter": "s",
+        "homepage": "http://h",
+    }
+    assert (run["idle_timeout_s"], run["max_workers"]) == (5, 2)
+    assert run["images"] == {"codec": "png", "width": 64, "height": 48}
+
+
+def test_gmp_commands_are_accepted(
+    server: RestartableServer, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The line of the other house's manual, with our benchmark. Expect a ready run."""
+    line = "--benchmark_set calibration --model_name internVLA --model_type VLA"
+    submitter_flags = (
+        "--submitter_name test --submitter_homepage http://h --is_public 0"
+    )
+    place = ["--base_url", server.url, "--interval", "5", "--json"]
+    assert (
+        main(["online", "submit", *place, *line.split(), *submitter_flags.split()]) == 0
+    )
+    out, err = capsys.readouterr()
+    run = json.loads(out)
+    assert run["policy"]["name"] == "internVLA (VLA)"
+    assert run["policy"]["submitter"] == "test"
+    assert err.count("says nothing here") == 2
+    host, _, port = server.url.removeprefix("http://").partition(":")
+    again = ["--host", host, "--port", port, "--task_id", run["run_id"]]
+    assert main(["online", "submit", *again, "--print_endpoint"]) == 0
+    assert capsys.readouterr().out == f"{run['endpoint']}\n"
+    play = ["--policy", "policies:best", "--worker_ids", "0,1", "--json"]
+    assert main(["eval", *again, *play]) == 0
+    assert json.loads(capsys.readouterr().out)["score"] == 1.0
+
+
+def test_aliases_do_not_apply_to_passed_through_arguments() -> None:
+    arguments = ["conformance", "--url", "u", "--is_public"]
+    assert aliases.translate(arguments) == (arguments, [])
+    assert aliases.translate(["run", "--", "--task_id"])[0] == [
+        "run",
+        "--",
+        "--task_id",
+    ]
+    assert aliases.translate(["status", "--task_id=a_b"])[0] == [
+        "status",
+        "--run-id=a_b",
+    ]
+
+
+def test_benchmarks_are_listed_and_described(proctor: ProctorCommand) -> None:
+    assert proctor("benchmarks") == 0
+    assert re.search(r"^tabletop_state +\S+ +64 +Tabletop", proctor.out, re.MULTILINE)
+    assert proctor("benchmarks", "tabletop_state") == 0
+    assert re.search(r"action\.joint_position +7 +rad", proctor.out)
+    assert max(map(len, proctor.out.splitlines())) <= 80
+    assert proctor.json("benchmarks", "calibration")["tasks"][0] == "score"
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("submit", "--benchmark NAME"),
+        ("submit --benchmark none", "not_found"),
+        ("submit --benchmark NO", "benchmark_id"),
+        ("submit CALIBRATION --options {", "no JSON"),
+        ("submit CALIBRATION --options '{\"x\": 1}'", "does not know"),
+        ("submit CALIBRATION --images raw", "jpeg:224x224"),
+        ("submit CALIBRATION --max-workers 0", "no number from 1"),
+        ("submit CALIBRATION --max-workers 999", "Ask for fewer"),
+        ("status run_none", "not_found"),
+        ("status run_a --run-id run_b", "two runs"),
+        ("stop", "name the run"),
+        ("results --what", "--help"),
+        ("run", "--policy my_module:MyPolicy"),
+        ("run --policy policies:Graded", "--benchmark NAME"),
+        ("run CALIBRATION --policy policies:None_", "has no None_"),
+        ("run CALIBRATION --policy nowhere:X", "no module nowhere"),
+        ("run CALIBRATION --policy none.py:X", "no file none.py"),
+        ("run CALIBRATION --policy policies", "my_module:MyPolicy"),
+        ("run CALIBRATION --policy policies:answer", "no class"),
+        ("run CALIBRATION --policy policies:NoReset", "reset"),
+        ("run CALIBRATION --policy policies:Unmakeable", "no such weights"),
+        ("run CALIBRATION --policy policies:NoReset --processes", "reset"),
+        ("run CALIBRATION --policy openpi:ws://x", "--mapping FILE"),
+        ("run CALIBRATION --policy openpi:8000", "ws://127.0.0.1"),
+        ("run CALIBRATION --policy policies:best --mapping none", "cannot read"),
+        ("run CALIBRATION --policy policies:best --worker-ids a,a", "of its own"),
+        ("run CALIBRATION --policy policies:best --worker-ids a.b", "A-Z a-z 0-9"),
+        (
+            "run CALIBRATION --policy policies:best --view --view-port 99999",
+            "view-port",
+        ),
+    ],
+)
+def test_a_usage_error_is_one_line_with_exit_code_2(
+    proctor: ProctorCommand, line: str, message: str
+) -> None:
+    """Expect what is wrong, nothing on the standard output, and no run left behind."""
+    before = proctor.json("status")
+    line = line.replace("CALIBRATION", "--benchmark calibration")
+    assert proctor(*shlex.split(line)) == 2
+    assert one_line(proctor.err), proctor.err
+    assert message in proctor.err
+    assert proctor.out == ""
+    assert proctor.json("status") == before
+
+
+def test_a_script_reads_errors_too(proctor: ProctorCommand) -> None:
+    answer_json = proctor.json("status", "run_none")
+    assert (proctor.code, answer_json["error"]["code"]) == (2, "not_found")
+    answer_json = proctor.json("stop")
+    assert (proctor.code, answer_json["error"]["code"]) == (2, "usage")
+
+
+def test_a_wrong_token_is_reported_with_its_flag(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PROCTOR_TOKEN", "wrong")
+    assert proctor("status") == 2
+    assert "--token, or PROCTOR_TOKEN" in proctor.err
+    assert one_line(proctor.err)
+
+
+def test_an_unreachable_server_gives_exit_code_2(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    place = ["--url", "http://127.0.0.1:9", "--patience-s", "0"]
+    for command in (
+        ["status"],
+        ["run", "--policy", "policies:best", *options("count")],
+    ):
+        assert main([*command, *place]) == 2
+        message = capsys.readouterr().err.splitlines()[-1]
+        assert re.match(r"proctor: .*does not answer.*\[unreachable\]", message)
+    assert main(["status", "--url", "nowhere"]) == 2
+    assert "url must be like" in capsys.readouterr().err
+
+
+def test_help_fits_80_columns(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    for arguments in (["--help"], ["run", "--help"], ["submit", "--help"]):
+        with pytest.raises(SystemExit) as ended:
+            main(arguments)
+        assert ended.value.code == 0
+        assert max(map(len, capsys.readouterr().out.splitlines())) <= 80
+
+
+def test_debug_prints_a_traceback(proctor: ProctorCommand) -> None:
+    assert proctor("status", "run_none", "--debug") == 2
+    assert "Traceback" in proctor.err
+
+
+def test_the_command_is_installed_under_its_name() -> None:
+    script = Path(sys.executable).with_name("proctor")
+    answer_json = subprocess.run(
+        [script, "--help"], capture_output=True, text=True, check=True, timeout=60
+    )
+    assert answer_json.stdout.startswith("usage: proctor ")
+
+
+def test_ids_of_workers_are_those_of_the_specification() -> None:
+    document = yaml.safe_load((ROOT / "spec" / "openapi.yaml").read_text())
+    pattern = document["components"]["parameters"]["WorkerId"]["schema"]["pattern"]
+    assert pattern == f"^{WORKER_ID.pattern}$"

@@ -1,0 +1,253 @@
+"""`proctor run`: workers in processes, and how an evaluation ends, as a program.
+
+Signals, deaths and restarts happen while a policy is held, so nothing depends on time.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import re
+import shlex
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, NoReturn
+
+import pytest
+
+from reference_client.command.main import main
+from tests.conftest import descendants, wait_until_ended
+from tests.support.client.command import (
+    TIMEOUT_S,
+    ProctorCommand,
+    options,
+    policy_folder,
+    server,
+    start_proctor,
+    wait_until,
+)
+from tests.test_reference_client_scenes import DirectClient, RestartableServer
+
+__all__ = ["policy_folder", "server"]
+pytestmark = pytest.mark.usefixtures("policy_folder")
+RESUME = re.compile(r"^  (proctor run .*)$", re.MULTILINE)
+RUN_BLOCKING_POLICY = ["run", "--policy", "policies:Held"]
+
+
+@pytest.fixture
+def proctor(
+    server: RestartableServer, capsys: pytest.CaptureFixture[str]
+) -> ProctorCommand:
+    return ProctorCommand(server.url, capsys)
+
+
+@pytest.fixture
+def direct_client(server: RestartableServer) -> Iterator[DirectClient]:
+    with DirectClient(server.url) as direct_client:
+        yield direct_client
+
+
+def acting_policies(policy_folder: Path) -> int:
+    return len(list(policy_folder.glob("acting-*")))
+
+
+def stderr_text(policy_folder: Path) -> str:
+    return (policy_folder / "stderr").read_text()
+
+
+def wait_for_exit(process: subprocess.Popen[str]) -> tuple[int, str]:
+    out, _ = process.communicate(timeout=TIMEOUT_S)
+    return process.returncode, out
+
+
+def test_processes_score_as_threads_do(proctor: ProctorCommand) -> None:
+    """The same policy and episodes, in a process each. Expect the same score."""
+    run = ["run", "--policy", "policies.py:Graded", *options(*["score"] * 6)]
+    threads = proctor.json(*run, "--workers", "2")
+    processes = proctor.json(*run, "--workers", "2", "--processes")
+    assert processes["score"] == threads["score"] == pytest.approx(2.5 / 6)
+    assert proctor.code == 0
+
+
+@pytest.mark.parametrize("processes", [[], ["--processes"]])
+def test_a_policy_error_is_one_line(
+    proctor: ProctorCommand, processes: list[str]
+) -> None:
+    """Expect its file and line, how it goes on, and no traceback."""
+    run = ["run", "--policy", "policies:Wrong", *options("count"), *processes]
+    answer_json = proctor.json(*run)
+    assert proctor.code == 1
+    where = r"ZeroDivisionError: division by zero \(policies.py:\d+\)"
+    assert re.search(where, answer_json["error"]["detail"])
+    assert "Traceback" not in proctor.err
+    assert answer_json["resume"].startswith(
+        f"proctor run --run-id {answer_json['run_id']} --policy"
+    )
+
+
+def test_debug_shows_where_a_policy_raises(proctor: ProctorCommand) -> None:
+    proctor("run", "--policy", "policies:Wrong", *options("count"), "--debug")
+    assert "return 1 / 0" in proctor.err
+
+
+def test_ctrl_c_detaches_and_prints_the_resume_command(
+    server: RestartableServer, direct_client: DirectClient, policy_folder: Path
+) -> None:
+    """Both workers think when it comes. Expect 130, no session left, and that the
+    command which is printed completes the run."""
+    tasks = options(*["count"] * 3)
+    flags = ["--workers", "2", "--processes"]
+    with start_proctor(
+        policy_folder, server.url, *RUN_BLOCKING_POLICY, *tasks, *flags
+    ) as process:
+        wait_until(lambda: acting_policies(policy_folder) == 2, "both workers act")
+        run_id = direct_client.latest().run_id
+        process.send_signal(signal.SIGINT)
+        wait_until(lambda: "Leaving" in stderr_text(policy_folder), "it is said")
+        (policy_folder / "go").touch()
+        assert wait_for_exit(process) == (130, "")
+    assert direct_client.control.get_run(run_id).live_workers == 0
+    assert "Traceback" not in stderr_text(policy_folder)
+    assert "keeps its scores: 0/3" in stderr_text(policy_folder)
+    (command,) = RESUME.findall(stderr_text(policy_folder))
+    assert f"--run-id {run_id}" in command
+    with start_proctor(
+        policy_folder, server.url, *shlex.split(command)[1:], "--json"
+    ) as process:
+        code, out = wait_for_exit(process)
+    assert (code, json.loads(out)["score"]) == (0, 1.0)
+
+
+@pytest.mark.parametrize("processes", [[], ["--processes"]])
+def test_a_second_ctrl_c_ends_at_once(
+    server: RestartableServer, policy_folder: Path, processes: list[str]
+) -> None:
+    """The policy never comes back. Expect the end of every process all the same."""
+    with start_proctor(
+        policy_folder, server.url, *RUN_BLOCKING_POLICY, *options("count"), *processes
+    ) as process:
+        wait_until(lambda: acting_policies(policy_folder) == 1, "the worker acts")
+        children = descendants(process.pid)
+        process.send_signal(signal.SIGINT)
+        wait_until(lambda: "Leaving" in stderr_text(policy_folder), "it is said")
+        process.send_signal(signal.SIGINT)
+        assert wait_for_exit(process) == (130, "")
+    assert "ended at once" in stderr_text(policy_folder)
+    wait_until_ended(children)
+
+
+def test_sigterm_detaches(
+    server: RestartableServer, direct_client: DirectClient, policy_folder: Path
+) -> None:
+    """A batch system ends the job. Expect 143, and no session left."""
+    with start_proctor(
+        policy_folder, server.url, *RUN_BLOCKING_POLICY, *options("count")
+    ) as process:
+        wait_until(lambda: acting_policies(policy_folder) == 1, "the worker acts")
+        run_id = direct_client.latest().run_id
+        process.terminate()
+        wait_until(lambda: "Leaving" in stderr_text(policy_folder), "it is said")
+        (policy_folder / "go").touch()
+        assert wait_for_exit(process) == (143, "")
+    assert RESUME.search(stderr_text(policy_folder))
+    assert direct_client.control.get_run(run_id).live_workers == 0
+
+
+def test_processes_leave_when_their_parent_is_killed(
+    server: RestartableServer, direct_client: DirectClient, policy_folder: Path
+) -> None:
+    """Expect no process left, and no session."""
+    run = [*RUN_BLOCKING_POLICY, *options("count"), "--processes"]
+    with start_proctor(policy_folder, server.url, *run) as process:
+        wait_until(lambda: acting_policies(policy_folder) == 1, "the worker acts")
+        children = descendants(process.pid)
+        assert children
+        run_id = direct_client.latest().run_id
+        process.kill()
+        process.wait()
+    (policy_folder / "go").touch()
+    wait_until_ended(children)
+    assert direct_client.control.get_run(run_id).live_workers == 0
+
+
+def test_a_dead_process_is_reported_and_its_episode_replayed(
+    proctor: ProctorCommand, direct_client: DirectClient
+) -> None:
+    """One of two is killed in episode 2. Expect a second attempt, elsewhere."""
+    run = ["run", "--policy", "policies:Dies", *options(*["score"] * 5)]
+    score = proctor.json(*run, "--workers", "2", "--processes")
+    assert (proctor.code, score["complete"]) == (0, True)
+    assert re.search(r"The process of worker-\d has died \(SIGKILL\)", proctor.err)
+    assert direct_client.attempts(score["run_id"]) == [1, 1, 2, 1, 1]
+
+
+def test_when_every_process_dies_the_run_is_not_complete(
+    proctor: ProctorCommand,
+) -> None:
+    run = ["run", "--policy", "policies:Always", *options("score")]
+    answer_json = proctor.json(*run, "--processes")
+    assert (proctor.code, answer_json["error"]["code"]) == (1, "worker_died")
+    assert "--processes" in answer_json["resume"]
+
+
+def test_a_server_that_restarts_is_waited_for(
+    policy_folder: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    """It is killed while both workers think. Expect the whole score all the same."""
+    tasks = options(*["count"] * 3)
+    with RestartableServer(tmp_path_factory.mktemp("own_server")) as own_server:
+        run = [*RUN_BLOCKING_POLICY, *tasks, "--workers", "2", "--json", "--processes"]
+        with start_proctor(policy_folder, own_server.url, *run) as process:
+            wait_until(lambda: acting_policies(policy_folder) == 2, "both workers act")
+            own_server.end(signal.SIGKILL)
+            (policy_folder / "go").touch()
+            wait_until(
+                lambda: "does not answer" in stderr_text(policy_folder), "it is missed"
+            )
+            own_server.start()
+            code, out = wait_for_exit(process)
+    assert (code, json.loads(out)["score"]) == (0, 1.0)
+
+
+def test_a_failed_run_states_whether_it_can_resume(proctor: ProctorCommand) -> None:
+    """The policy breaks the simulator. Expect 1, and no command that cannot help."""
+    Path("fatal.py").write_text(
+        "from policies import action\n"
+        "def fatal(observation):\n    return action(fault=2.0)\n"
+    )
+    answer_json: Any = proctor.json("run", "--policy", "fatal:fatal", *options("fault"))
+    assert (proctor.code, answer_json["error"]["code"]) == (1, "run_failed")
+    assert "resume" not in answer_json
+
+
+@pytest.mark.parametrize(
+    ("command", "module"),
+    [("serve", "reference_server"), ("conformance", "conformance")],
+)
+def test_the_server_and_the_kit_are_programs_of_their_own(
+    monkeypatch: pytest.MonkeyPatch, command: str, module: str
+) -> None:
+    """Started as modules that exist, with their flags as they were typed."""
+    commands: list[list[str]] = []
+
+    def become(_program: str, arguments: list[str]) -> NoReturn:
+        commands.append(arguments)
+        raise SystemExit(0)
+
+    monkeypatch.setattr("os.execv", become)
+    with pytest.raises(SystemExit):
+        main([command, "--is_public", "3"])
+    assert commands == [[sys.executable, "-m", module, "--is_public", "3"]]
+    assert importlib.util.find_spec(f"{module}.__main__") is not None
+
+
+@pytest.mark.parametrize("command", ["serve", "conformance"])
+def test_a_program_that_is_not_installed_is_named(
+    command: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("importlib.util.find_spec", lambda _name: None)
+    assert main([command]) == 2
+    assert "pip install 'proctor-eval[" in capsys.readouterr().err

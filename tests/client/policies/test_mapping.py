@@ -1,0 +1,395 @@
+"""Mappings and references: what a policy of another house is given, what is read back.
+
+The ready mappings are those of docs/policies.md, each played through a real server by a
+policy that holds still in its own words and checks what it is given.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from proctor_client import (
+    Action,
+    ImageChoice,
+    ImageCodec,
+    PolicyInfo,
+    Predict,
+    SubmitRun,
+)
+
+from reference_client import Observation, ProctorError
+from reference_client.api.observation import observation_of
+from reference_client.api.policy import chunk_of
+from reference_client.generated import messages
+from reference_client.policies import BadMapping, BadPolicy, Mapping, load
+from reference_client.policies.pictures import resize_picture
+from tests.support.client.command import ProctorCommand, policy_folder, server
+from tests.test_reference_client_scenes import ROOT, DirectClient, RestartableServer
+
+__all__ = ["policy_folder", "server"]
+PAGE = (ROOT / "docs" / "policies.md").read_text()
+READY = {
+    re.findall(r"# (\w+)\.toml", text)[0]: tomllib.loads(text)
+    for text in re.findall(r"```toml\n(.*?)```", PAGE, re.DOTALL)
+}
+SEEN = Observation(
+    state={"joint_position": (0.1, 0.2, 0.3), "gripper": (0.25,)},
+    images={"front": np.full((4, 8, 3), 255, np.uint8)},
+    tensors={"depth": np.ones((2, 3), np.float16)},
+    instruction="Lift.",
+    episode_id="e0001",
+    step=3,
+)
+
+
+@pytest.fixture
+def direct_client(server: RestartableServer) -> Iterator[DirectClient]:
+    with DirectClient(server.url) as direct_client:
+        yield direct_client
+
+
+def mapping(values: str = "a = {}", observation: str = "k = { value = 1 }") -> Mapping:
+    text = f"[observation]\n{observation}\n[action]\nfrom = 'out'\n[action.values]\n"
+    return Mapping.of(tomllib.loads(text + values))
+
+
+def request(entry: str) -> Any:
+    return mapping(observation=f"k = {{ {entry} }}").request(SEEN)["k"]
+
+
+def rows(vector: str, out: Any) -> list[list[float]]:
+    chunk = mapping(f"a = {{ {vector} }}").chunk({"out": out}, SEEN)
+    return [np.asarray(action["a"]).tolist() for action in chunk]
+
+
+# The request
+
+
+@pytest.mark.parametrize(
+    ("entry", "value"),
+    [
+        ("from = 'instruction'", "Lift."),
+        ("from = 'instruction', leading = 1", ["Lift."]),
+        ("from = 'step'", 3),
+        ("from = 'first_step'", False),
+        ("from = 'episode_id'", "e0001"),
+        ("value = 'lift2'", "lift2"),
+    ],
+)
+def test_text_entries_and_constants_are_mapped(entry: str, value: Any) -> None:
+    assert request(entry) == value
+
+
+@pytest.mark.parametrize(
+    ("entry", "value"),
+    [
+        ("from = 'state.joint_position'", [0.1, 0.2, 0.3]),
+        ("from = ['state.joint_position', 'state.gripper']", [0.1, 0.2, 0.3, 0.25]),
+        ("from = 'state.joint_position', take = '1:3'", [0.2, 0.3]),
+        ("from = 'state.joint_position', take = [2, 0]", [0.3, 0.1]),
+        ("from = 'state.gripper', scale = -1, offset = 1", [0.75]),
+        ("from = 'state.joint_position', scale = [1, 2, 0]", [0.1, 0.4, 0.0]),
+        ("from = 'state.gripper', leading = 2", [[[0.25]]]),
+    ],
+)
+def test_state_vectors_are_mapped(entry: str, value: Any) -> None:
+    """Expect float32, which is what policies are trained on; and what is asked for."""
+    given = request(entry)
+    assert given.dtype == np.float32
+    assert given.tolist() == np.asarray(value, np.float32).tolist()
+    assert request(f"{entry}, dtype = 'float64'").dtype == np.float64
+
+
+def test_images_are_resized_and_converted() -> None:
+    """A wide white picture into a square. Expect bars above and below."""
+    picture = request("from = 'images.front', resize = [8, 8]")
+    assert (picture.shape, picture.dtype) == ((8, 8, 3), np.uint8)
+    assert picture[:, 0, 0].tolist() == [0, 0, 255, 255, 255, 255, 0, 0]
+    flat = request("from = 'images.front', resize = [8, 8], pad = false")
+    assert flat.min() == 255
+    unit = "unit = true, layout = 'chw', leading = 1"
+    batch = request(f"from = 'images.front', {unit}")
+    assert (batch.shape, batch.dtype, batch.max()) == ((1, 3, 4, 8), np.float32, 1.0)
+    assert resize_picture(SEEN.images["front"], 4, 8) is SEEN.images["front"]
+    gray = resize_picture(SEEN.images["front"][:, :, :1], 2, 2)
+    assert gray.shape == (2, 2, 1)
+
+
+def test_tensors_keep_their_dtype() -> None:
+    assert request("from = 'tensors.depth'").dtype == np.float16
+
+
+# The answer
+
+
+@pytest.mark.parametrize(
+    ("vector", "out", "chunk"),
+    [
+        ("", [[1, 2], [3, 4]], [[1, 2], [3, 4]]),
+        ("", [1, 2], [[1, 2]]),
+        ("columns = '1:2'", [[1, 2], [3, 4]], [[2], [4]]),
+        ("columns = [1, 0]", [[1, 2]], [[2, 1]]),
+        ("threshold = 0.5, scale = -1, offset = 1", [[0.4], [0.6]], [[1], [0]]),
+        ("clip = [0, 1]", [[-1], [2]], [[0], [1]]),
+        ("cumulate = true, scale = 2", [[1], [1], [2]], [[2], [4], [8]]),
+        ("relative_to = 'state.gripper'", [[1], [2]], [[1.25], [2.25]]),
+        ("value = [1, 2]", [[9]], [[1, 2]]),
+    ],
+)
+def test_answers_are_mapped_to_chunks(vector: str, out: Any, chunk: Any) -> None:
+    played = np.asarray(rows(vector, np.asarray(out, np.float32)))
+    assert played == pytest.approx(np.asarray(chunk))
+
+
+def test_a_chunk_may_be_a_list_of_dicts() -> None:
+    out = [{"out": np.array([1.0])}, {"out": np.array([2.0])}]
+    assert [a["a"] for a in mapping().chunk(out, SEEN)] == [[1.0], [2.0]]
+
+
+def test_execute_cuts_a_chunk_and_leading_a_batch() -> None:
+    table = {"leading": 1, "execute": 2, "values": {"a": {"columns": "0:1"}}}
+    made = Mapping.of({"observation": {"k": {"value": 1}}, "action": table})
+    answer = np.arange(8.0).reshape(1, 4, 2)
+    assert [a["a"] for a in made.chunk(answer, SEEN)] == [[0.0], [2.0]]
+
+
+@pytest.mark.parametrize(
+    ("answer", "message"),
+    [
+        ({"actions": [1]}, "has no out, but actions"),
+        ("nothing", "has no out, but str"),
+        ({"out": "x"}, "could not convert"),
+        ({"out": np.zeros((1, 1, 1))}, "shape"),
+        ({"out": np.zeros((0, 2))}, "no actions"),
+        ({"out": [[1.0]]}, "0:2 of 1 numbers"),
+    ],
+)
+def test_an_invalid_answer_is_a_policy_failure(answer: Any, message: str) -> None:
+    """Expect what the file wanted and what came."""
+
+    def ask(_request: dict[str, Any]) -> Any:
+        return answer
+
+    module = {"ask": ask}
+    policy = _policy(module["ask"], mapping("a = { columns = '0:2' }"))
+    with pytest.raises(ProctorError, match=message) as caught:
+        policy.act(SEEN)
+    assert caught.value.code == "policy_failed"
+
+
+def _policy(ask: Callable[[dict[str, Any]], Any], made: Mapping) -> Any:
+    from reference_client.policies.source import _MappedPolicy
+
+    return _MappedPolicy(ask, made)
+
+
+# Files that are wrong
+
+
+@pytest.mark.parametrize(
+    ("entry", "message"),
+    [
+        ("{}", "needs either"),
+        ("1", "no table"),
+        ("{ a = 1 }", "unknown a; known"),
+        ("{ take = [1] }", "needs either"),
+        ("{ from = 'step', layout = 'x' }", "hwc or chw"),
+        ("{ from = 'x.y' }", "not 'x.y'"),
+        ("{ from = ['step', 'step'] }", "only states"),
+        ("{ from = 'state.a', dtype = 'object' }", "none of numbers"),
+        ("{ from = 'state.a', dtype = 'no' }", "none of numbers"),
+    ],
+)
+def test_an_invalid_entry_is_reported_with_its_place(
+    tmp_path: Path, entry: str, message: str
+) -> None:
+    file = tmp_path / "m.toml"
+    file.write_text(f"[observation]\nk = {entry}\n[action.values]\na = {{}}")
+    with pytest.raises(BadMapping, match=message) as caught:
+        Mapping.read(file)
+    assert f'{file}: observation."k"' in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("[", "no TOML"),
+        ("[observation]", "action is missing"),
+        ("x = 1\n[observation]", "unknown x"),
+        ("[observation]\n[action.values]\na = {}", "observation is missing"),
+    ],
+)
+def test_an_invalid_file_is_reported_with_its_name(
+    tmp_path: Path, text: str, message: str
+) -> None:
+    file = tmp_path / "m.toml"
+    file.write_text(text)
+    with pytest.raises(BadMapping, match=message) as caught:
+        Mapping.read(file)
+    assert "m.toml" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("made", "message"),
+    [
+        (mapping(observation="k = { from = 'state.no' }"), "state.no; calibration has"),
+        (mapping("score = { relative_to = 'state.no' }"), "state.no; calibration has"),
+        (mapping("score = {value = 1}"), "has score; an action of calibration has"),
+    ],
+)
+def test_a_mapping_for_another_benchmark_is_refused(
+    direct_client: DirectClient, made: Mapping, message: str
+) -> None:
+    with pytest.raises(BadMapping, match=message):
+        made.check(direct_client.control.get_benchmark("calibration"))
+
+
+def test_the_members_of_a_mapping_are_documented() -> None:
+    from dataclasses import fields
+
+    from reference_client.policies.mapping import ActionVector, RequestEntry
+
+    members = {f.name for row in (RequestEntry, ActionVector) for f in fields(row)} - {
+        "source"
+    }
+    for member in members | {"from", "execute", "leading"}:
+        assert f"`{member}`" in PAGE, member
+
+
+# The ready ones
+
+DROID = """
+import numpy as np
+
+class Policy:
+    def infer(self, request):
+        for key in ("exterior_image_1_left", "wrist_image_left"):
+            picture = request[f"observation/{key}"]
+            assert (picture.shape, picture.dtype) == ((224, 224, 3), np.uint8)
+        assert request["observation/joint_position"].shape == (7,)
+        assert request["observation/gripper_position"].shape == (1,)
+        assert request["prompt"].endswith(".")
+        return {"actions": np.zeros((15, 8), np.float32)}
+"""
+LEROBOT = """
+import numpy as np
+
+def ask(batch):
+    for name in ("front", "wrist"):
+        picture = batch[f"observation.images.{name}"]
+        assert (picture.shape, picture.dtype) == ((1, 3, 256, 256), np.float32)
+        assert 0 < picture.max() <= 1
+    assert batch["observation.state"].shape == (1, 8)
+    assert batch["task"][0].endswith(".")
+    return np.repeat(batch["observation.state"][:, None], 50, axis=1)
+"""
+EBENCH = """
+import numpy as np
+
+class Model:
+    def __call__(self, seen):
+        for name in ("top", "left", "right", "overlook"):
+            assert seen[f"video.{name}_camera_view"].shape == (480, 640, 3)
+        assert seen["reset"] == (seen["timestep"] == 0)
+        joints, fingers = seen["state.joints"], np.zeros(2)
+        arms = [joints[:6], fingers, joints[6:], fingers]
+        action = {"action": np.concatenate(arms), "base_motion": np.zeros(3)}
+        return [action] * 40
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "source", "reference"),
+    ids=["droid", "lerobot", "ebench"],
+    argvalues=[
+        ("droid", DROID, "droid:Policy"),
+        ("lerobot", LEROBOT, "lerobot.py:ask"),
+        ("ebench", EBENCH, "ebench:Model"),
+    ],
+)
+def test_a_documented_mapping_plays_a_turn(
+    direct_client: DirectClient,
+    policy_folder: Path,
+    name: str,
+    source: str,
+    reference: str,
+) -> None:
+    """One turn of the real benchmark by a policy of that house, which checks its
+    request. Expect that the actions are accepted and executed."""
+    (policy_folder / f"{name}.py").write_text(source)
+    made = Mapping.of(READY[name], name)
+    benchmark = "mobile_bimanual" if name == "ebench" else "tabletop"
+    made.check(direct_client.control.get_benchmark(benchmark))
+    policy = load(reference, made)()
+    turn = _first_turn(direct_client, benchmark, policy)
+    assert turn.executed_steps in (8, 10, 40)
+
+
+def test_the_function_of_the_manual_plays(
+    direct_client: DirectClient, policy_folder: Path
+) -> None:
+    """Both pages have it. Expect that it is the same, and that it is accepted."""
+    command = (ROOT / "docs" / "command.md").read_text()
+    (program,) = re.findall(r"```python\n(def hold.*?)```", PAGE, re.DOTALL)
+    assert program in command
+    (policy_folder / "hold.py").write_text(program)
+    turn = _first_turn(direct_client, "tabletop_state", load("hold.py:hold")())
+    assert turn.executed_steps == 1
+
+
+def _first_turn(direct_client: DirectClient, benchmark: str, policy: Any) -> Any:
+    size = direct_client.control.get_benchmark(benchmark).image_sizes[-1]
+    run = direct_client.control.submit_run(
+        SubmitRun(
+            benchmark_id=benchmark,
+            policy=PolicyInfo(name="p"),
+            images=ImageChoice(
+                codec=ImageCodec.RAW, width=size.width, height=size.height
+            ),
+        )
+    )
+    turn = direct_client.attach(run.run_id, "w")
+    seen = observation_of(msgspec.json.decode(turn.to_json(), type=messages.Turn))
+    policy.reset(seen.instruction)
+    actions = [Action(values=one["values"]) for one in chunk_of(policy.act(seen))]
+    turn = direct_client.data.predict(
+        run.run_id,
+        "w",
+        Predict(session_id=turn.session_id, seq=1, actions=actions),
+    )
+    direct_client.data.detach_worker(run.run_id, "w", turn.session_id)
+    return turn
+
+
+def test_a_mapping_is_checked_before_there_is_a_run(
+    server: RestartableServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    proctor = ProctorCommand(server.url, capsys)
+    text = "[observation]\nk = {value = 1}\n[action.values]\nno = {value = 1}"
+    (policy_folder / "m.toml").write_text(text)
+    before = proctor.json("status")
+    run = ["--policy", "policies:best", "--mapping", "m.toml"]
+    for flags in ([], ["--processes"]):
+        answer_json = proctor.json("run", "--benchmark", "calibration", *run, *flags)
+        assert (proctor.code, "action.values" in answer_json["error"]["detail"]) == (
+            2,
+            True,
+        )
+    assert proctor.json("status") == before
+
+
+def test_a_failed_import_inside_a_module_is_reported_as_such(
+    policy_folder: Path,
+) -> None:
+    (policy_folder / "needs.py").write_text("import not_there_at_all\n")
+    with pytest.raises(ModuleNotFoundError, match="not_there_at_all"):
+        load("needs:X")
+    with pytest.raises(BadPolicy, match="no module"):
+        load("needs_not_there:X")

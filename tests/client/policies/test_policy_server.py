@@ -1,0 +1,161 @@
+"""This client asks a policy server: the same turns, in the other direction."""
+
+import json
+import threading
+from typing import Any
+
+import pytest
+
+from conformance.policy.scripted import (
+    PolicyCall,
+    PolicyReply,
+    ScriptedPolicy,
+    busy_reply,
+)
+from reference_client import ProctorError, evaluate
+from reference_client.policies.policy_server import PolicyServerClient
+from tests.conftest import TOKENS, ReferenceServer
+from tests.support.client.policy_apps import (
+    free_port,
+    make_app,
+    policy_key,
+    run_app,
+    run_proctor,
+    server,
+)
+from tests.support.push_runs import submit_push_run, wait_for_state
+
+__all__ = ["server", "policy_key"]
+
+
+def evaluate_policy(
+    server: ReferenceServer, url: str, *tasks: str, **members: Any
+) -> Any:
+    return evaluate(
+        PolicyServerClient(url, patience_s=2.0),
+        url=server.url,
+        token=TOKENS["alice"],
+        benchmark="calibration",
+        options={"tasks": list(tasks), **members},
+        workers=2,
+        progress=lambda _: None,
+    )
+
+
+def test_a_policy_server_is_evaluated_by_this_client(server: ReferenceServer) -> None:
+    with run_app(make_app().app) as url:
+        score = evaluate_policy(server, url, *["score"] * 3)
+    assert score.score == pytest.approx(0.3)
+
+
+def test_the_same_turns_come_in_both_directions(server: ReferenceServer) -> None:
+    """What a policy is asked by this client is what a server asks it."""
+    bodies_by_direction: list[list[dict[str, Any]]] = []
+    for direction in ("pull", "push"):
+        with ScriptedPolicy() as policy, server.client() as client:
+            if direction == "pull":
+                evaluate_policy(server, policy.url, "echo")
+            else:
+                wait_for_state(client, submit_push_run(client, policy.url, "echo"))
+            bodies = [c.body for c in policy.calls if c.body is not None]
+            bodies_by_direction.append([_timeless(body) for body in bodies])
+    assert bodies_by_direction[0] == bodies_by_direction[1]
+    assert len(bodies_by_direction[0]) == 2
+
+
+def _timeless(body: dict[str, Any]) -> dict[str, Any]:
+    volatile = ("session_id", "run_id", "timing", "lease", "benchmark")
+    spaces = body.get("benchmark", {}).get("action_space")
+    stable_members = {
+        name: value for name, value in body.items() if name not in volatile
+    }
+    return stable_members | {"spaces": spaces}
+
+
+def test_an_unanswered_call_is_repeated(server: ReferenceServer) -> None:
+    turned_away = threading.Event()
+
+    def once(call: PolicyCall) -> PolicyReply:
+        if turned_away.is_set():
+            return policy.final_action_reply(call)
+        turned_away.set()
+        return busy_reply()
+
+    with ScriptedPolicy() as policy:
+        policy.on("predict", once)
+        assert evaluate_policy(server, policy.url, "score").score == 0.5
+
+
+@pytest.mark.parametrize(
+    ("operation", "reply", "message"),
+    [
+        ("describe_policy", PolicyReply({}), "does not describe itself"),
+        ("describe_policy", PolicyReply(b"no"), "no JSON"),
+        ("describe_policy", PolicyReply([]), "no object"),
+        ("describe_policy", PolicyReply(b"", 404), "status 404"),
+        ("reset", PolicyReply({"session_id": "x"}), "another reset"),
+        ("predict", PolicyReply({"session_id": "x", "seq": 1}), "another turn"),
+        ("predict", PolicyReply(b"", 302, {"Location": "/"}), "status 302"),
+        ("predict", PolicyReply({"detail": "Too\nhot."}, 400), "Too\nhot."),
+    ],
+)
+def test_faults_of_a_policy_server_are_reported(
+    server: ReferenceServer, operation: str, reply: PolicyReply, message: str
+) -> None:
+    with ScriptedPolicy() as policy:
+        policy.on(operation, lambda _: reply)
+        with pytest.raises(ProctorError, match=message) as caught:
+            evaluate_policy(server, policy.url, "score")
+    assert caught.value.code == "policy_failed"
+
+
+def test_invalid_actions_are_reported(server: ReferenceServer) -> None:
+    with ScriptedPolicy() as policy:
+
+        def nothing(call: PolicyCall) -> PolicyReply:
+            body = dict(policy.actions_reply(call).body)
+            return PolicyReply(body | {"actions": [7]})
+
+        policy.on("predict", nothing)
+        with pytest.raises(ProctorError, match="answered without actions"):
+            evaluate_policy(server, policy.url, "score")
+
+
+def test_an_unreachable_policy_server_is_reported_before_submit(
+    server: ReferenceServer,
+) -> None:
+    with pytest.raises(ProctorError, match="does not answer"):
+        evaluate_policy(server, f"http://127.0.0.1:{free_port()}", "score")
+
+
+def test_the_command_calls_a_policy_server(server: ReferenceServer) -> None:
+    with run_app(make_app().app) as url:
+        done = run_proctor(server, "--policy-url", url, "--benchmark", "calibration")
+    assert done.returncode == 0, done.stderr
+    assert "0.3" in done.stdout
+
+
+def test_the_command_has_a_server_play_the_run(server: ReferenceServer) -> None:
+    with run_app(make_app().app) as url, server.client() as client:
+        arguments = ["--benchmark", "calibration", "--push", url, "--json"]
+        done = run_proctor(server, *arguments, command="submit")
+        assert done.returncode == 0, done.stderr
+        run = wait_for_state(client, json.loads(done.stdout)["run_id"])
+        assert (run["state"], run["mode"]) == ("completed", "push")
+        assert run["policy_server"]["has_api_key"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--policy", "proctor:host:1"], "takes a URL"),
+        (["--policy-url", "http://h", "--policy", "a:b"], "both"),
+        (["--policy-url", "http://h", "--processes"], "--processes"),
+    ],
+)
+def test_the_command_refuses_contradicting_options(
+    server: ReferenceServer, arguments: list[str], message: str
+) -> None:
+    done = run_proctor(server, "--benchmark", "calibration", *arguments)
+    assert done.returncode == 2
+    assert message in done.stderr

@@ -1,0 +1,267 @@
+"""A policy behind HTTP, called by a server or by this client; the kit judges it in
+test_policy_kit.py.
+"""
+
+import contextlib
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from conformance.policy import turns
+from reference_client import Observation
+from reference_client.policies import serving
+from reference_client.policies.serving import PolicyApp
+from tests.conftest import TIMEOUT_S, ReferenceServer
+from tests.support.client.policy_apps import (
+    KEY,
+    CountingPolicy,
+    free_port,
+    make_app,
+    policy_key,
+    run_app,
+    server,
+)
+from tests.support.push_runs import (
+    episodes,
+    push_submission,
+    submit_push_run,
+    wait_for_state,
+)
+
+__all__ = ["server", "policy_key"]
+BENCHMARK = turns.calibration()
+
+
+@contextlib.contextmanager
+def call_app(app: PolicyApp) -> Iterator[httpx.Client]:
+    headers = {"Authorization": f"Bearer {KEY}"}
+    with (
+        run_app(app.app) as url,
+        httpx.Client(base_url=url, headers=headers, trust_env=False) as client,
+    ):
+        yield client
+
+
+def reset(client: httpx.Client, session_id: str, index: int = 0) -> httpx.Response:
+    body = {
+        "session_id": session_id,
+        "run_id": "r",
+        "benchmark": BENCHMARK,
+        "episode": turns.episode(BENCHMARK, index),
+    }
+    return client.post("/v1/policy/reset", json=body)
+
+
+def predict(client: httpx.Client, session_id: str, seq: int = 0) -> httpx.Response:
+    view = turns.episode(BENCHMARK)
+    body = turns.turn(BENCHMARK, session_id, seq, view)
+    return client.post("/v1/policy/predict", json=body)
+
+
+def score_of(answer: httpx.Response) -> float:
+    return float(answer.json()["actions"][0]["values"]["score"][0])
+
+
+def test_a_repeated_turn_is_not_acted_twice() -> None:
+    with call_app(make_app()) as client:
+        assert reset(client, "s").status_code == 200
+        assert [score_of(predict(client, "s", q)) for q in (0, 0, 1, 1)] == [
+            *[0.1, 0.1],
+            *[0.2, 0.2],
+        ]
+        reset(client, "s")
+        assert score_of(predict(client, "s", 1)) == 0.1
+
+
+def test_the_longest_idle_session_is_evicted() -> None:
+    with call_app(make_app(max_sessions=2)) as client:
+        for name in ("a", "b"):
+            reset(client, name)
+        predict(client, "a")
+        reset(client, "c")
+        assert predict(client, "b").json()["code"] == "session_ended"
+        assert predict(client, "a", 1).status_code == 200
+        assert predict(client, "c").status_code == 200
+
+
+def test_an_evicted_session_has_ended() -> None:
+    """It waits for its turn while another session takes its policy over."""
+    began, may_continue = threading.Event(), threading.Event()
+
+    class SlowPolicy(CountingPolicy):
+        def act(self, observation: Observation) -> list[dict[str, Any]]:
+            began.set()
+            may_continue.wait(TIMEOUT_S)
+            return super().act(observation)
+
+    app = PolicyApp(SlowPolicy, "slow", key=KEY, max_sessions=1)
+    with call_app(app) as client, ThreadPoolExecutor(3) as threads:
+        reset(client, "a")
+        first = threads.submit(predict, client, "a")
+        assert began.wait(TIMEOUT_S)
+        second = threads.submit(predict, client, "a", 1)
+        other = threads.submit(reset, client, "b")
+        deadline = time.monotonic() + TIMEOUT_S
+        while "b" not in app._sessions:
+            assert time.monotonic() < deadline
+            time.sleep(0.005)
+        may_continue.set()
+        assert first.result().status_code == 200
+        assert second.result().json()["code"] == "session_ended"
+        assert other.result().status_code == 200
+        assert score_of(predict(client, "b")) == 0.1
+
+
+class RaisingPolicy(CountingPolicy):
+    def act(self, observation: Observation) -> list[dict[str, Any]]:
+        raise ValueError("no such joint")
+
+
+class NanPolicy(CountingPolicy):
+    def act(self, observation: Observation) -> list[dict[str, Any]]:
+        return [{"score": [float("nan")]}]
+
+
+@pytest.mark.parametrize(
+    ("policy", "said"),
+    [
+        (RaisingPolicy, "ValueError: no such joint (test_policy_serving.py:"),
+        (NanPolicy, "/actions/0/values/score/0: is nan"),
+    ],
+)
+def test_errors_of_a_policy_are_reported(
+    policy: type[CountingPolicy], said: str
+) -> None:
+    with call_app(PolicyApp(policy, "wrong", key=KEY)) as client:
+        reset(client, "s")
+        answer = predict(client, "s")
+        assert (answer.status_code, answer.json()["code"]) == (500, "internal_error")
+        assert said in answer.json()["detail"]
+        assert reset(client, "s").status_code == 200
+
+
+def test_unknown_operations_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(serving, "BODY_BYTES_MAX", 1000)
+    with call_app(make_app()) as client:
+        assert client.get("/v1/elsewhere").json()["code"] == "not_found"
+        wrong = client.get("/v1/policy/reset")
+        assert wrong.json()["code"] == "method_not_allowed"
+        assert wrong.headers["allow"] == "POST"
+        assert reset(client, "s").json()["code"] == "body_too_large"
+        huge = client.post("/v1/policy/predict", content=b"[" * 900)
+        assert huge.json()["code"] in ("malformed_body", "invalid_request")
+
+
+def test_a_picture_that_does_not_decode_is_refused() -> None:
+    picture = {"codec": "raw", "width": 9, "height": 9, "channels": 3, "data": "AAAA"}
+    with call_app(make_app()) as client:
+        reset(client, "s")
+        turn = turns.turn(BENCHMARK, "s", 0, turns.episode(BENCHMARK))
+        turn["observation"]["images"] = {"front": picture}
+        answer = client.post("/v1/policy/predict", json=turn)
+        assert answer.json()["code"] == "invalid_request"
+        assert "front" in answer.json()["detail"]
+
+
+def test_assumed_conventions_are_described() -> None:
+    assumes = {"control_rate_hz": 20.0}
+    with call_app(make_app(assumes=assumes, max_sessions=3)) as client:
+        description = client.get("/v1/policy").json()
+        assert (description["assumes"], description["max_sessions"]) == (assumes, 3)
+
+
+# --- end to end ---
+
+
+def test_a_server_plays_a_policy_that_is_served(server: ReferenceServer) -> None:
+    with run_app(make_app().app) as url, server.client() as client:
+        order = {"api_key": KEY, "max_concurrent": 3}
+        run_id = submit_push_run(client, url, *["echo"] * 2, *["score"] * 4, **order)
+        run = wait_for_state(client, run_id)
+        assert (run["state"], run["reason"]) == ("completed", None)
+        results = [e["result"] for e in episodes(client, run_id)]
+        assert [r["steps"] for r in results] == [3] * 6
+        assert [r["score"] for r in results[2:]] == [0.3] * 4
+
+
+def test_the_reason_names_the_policys_own_line(server: ReferenceServer) -> None:
+    app = PolicyApp(RaisingPolicy, "failing", key=KEY)
+    with run_app(app.app) as url, server.client() as client:
+        run = wait_for_state(client, submit_push_run(client, url, api_key=KEY))
+        assert "ValueError: no such joint (test_policy_serving.py:" in run["reason"]
+
+
+@pytest.mark.parametrize("wrong", [{}, {"api_key": "wrong"}])
+def test_a_wrong_key_fails_the_run(
+    server: ReferenceServer, wrong: dict[str, str]
+) -> None:
+    with run_app(make_app().app) as url, server.client() as client:
+        run = wait_for_state(client, submit_push_run(client, url, **wrong))
+        assert run["state"] == "failed"
+        assert "unauthenticated: This policy server wants its key" in run["reason"]
+
+
+def test_the_command_serves_an_expert_to_a_real_benchmark(
+    server: ReferenceServer, tmp_path: Path
+) -> None:
+    """`proctor serve-policy`, called for a robot's benchmark. Expect a success."""
+    (tmp_path / "mine.py").write_text(
+        "from reference_sim.benchmarks.tabletop.experts import TabletopExpert\n"
+        "class Mine:\n"
+        "    def __init__(self):\n"
+        "        self.expert = TabletopExpert()\n"
+        "    def reset(self, instruction):\n"
+        "        self.expert.reset(instruction)\n"
+        "    def act(self, observation):\n"
+        "        return [self.expert.act(observation.state)]\n"
+    )
+    port = str(free_port())
+    command = ["serve-policy", "--policy", "mine.py:Mine", "--port", port]
+    process = subprocess.Popen(
+        [sys.executable, "-m", "reference_client.command", *command],
+        cwd=tmp_path,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stderr is not None
+    assert port in process.stderr.readline()
+    with server.client() as client:
+        order = {"api_key": KEY, "max_concurrent": 1, "max_retries": 5}
+        body = push_submission(f"http://127.0.0.1:{port}", **order)
+        body = {**body, "benchmark_id": "tabletop_state"}
+        del body["options"]
+        run_id = client.post("/v1/runs", json=body).json()["run_id"]
+        deadline = time.monotonic() + 2 * TIMEOUT_S
+        while not (run := wait_for_state(client, run_id, "ready", "running"))[
+            "progress"
+        ]["episodes_scored"]:
+            assert time.monotonic() < deadline, run
+            time.sleep(0.05)
+        client.post(f"/v1/runs/{run_id}/stop", json={})
+        first = episodes(client, run_id)[0]["result"]
+    assert (first["outcome"], first["score"]) == ("success", 1.0)
+    process.send_signal(signal.SIGTERM)
+    process.wait(TIMEOUT_S)
+    process.stderr.close()
+
+
+@pytest.mark.parametrize("policy", ["nowhere.py:X", "json:nothing"])
+def test_an_invalid_policy_reference_is_reported(policy: str, tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "reference_client.policies.serve", "--policy", policy],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 2
+    assert done.stderr.startswith("proctor: ")

@@ -1,0 +1,257 @@
+"""The interop machine: the Python column passes, and no judge passes what is wrong.
+
+The other languages need their toolchains and minutes: `make interop`.
+"""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import httpx
+import pytest
+
+from tests.conftest import TOKENS, ReferenceServer
+from tests.interop import expected_values
+from tests.interop.clients import CLIENTS, LANGUAGES, NOT_COMPILED, Language, mirror
+from tests.interop.proxy import Proxy
+from tests.interop.scenarios import (
+    SCENARIOS,
+    Program,
+    ScenarioNotRunnable,
+    Server,
+    UnexpectedResult,
+    apply_known_limits,
+)
+from tools import interop
+
+PYTHON = LANGUAGES[0]
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    server = ReferenceServer(tmp_path_factory.mktemp("interop"))
+
+    def restart() -> str:
+        server.end(signal.SIGKILL)
+        server.start()
+        return server.url
+
+    yield Server(server.url, TOKENS["alice"], restart)
+    server.end(signal.SIGKILL)
+
+
+def program_printing(text: str, language: str = "python") -> Program:
+    return Program(language, [sys.executable, "-c", f"print({text!r})"], {})
+
+
+@pytest.mark.parametrize("name", SCENARIOS)
+def test_the_python_client_passes_every_scenario(name: str, server: Server) -> None:
+    # Run where it stands: the copy that `make interop` builds is the same.
+    SCENARIOS[name](
+        server, Program("python", PYTHON.command(CLIENTS / "python"), PYTHON.env())
+    )
+
+
+@pytest.mark.parametrize("name", SCENARIOS)
+def test_no_scenario_accepts_an_empty_result(name: str, server: Server) -> None:
+    cell = interop.judge(name, server, program_printing("{}"))
+    assert cell.outcome == interop.FAILED
+
+
+@pytest.mark.parametrize(
+    ("command", "why"),
+    [
+        ("raise SystemExit(3)", "exit 3"),
+        ("print(1)", "no object"),
+        ("print()", "no JSON"),
+    ],
+)
+def test_a_failing_program_is_reported_with_its_reason(
+    command: str, why: str, server: Server
+) -> None:
+    program = Program("python", [sys.executable, "-c", command], {})
+    cell = interop.judge("chunks", server, program)
+    assert cell.outcome == interop.FAILED
+    assert why in cell.why
+
+
+def test_one_wrong_number_fails_the_scenario(server: Server) -> None:
+    sound = {
+        "executed": [4, 4, 2],
+        "counts": [[1, 2, 3, 4], [5, 6, 7, 8], [9, 10]],
+        "rewards": [4, 4, 2],
+        "stopped_early": [False, False, True],
+        "truncated": [False, False, True],
+        "done": True,
+        "steps": 10,
+    }
+    SCENARIOS["chunks"](server, program_printing(json.dumps(sound)))
+    with pytest.raises(UnexpectedResult):
+        SCENARIOS["chunks"](server, program_printing(json.dumps(sound | {"steps": 9})))
+
+
+def test_the_restart_scenario_needs_a_restart_command(server: Server) -> None:
+    other_server = Server(server.url, server.token)
+    with pytest.raises(ScenarioNotRunnable):
+        SCENARIOS["restart"](other_server, program_printing("{}"))
+
+
+def test_a_failed_restart_gives_no_verdict(server: Server) -> None:
+    def fail() -> str:
+        subprocess.run([sys.executable, "-c", "raise SystemExit(7)"], check=True)
+        return server.url
+
+    program = Program("python", PYTHON.command(CLIENTS / "python"), PYTHON.env())
+    cell = interop.judge("restart", replace(server, restart=fail), program)
+    assert cell.outcome == interop.NOT_RUN
+    assert "exit status 7" in cell.why
+
+
+def test_the_proxy_loses_one_answer_of_a_kind(server: Server) -> None:
+    body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
+    headers = {"Authorization": f"Bearer {server.token}", "Idempotency-Key": "proxy"}
+    with (
+        Proxy(server.url, drop=["submit"]) as proxy,
+        httpx.Client(base_url=proxy.url, headers=headers, trust_env=False) as client,
+    ):
+        with pytest.raises(httpx.TransportError):
+            client.post("/v1/runs", json=body)
+        answer = client.post("/v1/runs", json=body)
+    assert answer.status_code == 201
+    assert answer.json()["endpoint"] == proxy.url
+    assert proxy.dropped_answers == ["submit"]
+    assert len(proxy.repeats("submit")) == 1
+    listed = server.read("/v1/runs?limit=1000")["runs"]
+    assert [run["run_id"] for run in listed].count(answer.json()["run_id"]) == 1
+
+
+def test_a_missing_toolchain_counts_as_not_run(server: Server) -> None:
+    matrix = interop.Matrix()
+    absent = replace(PYTHON, name="klingon", tools=("no-such-compiler",))
+    interop.play(absent, server, ["chunks"], matrix)
+    cell = matrix.cells["klingon"]["chunks"]
+    assert (cell.outcome, cell.why) == (interop.NOT_RUN, "no-such-compiler not found")
+    assert matrix.exit_code() == 2
+    assert "✔" not in "\n".join(interop.table(matrix))
+    matrix.cells["klingon"]["echo"] = interop.Cell(interop.FAILED, "why")
+    assert matrix.exit_code() == 1
+    assert b'failures="1"' in interop.junit(matrix)
+    assert b'skipped="1"' in interop.junit(matrix)
+
+
+def test_a_build_that_fails_is_a_failure(
+    server: Server, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tests.interop.clients.CACHE", tmp_path)
+    broken = replace(PYTHON, steps=((sys.executable, "-c", "raise SystemExit('oh')"),))
+    matrix = interop.Matrix()
+    interop.play(broken, server, ["chunks"], matrix)
+    assert matrix.cells["python"]["chunks"].outcome == interop.FAILED
+    assert "oh" in matrix.cells["python"]["chunks"].why
+    assert interop.Matrix().exit_code() == 2
+
+
+def test_a_mirror_keeps_what_builds_left(tmp_path: Path) -> None:
+    source, target = tmp_path / "source", tmp_path / "target"
+    for file in (
+        source / "a",
+        source / "dist" / "b",
+        target / "old",
+        target / "dist" / "c",
+    ):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(file.name)
+    mirror(source, target)
+    left = sorted(
+        str(path.relative_to(target)) for path in target.rglob("*") if path.is_file()
+    )
+    assert left == ["a", "dist/c"]
+
+
+def test_every_client_is_run_or_listed_as_not_compiled() -> None:
+    present = {path.name for path in CLIENTS.iterdir() if path.is_dir()}
+    assert present == {language.name for language in LANGUAGES} | set(NOT_COMPILED)
+    for language in LANGUAGES:
+        assert (CLIENTS / language.name / "interop").is_dir()
+        assert (CLIENTS / language.name / "example").is_dir()
+
+
+LOOPS = {
+    "cpp": "worker.hpp",
+    "go": "worker/worker.go",
+    "java": "Worker.java",
+    "python": "worker.py",
+    "rust": "worker.rs",
+    "typescript": "worker.ts",
+}
+
+
+@pytest.mark.parametrize("language", LANGUAGES, ids=lambda language: language.name)
+def test_the_worker_loop_is_short(language: Language) -> None:
+    loop = CLIENTS / language.name / "example" / LOOPS[language.name]
+    assert len(loop.read_text().splitlines()) <= 150
+
+
+def test_lock_files_name_no_address() -> None:
+    lock = json.loads((CLIENTS / "typescript" / "package-lock.json").read_text())
+    assert all("resolved" not in package for package in lock["packages"].values())
+    assert (CLIENTS / "rust" / "Cargo.lock").exists()
+
+
+def test_the_example_plays_to_the_end(server: Server) -> None:
+    example = CLIENTS / "python" / "example" / "worker.py"
+    done = subprocess.run(
+        [sys.executable, str(example), server.url, server.token],
+        env=PYTHON.env(),
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout.splitlines()[-1] == "score 0.40625"
+    refused = subprocess.run(
+        [sys.executable, str(example), server.url, "not-a-token"],
+        env=PYTHON.env(),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert refused.returncode == 1
+    assert "[unauthenticated]" in refused.stderr
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "equal"),
+    [
+        (1, 1.0, True),
+        (True, 1, False),
+        (0.0, -0.0, False),
+        ({"a": [1]}, {"a": [1]}, True),
+        ({"a": 1}, {"a": 1, "b": 2}, False),
+        ([1], [1, 2], False),
+        (
+            {"at_at": "2026-03-01T12:00:00Z"},
+            {"at_at": "2026-03-01T13:00:00+01:00"},
+            True,
+        ),
+    ],
+)
+def test_what_counts_as_the_same_value(one: object, other: object, equal: bool) -> None:
+    assert expected_values.values_equal(one, other) is equal
+
+
+def test_only_documented_limits_are_tolerated() -> None:
+    wanted = ["8000000000000000", "3fb999999999999a"]
+    lost_sign = ["0000000000000000", "3fb999999999999a"]
+    one_off = ["8000000000000000", "3fb9999999999999"]
+    assert apply_known_limits("typescript", lost_sign, wanted) == wanted
+    assert apply_known_limits("cpp", one_off, wanted) == wanted
+    for language, seen in (("go", lost_sign), ("cpp", lost_sign), ("java", one_off)):
+        assert apply_known_limits(language, seen, wanted) != wanted
+    assert expected_values.values_equal([0.1], [0.1 + 2**-56], ulps=1)
+    assert not expected_values.values_equal([0.1], [0.1 + 2**-55], ulps=1)

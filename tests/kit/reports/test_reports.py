@@ -1,0 +1,278 @@
+"""Verdicts, exit codes and reports: honest, complete, readable, and the same ids."""
+
+import json
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import jsonschema
+import pytest
+
+from conformance.cli.arguments import BadArguments, read_known_failures
+from conformance.cli.console import card
+from conformance.cli.settings import Settings
+from conformance.client.curl import script
+from conformance.client.exchange_log import Exchange
+from conformance.reports.badge import badge
+from conformance.reports.files import junit, write_reports
+from conformance.reports.html import page
+from conformance.specification import ledger
+from conformance.specification.document import load_spec
+from conformance.verdicts.result import Result, as_plain, conclude
+from conformance.verdicts.universal_rules import ParsedAnswer, Tally
+from conformance.verdicts.verdict import Outcome, Verdict
+from tests.support.paths import ROOT
+
+SCHEMA = json.loads(
+    (ROOT / "conformance" / "reports" / "report.schema.json").read_text()
+)
+PROFILES = list(ledger.PROFILES)
+
+
+def exchange(number: int, method: str, path: str, **fields: object) -> Exchange:
+    sent = Exchange(
+        number, f"T/{number}", method, f"http://host{path}", "TOKEN", {}, b"", 0
+    )
+    for name, value in fields.items():
+        setattr(sent, name, value)
+    return sent
+
+
+def result(
+    *verdicts: Verdict, known: frozenset[str] = frozenset(), only: str = "ATT"
+) -> Result:
+    made = Result(Settings(url="http://host", only=[only], profiles=PROFILES))
+    made.settings.service = {"profiles": ["msgpack"]}
+    by_id = {verdict.requirement_id: verdict for verdict in verdicts}
+    conclude(made, by_id, Tally(load_spec()), set(known))
+    for row in made.rows.values():
+        if row.outcome == Outcome.KIT_ERROR and not row.check:
+            row.outcome = Outcome.PASSED  # the rows that the test does not name
+    return made
+
+
+FAILED = Verdict(
+    "ATT-003",
+    Outcome.FAILED,
+    expected="status 409",
+    observed="status 200 <&\x00>",
+    check="test_att_003",
+    story="A story.",
+    exchanges=[exchange(1, "GET", "/v1", status=200)],
+)
+
+
+def failed() -> Verdict:
+    return Verdict.from_plain(FAILED.as_plain())
+
+
+@pytest.mark.parametrize(
+    ("verdict", "code", "says"),
+    [
+        (Verdict("ATT-003", Outcome.PASSED), 0, "conformant in the rows"),
+        (FAILED, 1, "NOT conformant in the rows"),
+        (Verdict("ATT-003", Outcome.INCONCLUSIVE), 2, "could not judge"),
+        (Verdict("ATT-003", Outcome.KIT_ERROR, check="x"), 2, "could not judge"),
+        (Verdict("ATT-003", Outcome.NOT_APPLICABLE), 0, "conformant in the rows"),
+        (Verdict("ATT-003", Outcome.NOT_VERIFIED), 2, "could not judge"),
+        (Verdict("ATT-003", Outcome.NOT_VERIFIED, "", True), 0, "conformant in"),
+    ],
+)
+def test_exit_code(verdict: Verdict, code: int, says: str) -> None:
+    judged = result(Verdict.from_plain(verdict.as_plain()))
+    assert judged.exit_code == code
+    assert judged.conclusion().startswith(says)
+
+
+def test_nothing_executed_is_not_conformant() -> None:
+    judged = result(only="ATT-009")
+    assert [row.outcome for row in judged.rows.values()] == [Outcome.NOT_VERIFIED]
+    assert judged.exit_code == 2
+
+
+def test_known_failure_is_reported_and_excused() -> None:
+    judged = result(failed(), known=frozenset({"ATT-003"}))
+    assert judged.rows["ATT-003"].is_known_failure
+    assert judged.exit_code == 0
+    assert "1 violated" in judged.headline()
+    assert "<failure" not in junit(judged)
+
+
+def test_known_failure_that_does_not_fail_is_stale() -> None:
+    passed = Verdict("ATT-003", Outcome.PASSED)
+    judged = result(passed, known=frozenset({"ATT-003"}))
+    assert judged.stale == ["ATT-003"]
+    assert judged.exit_code == 1
+
+
+def test_known_failures_need_an_id_and_a_reason(tmp_path: Path) -> None:
+    file = tmp_path / "known"
+    file.write_text("# why we have them\n\nATT-003 # our ticket 7\n")
+    assert read_known_failures(str(file)) == {"ATT-003"}
+    for wrong in ("ATT-003", "ATT-999 # no such rule"):
+        file.write_text(wrong)
+        with pytest.raises(BadArguments):
+            read_known_failures(str(file))
+
+
+def test_reports_agree(tmp_path: Path) -> None:
+    judged = result(failed())
+    judged.settings.report = str(tmp_path)
+    write_reports(judged)
+    plain = json.loads((tmp_path / "report.json").read_text())
+    jsonschema.validate(plain, SCHEMA)
+    ids = [row["requirement_id"] for row in plain["rows"]]
+    cases = ET.fromstring((tmp_path / "junit.xml").read_text()).iter("testcase")  # noqa: S314
+    assert [case.get("name") for case in cases] == ids
+    html = (tmp_path / "report.html").read_text()
+    assert all(f'id="{requirement_id}"' in html for requirement_id in ids)
+    assert "http://" not in html.replace("http://host", "")
+    assert plain["conclusion"] in html
+    sha256 = plain["spec"]["sha256"]
+    assert sha256 in html
+    assert sha256 in (tmp_path / "junit.xml").read_text()
+
+
+def test_junit_has_a_real_failure() -> None:
+    suites = ET.fromstring(junit(result(failed())))  # noqa: S314
+    failures = suites.findall(".//failure")
+    assert len(failures) == 1
+    assert "curl" in (failures[0].text or "")
+    (suite,) = suites
+    assert (suite.get("failures"), suite.get("errors")) == ("1", "0")
+
+
+def test_problem_is_an_error_in_every_report() -> None:
+    judged = Result(Settings(profiles=PROFILES), problem="nothing answers")
+    conclude(judged, {}, Tally(load_spec()), set())
+    assert judged.exit_code == 2
+    assert 'message="nothing answers"' in junit(judged)
+    assert "nothing answers" in page(judged)
+    jsonschema.validate(as_plain(judged), SCHEMA)
+
+
+def test_card_says_everything() -> None:
+    text = "\n".join(card(failed(), result(failed())))
+    for part in ("ATT-003 FAILED (MUST", "worker_busy", "A story.", "status 409"):
+        assert part in text
+    assert 'curl -sS "$URL/v1" -H "Authorization: Bearer $TOKEN"' in text
+    assert "seed" in text
+    fields = text.partition("    : ")[0]
+    assert all(len(line) <= 80 for line in fields.splitlines())
+
+
+def test_script_catches_ids_and_keeps_pauses() -> None:
+    lines = script(
+        [
+            exchange(
+                1,
+                "POST",
+                "/v1/runs",
+                request_body=b'{"note": "it\'s"}',
+                request_size=16,
+                request_headers={"Content-Type": "application/json"},
+                status=201,
+                answer_body=b'{"run_id": "run-abc"}',
+                started_at=1.0,
+            ),
+            exchange(
+                2,
+                "PUT",
+                "/v1/runs/run-abc/workers/w",
+                request_body=b'{"run": "run-abc"}',
+                request_size=18,
+                status=409,
+                answer_body=b'{"code": "worker_busy"}',
+                started_at=3.0,
+            ),
+            exchange(3, "GET", "/v1", error="ReadTimeout: slow", started_at=3.0),
+        ],
+        "http://host",
+    )
+    assert lines[0] == (
+        ': "${URL:?of the server}" "${TOKEN:?a token with the scopes read and run}"'
+    )
+    start = next(i for i, line in enumerate(lines) if line.startswith("RUN_1="))
+    assert [line.split("(")[0] for line in lines[1:start]] == ["curl", "keep"]
+    assert lines[start:] == [
+        (
+            'RUN_1=$(curl -sS -X POST "$URL/v1/runs" -H "Authorization: Bearer $TOKEN" '
+            "-H 'Content-Type: application/json' "
+            """--data-binary '{"note": "it'\\''s"}' | keep run_id)"""
+        ),
+        "# → 201 after 0 ms",
+        "sleep 2.0",
+        (
+            'curl -sS -X PUT "$URL/v1/runs/${RUN_1}/workers/w" '
+            '-H "Authorization: Bearer $TOKEN" '
+            """--data-binary '{"run": "'"$RUN_1"'"}'"""
+        ),
+        "# → 409 worker_busy after 0 ms",
+        'curl -sS "$URL/v1" -H "Authorization: Bearer $TOKEN"',
+        "# → no answer: ReadTimeout: slow",
+    ]
+
+
+def test_bodies_survive_json() -> None:
+    sent = exchange(1, "POST", "/", request_body=bytes(range(256)))
+    again = Exchange.from_plain(json.loads(json.dumps(sent.as_plain())))
+    assert again == sent
+
+
+def test_answer_that_breaks_a_rule_for_all_fails_its_row() -> None:
+    tally = Tally(load_spec())
+    sent = exchange(1, "GET", "/v1", status=500)
+    tally.observe(None, ParsedAnswer(500, {}, "", b"", None, False), sent)
+    judged = Result(Settings(url="http://host", only=["ERR-012"], profiles=PROFILES))
+    conclude(judged, {"ERR-012": Verdict("ERR-012", Outcome.PASSED)}, tally, set())
+    assert judged.rows["ERR-012"].outcome == Outcome.FAILED
+    assert judged.rows["ERR-012"].exchanges == [sent]
+
+
+def test_rule_for_all_answers_needs_an_answer() -> None:
+    judged = Result(Settings(url="http://host", only=["ERR-011"], profiles=PROFILES))
+    passed = {"ERR-011": Verdict("ERR-011", Outcome.PASSED)}
+    conclude(judged, passed, Tally(load_spec()), set())
+    assert judged.rows["ERR-011"].outcome == Outcome.NOT_VERIFIED
+
+
+def test_page_needs_no_network_and_no_script() -> None:
+    html = page(result(failed()))
+    for outside in (' src="', "<link", "@import", " url(", "fetch("):
+        assert outside not in html
+    assert '<div class="filters" hidden>' in html
+    for part in ("worker_busy", "status 409", "status 200 &lt;&amp;", "A story."):
+        assert part in html.partition("All rules")[0]
+
+
+def test_page_shows_when_each_request_was_sent() -> None:
+    slow = exchange(2, "GET", "/v1/runs", status=200, started_at=1.0, elapsed_s=1.0)
+    verdict = failed()
+    verdict.exchanges += [slow]
+    html = page(result(verdict))
+    assert '<i style="left:50.0%;width:50.0%">' in html
+    assert "2 requests in 2.00 s" in html
+
+
+@pytest.mark.parametrize(
+    ("verdict", "only", "says", "colour"),
+    [
+        (Verdict("ATT-003", Outcome.PASSED), "", "verified", "#1f7a38"),
+        (Verdict("ATT-003", Outcome.PASSED), "ATT-003", "1/1 verified of", "#5b6472"),
+        (FAILED, "ATT-003", "0/1 verified, 1 violated", "#c62828"),
+        (Verdict("ATT-003", Outcome.INCONCLUSIVE), "ATT-003", "could not", "#96600a"),
+    ],
+)
+def test_badge(verdict: Verdict, only: str, says: str, colour: str) -> None:
+    judged = result(Verdict.from_plain(verdict.as_plain()), only=only)
+    judged.settings.only = [only] if only else []
+    drawn = ET.fromstring(badge(judged))  # noqa: S314 - ours
+    assert says in (drawn.get("aria-label") or "")
+    assert drawn.findall(".//{*}rect")[-1].get("fill") == colour
+    texts = [text.text for text in drawn.findall(".//{*}text")]
+    assert texts[0] == "proctor 1.0"
+
+
+def test_badge_of_a_known_failure_is_red() -> None:
+    judged = result(failed(), known=frozenset({"ATT-003"}))
+    assert judged.exit_code == 0
+    assert "#c62828" in badge(judged)

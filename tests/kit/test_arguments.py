@@ -1,0 +1,184 @@
+"""The command line: what would run, what is left when time is up, what was meant, and
+failures that the implementer knows of.
+"""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+
+from conformance.cli.arguments import BadArguments, build_parser, read_choice
+from conformance.cli.main import main
+from conformance.cli.settings import Settings
+from conformance.specification.document import load_spec
+from conformance.specification.ledger import load_ledger
+from conformance.verdicts.result import Result, conclude
+from conformance.verdicts.universal_rules import Tally
+from conformance.verdicts.verdict import Outcome, Verdict
+from tests.support.paths import ROOT
+
+SCHEMA = json.loads(
+    (ROOT / "conformance" / "reports" / "report.schema.json").read_text()
+)
+MUTANT = f"{sys.executable} -m tests.mutants.serve names_the_wrong_expected_seq"
+SERVER_COMMAND = f"{sys.executable} -m reference_server"
+
+
+def run_kit(report: Path, *arguments: str) -> tuple[int, str, dict[str, Any]]:
+    """Exit code, output, and report.json, or nothing where none was written."""
+    done = subprocess.run(
+        [sys.executable, "-m", "conformance", "--report", str(report), *arguments],
+        cwd=ROOT,
+        env=os.environ | {"COLUMNS": "80"},
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert "Traceback" not in done.stderr, done.stderr
+    written: dict[str, Any] = {}
+    if (report / "report.json").exists():
+        written = json.loads((report / "report.json").read_text())
+        jsonschema.validate(written, SCHEMA)
+    return done.returncode, done.stdout, written
+
+
+def outcomes(report: dict[str, Any]) -> dict[str, str]:
+    return {row["requirement_id"]: row["outcome"] for row in report["rows"]}
+
+
+def test_dry_run_lists_checks_and_sends_nothing(tmp_path: Path) -> None:
+    code, output, written = run_kit(tmp_path, "--dry-run", "--only", "PRED-00,AUTH")
+    assert code == 0
+    assert not written
+    assert load_ledger()["PRED-004"].text in output
+    assert "test_pred_004_cannot_skip_or_go_back" in output
+    assert "LEASE-" not in output
+    last = output.splitlines()[-1]
+    assert "nothing was sent; 1 of the 15 rules selected cannot be observed" in last
+
+
+def test_an_empty_dry_run_is_no_success(tmp_path: Path) -> None:
+    code, output, _ = run_kit(
+        tmp_path, "--dry-run", "--only", "SVC", "--profile", "crash"
+    )
+    assert code == 2
+    assert output.startswith("0 checks")
+
+
+def test_list_takes_a_choice(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["--list", "--only", "ATT-003"]) == 0
+    assert capsys.readouterr().out.startswith("ATT-003  MUST  core  ")
+
+
+@pytest.mark.parametrize("processes", ["0", "2"])
+def test_rules_after_the_time_limit_are_not_verified(
+    tmp_path: Path, processes: str
+) -> None:
+    arguments = ("--start-cmd", SERVER_COMMAND, "--max-time", "0.1", "-n", processes)
+    code, output, written = run_kit(tmp_path, *arguments)
+    assert code == 2
+    assert "time was up (--max-time 0.1)" in output.splitlines()[-1]
+    found_outcomes, ledger = outcomes(written), load_ledger()
+    disabled_profiles_rows = {  # the doors of other houses
+        id_
+        for id_ in found_outcomes
+        if ledger[id_].profile in ("ebench", "flageval") and ledger[id_].is_observable
+    }
+    assert {
+        id_ for id_, outcome in found_outcomes.items() if outcome != "not_verified"
+    } == disabled_profiles_rows
+    assert {found_outcomes[id_] for id_ in disabled_profiles_rows} == {"not_applicable"}
+
+
+@pytest.mark.parametrize(
+    ("outcome", "is_known", "code"),
+    [
+        (Outcome.PASSED, False, 2),
+        (Outcome.FAILED, False, 1),
+        # What follows from a known failure is excused; a check not started is not.
+        (Outcome.FAILED, True, 2),
+    ],
+)
+def test_the_time_limit_hides_no_violation(
+    outcome: Outcome, is_known: bool, code: int
+) -> None:
+    judged = Result(Settings(only=["ATT-003", "ATT-004"], profiles=["core"]))
+    first = Verdict("ATT-003", outcome)
+    left = Verdict("ATT-004", Outcome.NOT_VERIFIED, "time was up (--max-time 5)")
+    found = {"ATT-003": first, "ATT-004": left}
+    known = {"ATT-003"} if is_known else set[str]()
+    conclude(judged, found, Tally(load_spec()), known)
+    assert judged.exit_code == code
+
+
+@pytest.mark.parametrize(
+    ("wanted", "says"),
+    [
+        ("PRDE-004", "did you mean PRED-004"),
+        ("pred-004", "did you mean PRED-004"),
+        ("ATT-999", "did you mean ATT-0"),
+        ("LEESE", "did you mean LEASE?"),
+        ("zzz", "the areas are SVC, "),
+    ],
+)
+def test_unknown_id_gets_a_suggestion(wanted: str, says: str) -> None:
+    options = build_parser().parse_args(["--only", wanted])
+    with pytest.raises(BadArguments) as caught:
+        read_choice(options)
+    assert str(caught.value).startswith(
+        f"--only {wanted}: no requirement has such an id"
+    )
+    assert says in str(caught.value)
+
+
+@pytest.mark.parametrize("seconds", ["0", "-1", "nan"])
+def test_the_time_limit_must_be_positive(tmp_path: Path, seconds: str) -> None:
+    time = f"--max-time={seconds}"
+    code, output, _ = run_kit(tmp_path, "--url", "http://127.0.0.1:1", time)
+    assert code == 2
+    assert "give some seconds" in output
+
+
+# --- known failures ---
+
+
+def test_known_failure_is_excused_and_a_stale_one_is_not(tmp_path: Path) -> None:
+    known = tmp_path / "known"
+    known.write_text("PRED-004  # fixed in our next release\n")
+    options = ("--only", "PRED-003,PRED-004", "--known-failures", str(known))
+    code, output, written = run_kit(tmp_path, "--start-cmd", MUTANT, *options)
+    assert code == 0, output
+    assert outcomes(written) == {"PRED-003": "passed", "PRED-004": "failed"}
+    assert "known fail." in output
+    assert "#c62828" in (tmp_path / "badge.svg").read_text()
+
+    code, output, written = run_kit(tmp_path, "--start-cmd", SERVER_COMMAND, *options)
+    assert code == 1
+    assert written["stale_known_failures"] == ["PRED-004"]
+    last = output.splitlines()[-1]
+    assert last == "known failures that do not fail any more: ['PRED-004']"
+
+
+def test_known_failure_excuses_no_other(tmp_path: Path) -> None:
+    known = tmp_path / "known"
+    known.write_text("PRED-003  # not the one that fails\n")
+    only = ("--only", "PRED-004")
+    arguments = ("--start-cmd", MUTANT, *only, "--known-failures", str(known))
+    code, _, written = run_kit(tmp_path, *arguments)
+    assert code == 1
+    assert written["stale_known_failures"] == []
+
+
+def test_known_failure_with_an_unknown_id_is_refused(tmp_path: Path) -> None:
+    known = tmp_path / "known"
+    known.write_text("PRDE-004  # a slip\n")
+    where = ("--url", "http://127.0.0.1:1", "--known-failures", str(known))
+    code, output, _ = run_kit(tmp_path, *where)
+    assert code == 2
+    assert "line 1: there is no requirement PRDE-004; did you mean PRED-004" in output

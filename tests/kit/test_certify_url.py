@@ -1,0 +1,112 @@
+"""A running server is judged by its URL and one token, as README begins."""
+
+import json
+import os
+import subprocess
+import sys
+import threading
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from conformance.checks.support.fuzz import _shorten_long_poll
+from conformance.client.http_client import ClientPool
+from tests.support.paths import ROOT
+
+
+def start_server(directory: Path) -> tuple[subprocess.Popen[str], list[str]]:
+    """Start a server with nothing set but its port, and give what it prints."""
+    environment = {n: v for n, v in os.environ.items() if not n.startswith("PROCTOR_")}
+    environment["PROCTOR_DATABASE"] = str(directory / "proctor.sqlite")
+    server = subprocess.Popen(
+        [sys.executable, "-m", "reference_server", "--port", "0"],
+        cwd=ROOT,
+        env=environment,
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    assert server.stdout is not None
+    lines: list[str] = []
+    while not lines or "make conformance" not in lines[-1]:
+        line = server.stdout.readline()
+        assert line, "the server ended before it said how to certify it"
+        lines.append(line.strip())
+    return server, lines
+
+
+def test_the_printed_line_certifies_the_server(tmp_path: Path) -> None:
+    """No token of another account, no hook, no private networks: still conformant."""
+    server, lines = start_server(tmp_path)
+    try:
+        command = lines[-1].split()
+        assert command[:2] == ["make", "conformance"]
+        given = dict(word.split("=", 1) for word in command[2:])
+        assert given["TOKEN"] == lines[1].split()[1]
+        options = ["--url", given["URL"], "--report", str(tmp_path / "report")]
+        done = subprocess.run(
+            [sys.executable, "-m", "conformance", *options],
+            cwd=ROOT,
+            env=os.environ | {"PROCTOR_TOKEN": given["TOKEN"]},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+    finally:
+        server.terminate()
+        server.wait()
+        assert server.stdout is not None
+        server.stdout.close()
+    assert done.returncode == 0, done.stdout[-3000:]
+    report = json.loads((tmp_path / "report" / "report.json").read_text())
+    rows = {row["requirement_id"]: row for row in report["rows"]}
+    for name in ("PUSH-001", "CHAT-001"):
+        assert rows[name]["outcome"] == "not_verified"
+        assert "Allow it to call that address" in rows[name]["reason"]
+    assert rows["PRED-002"]["outcome"] == "passed"
+
+
+def test_a_generated_long_poll_waits_for_nothing() -> None:
+    polls: dict[str, Any] = {"If-None-Match": "*", "prefer": "wait=6635"}
+    _shorten_long_poll(polls)
+    assert polls == {"If-None-Match": "*", "prefer": "wait=0"}
+
+
+@pytest.mark.parametrize(
+    "headers",
+    [
+        {"Prefer": "wait=6635"},
+        {"If-None-Match": "*", "Prefer": "wait=soon"},
+        {"If-None-Match": "*"},
+        {},
+    ],
+)
+def test_other_generated_headers_are_sent_unchanged(headers: dict[str, Any]) -> None:
+    sent = dict(headers)
+    _shorten_long_poll(sent)
+    assert sent == headers
+
+
+def test_two_threads_never_share_a_client() -> None:
+    pool = ClientPool("http://127.0.0.1:1")
+    in_use: list[httpx.Client] = []
+    both = threading.Barrier(2, timeout=10)
+
+    def send_from_thread() -> None:
+        with pool.borrow() as client:
+            in_use.append(client)
+            both.wait()
+
+    threads = [threading.Thread(target=send_from_thread) for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    first, second = in_use
+    assert first is not second
+    with pool.borrow() as again:
+        assert again in (first, second)
+    pool.close()
+    assert first.is_closed
+    assert second.is_closed

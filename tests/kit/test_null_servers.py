@@ -1,0 +1,159 @@
+"""The kit against servers that implement nothing: it says so, and passes nothing."""
+
+import json
+import os
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree as ET
+
+import jsonschema
+import pytest
+
+from tests.support import null_servers
+from tests.support.null_servers import Behaviour, run_server
+from tests.support.paths import ROOT
+
+SCHEMA = json.loads(
+    (ROOT / "conformance" / "reports" / "report.schema.json").read_text()
+)
+# What answers that are valid and never change may satisfy: rules on single answers,
+# and rules that something does not happen. Nothing about playing, scoring, stopping,
+# refusing, or resuming is among them. Shrinks when a check learns to look closer.
+CANNED_ANSWERS_PASS = frozenset(
+    {
+        *("SVC-001", "SVC-002", "VER-001", "BEN-001", "BEN-003"),
+        *("RUN-001", "RUN-002", "RUN-016", "ATT-001", "ATT-011"),
+        *("PRED-023", "ERR-012", "ENC-001", "LIFE-204"),
+    }
+)
+
+
+@dataclass
+class KitResult:
+    """One run of the kit as a person would start it."""
+
+    code: int
+    output: str
+    report: dict[str, Any]
+    junit: ET.Element
+
+    def passed(self) -> set[str]:
+        return {
+            row["requirement_id"]
+            for row in self.report["rows"]
+            if row["outcome"] == "passed"
+        }
+
+    def last_line(self) -> str:
+        return self.output.strip().splitlines()[-1]
+
+
+def run_kit_on(report: Path, *arguments: str) -> KitResult:
+    environment = os.environ | {"PROCTOR_TOKEN": "secret-token", "COLUMNS": "80"}
+    done = subprocess.run(
+        [sys.executable, "-m", "conformance", "--report", str(report), *arguments],
+        cwd=ROOT,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert "Traceback" not in done.stderr, done.stderr
+    written = json.loads((report / "report.json").read_text())
+    jsonschema.validate(written, SCHEMA)
+    assert written["exit_code"] == done.returncode
+    assert (report / "report.html").exists()
+    junit = ET.fromstring((report / "junit.xml").read_text())  # noqa: S314 - ours
+    return KitResult(done.returncode, done.stdout, written, junit)
+
+
+@pytest.mark.parametrize(
+    ("behaviour", "says"),
+    [
+        (null_servers.always(200), "cannot be used"),
+        (null_servers.always(404), "not a Proctor server"),
+        (null_servers.always(500), "not a Proctor server"),
+        (null_servers.always(200, b"[]"), "not a Proctor server"),
+        (null_servers.echo, "cannot be used"),
+        (null_servers.close, "nothing answers"),
+        (null_servers.refuse_everyone, "is refused"),
+        (null_servers.other_protocol_version, "speaks Proctor 7.0 to 7.2"),
+    ],
+    ids=["200", "404", "500", "list", "echo", "close", "refuse_everyone", "version"],
+)
+def test_cannot_judge_a_null_server(
+    tmp_path: Path, behaviour: Behaviour, says: str
+) -> None:
+    with run_server(behaviour) as url:
+        kit = run_kit_on(tmp_path, "--url", url)
+    assert kit.code == 2
+    assert says in kit.last_line()
+    assert kit.last_line().startswith("could not judge")
+    assert kit.passed() == set()
+    assert kit.junit.find(".//testcase[@name='preflight']/error") is not None
+
+
+def test_cannot_judge_where_nothing_listens(tmp_path: Path) -> None:
+    with run_server(null_servers.echo) as url:
+        pass
+    kit = run_kit_on(tmp_path, "--url", url)
+    assert kit.code == 2
+    assert "nothing answers" in kit.last_line()
+
+
+def test_canned_answers_pass_no_rule_about_playing(tmp_path: Path) -> None:
+    with run_server(null_servers.canned_answers) as url:
+        kit = run_kit_on(tmp_path, "--url", url)
+    assert kit.code == 1
+    assert kit.passed() <= CANNED_ANSWERS_PASS
+    assert kit.last_line() == "NOT conformant"
+    failures = kit.junit.findall(".//failure")
+    failed = [row for row in kit.report["rows"] if row["outcome"] == "failed"]
+    assert len(failures) == len(failed) > 50
+    assert not any(row["outcome"] == "kit_error" for row in kit.report["rows"])
+    for path in tmp_path.iterdir():
+        assert "secret-token" not in path.read_text()
+    assert "secret-token" not in kit.output
+
+
+@pytest.mark.parametrize("processes", ["1", "2"])
+def test_cannot_judge_a_server_that_dies(tmp_path: Path, processes: str) -> None:
+    with run_server(
+        null_servers.stop_answering_after(150, null_servers.canned_answers)
+    ) as url:
+        kit = run_kit_on(tmp_path, "--url", url, "-n", processes)
+    assert kit.code == 2
+    assert "the server stopped answering during" in kit.last_line()
+    assert len(kit.report["rows"]) > 100
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        ([], "give --url"),
+        (["--url", "localhost:8460"], "no http or https URL"),
+        (["--no-such-option"], "unrecognized arguments"),
+        (["--url", "http://x", "--only", "NOPE-001"], "no requirement"),
+        (["--url", "http://x", "--profile", "fast"], "there are core"),
+        (["--url", "http://x", "--known-failures", "/no/file"], "No such file"),
+        (["--start-cmd", "false"], "before it answered"),
+        (["--start-cmd", "/no/such/command"], "No such file"),
+    ],
+)
+def test_cannot_judge_with_bad_arguments(
+    tmp_path: Path, arguments: list[str], says: str
+) -> None:
+    kit = run_kit_on(tmp_path, *arguments)
+    assert kit.code == 2
+    assert says in kit.last_line()
+
+
+def test_cannot_judge_an_empty_selection(tmp_path: Path) -> None:
+    with run_server(null_servers.canned_answers) as url:
+        kit = run_kit_on(tmp_path, "--url", url, "--only", "SVC", "--profile", "crash")
+    assert kit.code == 2
+    assert "select nothing" in kit.last_line()

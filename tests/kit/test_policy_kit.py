@@ -1,0 +1,333 @@
+"""The kit for policy servers: it passes ours, and fails exactly what each broken one
+breaks.
+"""
+
+import contextlib
+import json
+import os
+import random
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import openapi_spec_validator
+import pytest
+import yaml
+from starlette.requests import Request
+
+from conformance.policy.turns import calibration
+from conformance.specification.document import load_policy_spec, load_spec
+from conformance.specification.ledger import POLICY, load_ledger
+from reference_client.policies import serving
+from reference_client.policies.serving import PolicyApp, Refusal
+from tests.support.client import policy_apps
+from tests.support.client.policy_apps import ACTION, KEY, CountingPolicy, make_app
+from tests.support.paths import ROOT
+
+
+def run_policy_kit(
+    url: str, report: Path, *more: str, key: str = KEY
+) -> tuple[int, Any]:
+    """The exit code, and outcome by id."""
+    flags = ["--url", url, *more, "--report", str(report), "--seed", "1"]
+    done = subprocess.run(
+        [sys.executable, "-m", "conformance.policy", *flags],
+        cwd=ROOT,
+        env=os.environ | {"PROCTOR_POLICY_KEY": key},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    code, rows = read_report(report)
+    assert done.returncode == code, done.stderr
+    return code, rows
+
+
+def read_report(report: Path) -> tuple[int, Any]:
+    found = json.loads((report / "report.json").read_text())
+    rows = {row["requirement_id"]: row["outcome"] for row in found["rows"]}
+    return found["exit_code"], rows | {"problem": found["problem"]}
+
+
+# --- policies that are broken on purpose; each is an app and the row that it breaks ---
+
+
+def answers(operation: str, **changes: Any) -> Callable[[PolicyApp], None]:
+    """Change members of an answer; a function of the answer gives the value."""
+
+    def break_it(app: PolicyApp) -> None:
+        right = getattr(app, operation)
+
+        async def wrong(request: Request) -> dict[str, Any]:
+            body: dict[str, Any] = await right(request)
+            return body | {
+                name: change(body) if callable(change) else change
+                for name, change in changes.items()
+            }
+
+        setattr(app, operation, wrong)
+
+    return break_it
+
+
+def answers_randomly(app: PolicyApp) -> None:
+    def action(_body: Any) -> Any:
+        return [{"values": ACTION | {"score": [random.random()]}}]
+
+    answers("predict", actions=action)(app)
+
+
+async def session_of(request: Request) -> str:
+    found = re.search(rb'"session_id": ?"([^"]+)"', await request.body())
+    return found[1].decode() if found else ""
+
+
+def plays_without_a_reset(app: PolicyApp) -> None:
+    class Ready(CountingPolicy):
+        acts = 0
+
+    right = app.predict
+
+    async def wrong(request: Request) -> dict[str, Any]:
+        session_id = await session_of(request)
+        app._sessions.setdefault(session_id, serving._ServedSession(Ready()))
+        return await right(request)
+
+    app.predict = wrong  # type: ignore[method-assign]
+
+
+def is_reset_once(app: PolicyApp) -> None:
+    right = app.reset
+
+    async def wrong(request: Request) -> dict[str, Any]:
+        if await session_of(request) in app._sessions:
+            raise Refusal("session_ended", "Once is enough.")
+        return await right(request)
+
+    app.reset = wrong  # type: ignore[method-assign]
+
+
+def announces_too_many_sessions(app: PolicyApp) -> None:
+    answers("describe_policy", max_sessions=16)(app)
+    app._max_sessions = 1
+
+
+def answers_another_code(there: str, here: str) -> Callable[[PolicyApp], None]:
+    """Refuse with another code."""
+
+    def break_it(app: PolicyApp) -> None:
+        for operation in ("reset", "predict"):
+            right = getattr(app, operation)
+
+            async def wrong(request: Request, right: Any = right) -> Any:
+                try:
+                    return await right(request)
+                except Refusal as refusal:
+                    code = here if refusal.code == there else refusal.code
+                    raise Refusal(code, str(refusal)) from refusal
+
+            setattr(app, operation, wrong)
+
+    return break_it
+
+
+def checks_the_key_only_at_describe_and_reset(app: PolicyApp) -> None:
+    right = app._authenticate
+
+    def wrong(request: Request) -> None:
+        if not request.url.path.endswith("predict"):
+            right(request)
+
+    app._authenticate = wrong  # type: ignore[method-assign]
+
+
+def refuses_unknown_members(app: PolicyApp) -> None:
+    for operation in ("reset", "predict"):
+        right = getattr(app, operation)
+
+        async def wrong(request: Request, right: Any = right) -> Any:
+            if b"of_a_later_version" in await request.body():
+                raise Refusal("invalid_request", "What is that?")
+            return await right(request)
+
+        setattr(app, operation, wrong)
+
+
+BROKEN: dict[str, Callable[[PolicyApp], None]] = {
+    "POL-001": answers("describe_policy", protocol={"min": "2.0", "max": "2.1"}),
+    "POL-002": answers("describe_policy", name=7),
+    "POL-003": answers("reset", attempt=1),
+    "POL-004": answers("predict", seq=lambda body: body["seq"] + 1),
+    "POL-005": answers("predict", actions=[{"values": ACTION | {"score": [2.0]}}]),
+    "POL-006": answers_randomly,
+    "POL-007": plays_without_a_reset,
+    "POL-008": is_reset_once,
+    "POL-009": announces_too_many_sessions,
+    "POL-010": answers_another_code("malformed_body", "invalid_request"),
+    "POL-011": answers_another_code("invalid_request", "malformed_body"),
+    "POL-012": checks_the_key_only_at_describe_and_reset,
+    "POL-013": refuses_unknown_members,
+}
+
+
+def broken_app(break_it: Callable[[PolicyApp], None]) -> PolicyApp:
+    """Broken before its routes are made, which take its methods as they are then."""
+    app = PolicyApp.__new__(PolicyApp)
+    break_late = PolicyApp._as_endpoint
+
+    def guarded(operation: Any) -> Any:
+        name = operation.__name__
+
+        async def latest(request: Request) -> Any:
+            return await getattr(app, name)(request)
+
+        return break_late(app, latest)
+
+    app._as_endpoint = guarded  # type: ignore[method-assign]
+    app.__init__(CountingPolicy, "broken", key=KEY)  # type: ignore[misc]
+    break_it(app)
+    return app
+
+
+def test_every_rule_that_can_be_seen_has_a_server_that_breaks_it() -> None:
+    rows = [row for row in load_ledger().values() if row.profile == POLICY]
+    assert {row.id for row in rows if row.is_observable} == set(BROKEN)
+
+
+def test_our_own_server_is_conformant(tmp_path: Path) -> None:
+    with policy_apps.run_app(make_app().app) as url:
+        code, rows = run_policy_kit(url, tmp_path)
+    assert (code, rows.pop("problem")) == (0, None)
+    assert set(rows.values()) == {"passed"}
+    schema = json.loads(
+        (ROOT / "conformance" / "reports" / "report.schema.json").read_text()
+    )
+    report = json.loads((tmp_path / "report.json").read_text())
+    jsonschema.validate(report, schema)
+    assert report["conclusion"] == "conformant"
+
+
+# Its start takes longer than its checks: all of them by one process.
+JUDGE_ALL = """
+import sys
+from conformance.policy.__main__ import main
+for pair in sys.argv[1:]:
+    url, _, report = pair.partition("=")
+    main(["--url", url, "--report", report, "--seed", "1"])
+"""
+
+
+@pytest.fixture(scope="module")
+def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder for each broken server, with what the kit said of it."""
+    folder = tmp_path_factory.mktemp("reports")
+    with contextlib.ExitStack() as stack:
+        urls = {
+            row: stack.enter_context(policy_apps.run_app(broken_app(break_it).app))
+            for row, break_it in BROKEN.items()
+        }
+        pairs = [f"{url}={folder / row}" for row, url in urls.items()]
+        done = subprocess.run(
+            [sys.executable, "-c", JUDGE_ALL, *pairs],
+            cwd=ROOT,
+            env=os.environ | {"PROCTOR_POLICY_KEY": KEY},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+    assert done.returncode == 0, done.stderr
+    return folder
+
+
+@pytest.mark.parametrize("row", BROKEN)
+def test_a_broken_server_fails_exactly_its_row(row: str, reports: Path) -> None:
+    code, rows = read_report(reports / row)
+    assert code == 1
+    assert [name for name, outcome in rows.items() if outcome == "failed"] == [row]
+
+
+def test_without_a_key_the_key_rule_is_not_applicable(tmp_path: Path) -> None:
+    with policy_apps.run_app(make_app(key=None).app) as url:
+        code, rows = run_policy_kit(url, tmp_path, "--only", "POL-012,POL-004", key="")
+    assert (code, rows["POL-012"], rows["POL-004"]) == (0, "not_applicable", "passed")
+
+
+def test_a_benchmark_of_ones_own_is_played(tmp_path: Path) -> None:
+    """The policy answers for calibration, and the file wants something else."""
+    space = calibration()["action_space"]["score"]
+    other = calibration() | {"action_space": {"grip": space}}
+    (tmp_path / "b.json").write_text(json.dumps(other))
+    with policy_apps.run_app(make_app().app) as url:
+        flag = ("--benchmark", str(tmp_path / "b.json"), "--only", "POL-00")
+        code, rows = run_policy_kit(url, tmp_path, *flag)
+    assert code == 1
+    failed = [name for name, outcome in rows.items() if outcome == "failed"]
+    assert failed == ["POL-005"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["http://127.0.0.1:1"], "nothing answers"),
+        (["ftp://127.0.0.1"], "no http or https URL"),
+        (["http://127.0.0.1:1", "--only", "PRED"], "no requirement"),
+        (["http://127.0.0.1:1", "--benchmark", "nowhere.json"], "nowhere.json"),
+    ],
+)
+def test_what_cannot_be_judged_ends_with_2(
+    arguments: list[str], said: str, tmp_path: Path
+) -> None:
+    code, found = run_policy_kit(arguments[0], tmp_path, *arguments[1:])
+    assert code == 2
+    assert said in found["problem"]
+
+
+def test_a_wrong_key_cannot_be_judged(tmp_path: Path) -> None:
+    with policy_apps.run_app(make_app().app) as url:
+        code, found = run_policy_kit(url, tmp_path, key="wrong")
+    assert code == 2
+    assert "PROCTOR_POLICY_KEY" in found["problem"]
+
+
+# --- the document ---
+
+DOCUMENT = yaml.safe_load((ROOT / "spec" / "policy.yaml").read_text())
+
+
+def test_the_document_is_valid_openapi() -> None:
+    base = (ROOT / "spec" / "policy.yaml").as_uri()
+    openapi_spec_validator.validate(DOCUMENT, base_uri=base)
+
+
+def test_policy_rules_fit_the_schema() -> None:
+    schema = json.loads((ROOT / "spec" / "schema" / "extensions.json").read_text())
+    rules = schema["properties"]["x-requirements"] | {"$defs": schema["$defs"]}
+    jsonschema.validate(DOCUMENT["x-requirements"], rules)
+
+
+def test_policy_rules_are_cited_by_operations() -> None:
+    known = {row["id"] for row in DOCUMENT["x-requirements"]}
+    operations = load_policy_spec().operations.values()
+    cited = {row for o in operations for row in o.description["x-requirements"]}
+    assert cited == known
+
+
+def test_policy_problems_match_openapi_yaml() -> None:
+    assert set(DOCUMENT["x-problems"]) <= set(load_spec().problems)
+    ours = {
+        code: (entry["status"], entry["retryable"], entry["side_effects"] == "possible")
+        for code, entry in load_policy_spec().problems.items()
+        if code in serving.PROBLEMS
+    }
+    assert ours == {
+        code: (status, again, again)
+        for code, (status, again, _) in serving.PROBLEMS.items()
+    }
+
+
+def test_the_kits_own_calibration_fits_the_schema() -> None:
+    jsonschema.validate(calibration(), load_spec().schema("Benchmark"))

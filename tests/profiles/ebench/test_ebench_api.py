@@ -1,0 +1,336 @@
+"""EBench's wire against our server: tasks, workers, steps, endings, and lost answers.
+
+Most runs are of `calibration`, submitted by our own door, because that has options:
+`action` is its vectors one after another, by name.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from typing import Any
+from urllib.parse import urlsplit
+
+import httpx
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from reference_server.http.handlers import Handlers
+from reference_server.profiles import profile_tables
+from reference_server.profiles.ebench.handlers import EbenchHandlers
+from reference_server.settings import Settings
+from tests.conftest import TIMEOUT_S, ReferenceServer
+from tests.support.profiles.ebench_client import (
+    EbenchClient,
+    Json,
+    action,
+    count,
+    dump_pickle,
+    http,
+    open_client,
+    run_of,
+    server,
+    submit_native_run,
+)
+
+__all__ = ["server", "http"]
+
+
+@pytest.fixture(scope="module")
+def fuzzed(server: ReferenceServer) -> Iterator[EbenchClient]:
+    with server.client() as http:
+        yield open_client(http, *["count"] * 50)
+
+
+# --- tasks ---
+
+
+def test_the_profile_is_off_unless_asked_for() -> None:
+    nothing: Any = None
+    without_profile, asked = (
+        Handlers(Settings(profiles=chosen), nothing, nothing, nothing)
+        for chosen in (Settings().profiles, "ebench")
+    )
+    assert profile_tables(without_profile) == {}
+    assert set(profile_tables(asked)) == set(EbenchHandlers(asked).table())
+
+
+def test_a_task_is_a_run(http: httpx.Client) -> None:
+    client = EbenchClient(http)
+    ready = client.submit(
+        model_name="internVLA",
+        model_type="VLA",
+        benchmark_set="calibration",
+        submitter_name="test",
+        submitter_homepage="http://example.com",
+        is_public=0,
+    )
+    assert (ready["msg"], ready["data"]["ready"]) == ("success", True)
+    assert ready["trace_id"]
+    assert "/api/predict/" in client.endpoint
+    assert "ebench" in http.get("/v1").json()["profiles"]
+    run = run_of(client)
+    assert (run["state"], run["benchmark_id"]) == ("ready", "calibration")
+    assert run["policy"] == {
+        "name": "internVLA (VLA)",
+        "submitter": "test",
+        "homepage": "http://example.com",
+    }
+
+
+@pytest.mark.parametrize(
+    ("wanted", "benchmark_id"),
+    [
+        ({}, "mobile_bimanual"),
+        ({"benchmark_set": "ebench_generalist"}, "mobile_bimanual"),
+        ({"benchmark_set": "ebench_mobile_manip"}, "mobile_bimanual_mobile_manip"),
+        ({"benchmark_set": "mobile_bimanual_ee"}, "mobile_bimanual_ee"),
+    ],
+)
+def test_a_benchmark_set_is_a_benchmark(
+    http: httpx.Client, wanted: Json, benchmark_id: str
+) -> None:
+    client = EbenchClient(http)
+    client.submit(**wanted)
+    assert run_of(client)["benchmark_id"] == benchmark_id
+    client.stop()
+
+
+@pytest.mark.parametrize(
+    ("name", "body", "code"),
+    [
+        ("createTask", {"benchmark_set": "no_such_set"}, 422),
+        ("createTask", {"benchmark_set": "No such set"}, 422),
+        ("createTask", {"benchmark_set": 7}, 422),
+        ("createTask", {"model_name": "x" * 300}, 422),
+        ("createTask", {"task_id": "run_of_nobody"}, 404),
+        ("ready", {"task_id": "run_of_nobody"}, 404),
+        ("ready", {}, 422),
+    ],
+)
+def test_a_refusal_of_the_control_plane_is_an_envelope(
+    http: httpx.Client, name: str, body: Json, code: int
+) -> None:
+    answer = EbenchClient(http).control(name, **body)
+    assert (answer["code"], answer["data"]) == (code, None)
+    assert len(answer["msg"]) > 20
+
+
+def test_foreign_accounts_are_refused_in_an_envelope(
+    server: ReferenceServer, http: httpx.Client
+) -> None:
+    task_id = submit_native_run(http, "score")
+    with server.client("bob") as bob, server.client("reader") as reader:
+        for client_of_account, code in ((bob, 404), (reader, 403)):
+            foreign_client = EbenchClient(client_of_account, task_id)
+            assert foreign_client.control("createTask", task_id=task_id)["code"] == code
+            url = f"/eval-server/{task_id}/stop"
+            assert foreign_client.stop(url)["code"] == code
+        assert EbenchClient(bob, task_id).find()["code"] == 404
+        assert EbenchClient(reader, task_id).find()["data"]["ready"]
+    with httpx.Client(base_url=server.url, trust_env=False) as anonymous:
+        assert EbenchClient(anonymous, task_id).find()["code"] == 401
+
+
+def test_a_queued_task_is_not_ready(http: httpx.Client) -> None:
+    client = EbenchClient(
+        http, submit_native_run(http, "score", options={"queue_s": 0.4})
+    )
+    first = client.find()
+    assert first["data"] == {"ready": False, "endpoint": ""}
+    deadline = time.monotonic() + TIMEOUT_S
+    while not (answer := client.find())["data"]["ready"]:
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    assert answer["data"]["endpoint"]
+
+
+# --- steps ---
+
+
+def test_a_worker_plays_a_run_to_its_end(http: httpx.Client) -> None:
+    client = EbenchClient(http, submit_native_run(http, "count", "score"))
+    client.find()
+    assert http.get(f"{client.endpoint}/docs").status_code == 200
+    first = client.reset()
+    obs = first["0"]["obs"]
+    assert (obs["reset"], obs["timestep"], count(first)) == (True, 0, 0)
+    assert first["0"]["metric"] is None
+    assert obs["instruction"] == "Calibration task count."
+
+    seen, done = client.step({"0": action()})
+    assert (seen["0"]["obs"]["reset"], seen["0"]["obs"]["timestep"]) == (False, 1)
+    assert (count(seen), done, seen["0"]["metric"]) == (1, False, None)
+
+    seen, done = client.step([{"0": action()}] * 2 + [{"0": action(success=1, end=1)}])
+    assert not done
+    assert seen["0"]["obs"]["reset"]
+    assert seen["0"]["metric"] == {"count": 1.0}
+    assert seen["0"]["episode_result"] == {
+        "episode_id": obs["episode_id"],
+        "task_name": "count",
+        "seed": 1000,
+        "sr": 1.0,
+    }
+
+    seen, done = client.step({"0": action(score=0.25, end=1)})
+    assert done
+    assert seen["0"]["metric"] == {"count": 1.0, "score": 0.25}
+    assert seen["0"]["episode_result"]["sr"] == 0.25
+    assert client.status() == {
+        "status": "complete",
+        "benchmark_id": "calibration",
+        "run_id": client.task_id,
+        "total_episodes": 2,
+        "completed_episodes": 2,
+        "in_progress_episodes": 0,
+        "active_workers": [],
+        "results": {"count": 1.0, "score": 0.25},
+    }
+    # The end stays the end, for whoever comes.
+    assert client.step({"0": action()})[0]["0"]["obs"] is None
+    client.worker_ids = ("0", "late")
+    assert [w["obs"] for w in client.reset().values()] == [None, None]
+    assert client.workers("create_workers").status_code == 200
+    assert client.workers("kill").status_code == 200
+    assert client.step({"0": action(), "late": action()})[1]
+
+
+def test_step_chunk_executes_a_chunk(http: httpx.Client) -> None:
+    client = open_client(http, "count", "count")
+    steps = [{"0": action()}] * 2
+    answer = client.post("step_chunk?subframes=2&render_mode=lite", steps)
+    assert (count(answer["obs"]), answer["executed_steps"]) == (2, 2)
+    assert not answer["stopped_early"]
+    answer = client.post("step_chunk", [*steps, {"0": action(end=1)}, *steps])
+    assert (answer["executed_steps"], answer["stopped_early"]) == (3, True)
+    assert answer["obs"]["0"]["obs"]["reset"]
+    answer = client.post("step_chunk", [{"0": action(end=1)}])
+    assert (answer["obs"]["0"]["obs"], answer["stopped_early"]) == (None, True)
+
+
+def test_numbers_come_back_bit_for_bit(http: httpx.Client) -> None:
+    client = open_client(http, "echo")
+    vector = [0.1, -0.0, 1e300, 5e-324, 1 / 3, -2.5, 2**53 + 0.0, 7.0]
+    for client.protocol in range(6):
+        seen, _ = client.step({"0": action(vector=vector, clipped=[3.0, -3.0])})
+        obs = seen["0"]["obs"]
+        assert obs["state.vector"].tobytes() == np.array(vector).tobytes()
+        assert obs["state.clipped"].tolist() == [1.0, -1.0]
+    rows, columns, channels = np.indices((12, 16, 3))
+    pattern = (7 * columns + 13 * rows + 29 * channels + 6) % 256
+    assert (obs["video.pattern_view"] == pattern).all()
+    assert obs["video.pattern_view"].dtype == np.uint8
+
+
+def test_a_bad_action_moves_no_worker(http: httpx.Client) -> None:
+    client = open_client(http, "count", "count", workers=("0", "1"))
+    good = action()
+    bad: list[Any] = [
+        {"action": np.zeros(14)},
+        {"action": [float("nan")] * 15},
+        {"action": ["0"] * 15},
+        {"action": [True] * 15},
+        {"action": action(success=7)["action"]},
+        {"action": np.zeros((3, 6, 16))},
+        {"action": None},
+        {"motion": np.zeros(15)},
+        [0.0] * 15,
+        None,
+    ]
+    for wrong in bad:
+        for body in ({"0": good, "1": wrong}, [{"0": good, "1": good}, {"1": wrong}]):
+            answer = client.send("step", dump_pickle(body))
+            assert answer.status_code == 422, (wrong, answer.text)
+            assert answer.json()["errors"][0]["pointer"].count("/1") >= 1
+    seen, _ = client.step({"0": good, "1": good})
+    assert (count(seen, "0"), count(seen, "1")) == (1, 1)
+
+
+def test_a_chunk_over_the_limit_is_refused_before_parsing(http: httpx.Client) -> None:
+    client = open_client(http, "count", "count")
+    for rest in (action(), None):
+        answer = client.send(
+            "step", dump_pickle([{"0": action()}] * 64 + [{"0": rest}])
+        )
+        assert (answer.status_code, answer.json()["code"]) == (422, "invalid_request")
+        [error] = answer.json()["errors"]
+        assert error["pointer"] == "/0/0"
+        assert "at most 64 actions" in error["detail"]
+    # Where the actions are not for the worker's episode, nothing is asked of them.
+    assert count(client.step({"0": action()})[0]) == 1
+    for _ in range(2):
+        _, done = client.step({"0": action(end=1)})
+    assert done
+    assert client.step([{"0": action()}] * 65)[1]
+
+
+@pytest.mark.parametrize(
+    ("verb", "body", "status"),
+    [
+        ("step", dump_pickle({}), 422),
+        ("step", dump_pickle([]), 422),
+        ("step", dump_pickle("0"), 422),
+        ("step", dump_pickle([1]), 422),
+        ("step", dump_pickle({"no id": action()}), 422),
+        ("step", dump_pickle({"0": action(), 0: action()}), 422),
+        ("step", dump_pickle({str(i): action() for i in range(17)}), 422),
+        ("step", dump_pickle([{"0": action()}] * 65), 422),
+        ("step", dump_pickle({"0": {1: None, "action": [float("nan")] * 15}}), 422),
+        ("step", b"not a pickle", 400),
+        ("step", b"cos\nsystem\n(Vtrue\ntR.", 400),
+        ("step", b"", 400),
+        ("reset", dump_pickle({}), 422),
+        ("reset", dump_pickle({"worker_ids": "0"}), 422),
+        ("reset", dump_pickle({"worker_ids": ["0", "0"]}), 422),
+        ("reset", dump_pickle({"worker_ids": [None]}), 422),
+        ("reset", dump_pickle(["0"]), 422),
+    ],
+)
+def test_a_bad_request_is_a_problem(
+    http: httpx.Client, verb: str, body: bytes, status: int
+) -> None:
+    client = open_client(http, "count")
+    before = run_of(client)
+    answer = client.send(verb, body)
+    assert (answer.status_code, answer.json()["status"]) == (status, status)
+    assert run_of(client)["progress"] == before["progress"]
+    assert count(client.step({"0": action()})[0]) == 1
+
+
+NUMBERS = st.integers(-(2**63), 2**63 - 1) | st.floats()
+LEAVES = st.none() | st.booleans() | NUMBERS | st.text(max_size=3) | st.just("0")
+LEAVES |= st.sampled_from(
+    [np.zeros(15), np.zeros(0), np.array(1.5), np.zeros((15, 1)), np.ones(3, bool)]
+)
+KEYS = st.sampled_from(["0", "1", "action", "is_rel", "worker_ids", "control_type", 1])
+VALUES = st.recursive(
+    LEAVES,
+    lambda inner: (
+        st.lists(inner, max_size=4) | st.dictionaries(KEYS, inner, max_size=4)
+    ),
+    max_leaves=12,
+)
+
+
+@settings(max_examples=200, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(verb=st.sampled_from(["step", "step_chunk", "reset"]), value=VALUES)
+def test_every_pickle_is_answered(fuzzed: EbenchClient, verb: str, value: Any) -> None:
+    answer = fuzzed.send(verb, dump_pickle(value))
+    assert answer.status_code in (200, 400, 422, 429), (verb, value, answer.text)
+
+
+def test_requests_outside_the_profile_are_refused(http: httpx.Client) -> None:
+    client = open_client(http, "count")
+    body = dump_pickle({"0": action()})
+    wrong = client.send("step", body, **{"Content-Type": "application/json"})
+    assert wrong.status_code == 415
+    assert client.send("step", body, run_id="run_other").status_code == 404
+    path = urlsplit(client.endpoint).path
+    elsewhere = path.replace("/predict/calibration", "/predict/tabletop")
+    assert http.get(f"{elsewhere}/docs").status_code == 404
+    assert http.post(f"{client.endpoint}/kill", json={"data": {}}).status_code == 422
+    assert http.get(f"{client.endpoint}/step").status_code == 405
+    assert count(client.step({"0": action()})[0]) == 1

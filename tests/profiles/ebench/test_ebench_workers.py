@@ -1,0 +1,332 @@
+"""EBench's workers: sixteen at once, killed, idle, stopped, resumed, and unheard."""
+
+from __future__ import annotations
+
+import signal
+import socket
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import httpx
+import pytest
+
+from tests.conftest import TIMEOUT_S, TOKENS, ReferenceServer
+from tests.support.profiles.ebench_client import (
+    PICKLED,
+    EbenchClient,
+    action,
+    count,
+    dump_pickle,
+    episodes_of,
+    http,
+    open_client,
+    run_of,
+    server,
+    submit_native_run,
+)
+
+__all__ = ["server", "http"]
+
+
+# --- workers ---
+
+
+def test_sixteen_workers_share_a_run(
+    server: ReferenceServer, http: httpx.Client
+) -> None:
+    """Each in a thread of its own, as separate clients would be."""
+    tasks = ["score", "count"] * 20
+    scores = [round(0.01 * i, 2) for i in range(40)]
+    task_id = submit_native_run(http, *tasks)
+
+    def play(worker: str) -> int:
+        with server.client() as own:
+            client = EbenchClient(own, task_id, worker_ids=(worker,))
+            client.find()
+            seen, done, ended = client.reset(), False, 0
+            while not done:
+                if seen[worker]["obs"] is None:
+                    break
+                index = int(seen[worker]["obs"]["episode_id"].rpartition("e")[2])
+                end = action(score=scores[index], success=index % 3 == 0, end=1)
+                seen, done = client.step([{worker: action()}, {worker: end}])
+                ended += seen[worker]["episode_result"] is not None
+            client.workers("kill")
+            return ended
+
+    with ThreadPoolExecutor(16) as pool:
+        ended = list(pool.map(play, map(str, range(16))))
+    assert sum(ended) == 40
+    expected = [
+        scores[i] if task == "score" else float(i % 3 == 0)
+        for i, task in enumerate(tasks)
+    ]
+    score = http.get(f"/v1/runs/{task_id}/score").json()
+    assert (score["complete"], score["state"]) == (True, "completed")
+    assert score["score"] == pytest.approx(sum(expected) / 40, abs=1e-12)
+
+
+def test_one_client_steps_sixteen_workers_at_once(http: httpx.Client) -> None:
+    workers = tuple(map(str, range(16)))
+    client = open_client(http, *["count"] * 16, workers=workers)
+    for number in range(1, 4):
+        seen, done = client.step({worker: action() for worker in workers})
+        assert [count(seen, worker) for worker in workers] == [number] * 16
+    assert client.status()["active_workers"] == sorted(workers)
+    ends = [{worker: action(success=1, end=1) for worker in workers[:8]}]
+    seen, done = client.step([*ends, {worker: action() for worker in workers[8:]}])
+    assert not done
+    assert [seen[worker]["obs"] is None for worker in workers] == [True] * 8 + [
+        False
+    ] * 8
+    assert all(seen[worker]["metric"] is not None for worker in workers[:8])
+    seen, done = client.step({worker: action(end=1) for worker in workers})
+    assert done
+    assert http.get(f"/v1/runs/{client.task_id}/score").json()["score"] == 0.5
+
+
+def test_workers_beyond_the_limit_are_refused(http: httpx.Client) -> None:
+    client = open_client(http, *["count"] * 3, workers=("0", "1"), max_workers=2)
+    client.worker_ids = ("2",)
+    answer = client.send("reset", dump_pickle({"worker_ids": ["2"]}))
+    assert (answer.status_code, answer.json()["code"]) == (429, "worker_limit")
+
+
+def test_a_killed_worker_starts_a_new_attempt(http: httpx.Client) -> None:
+    client = open_client(http, "count", "count", workers=("0", "1"))
+    client.step({"0": action(), "1": action()})
+    client.worker_ids = ("0",)
+    assert client.workers("kill").json() == {"data": {"success": True}}
+    assert client.workers("kill").status_code == 200
+    assert client.status()["active_workers"] == ["1"]
+    assert client.workers("create_workers").json() == {"data": {"success": True}}
+    assert client.workers("create_workers").status_code == 200
+    assert client.status()["active_workers"] == ["0", "1"]
+    assert count(client.reset()) == 0
+    assert [e["attempt"] for e in episodes_of(client)] == [2, 1]
+    assert count(client.step({"1": action(), "0": action()})[0], "1") == 2
+
+
+def test_reset_continues_the_current_attempt(http: httpx.Client) -> None:
+    """A client that was started again gets no second try."""
+    client = open_client(http, "count")
+    client.step([{"0": action()}] * 3)
+    seen = client.reset()
+    assert (count(seen), seen["0"]["obs"]["reset"]) == (3, False)
+    assert count(client.step({"0": action()})[0]) == 4
+    assert episodes_of(client)[0]["attempt"] == 1
+
+
+def test_a_step_after_the_lease_ended_returns_a_new_attempt(
+    http: httpx.Client,
+) -> None:
+    """The ten-minute rule, in a second: what was chosen before is not executed."""
+    client = open_client(http, "count", idle_timeout_s=1)
+    client.step({"0": action()})
+    deadline = time.monotonic() + TIMEOUT_S
+    while client.status()["active_workers"]:
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    assert client.status()["status"] == "idle"
+    seen, done = client.step({"0": action()})
+    assert (count(seen), done, seen["0"]["obs"]["reset"]) == (0, False, True)
+    assert seen["0"]["metric"] is None
+    assert count(client.step({"0": action()})[0]) == 1
+    assert episodes_of(client)[0]["attempt"] == 2
+
+
+@pytest.mark.parametrize("at_root", [False, True])
+def test_stop_and_resume_keep_scored_episodes(
+    http: httpx.Client, at_root: bool
+) -> None:
+    client = open_client(http, "score", "score", "score")
+    client.step({"0": action(score=0.5, end=1)})
+    client.step({"0": action(score=1)})
+    url = client.endpoint.partition("/api/predict/")[0] if at_root else client.endpoint
+    stopped = client.stop(f"{url}/stop")
+    assert (stopped["code"], run_of(client)["state"]) == (0, "stopped")
+    assert client.status()["status"] == "incomplete"
+    refused = client.send("step", dump_pickle({"0": action()}))
+    assert (refused.status_code, refused.json()["state"]) == (409, "stopped")
+    answer = client.find()
+    assert (answer["code"], "stopped" in answer["msg"]) == (409, True)
+
+    task_id, endpoint = client.task_id, client.endpoint
+    client.submit(task_id=task_id, benchmark_set="calibration")
+    assert (client.task_id, client.endpoint) == (task_id, endpoint)
+    assert client.status()["completed_episodes"] == 1
+    client.reset()
+    for _ in range(2):
+        _, done = client.step({"0": action(score=0.25, end=1)})
+    assert done
+    assert http.get(f"/v1/runs/{task_id}/score").json()["score"] == 1 / 3
+    assert client.stop()["code"] == 409
+    assert client.control("createTask", task_id=task_id)["code"] == 409
+    assert client.find()["data"]["ready"]
+
+
+def test_progress_survives_a_server_restart(tmp_path: Path) -> None:
+    killed_server = ReferenceServer(tmp_path, PROCTOR_PROFILES="ebench")
+    with killed_server.client() as http:
+        client = open_client(http, "score", "score")
+        client.step({"0": action(score=0.5, end=1)})
+        client.step({"0": action(score=1)})
+    killed_server.end(signal.SIGKILL)
+    killed_server.start()
+    try:
+        with killed_server.client() as http:
+            client = EbenchClient(http, client.task_id)
+            client.submit(task_id=client.task_id)
+            assert client.status()["results"] == {"score": 0.5}
+            # Its worker does not know; what it sends was meant for a lost episode.
+            seen, _ = client.step({"0": action(score=1, end=1)})
+            assert (seen["0"]["obs"]["reset"], seen["0"]["metric"]) == (True, None)
+            assert client.step({"0": action(score=1, end=1)})[1]
+            score = http.get(f"/v1/runs/{client.task_id}/score").json()
+            assert score["score"] == 0.75
+    finally:
+        killed_server.end()
+
+
+def test_a_simulator_that_breaks_costs_no_attempt(http: httpx.Client) -> None:
+    client = open_client(http, "fault")
+    client.step([{"0": action()}] * 2)
+    seen, done = client.step({"0": action(fault=1)})
+    assert (seen["0"]["obs"]["reset"], count(seen), done) == (True, 0, False)
+    assert (seen["0"]["metric"], seen["0"]["episode_result"]) == (None, None)
+    assert [e["attempt"] for e in episodes_of(client)] == [1]
+    assert client.step({"0": action(end=1)})[1]
+
+
+def test_a_failed_run_is_reported(http: httpx.Client) -> None:
+    client = open_client(http, "fault", options={"max_faults": 1})
+    broken = client.send("step", dump_pickle({"0": action(fault=1)}))
+    assert (broken.status_code, broken.json()["code"]) == (409, "session_ended")
+    answer = client.find()
+    assert (answer["code"], "failed" in answer["msg"]) == (409, True)
+    client.submit(task_id=client.task_id)
+    assert client.reset()["0"]["obs"]["reset"]
+
+
+def test_both_apis_work_on_the_same_run(http: httpx.Client) -> None:
+    """A worker by each, and the session of one is seen by the other."""
+    client = open_client(http, "count", "count")
+    path = f"/v1/runs/{client.task_id}/workers"
+    turn = http.put(f"{path}/native", json={"attach_key": "key"}).json()
+    assert turn["episode"]["index"] == 1
+    assert client.status()["active_workers"] == ["0", "native"]
+    busy = http.put(f"{path}/0", json={"attach_key": "key"})
+    assert busy.json()["code"] == "worker_busy"
+    taken = http.put(f"{path}/0", json={"attach_key": "key", "takeover": True}).json()
+    assert taken["observation"]["state"]["count"] == [0.0]
+    # EBench's wire has no sessions: it goes on with the worker's, whosever it is.
+    assert count(client.step({"0": action()})[0]) == 1
+
+
+# --- lost answers ---
+
+
+def address_of(server: ReferenceServer) -> tuple[str, int]:
+    host, port = urlsplit(server.url).netloc.split(":")
+    return host, int(port)
+
+
+def request_of(
+    server: ReferenceServer, client: EbenchClient, verb: str, body: bytes
+) -> bytes:
+    """A request as it goes over the wire."""
+    headers = {
+        **PICKLED,
+        "Host": urlsplit(server.url).netloc,
+        "Authorization": f"Bearer {TOKENS['alice']}",
+        "Content-Length": str(len(body)),
+    }
+    lines = [f"POST {urlsplit(client.endpoint).path}/{verb} HTTP/1.1"]
+    lines += [f"{name}: {value}" for name, value in headers.items()]
+    return "\r\n".join([*lines, "", ""]).encode() + body
+
+
+def read_till(connection: socket.socket, mark: bytes) -> tuple[bytes, bytes, bytes]:
+    """What comes before a mark, the mark, and what came with it."""
+    received = b""
+    while mark not in received:
+        part = connection.recv(2**16)
+        assert part, received
+        received += part
+    return received.partition(mark)
+
+
+def send_and_disconnect(
+    server: ReferenceServer, client: EbenchClient, verb: str, body: bytes
+) -> None:
+    """Send a request and leave before it is answered."""
+    with socket.create_connection(address_of(server), TIMEOUT_S) as connection:
+        connection.sendall(request_of(server, client, verb, body))
+        assert run_of(client)["state"] == "running"
+
+
+@pytest.mark.parametrize("pause_s", [0.0, 0.6])
+def test_a_repeated_step_is_executed_once(
+    server: ReferenceServer, http: httpx.Client, pause_s: float
+) -> None:
+    """The first answer is lost; asked again while it is executed, or after that."""
+    client = open_client(http, "delay")
+    body = {"0": action(delay_s=0.3, vector=[1.0] * 8)}
+    send_and_disconnect(server, client, "step", dump_pickle(body))
+    time.sleep(pause_s)  # long enough to have ended, or not
+    seen, _ = client.step(body)
+    assert count(seen) == 1
+    # Now the answer has arrived: the same action is chosen anew.
+    assert count(client.step(body)[0]) == 2
+    assert count(client.step(body)[0]) == 3
+
+
+def test_closing_after_the_whole_answer_confirms_it(
+    server: ReferenceServer, http: httpx.Client
+) -> None:
+    """As `requests.post` does: a connection for each step, closed at once."""
+    client = open_client(http, "count", options={"max_steps": 200})
+    body = dump_pickle({"0": action()})
+    request = request_of(server, client, "step", body)
+    host, port = address_of(server)
+    for _ in range(100):
+        with socket.create_connection((host, port), TIMEOUT_S) as connection:
+            connection.sendall(request)
+            head, _, received = read_till(connection, b"\r\n\r\n")
+            length = int(head.lower().partition(b"content-length: ")[2].split()[0])
+            while len(received) < length:
+                received += connection.recv(2**16)
+    assert count(client.reset()) == 100
+
+
+def test_a_different_step_after_a_lost_answer_is_executed(
+    server: ReferenceServer, http: httpx.Client
+) -> None:
+    client = open_client(http, "delay")
+    send_and_disconnect(server, client, "step", dump_pickle({"0": action(delay_s=0.2)}))
+    assert count(client.step({"0": action(delay_s=0.1)})[0]) == 2
+
+
+def test_the_end_of_an_episode_is_returned_again(
+    server: ReferenceServer, http: httpx.Client
+) -> None:
+    client = open_client(http, "delay", "delay")
+    body = {"0": action(delay_s=0.2, success=1, end=1)}
+    send_and_disconnect(server, client, "step", dump_pickle(body))
+    seen, _ = client.step(body)
+    assert seen["0"]["metric"] == {"delay": 1.0}
+    assert run_of(client)["progress"]["episodes_scored"] == 1
+    seen, done = client.step(body)
+    assert (done, run_of(client)["state"]) == (True, "completed")
+
+
+def test_a_repeated_reset_is_answered_alike(
+    server: ReferenceServer, http: httpx.Client
+) -> None:
+    client = open_client(http, "count")
+    client.step({"0": action()})
+    send_and_disconnect(server, client, "reset", dump_pickle({"worker_ids": ["0"]}))
+    assert count(client.reset()) == 1
+    assert count(client.step({"0": action()})[0]) == 2

@@ -1,0 +1,324 @@
+"""FlagEval's wire, as its scripts use it, over push runs of a scripted chat model."""
+
+from __future__ import annotations
+
+import re
+import threading
+from typing import Any
+
+import httpx
+import pytest
+
+from conformance.policy.chat import ChatRequest, ScriptedChat
+from reference_server.http.handlers import Handlers
+from reference_server.profiles import profile_tables
+from reference_server.profiles.flageval.responses import TOLERANCE, status_of
+from reference_server.rules.run import Episode
+from reference_server.settings import Settings
+from tests.conftest import TIMEOUT_S, TOKENS, ReferenceServer, make_run
+from tests.support.paths import ROOT
+from tests.support.profiles.flageval_client import (
+    KEY,
+    TASKS,
+    chat,
+    client,
+    get_evaldiffs,
+    get_progress,
+    is_refused,
+    model_info,
+    post,
+    post_evaluation,
+    server,
+    submit_evaluation,
+    wait_until_finished,
+)
+from tests.support.push_runs import episodes, wait_for_state
+
+__all__ = ["chat", "client", "server"]
+
+
+# --- from the request to the result ---
+
+
+def test_models_are_compared_with_their_baseline(
+    client: httpx.Client, chat: ScriptedChat
+) -> None:
+    """Three models in one request, one of them the baseline; one answers otherwise."""
+    answers = {"a-nvidia-origin": "1", "a-twin": "1", "a-other": "0.75"}
+    chat.reply = lambda request: answers[request.body["model"]]
+    infos = [model_info(chat, name) for name in answers]
+    answer = post_evaluation(
+        client, *infos, user_id=7, special_event="yes", region="sz"
+    )
+    assert (answer["err_code"], answer["err_msg"], answer["err_message"]) == (
+        0,
+        "success",
+        "success",
+    )
+    assert [t["eval_model"] for t in answer["eval_tasks"]] == list(answers)
+    assert {t["chip"] for t in answer["eval_tasks"]} == {"Nvidia-H100"}
+    request_id = answer["request_id"]
+    assert wait_until_finished(client, request_id) == {
+        "err_code": 0,
+        "err_msg": "success",
+        "err_message": "success",
+        "finished": True,
+        "status": "S",
+        "datasets_progress": "6/6",
+        "running_dataset": "",
+        "running_progress": "",
+    }
+    results = get_evaldiffs(client, request_id)["eval_results"]
+    assert set(results) == set(answers)
+    assert results["a-twin"] == {
+        "status": "S",
+        "release": True,
+        "details": [
+            {"dataset": "score", "status": "S", "accuracy": 1.0, "diff": 0.0},
+            {"dataset": "count", "status": "S", "accuracy": 1.0, "diff": 0.0},
+        ],
+    }
+    assert results["a-nvidia-origin"]["release"] is True
+    other = results["a-other"]
+    assert other["release"] is False
+    assert [d["diff"] for d in other["details"]] == [0.25, 1.0]
+    assert [d["accuracy"] for d in other["details"]] == [0.75, 0.0]
+    by_query = client.get("/evaldiffs", params={"request_id": request_id})
+    assert by_query.json()["eval_results"] == results
+
+
+def test_an_evaluation_is_a_run(client: httpx.Client, chat: ScriptedChat) -> None:
+    """The same numbers by the native door; what was asked reaches the model."""
+    answer = post_evaluation(
+        client,
+        model_info(
+            chat,
+            "b-run",
+            api_key=KEY,
+            num_concurrent=2,
+            num_retry=99,
+            retry_time=30,
+            gen_kwargs="temperature=0.6, top_k=20,max_gen_toks=16000",
+        ),
+    )
+    (task,) = answer["eval_tasks"]
+    assert task["datasets"] == list(TASKS)
+    run = wait_for_state(client, task["run_id"])
+    assert (run["state"], run["policy"]) == ("completed", {"name": "b-run"})
+    server = run["policy_server"]
+    assert (server["url"], server["has_api_key"]) == (chat.url, True)
+    assert (server["max_concurrent"], server["max_retries"]) == (2, 10)
+    assert server["call_timeout_s"] == 30.0
+    assert len(episodes(client, run["run_id"])) == sum(TASKS.values())
+    score = client.get(f"/v1/runs/{run['run_id']}/score").json()
+    (result,) = get_evaldiffs(client, answer["request_id"])["eval_results"].values()
+    assert {d["dataset"]: d["accuracy"] for d in result["details"]} == {
+        task: group["mean"] for task, group in score["by_task"].items()
+    }
+    assert {r.headers["authorization"] for r in chat.requests} == {f"Bearer {KEY}"}
+    sent = chat.requests[0].body
+    assert {k: v for k, v in sent.items() if k != "messages"} == {
+        "model": "b-run",
+        "temperature": 0.6,
+        "top_k": 20,
+        "max_tokens": 16000,
+    }
+    for path in (f"/v1/runs/{run['run_id']}", f"/v1/runs/{run['run_id']}/episodes"):
+        assert KEY not in client.get(path).text
+
+
+def test_no_model_is_released_without_a_baseline(
+    client: httpx.Client, chat: ScriptedChat
+) -> None:
+    request_id = submit_evaluation(
+        client, model_info(chat, "c-alone", base_model_name="c")
+    )
+    wait_until_finished(client, request_id)
+    result = get_evaldiffs(client, request_id)["eval_results"]["c-alone"]
+    assert (result["status"], result["release"]) == ("S", False)
+    assert [d["diff"] for d in result["details"]] == [None, None]
+    # The baseline of its base model comes later, by itself.
+    wait_until_finished(
+        client, submit_evaluation(client, model_info(chat, "c-nvidia-origin"))
+    )
+    result = get_evaldiffs(client, request_id)["eval_results"]["c-alone"]
+    assert result["release"] is True
+    assert [d["diff"] for d in result["details"]] == [0.0, 0.0]
+
+
+@pytest.mark.parametrize("method", ["GET", "POST", "query"])
+def test_requests_are_compared_with_the_first(
+    client: httpx.Client, chat: ScriptedChat, method: str
+) -> None:
+    answers = {
+        f"d-{method}-base": "1",
+        f"d-{method}-near": "0.96",
+        f"d-{method}-far": "0",
+    }
+    chat.reply = lambda request: answers[request.body["model"]]
+    ids = [submit_evaluation(client, model_info(chat, name)) for name in answers]
+    for request_id in ids:
+        wait_until_finished(client, request_id)
+    if method == "query":
+        answer = client.get(
+            "/evaluation_diffs", params={"request_ids": ",".join(ids)}
+        ).json()
+    else:
+        answer = client.request(
+            method, "/evaluation_diffs", json={"request_ids": ids}
+        ).json()
+    diffs = answer["eval_diffs"]
+    if method == "POST":  # their document has a list, their server a map
+        diffs = {one.pop("request_id"): one for one in diffs}
+    assert list(diffs) == ids[1:]
+    assert diffs[ids[2]] == {
+        "release": False,
+        "details": [
+            {"dataset": "score", "base_acc": 1.0, "accuracy": 0.0, "diff": 1.0},
+            {"dataset": "count", "base_acc": 1.0, "accuracy": 0.0, "diff": 1.0},
+        ],
+    }
+    # Near in one dataset is not near in all: count asks for all or nothing.
+    assert diffs[ids[1]]["release"] is False
+    assert diffs[ids[1]]["details"][0]["diff"] == pytest.approx(0.04)
+    assert answer["tolerance"] == 0.05
+
+
+# --- stopping, going on, failing ---
+
+
+def test_a_stopped_evaluation_resumes_where_it_stopped(
+    client: httpx.Client, chat: ScriptedChat
+) -> None:
+    """Stopped in the second dataset. Expect C, and the first dataset kept."""
+    may_continue, reached = threading.Event(), threading.Event()
+
+    def respond(request: ChatRequest) -> str:
+        if "count" in request.question and not may_continue.is_set():
+            reached.set()
+            may_continue.wait(TIMEOUT_S)
+        return "1"
+
+    chat.reply = respond
+    request_id = submit_evaluation(client, model_info(chat, "j-stopped"))
+    assert reached.wait(TIMEOUT_S)
+    answer = get_progress(client, request_id)
+    assert (answer["finished"], answer["status"]) == (False, "R")
+    assert (answer["datasets_progress"], answer["running_dataset"]) == ("1/2", "count")
+    assert answer["running_progress"] == "0/2"
+    result = get_evaldiffs(client, request_id)["eval_results"]["j-stopped"]
+    assert [d["status"] for d in result["details"]] == ["S", "R"]
+    assert [d["accuracy"] for d in result["details"]] == [1.0, None]
+
+    assert post(client, "/stop_evaluation", request_id=request_id)["err_code"] == 0
+    answer = get_progress(client, request_id)
+    assert (answer["finished"], answer["status"]) == (True, "C")
+    result = get_evaldiffs(client, request_id)["eval_results"]["j-stopped"]
+    assert [d["status"] for d in result["details"]] == ["S", "C"]
+    before = [e.get("result") for e in episodes(client, request_id)]
+    may_continue.set()
+    assert post(client, "/resume_evaluation", request_id=request_id)["err_code"] == 0
+    assert wait_until_finished(client, request_id)["status"] == "S"
+    after = [e["result"] for e in episodes(client, request_id)]
+    assert after[:4] == before[:4]
+    for path in ("/stop_evaluation", "/resume_evaluation"):
+        assert is_refused(post(client, path, request_id=request_id), "completed")
+
+
+def test_stop_ends_the_unfinished_models_of_a_request(
+    client: httpx.Client, chat: ScriptedChat
+) -> None:
+    may_continue = threading.Event()
+
+    def respond(request: ChatRequest) -> str:
+        if request.body["model"] == "k-slow":
+            may_continue.wait(TIMEOUT_S)
+        return "1"
+
+    chat.reply = respond
+    request_id = submit_evaluation(
+        client, model_info(chat, "k-fast"), model_info(chat, "k-slow")
+    )
+    wait_for_state(client, request_id.split(".")[0])
+    assert post(client, "/stop_evaluation", request_id=request_id)["err_code"] == 0
+    may_continue.set()
+    results = get_evaldiffs(client, request_id)["eval_results"]
+    assert [r["status"] for r in results.values()] == ["S", "C"]
+    assert get_progress(client, request_id)["status"] == "C"
+    assert post(client, "/resume_evaluation", request_id=request_id)["err_code"] == 0
+    assert wait_until_finished(client, request_id)["status"] == "S"
+
+
+def test_a_model_that_does_not_answer_is_out_of_retries(
+    client: httpx.Client, chat: ScriptedChat
+) -> None:
+    chat.status = 500
+    request_id = submit_evaluation(client, model_info(chat, "l-gone"))
+    assert wait_until_finished(client, request_id)["status"] == "OOR"
+    result = get_evaldiffs(client, request_id)["eval_results"]["l-gone"]
+    assert (result["status"], result["release"]) == ("OOR", False)
+    assert [d["status"] for d in result["details"]] == ["OOR", "OOR"]
+    chat.status = 200
+    assert post(client, "/resume_evaluation", request_id=request_id)["err_code"] == 0
+    assert wait_until_finished(client, request_id)["status"] == "S"
+
+
+@pytest.mark.parametrize(
+    ("state", "retryable", "faults", "letter"),
+    [
+        ("queued", None, 0, "R"),
+        ("ready", None, 0, "R"),
+        ("running", None, 0, "R"),
+        ("stopping", None, 0, "C"),
+        ("stopped", None, 0, "C"),
+        ("completed", None, 0, "S"),
+        ("failed", True, 0, "OOR"),
+        ("failed", True, 2, "OOR"),
+        ("failed", True, 3, "F"),
+        ("failed", False, 0, "F"),
+    ],
+)
+def test_status_letters_follow_from_the_run_state(
+    state: Any, retryable: Any, faults: int, letter: str
+) -> None:
+    run = make_run(state=state, retryable=retryable)
+    run.manifest = {**run.manifest, "max_faults": 3}
+    broken = Episode(0, "a", "x", 1)
+    broken.faults = faults
+    assert status_of(run, [broken]) == letter
+
+
+def test_the_profile_is_offered_only_when_enabled(server: ReferenceServer) -> None:
+    with server.client() as client:
+        assert "flageval" in client.get("/v1").json()["profiles"]
+        assert client.get("/evaldiffs?request_id=none").json()["err_code"] == 1
+    nothing: Any = None
+    for asked, paths in (("", 0), ("flageval", 6)):
+        routes = Handlers(Settings(profiles=asked), nothing, nothing, nothing)
+        assert len(profile_tables(routes)) == paths
+
+
+# --- docs/flageval.md ---
+
+
+def test_the_script_of_the_page_runs(
+    server: ReferenceServer, chat: ScriptedChat, capsys: pytest.CaptureFixture[str]
+) -> None:
+    page = (ROOT / "docs" / "flageval.md").read_text()
+    (script,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    names = {
+        "TOKEN": TOKENS["alice"],
+        "URL": server.url,
+        "EVAL_URL": chat.completions_url,
+        "MODE": "calibration",
+    }
+    exec(compile(script, "flageval.md", "exec"), names)  # noqa: S102 - our own page
+    assert capsys.readouterr().out.splitlines() == [
+        "Qwen3-8B-nvidia-origin S release",
+        "Qwen3-8B-other S release",
+    ]
+
+
+def test_the_page_states_the_tolerance() -> None:
+    page = (ROOT / "docs" / "flageval.md").read_text()
+    assert f"beyond {TOLERANCE:g}," in page

@@ -1,0 +1,331 @@
+"""How the house is built: who may know whom, what is said once, how big a part may be.
+
+Imports are read from the source text: nothing is imported to learn what it imports.
+The lifecycle and the problems of the house are those of the specification.
+"""
+
+import ast
+import itertools
+import re
+import subprocess
+import sys
+import typing
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+import yaml
+
+from reference_server.generated import problem_codes
+from reference_server.http.dispatch import PATH_PATTERNS
+from reference_server.rules import lifecycle, run
+from reference_server.rules.lifecycle import TRANSITIONS, Event, legal
+from reference_server.rules.run import State
+from tests.conftest import make_run
+from tests.support.paths import ROOT
+
+PACKAGES = ("conformance", "reference_client", "reference_server", "reference_sim")
+GENERATED = {
+    "generated_clients",
+    "reference_client/generated/messages.py",
+    "reference_server/generated/problem_codes.py",
+    "reference_server/generated/models.py",
+}
+NOT_OURS = ("build", "dist", "report", "var")
+CODE_FORMAT_MODULES = {"cloudpickle", "dill", "joblib", "marshal", "pickle", "shelve"}
+# Who may read one all the same, and why; an entry too many fails.
+CODE_FORMAT_READERS = {
+    "benchmarks/contenders/ebench_client.py": "pickle is what is measured",
+    "benchmarks/contenders/ebench_server.py": "and both ends are ours",
+    "conformance/profiles/pickles.py": "EBench; its reader lets nothing be named",
+    "tests/support/profiles/ebench_client.py": "sends what EBench's client sends, and attacks",
+}
+VAGUE_NAMES = {"base", "common", "helper", "helpers", "manager", "utils"}
+FUNCTION_LINES_MAX = 70
+
+
+def is_ours(path: Path) -> bool:
+    parts = path.relative_to(ROOT).parts
+    if parts[0].startswith(".") or parts[0] in NOT_OURS:
+        return False
+    names = {"/".join(parts[:depth]) for depth in range(1, len(parts) + 1)}
+    return not names & GENERATED
+
+
+HAND_WRITTEN = sorted(path for path in ROOT.rglob("*.py") if is_ours(path))
+
+
+def name_of(path: Path) -> str:
+    return path.relative_to(ROOT).as_posix()
+
+
+def module_of(path: Path) -> str:
+    return name_of(path).removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+
+
+def imports(path: Path, module: str) -> set[str]:
+    """Every module that a file imports, wherever in it; `a.b` for `from a import b`."""
+    found: set[str] = set()
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            parent = module.split(".")[: -node.level] if node.level else []
+            origin = ".".join([*parent, *filter(None, [node.module])])
+            found |= {origin, *(f"{origin}.{alias.name}" for alias in node.names)}
+        elif isinstance(node, ast.Call) and node.args:
+            called = ast.unparse(node.func).rpartition(".")[2]
+            if called in ("import_module", "__import__", "importorskip"):
+                found |= {ast.unparse(node.args[0]).strip("'")}
+    return found
+
+
+def tops(path: Path) -> set[str]:
+    return {name.partition(".")[0] for name in imports(path, module_of(path))}
+
+
+def files_of_package(*packages: str) -> Iterator[Path]:
+    return (p for p in HAND_WRITTEN if p.relative_to(ROOT).parts[0] in packages)
+
+
+def importers_of(*forbidden: str, among: Iterator[Path]) -> list[str]:
+    return [name_of(path) for path in among if tops(path) & set(forbidden)]
+
+
+def test_imports_are_found_wherever_they_stand(tmp_path: Path) -> None:
+    file = tmp_path / "some.py"
+    file.write_text(
+        "import a.b as c\nfrom typing import TYPE_CHECKING\n"
+        "if TYPE_CHECKING:\n    from d import e\n"
+        "def f():\n    import g\n    from . import h\n    from ..i import j\n"
+        "    importlib.import_module('k')\n"
+    )
+    found = imports(file, "x.y.some")
+    assert {"a.b", "d.e", "g", "x.y.h", "x.i.j", "k"} <= found
+
+
+def test_the_packages_are_found() -> None:
+    found = {path.relative_to(ROOT).parts[0] for path in HAND_WRITTEN}
+    present = {package for package in PACKAGES if (ROOT / package).is_dir()}
+    assert present | {"tests", "tools"} <= found
+    assert len(present) >= 3
+
+
+# --- layers ---
+
+PURE = sorted(path.stem for path in (ROOT / "reference_server" / "rules").glob("*.py"))
+
+
+@pytest.mark.parametrize("name", PURE)
+def test_the_rules_import_only_each_other(name: str) -> None:
+    path = ROOT / "reference_server" / "rules" / f"{name}.py"
+    allowed = ("reference_server.rules", "reference_server.generated")
+    others = {
+        module
+        for module in imports(path, f"reference_server.rules.{name}")
+        if module.partition(".")[0] not in sys.stdlib_module_names
+        and not module.startswith(allowed)
+    }
+    assert others == set()
+
+
+@pytest.mark.parametrize("name", PURE)
+def test_the_rules_are_synchronous_and_use_no_clock(name: str) -> None:
+    source = (ROOT / "reference_server" / "rules" / f"{name}.py").read_text()
+    waits = (ast.AsyncFunctionDef, ast.Await, ast.AsyncFor, ast.AsyncWith)
+    assert [n for n in ast.walk(ast.parse(source)) if isinstance(n, waits)] == []
+    path = ROOT / "reference_server" / "rules" / f"{name}.py"
+    outside = {"asyncio", "datetime", "os", "random", "secrets", "socket", "time"}
+    assert tops(path) & outside == set()
+
+
+@pytest.mark.parametrize(
+    ("module", "owner"),
+    [
+        ("sqlalchemy", "reference_server/storage/store.py"),
+        ("mujoco", "reference_sim/mujoco/world.py"),
+    ],
+)
+def test_a_big_dependency_has_one_owner(module: str, owner: str) -> None:
+    assert importers_of(module, among=files_of_package(*PACKAGES)) == [owner]
+
+
+def test_ray_has_one_owner_at_most() -> None:
+    assert len(importers_of("ray", among=files_of_package(*PACKAGES))) <= 1
+
+
+@pytest.mark.parametrize(
+    ("package", "forbidden_imports"),
+    [
+        ("reference_sim", ["reference_server", "reference_client", "conformance"]),
+        ("reference_sim", ["proctor_client", "starlette", "uvicorn", "httpx"]),
+        ("reference_client", ["reference_server", "conformance"]),
+        ("reference_server", ["reference_client", "proctor_client", "conformance"]),
+        (
+            "conformance",
+            ["reference_server", "reference_sim", "reference_client", "proctor_client"],
+        ),
+    ],
+)
+def test_a_package_does_not_import(package: str, forbidden_imports: list[str]) -> None:
+    assert importers_of(*forbidden_imports, among=files_of_package(package)) == []
+
+
+def test_nothing_reads_a_format_that_carries_code() -> None:
+    found = importers_of(*CODE_FORMAT_MODULES, among=iter(HAND_WRITTEN))
+    assert found == sorted(CODE_FORMAT_READERS)
+
+
+# --- the lifecycle ---
+
+DOCUMENT = yaml.safe_load((ROOT / "spec" / "openapi.yaml").read_text())
+LIFECYCLE = DOCUMENT["x-lifecycle"]
+
+
+def stated(state: str, event: str, retryable: bool | None) -> str | None:
+    """Where the specification lets an event lead; None where it refuses."""
+    when = {None, "retryable" if retryable else "not_retryable"}
+    rows = [
+        row["to"]
+        for row in LIFECYCLE["transitions"]
+        if (row["from"], row["event"]) == (state, event) and row.get("when") in when
+    ]
+    assert len(rows) <= 1, f"{len(rows)} rows for {state}, {event}, {retryable}"
+    return None if not rows or rows[0] == "refused" else rows[0]
+
+
+@pytest.mark.parametrize("retryable", [True, False, None])
+@pytest.mark.parametrize("event", [*LIFECYCLE["commands"], *LIFECYCLE["events"]])
+@pytest.mark.parametrize("state", LIFECYCLE["states"])
+def test_the_table_decides_as_stated(
+    state: State, event: Event, retryable: bool | None
+) -> None:
+    expected = stated(state, event, retryable)
+    assert legal(make_run(state=state, retryable=retryable), event) == bool(expected)
+    if expected is not None:
+        assert TRANSITIONS[(state, event)] == expected
+
+
+def test_the_table_has_no_cell_of_its_own() -> None:
+    rows = [row for row in LIFECYCLE["transitions"] if row["to"] != "refused"]
+    assert set(TRANSITIONS) == {(row["from"], row["event"]) for row in rows}
+
+
+def test_every_command_is_stated_in_every_state() -> None:
+    rows = {(row["from"], row["event"]) for row in LIFECYCLE["transitions"]}
+    assert set(itertools.product(LIFECYCLE["states"], LIFECYCLE["commands"])) <= rows
+
+
+def test_the_enums_match_the_specification() -> None:
+    assert list(typing.get_args(State)) == LIFECYCLE["states"]
+    assert set(typing.get_args(Event)) == {*LIFECYCLE["commands"], *LIFECYCLE["events"]}
+    schemas = DOCUMENT["components"]["schemas"]
+    assert schemas["RunState"]["enum"] == LIFECYCLE["states"]
+    assert schemas["Outcome"]["enum"] == list(typing.get_args(run.Outcome))
+    ends = list(typing.get_args(run.SessionEnd))
+    assert schemas["SessionEnd"]["enum"] == ends
+
+
+def test_every_command_has_guards() -> None:
+    assert set(lifecycle.GUARDS) == set(typing.get_args(lifecycle.Command))
+
+
+# --- problems ---
+
+
+def refusals_in(source: str) -> set[str]:
+    """First arguments of Refused(...), Refuse(...): what this code can answer."""
+    return {
+        str(call.args[0].value)
+        for call in ast.walk(ast.parse(source))
+        if isinstance(call, ast.Call)
+        and isinstance(call.func, ast.Name)
+        and call.func.id in ("Refused", "Refuse")
+        and call.args
+        and isinstance(call.args[0], ast.Constant)
+    }
+
+
+def server_refusal_codes() -> set[str]:
+    found = {code for _, code in PATH_PATTERNS.values()}
+    for path in files_of_package("reference_server"):
+        found |= refusals_in(path.read_text())
+    return found
+
+
+def test_refusals_are_found_in_code() -> None:
+    source = "def f():\n    raise Refused('a_code', 'text')\n    return Refuse('other')"
+    assert refusals_in(source) == {"a_code", "other"}
+
+
+def test_every_problem_of_the_catalogue_is_used() -> None:
+    assert set(DOCUMENT["x-problems"]) - server_refusal_codes() == set()
+
+
+def test_no_problem_outside_the_catalogue_is_used() -> None:
+    assert server_refusal_codes() - set(DOCUMENT["x-problems"]) == set()
+
+
+def test_the_generated_catalogue_is_the_specification() -> None:
+    assert DOCUMENT["x-problems"] == problem_codes.PROBLEMS
+
+
+def test_statuses_with_retry_after_are_retryable() -> None:
+    for code, entry in DOCUMENT["x-problems"].items():
+        if entry["status"] in (429, 503):
+            assert entry["retryable"], code
+
+
+def test_cited_requirements_exist() -> None:
+    rows = [*DOCUMENT["x-requirements"], *DOCUMENT["x-lifecycle"]["transitions"]]
+    for profile in (ROOT / "spec" / "profiles").glob("*.yaml"):
+        rows += yaml.safe_load(profile.read_text())["x-requirements"]
+    scoring = (ROOT / "spec" / "scoring.md").read_text()
+    known = {row["id"] for row in rows} | set(re.findall(r"SCORE-\d{3}", scoring))
+    cited: set[str] = set()
+    for path in files_of_package("reference_server", "reference_sim"):
+        cited |= set(re.findall(r"\b[A-Z]{2,6}-\d{3}\b", path.read_text()))
+    assert len(cited) > 50
+    assert cited - known == {"SHA-256"}
+
+
+# --- names and sizes ---
+
+
+def test_file_names_are_not_vague() -> None:
+    names = {name_of(path): path.relative_to(ROOT).parts for path in HAND_WRITTEN}
+    vague = [
+        name
+        for name, parts in names.items()
+        if {part.removesuffix(".py").strip("_") for part in parts} & VAGUE_NAMES
+    ]
+    assert vague == []
+
+
+def lines_of(path: Path) -> int:
+    return len(path.read_text().splitlines())
+
+
+def test_a_function_fits_the_screen() -> None:
+    sizes = {
+        f"{name_of(path)}:{node.name}": (node.end_lineno or 0) - node.lineno + 1
+        for path in HAND_WRITTEN
+        for node in ast.walk(ast.parse(path.read_text()))
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+    }
+    assert len(sizes) > 500
+    assert {n: s for n, s in sizes.items() if s > FUNCTION_LINES_MAX} == {}
+
+
+@pytest.mark.parametrize(("name", "most"), [("README.md", 150), ("Makefile", 100)])
+def test_readme_and_makefile_are_short(name: str, most: int) -> None:
+    assert 0 < lines_of(ROOT / name) <= most
+
+
+def test_the_top_level_has_few_entries() -> None:
+    tracked = subprocess.run(
+        ["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True
+    ).stdout.split("\n")
+    entries = {name.partition("/")[0] for name in tracked if name}
+    shown = sorted(entry for entry in entries if not entry.startswith("."))
+    assert 0 < len(shown) <= 16, shown

@@ -1,0 +1,57 @@
+"""README is a promise: its program runs as pasted, its commands and places exist."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from tests.conftest import TOKENS, ReferenceServer
+from tests.support.paths import ROOT
+
+README = (ROOT / "README.md").read_text()
+
+
+def test_commands_stand_in_the_first_25_lines() -> None:
+    """A stranger sees what to type before anything else."""
+    beginning = "\n".join(README.splitlines()[:25])
+    for target in ("conformance", "serve", "test"):
+        assert f"make {target}" in beginning
+
+
+def test_make_knows_every_command() -> None:
+    """Whatever README says after `make` is a target."""
+    targets = set(
+        re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(), re.MULTILINE)
+    )
+    assert (
+        set(re.findall(r"(?:^    |`)make ([a-z-]+)", README, re.MULTILINE)) <= targets
+    )
+
+
+def test_folders_and_links_exist() -> None:
+    """Folders and links are there."""
+    places = re.findall(r"^\| `([a-z_]+)/`", README, re.MULTILINE)
+    links = re.findall(r"\]\(([A-Za-z/._-]+)\)", README)
+    assert len(places) > 5
+    for place in [*places, *links]:
+        assert (ROOT / place).exists(), place
+
+
+def test_program_evaluates_a_policy(server: ReferenceServer, tmp_path: Path) -> None:
+    """The program, copied, against a server. Expect the expert's score: 1 of 1."""
+    (program,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
+    assert len([line for line in program.splitlines() if line.strip()]) <= 20
+    file = tmp_path / "evaluate.py"
+    file.write_text(program)
+    done = subprocess.run(
+        [sys.executable, file, server.url, TOKENS["alice"]],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert "score 1.0 of 64 episodes" in done.stdout

@@ -1,0 +1,404 @@
+"""The specification against its own rules, and the house against the specification.
+
+The subset of OpenAPI that every generator reads alike is a set of lint rules here; each
+rule is also shown a document that breaks it, so that none can be green by blindness.
+"""
+
+import copy
+import json
+import re
+from collections import Counter
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import jsonschema
+import openapi_spec_validator
+import pytest
+import yaml
+
+from reference_server.http.dispatch import (
+    HEADER_PATTERNS,
+    PATH_PATTERNS,
+    QUERY_PATTERNS,
+)
+from reference_server.http.handlers import Handlers
+from reference_server.settings import Settings
+from tests.support.paths import ROOT
+
+SPEC = ROOT / "spec"
+Json = dict[str, Any]
+METHODS = ("get", "put", "post", "delete", "patch", "head", "options", "trace")
+
+
+class _StrictLoader(yaml.SafeLoader):
+    """YAML lets a key stand twice and keeps the last; here that is an error."""
+
+
+def _mapping_of_unique_keys(loader: _StrictLoader, node: yaml.MappingNode) -> Any:
+    keys = [loader.construct_object(key) for key, _ in node.value]
+    twice = [key for key, count in Counter(keys).items() if count > 1]
+    assert not twice, f"line {node.start_mark.line + 1}: {twice} stands twice"
+    return loader.construct_mapping(node, deep=True)
+
+
+_StrictLoader.add_constructor("tag:yaml.org,2002:map", _mapping_of_unique_keys)
+
+
+def load(text: str) -> Json:
+    document: Json = yaml.load(text, _StrictLoader)  # noqa: S506 - a SafeLoader
+    return document
+
+
+DOCUMENT = load((SPEC / "openapi.yaml").read_text())
+SCORING = (SPEC / "scoring.md").read_text()
+
+
+# --- reading the document ---
+
+
+def operations(document: Json) -> Iterator[tuple[str, str, Json]]:
+    """(path, method, operation)."""
+    for path, item in document["paths"].items():
+        for method, operation in item.items():
+            if method in METHODS:
+                yield path, method, operation
+
+
+def nodes(node: Any, at: str = "#") -> Iterator[tuple[str, Json]]:
+    """Every mapping under a node with its place, `x-` and examples left out."""
+    if isinstance(node, dict):
+        yield at, node
+        for key, value in node.items():
+            if not str(key).startswith("x-") and key not in ("example", "examples"):
+                yield from nodes(value, f"{at}/{key}")
+    elif isinstance(node, list):
+        for i, value in enumerate(node):
+            yield from nodes(value, f"{at}/{i}")
+
+
+def resolved(document: Json, node: Json) -> Json:
+    while "$ref" in node:
+        target: Any = document
+        for part in node["$ref"].removeprefix("#/").split("/"):
+            target = target[part]
+        node = target
+    return node
+
+
+def request_nodes(document: Json) -> Iterator[tuple[str, Json]]:
+    """Every mapping that a request's parameters or body can reach."""
+    seen: set[str] = set()
+
+    def reach(node: Any, at: str) -> Iterator[tuple[str, Json]]:
+        for place, found in nodes(node, at):
+            yield place, found
+            reference = found.get("$ref")
+            if reference is not None and reference not in seen:
+                seen.add(reference)
+                yield from reach(resolved(document, found), reference)
+
+    for path, method, operation in operations(document):
+        at = f"{method} {path}"
+        yield from reach(operation.get("parameters", []), f"{at} parameters")
+        yield from reach(operation.get("requestBody", {}), f"{at} body")
+
+
+def types(schema: Json) -> list[str]:
+    stated = schema.get("type", [])
+    if isinstance(stated, dict):  # a member named `type`
+        return []
+    return stated if isinstance(stated, list) else [stated]
+
+
+# --- the subset, as rules: each yields what breaks it ---
+
+
+def bodies_are_required(document: Json) -> Iterator[str]:
+    for path, method, operation in operations(document):
+        if not operation.get("requestBody", {"required": True}).get("required"):
+            yield f"{method} {path}"
+
+
+def parameters_stand_with_operations(document: Json) -> Iterator[str]:
+    return (path for path, item in document["paths"].items() if "parameters" in item)
+
+
+def requests_hold_no_null(document: Json) -> Iterator[str]:
+    for at, node in request_nodes(document):
+        if "null" in types(node) or "nullable" in node:
+            yield at
+
+
+def numbers_have_a_format(document: Json) -> Iterator[str]:
+    formats = {"integer": ("int32", "int64"), "number": ("float", "double")}
+    for at, node in nodes(document):
+        for kind in types(node):
+            if kind in formats and node.get("format") not in formats[kind]:
+                yield at
+
+
+def enums_are_named(document: Json) -> Iterator[str]:
+    for at, node in nodes(document):
+        if "enum" in node and not re.fullmatch(r"#/components/schemas/\w+", at):
+            yield at
+
+
+def enum_values_are_identifiers(document: Json) -> Iterator[str]:
+    for at, node in nodes(document):
+        for value in node.get("enum", []):
+            if not isinstance(value, str) or not re.fullmatch("[a-z][a-z0-9_]*", value):
+                yield f"{at}: {value}"
+
+
+def errors_are_problems(document: Json) -> Iterator[str]:
+    problem = {"$ref": "#/components/responses/Problem"}
+    for path, method, operation in operations(document):
+        responses = operation["responses"]
+        success = [c for c in responses if re.fullmatch("2[0-9]{2}|304", str(c))]
+        errors = {c: answer for c, answer in responses.items() if c not in success}
+        if not success or errors != {"4XX": problem, "5XX": problem}:
+            yield f"{method} {path}: {sorted(map(str, responses))}"
+
+
+def binary_is_base64_by_content_encoding(document: Json) -> Iterator[str]:
+    for at, node in nodes(document):
+        if node.get("format") in ("byte", "binary"):
+            yield at
+        encoding = node.get("contentEncoding", "base64")
+        if isinstance(encoding, str) and encoding != "base64":
+            yield at
+
+
+def references_stand_alone(document: Json) -> Iterator[str]:
+    return (at for at, node in nodes(document) if "$ref" in node and len(node) > 1)
+
+
+def references_resolve(document: Json) -> Iterator[str]:
+    for at, node in nodes(document):
+        try:
+            resolved(document, node)
+        except KeyError:
+            yield f"{at}: {node['$ref']}"
+
+
+def generated_names_are_free(document: Json) -> Iterator[str]:
+    taken = {
+        "".join(word.capitalize() for word in operation["operationId"].split("_")) + end
+        for _, _, operation in operations(document)
+        for end in ("Response", "Request")
+    }
+    return iter(taken & document["components"]["schemas"].keys())
+
+
+def integers_are_exact(document: Json) -> Iterator[str]:
+    limit = 2**53 - 1
+    for at, node in request_nodes(document):
+        if "integer" in types(node) and node.get("format") == "int64":
+            bounds = node.get("minimum", -(2**63)), node.get("maximum", 2**63 - 1)
+            if bounds[0] < -limit or bounds[1] > limit:
+                yield at
+
+
+def operation_ids_are_snake_case(document: Json) -> Iterator[str]:
+    for path, method, operation in operations(document):
+        name = operation.get("operationId", "")
+        if not re.fullmatch("[a-z]+(_[a-z]+)*", name):
+            yield f"{method} {path}: {name}"
+
+
+def operation_ids_are_unique(document: Json) -> Iterator[str]:
+    names = Counter(o["operationId"] for _, _, o in operations(document))
+    return (name for name, count in names.items() if count > 1)
+
+
+def no_value_is_lost_to_a_comma(document: Json) -> Iterator[str]:
+    """`{description: one, two}` is YAML for a key `two` with the value null."""
+
+    def walk(node: Any, at: str) -> Iterator[str]:
+        if isinstance(node, dict):
+            for key, value in node.items():
+                if value is None:
+                    yield f"{at}/{key}"
+                yield from walk(value, f"{at}/{key}")
+        elif isinstance(node, list):
+            for i, value in enumerate(node):
+                yield from walk(value, f"{at}/{i}")
+
+    return walk(document, "#")
+
+
+def named_requirements_exist(document: Json) -> Iterator[str]:
+    known = set(requirement_ids(document))
+    for path, method, operation in operations(document):
+        for named in operation.get("x-requirements", []):
+            if named not in known:
+                yield f"{method} {path}: {named}"
+
+
+def requirement_ids(document: Json) -> list[str]:
+    """All ids as they are stated, each as often as it is."""
+    return [
+        *(row["id"] for row in document["x-requirements"]),
+        *(row["id"] for row in document["x-lifecycle"]["transitions"]),
+        *re.findall(r"^- \[([A-Z]+-\d+)\]", SCORING, re.MULTILINE),
+    ]
+
+
+def ids_are_unique(document: Json) -> Iterator[str]:
+    ids = Counter(requirement_ids(document))
+    return (name for name, count in ids.items() if count > 1)
+
+
+# A rule, a place in the document, and what breaks the rule when it is put there.
+BREACHES = yaml.safe_load("""
+- [bodies_are_required, paths /v1/runs post requestBody required, false]
+- [parameters_stand_with_operations, paths /v1/runs parameters, []]
+- [requests_hold_no_null, components schemas SubmitRun note, {type: [string, "null"]}]
+- [requests_hold_no_null, components schemas Action oneOf, [{type: "null"}]]
+- [numbers_have_a_format, components schemas Run properties n, {type: integer}]
+- [numbers_have_a_format, components schemas Blob, {type: [number], format: int32}]
+- [enums_are_named, components schemas Run properties n, {type: string, enum: [on]}]
+- [enum_values_are_identifiers, components schemas ImageCodec enum, [image/png]]
+- [errors_are_problems, paths /v1/runs post responses default, {description: Bad.}]
+- [errors_are_problems, paths /v1/runs post responses 4XX, {description: Bad.}]
+- [binary_is_base64_by_content_encoding, components schemas Blob format, byte]
+- [references_stand_alone, components schemas Run properties images title, Images]
+- [references_resolve, components schemas Run properties images $ref, "#/nowhere"]
+- [generated_names_are_free, components schemas SubmitRunResponse, {type: object}]
+- [integers_are_exact, components schemas Predict properties seq maximum, 1.0e+16]
+- [operation_ids_are_snake_case, paths /v1/runs post operationId, submitRun]
+- [operation_ids_are_unique, paths /v1/runs post operationId, list_runs]
+- [no_value_is_lost_to_a_comma, components schemas Blob lost, null]
+- [named_requirements_exist, paths /v1/runs post x-requirements, [RUN-999]]
+- [ids_are_unique, x-lifecycle transitions 0 id, SCORE-001]
+""")
+CHECKS = [globals()[name] for name in dict.fromkeys(row[0] for row in BREACHES)]
+
+
+@pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.__name__)
+def test_the_document_obeys_each_rule(check: Callable[[Json], Iterator[str]]) -> None:
+    assert list(check(DOCUMENT)) == []
+
+
+@pytest.mark.parametrize(("name", "place", "breach"), BREACHES)
+def test_the_rule_finds_a_breach(name: str, place: str, breach: Any) -> None:
+    document = copy.deepcopy(DOCUMENT)
+    *path, last = place.split(" ")
+    node: Any = document
+    for part in path:
+        node = node[int(part)] if isinstance(node, list) else node[part]
+    node[last] = breach
+    assert list(globals()[name](document)) != []
+
+
+def test_the_document_is_valid_openapi() -> None:
+    openapi_spec_validator.validate(DOCUMENT)
+
+
+def test_no_key_stands_twice() -> None:
+    with pytest.raises(AssertionError, match="stands twice"):
+        load("a: 1\nb: {c: 1, c: 2}\n")
+    load((SPEC / "openapi.yaml").read_text())
+
+
+def test_the_extensions_fit_their_schema() -> None:
+    schema = json.loads((SPEC / "schema" / "extensions.json").read_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    jsonschema.validate(DOCUMENT, schema)
+    extensions = {key for key in DOCUMENT if key.startswith("x-")}
+    assert extensions == set(schema["properties"])
+
+
+def test_requirement_ids_have_one_format() -> None:
+    ids = requirement_ids(DOCUMENT)
+    assert len(ids) > 150
+    assert [i for i in ids if not re.fullmatch(r"[A-Z]{2,6}-[0-9]{3}", i)] == []
+
+
+# --- the routes ---
+
+NOTHING: Any = None
+TABLE = Handlers(Settings(), NOTHING, NOTHING, NOTHING).table()
+DESCRIBED = {
+    (path, method.upper()): described
+    for path, method, described in operations(DOCUMENT)
+}
+each_operation = pytest.mark.parametrize(
+    "at", DESCRIBED, ids=[described["operationId"] for described in DESCRIBED.values()]
+)
+
+
+def test_the_server_has_no_route_of_its_own() -> None:
+    assert {(path, m) for path, ms in TABLE.items() for m in ms} == set(DESCRIBED)
+
+
+def parameters(described: Json, place: str) -> dict[str, Json]:
+    found = [resolved(DOCUMENT, p) for p in described.get("parameters", [])]
+    return {p["name"]: p for p in found if p["in"] == place}
+
+
+@each_operation
+def test_a_route_takes_what_is_described(at: tuple[str, str]) -> None:
+    (path, method), described = at, DESCRIBED[at]
+    route = TABLE[path][method]
+    assert getattr(route.handler, "__name__", "") == described["operationId"]
+    public = described.get("security") == []
+    assert route.scope == (None if public else "read" if method == "GET" else "run")
+    headers = {name.lower() for name in parameters(described, "header")}
+    assert headers == {"proctor-version", *route.headers}
+    query = parameters(described, "query")
+    assert set(route.query) == set(query)
+    required = {name for name, p in query.items() if p["required"]}
+    assert set(route.required_query) == required
+    assert set(re.findall(r"{(\w+)}", path)) == set(parameters(described, "path"))
+
+
+@each_operation
+def test_a_route_speaks_what_is_described(at: tuple[str, str]) -> None:
+    (path, method), described = at, DESCRIBED[at]
+    route = TABLE[path][method]
+    body = described.get("requestBody")
+    if body is None:
+        assert route.body is None
+    else:
+        assert route.body is not None
+        assert tuple(body["content"]) == route.reads
+        names = {c["schema"]["$ref"].split("/")[-1] for c in body["content"].values()}
+        assert names == {route.body.__name__}
+    answers = described["responses"].values()
+    written = [tuple(answer["content"]) for answer in answers if "content" in answer]
+    assert set(written) == ({route.writes} if route.writes else set())
+
+
+SCHEMAS = {
+    (parameter["in"], parameter["name"].lower()): parameter["schema"]
+    for document in (DOCUMENT, *(load(p.read_text()) for p in SPEC.glob("profiles/*")))
+    for _, _, described in operations(document)
+    for parameter in (resolved(document, p) for p in described.get("parameters", []))
+    if parameter["name"] != "Proctor-Version"
+}
+PATTERNS = {
+    **{("path", name): pattern for name, (pattern, _) in PATH_PATTERNS.items()},
+    **{("query", name): pattern for name, pattern in QUERY_PATTERNS.items()},
+    **{("header", name): pattern for name, pattern in HEADER_PATTERNS.items()},
+}
+
+
+def as_pattern(schema: Json) -> str:
+    """A schema of text as the regular expression that its whole value matches."""
+    if "pattern" in schema:
+        return str(schema["pattern"]).removeprefix("^").removesuffix("$")
+    if schema["type"] == "integer":
+        return "[0-9]{1,4}"  # bounds are checked on the number
+    if schema["type"] == "number":
+        return r"[0-9]{1,4}(\.[0-9]{1,40})?([Ee][+-]?[0-9]{1,3})?"
+    return f"(?s:.{{{schema.get('minLength', 0)},{schema['maxLength']}}})"
+
+
+@pytest.mark.parametrize("parameter", sorted(SCHEMAS), ids="-".join)
+def test_a_parameter_is_checked_as_described(parameter: tuple[str, str]) -> None:
+    assert PATTERNS[parameter] == as_pattern(SCHEMAS[parameter])
+
+
+def test_no_parameter_is_checked_that_is_not_described() -> None:
+    assert set(PATTERNS) <= set(SCHEMAS)

@@ -1,0 +1,382 @@
+"""Streams of events in the server: what they hold, what they wait for, how they end."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import gc
+import sqlite3
+import time
+from collections.abc import AsyncIterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from starlette.responses import StreamingResponse
+
+from conformance.client.event_reader import Event, EventParser
+from reference_server.http import event_streams, views
+from reference_server.http.event_streams import EPISODES_PER_BATCH, EventStream
+from reference_server.rules import effects as rules
+from reference_server.rules.run import Run, RunHead
+from reference_server.storage.store import StoreFailed
+from tests.conftest import TIMEOUT_S
+from tests.support.server.server_parts import (
+    BlockedCall,
+    ServerParts,
+    calibration_run,
+    expect_refusal,
+    record_score,
+    run_scenarios,
+)
+
+MANY = 1000
+
+
+def view(run: RunHead) -> dict[str, Any]:
+    return views.run_view(run, "http://here", None)
+
+
+def make_event_stream(
+    parts: ServerParts, run_id: str = "run_1", account: str = "alice"
+) -> EventStream:
+    return EventStream(parts.registry, run_id, account, view)
+
+
+class StreamClient:
+    """The body of an answer as a server takes it: the next part when it has time."""
+
+    def __init__(self, parts: AsyncIterator[Any]) -> None:
+        self._parts, self._parser = parts, EventParser()
+
+    @classmethod
+    async def open(
+        cls, reader: EventStream, last_id: str | None = None
+    ) -> StreamClient:
+        answer = await reader.answer(last_id)
+        assert isinstance(answer, StreamingResponse)
+        return cls(aiter(answer.body_iterator))
+
+    async def part(self) -> bytes:
+        async with asyncio.timeout(TIMEOUT_S):
+            return bytes(await anext(self._parts))
+
+    async def events(self) -> list[Event]:
+        """Those of the next part; none of a comment."""
+        return self._parser.feed(await self.part())
+
+    async def rest(self) -> list[Event]:
+        found: list[Event] = []
+        with contextlib.suppress(StopAsyncIteration):
+            while True:
+                found += await self.events()
+        return found
+
+
+def kinds(events: list[Event]) -> list[str]:
+    return [event.kind for event in events]
+
+
+def indices(events: list[Event]) -> list[int]:
+    return [event.body["index"] for event in events if event.kind == "episode"]
+
+
+async def add_stored_run(parts: ServerParts, *tasks: str, **changes: Any) -> Run:
+    run = await parts.registry.add(calibration_run(*tasks, **changes), None, "")
+    await parts.registry.is_stored(run)
+    return run
+
+
+async def score_episodes(parts: ServerParts, run: Run, *order: int) -> None:
+    for index in order:
+        record_score(run, index)
+    await parts.registry.commit(run)
+
+
+async def complete_run(parts: ServerParts, run: Run) -> None:
+    rules.apply_event(run, "attach_worker")
+    await score_episodes(
+        parts, run, *[e.index for e in run.episodes if e.result is None]
+    )
+    rules.apply_event(run, "all_scored")
+    await parts.registry.commit(run)
+
+
+# --- news ---
+
+
+def test_a_stream_carries_each_change(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await add_stored_run(parts, *["score"] * 3)
+        stream = await StreamClient.open(make_event_stream(parts))
+        first = await stream.part()
+        assert first.startswith(b"retry: 1000\n\nevent: run\n")
+        await score_episodes(parts, run, 2)
+        events = await stream.events()
+        assert (kinds(events), indices(events)) == (["episode", "run"], [2])
+        assert events[0].body == views.episode_view(run.episodes[2])
+        assert events[1].body == view(run)
+        await complete_run(parts, run)
+        last = await stream.rest()
+        assert indices(last) == [0, 1]
+        assert last[-1].body["state"] == "completed"
+        answer = await make_event_stream(parts).answer(last[-1].id)
+        assert (answer.status_code, answer.body) == (204, b"")
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_unstored_results_are_not_sent(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await add_stored_run(parts, "score", "score")
+        stream = await StreamClient.open(make_event_stream(parts))
+        assert kinds(await stream.events()) == ["run"]
+        blocked = BlockedCall(monkeypatch, parts.store, "save")
+        record_score(run, 0)
+        parts.registry.commit_later(run)
+        await blocked.wait_until_reached()
+        parts.registry.notify(run)  # whatever wakes the stream
+        batch = asyncio.ensure_future(stream.events())
+        done, _ = await asyncio.wait([batch], timeout=2 * event_streams.PAUSE_S)
+        assert done == set()
+        blocked.open()
+        assert indices(await batch) == [0]
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_stream_of_an_unchanged_busy_run_sends_comments(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is looked at again and again, and nothing of it has changed."""
+    monkeypatch.setattr(event_streams, "KEEPALIVE_S", 0.2)
+    monkeypatch.setattr(event_streams, "PAUSE_S", 0.0)
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await add_stored_run(parts)
+        stream = await StreamClient.open(make_event_stream(parts))
+        await stream.events()
+
+        async def keep_busy() -> None:
+            while True:
+                parts.registry.notify(run)
+                await asyncio.sleep(0.01)
+
+        busy = asyncio.ensure_future(keep_busy())
+        for _ in range(2):
+            assert await stream.part() == b":\n\n"
+        busy.cancel()
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_frequent_changes_are_sent_in_one_batch(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Changes that follow one another closely are told together."""
+    monkeypatch.setattr(event_streams, "PAUSE_S", 1.0)
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await add_stored_run(parts, *["score"] * 9)
+        stream = await StreamClient.open(make_event_stream(parts))
+        await stream.part()
+        next_events = asyncio.ensure_future(stream.events())
+        for index in range(3):
+            await score_episodes(parts, run, index)
+        assert indices(await next_events) == [0, 1, 2]
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_wrong_count_does_not_cause_polling(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A run that says that more is scored than there is: the rest is waited for."""
+    monkeypatch.setattr(event_streams, "KEEPALIVE_S", 0.1)
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await add_stored_run(parts, *["score"] * 3)
+        await score_episodes(parts, run, 1)
+        run.scored += 1
+        stream = await StreamClient.open(make_event_stream(parts))
+        assert indices(await stream.events()) == [1]
+        assert await stream.part() == b":\n\n"
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_nothing_is_queued_for_a_slow_client(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nothing is looked at while it takes nothing; then it is told all at once."""
+    cursors_read = []
+    right = EventStream._read_batch
+
+    async def counted(self: EventStream, cursor: Any) -> Any:
+        cursors_read.append(cursor)
+        return await right(self, cursor)
+
+    monkeypatch.setattr(EventStream, "_read_batch", counted)
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await add_stored_run(parts, *["score"] * 250)
+        stream = await StreamClient.open(make_event_stream(parts))
+        await stream.part()
+        for index in reversed(range(200)):
+            await score_episodes(parts, run, index)
+        assert len(cursors_read) == 1
+        events = await stream.events()
+        assert indices(events) == [*reversed(range(100, 200))]
+        assert len(cursors_read) == 2
+        events = await stream.events()
+        assert indices(events) == [*reversed(range(100))]
+        assert (events[-1].body, len(cursors_read)) == (view(run), 3)
+
+    run_scenarios(tmp_path, scenario)
+
+
+# --- what it costs ---
+
+
+def test_a_finished_run_is_sent_in_batches_and_not_cached(tmp_path: Path) -> None:
+    order = [(7 * index) % MANY for index in range(MANY)]
+
+    async def play(parts: ServerParts) -> None:
+        run = await add_stored_run(parts, *["score"] * MANY)
+        for first in range(0, MANY, 250):
+            await score_episodes(parts, run, *order[first : first + 250])
+        run.state = "completed"
+        await parts.registry.commit(run)
+
+    async def read(parts: ServerParts) -> None:
+        stream = await StreamClient.open(make_event_stream(parts))
+        events = await stream.events()
+        assert len(events) == EPISODES_PER_BATCH
+        events += await stream.rest()
+        assert (indices(events), kinds(events)[-1]) == (order, "run")
+        middle = await StreamClient.open(make_event_stream(parts), events[499].id)
+        assert indices(await middle.rest()) == order[500:]
+        assert len(parts.registry._in_memory) == 0
+
+    run_scenarios(tmp_path, play, read)
+
+
+def test_an_idle_stream_keeps_no_run_in_memory(tmp_path: Path) -> None:
+    async def wait(parts: ServerParts) -> None:
+        stream = await StreamClient.open(make_event_stream(parts))
+        assert kinds(await stream.events()) == ["run"]
+        batch = asyncio.ensure_future(stream.events())
+        await asyncio.sleep(0)
+        gc.collect()
+        assert len(parts.registry._in_memory) == 0
+        run = await parts.registry.get("run_1")
+        rules.stop(run, "abort", time.time())
+        await parts.registry.commit(run)
+        (event,) = await batch
+        assert event.body["state"] == "stopped"
+
+    async def make(parts: ServerParts) -> None:
+        await add_stored_run(parts, state="ready")
+
+    run_scenarios(tmp_path, make, wait)
+
+
+def test_a_disconnect_releases_the_stream(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        await add_stored_run(parts)
+        answer = await make_event_stream(parts).answer(None)
+        sent, gone = asyncio.Event(), asyncio.Event()
+
+        async def send(message: Any) -> None:
+            if message.get("body"):
+                sent.set()
+
+        async def receive() -> Any:
+            await gone.wait()
+            return {"type": "http.disconnect"}
+
+        scope = {"type": "http", "asgi": {"spec_version": "2.3"}}
+        sending = asyncio.ensure_future(answer(scope, receive, send))
+        await sent.wait()
+        assert len(parts.registry._change_events) == 1
+        gone.set()
+        await sending
+        del answer, sending
+        gc.collect()
+        assert len(parts.registry._change_events) == 0
+
+    run_scenarios(tmp_path, scenario)
+
+
+# --- refusals and failures ---
+
+
+def test_an_id_that_is_ahead_of_the_run_is_refused(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await add_stored_run(parts)
+        await score_episodes(parts, run, 0)
+        stream = await StreamClient.open(make_event_stream(parts))
+        id_ = (await stream.events())[0].id
+        run.scored, run.scored_order = 0, []
+        with expect_refusal("invalid_request"):
+            await make_event_stream(parts).answer(id_)
+
+    run_scenarios(tmp_path, scenario)
+
+
+@pytest.mark.parametrize("account", ["bob", "nobody"])
+def test_runs_of_other_accounts_are_not_found(tmp_path: Path, account: str) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        await add_stored_run(parts)
+        with expect_refusal("not_found"):
+            await make_event_stream(parts, account=account).answer(None)
+        with expect_refusal("not_found"):
+            await make_event_stream(parts, "run_2").answer(None)
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_stream_ends_when_the_store_fails(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await add_stored_run(parts, state="ready")
+        stream = await StreamClient.open(make_event_stream(parts))
+        await stream.events()
+
+        async def fail(*_: object, **__: object) -> None:
+            raise StoreFailed("gone")
+
+        monkeypatch.setattr(parts.registry, "read_view", fail)
+        parts.registry.notify(run)
+        assert await stream.rest() == []
+
+    run_scenarios(tmp_path, scenario)
+
+
+# --- an older database ---
+
+
+def test_results_of_older_databases_come_first(tmp_path: Path) -> None:
+    async def before(parts: ServerParts) -> None:
+        run = await add_stored_run(parts, *["score"] * 5, state="ready")
+        await score_episodes(parts, run, 3, 1)
+        with contextlib.closing(sqlite3.connect(parts.path)) as database:
+            database.execute("ALTER TABLE episodes DROP COLUMN place")
+
+    async def after(parts: ServerParts) -> None:
+        found = await parts.store.read_window("run_1", 0, 9, scored=True)
+        assert found is not None
+        assert [episode.index for episode in found[1]] == [1, 3]
+        run = await parts.registry.get("run_1")
+        await score_episodes(parts, run, 4, 0)
+
+    async def read(parts: ServerParts) -> None:
+        stream = await StreamClient.open(make_event_stream(parts))
+        assert indices(await stream.events()) == [1, 3, 4, 0]
+        run = await parts.registry.get("run_1")
+        assert run.scored_order == [1, 3, 4, 0]
+
+    run_scenarios(tmp_path, before, after, read)

@@ -1,0 +1,172 @@
+"""Events of a server as people run it: read, killed, started again, ended."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import re
+import signal
+import subprocess
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from unittest.mock import ANY
+
+import httpx
+
+from conformance.client.event_reader import Event, EventParser
+from tests.conftest import TIMEOUT_S, TOKENS, ReferenceServer
+from tests.server.http.test_event_streams import indices, kinds
+from tests.server.test_server_process import predict_body, submit
+from tests.support.paths import ROOT
+
+
+@contextmanager
+def following(
+    client: httpx.Client, run_id: str, last_id: str | None = None
+) -> Iterator[Iterator[Event]]:
+    headers = {"Last-Event-ID": last_id} if last_id else {}
+    path, parser = f"/v1/runs/{run_id}/events", EventParser()
+    with client.stream("GET", path, headers=headers) as answer:
+        assert answer.status_code == 200
+        assert answer.headers["content-type"].startswith("text/event-stream")
+        yield (event for part in answer.iter_bytes() for event in parser.feed(part))
+
+
+class ScoringWorker:
+    """A worker of a run that scores what it is given."""
+
+    def __init__(self, client: httpx.Client, run_id: str, worker_id: str) -> None:
+        self._client = client
+        self._path = f"/v1/runs/{run_id}/workers/{worker_id}"
+        self._turn = client.put(self._path, json={"attach_key": worker_id}).json()
+
+    def leave(self) -> None:
+        query = {"session_id": self._turn["session_id"]}
+        assert self._client.delete(self._path, params=query).status_code == 204
+
+    def play(self) -> None:
+        body = predict_body(self._turn, end=1)
+        self._turn = self._client.post(f"{self._path}/predict", json=body).json()
+        assert "episode_result" in self._turn
+
+
+def read_until_scored(events: Iterator[Event], scored: int) -> list[Event]:
+    found = []
+    for event in events:
+        found.append(event)
+        progress = event.body.get("progress")
+        if progress and progress["episodes_scored"] == scored:
+            return found
+    raise AssertionError(f"the stream ended after {kinds(found)}")
+
+
+def test_event_ids_are_valid_after_a_kill(server: ReferenceServer) -> None:
+    with server.client() as client:
+        run_id = submit(client, *["score"] * 3)
+        first, second = (ScoringWorker(client, run_id, worker) for worker in "ab")
+        second.play()
+        first.play()
+        with following(client, run_id) as events:
+            received = read_until_scored(events, 2)
+    server.end(signal.SIGKILL)
+    server.start()
+    with server.client() as client:
+        with following(client, run_id) as events:
+            again = read_until_scored(events, 2)
+        assert indices(again) == indices(received) == [1, 0]
+        assert [one.body for one in again[:2]] == [one.body for one in received[:2]]
+        streams = contextlib.ExitStack()
+        with streams:
+            behind = [
+                streams.enter_context(following(client, run_id, event.id))
+                for event in received
+            ]
+            ScoringWorker(client, run_id, "c").play()
+            for number, events in enumerate(behind, 1):
+                rest = indices(read_until_scored(events, 3))
+                assert rest == [1, 0, 2][len(indices(received[:number])) :]
+
+
+def test_a_detach_after_completion_sends_no_event(server: ReferenceServer) -> None:
+    """Most workers do, after whoever follows the run was told its last event."""
+    with server.client() as client:
+        run_id = submit(client, "score")
+        player = ScoringWorker(client, run_id, "w")
+        player.play()
+        before = client.get(f"/v1/runs/{run_id}")
+        with following(client, run_id) as events:
+            last = list(events)[-1]
+        player.leave()
+        again = {"Last-Event-ID": str(last.id)}
+        path = f"/v1/runs/{run_id}/events"
+        assert client.get(path, headers=again).status_code == 204
+        assert (
+            client.get(f"/v1/runs/{run_id}").headers["etag"] == before.headers["etag"]
+        )
+
+
+def test_an_event_id_is_valid_under_any_host_name(server: ReferenceServer) -> None:
+    with server.client() as client:
+        run_id = submit(client, "score")
+        ScoringWorker(client, run_id, "w").play()
+        with following(client, run_id) as events:
+            last = list(events)[-1]
+        elsewhere = {"Last-Event-ID": str(last.id), "Host": "elsewhere.example"}
+        path = f"/v1/runs/{run_id}/events"
+        assert client.get(path, headers=elsewhere).status_code == 204
+
+
+def test_the_commands_of_the_events_page_work(server: ReferenceServer) -> None:
+    """Its commands, pasted: the whole of a finished run, and a part of it."""
+    page = (ROOT / "docs" / "events.md").read_text()
+    whole, rest = re.findall(r"^ +(curl .*)$", page, re.MULTILINE)
+    with server.client() as client:
+        run_id = submit(client, "score", "score")
+        player = ScoringWorker(client, run_id, "w")
+        player.play()
+        player.play()
+    variables = {"URL": server.url, "TOKEN": TOKENS["alice"], "RUN": run_id}
+
+    def paste(command: str) -> list[Event]:
+        environment = {"PATH": os.environ["PATH"], **variables}
+        pasted = ["sh", "-c", command]
+        done = subprocess.run(pasted, env=environment, capture_output=True, check=True)
+        return EventParser().feed(done.stdout)
+
+    events = paste(whole)
+    assert kinds(events) == ["episode", "episode", "run"]
+    variables["LAST"] = str(events[0].id)
+    assert paste(rest) == [replace(e, at=ANY) for e in events[1:]]
+    variables["LAST"] = str(events[-1].id)
+    assert paste(rest) == []
+
+
+def test_streams_end_with_the_server(server: ReferenceServer) -> None:
+    with server.client() as client:
+        waiting, played = submit(client, "count"), submit(client, "score")
+        with following(client, waiting) as one, following(client, played) as other:
+            assert [next(one).kind, next(other).kind] == ["run", "run"]
+            began = time.monotonic()
+            server.end()
+            assert time.monotonic() - began < TIMEOUT_S / 6
+            assert [kinds(list(one)), kinds(list(other))] == [[], []]
+    assert server.log() == ""
+
+
+def test_disconnected_streams_do_not_delay_the_shutdown(
+    server: ReferenceServer,
+) -> None:
+    """The server would wait at its end for streams that somebody reads."""
+    with server.client() as client:
+        run_id = submit(client, "score")
+        for _ in range(20):
+            with following(client, run_id) as events:
+                assert next(events).kind == "run"
+        ScoringWorker(client, run_id, "w").play()
+        with following(client, run_id) as events:
+            assert json.loads(list(events)[-1].data[0])["state"] == "completed"
+    server.end()
+    assert server.log() == ""

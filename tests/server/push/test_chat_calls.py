@@ -1,0 +1,244 @@
+"""A chat model as a policy: what it is asked, how it is read, what is a fault."""
+
+import base64
+import io
+import threading
+from collections.abc import Iterator
+from typing import Any, cast
+
+import httpx
+import pytest
+from PIL import Image
+
+from conformance.policy.chat import ScriptedChat
+from reference_server.push.chat_calls import ChatPolicy, read_answer
+from reference_sim import benchmark_registry
+from reference_sim.benchmarks.question_answering.questions import action, draw
+from reference_sim.benchmarks.tabletop.scene import TabletopScene
+from tests.conftest import ReferenceServer, make_run
+from tests.support.push_runs import (
+    episodes,
+    push_submission,
+    start_push_server,
+    wait_for_state,
+)
+
+NONE = action()
+
+
+@pytest.mark.parametrize(
+    ("said", "answer"),
+    [
+        ("A", action(choice=0)),
+        ("d", action(choice=3)),
+        ("(B)", action(choice=1)),
+        ("C)", action(choice=2)),
+        ("C.", action(choice=2)),
+        ("Answer: B", action(choice=1)),
+        ("**answer: b.**", action(choice=1)),
+        ("They are red.\n\nB\n", action(choice=1)),
+        ("<think>It is A.</think>B", action(choice=1)),
+        ("<think>A</think>\nSo\n**B**", action(choice=1)),
+        ("Z", action(choice=25)),
+        ("3", action(number=3)),
+        ("Answer: 12.", action(number=12)),
+        ("0.25", action(number=0.25)),
+        ("0.2, 0.75", action(point=(0.2, 0.75))),
+        ("(0.2,0.75)", action(point=(0.2, 0.75))),
+        ("[1 0]", action(point=(1, 0))),
+        ("Answer: 0.5 0.5.", action(point=(0.5, 0.5))),
+        ("**B**.", action(choice=1)),
+        ("`(c)`.", action(choice=2)),
+        ("Answer: **3**.", action(number=3)),
+        ("**Answer:** 3.", action(number=3)),
+        ("**Answer: `0.2, 0.75.`**", action(point=(0.2, 0.75))),
+    ],
+)
+def test_answers_are_parsed_from_text(said: str, answer: Any) -> None:
+    assert read_answer(said) == answer
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        *("", " \n ", "I do not know", "A or B", "A B", "AB", "A) left", "B\nor so"),
+        *("-3", "three", "1e3", "1234567", "3 cubes", "0x10", "٣", "½", "NaN", "inf"),
+        *("0.2; 0.3", "0.2, 0.3, 0.4", "x=0.2, y=0.3", "0.2,", "<think>B"),
+        *("3..", "**B.**.", "**", "*.*"),
+        *("Answer:", "Answer: Answer: B", "(B", "B]", "{}", "\x00", "B" * 100_000),
+    ],
+)
+def test_unreadable_text_is_no_answer(said: str) -> None:
+    assert read_answer(said) == NONE
+
+
+@pytest.mark.parametrize(
+    ("said", "answer"),
+    [
+        ("D", action(choice=3)),
+        ("E", NONE),
+        ("999999", action(number=999_999)),
+        ("1, 1", action(point=(1, 1))),
+        ("0.5, 1.5", NONE),
+        ("320, 240", NONE),
+    ],
+)
+def test_values_outside_the_action_space_are_no_answer(said: str, answer: Any) -> None:
+    run, nothing = make_run(), cast("Any", None)
+    run.manifest = benchmark_registry.resolve("question_answering").manifest
+    assert ChatPolicy(run, nothing, nothing)._values(read_answer(said)) == answer
+
+
+# --- over the wire ---
+
+
+@pytest.fixture(scope="module")
+def push_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
+    yield from start_push_server(tmp_path_factory.mktemp("chat"))
+
+
+@pytest.fixture
+def client(push_server: ReferenceServer) -> Iterator[httpx.Client]:
+    with push_server.client() as opened:
+        yield opened
+
+
+@pytest.fixture
+def chat() -> Iterator[ScriptedChat]:
+    with ScriptedChat("0.25") as server:
+        yield server
+
+
+def submit_chat_run(
+    client: httpx.Client, chat: ScriptedChat, *tasks: str, **more: Any
+) -> str:
+    body = push_submission(chat.url, *tasks, protocol="openai_chat", **more)
+    answer = client.post("/v1/runs", json=body)
+    assert answer.status_code == 201, answer.text
+    return str(answer.json()["run_id"])
+
+
+def test_a_model_is_asked_once_for_each_episode(
+    client: httpx.Client, chat: ScriptedChat
+) -> None:
+    """Expect question, model, numbers and key as submitted; and the answer's score."""
+    generation = {"temperature": 0.5, "max_tokens": 16000, "top_p": 1}
+    order = {"model": "m-1", "api_key": "s3cret", "generation": generation}
+    run_id = submit_chat_run(client, chat, "score", "count", **order)
+    run = wait_for_state(client, run_id)
+    assert run["state"] == "completed", run
+    assert [e["result"]["score"] for e in episodes(client, run_id)] == [0.25, 0.0]
+    assert {r.path for r in chat.requests} == {"/v1/chat/completions"}
+    assert {r.headers["authorization"] for r in chat.requests} == {"Bearer s3cret"}
+    for request in chat.requests:
+        assert request.body | {"messages": []} == generation | {
+            "model": "m-1",
+            "messages": [],
+        }
+        assert '"max_tokens":16000' in request.raw.decode()
+        (message,) = request.body["messages"]
+        assert message["role"] == "user"
+    asked = sorted(request.question for request in chat.requests)
+    assert asked == ["Calibration task count.", "Calibration task score."]
+    shown = run["policy_server"]
+    assert (shown["model"], shown["generation"]) == ("m-1", generation)
+    assert "s3cret" not in client.get(f"/v1/runs/{run_id}").text
+
+
+@pytest.mark.parametrize(
+    ("said", "score"),
+    [("1", 1.0), ("7", 1.0), ("no idea", 0.0), (None, 0.0), (["1"], 0.0)],
+)
+def test_an_unreadable_answer_is_no_fault(
+    client: httpx.Client, chat: ScriptedChat, said: Any, score: float
+) -> None:
+    chat.reply = said
+    run_id = submit_chat_run(client, chat, "score")
+    assert wait_for_state(client, run_id)["state"] == "completed"
+    (episode,) = episodes(client, run_id)
+    assert (episode["result"]["score"], episode["attempt"]) == (score, 1)
+    assert "policy_fault" not in episode
+
+
+def test_an_invalid_completion_is_a_fault(
+    client: httpx.Client, chat: ScriptedChat
+) -> None:
+    chat.body = {"choices": []}
+    run = wait_for_state(client, submit_chat_run(client, chat, "score"))
+    assert (run["state"], run["retryable"]) == ("failed", True)
+    assert "is no chat completion" in run["reason"]
+
+
+def test_an_unreachable_model_fails_the_run_and_a_resume_continues(
+    client: httpx.Client, chat: ScriptedChat
+) -> None:
+    chat.status = 503
+    run_id = submit_chat_run(client, chat, "score", "score")
+    run = wait_for_state(client, run_id)
+    assert (run["state"], run["retryable"]) == ("failed", True)
+    assert "answered with status 503" in run["reason"]
+    chat.status = 200
+    assert client.post(f"/v1/runs/{run_id}/resume").status_code == 200
+    assert wait_for_state(client, run_id)["state"] == "completed"
+    assert [e["result"]["score"] for e in episodes(client, run_id)] == [0.25, 0.25]
+
+
+def test_a_chat_model_cannot_play_a_robot_benchmark(
+    client: httpx.Client, chat: ScriptedChat
+) -> None:
+    body = push_submission(chat.url, protocol="openai_chat") | {
+        "benchmark_id": "tabletop_state"
+    }
+    del body["options"]
+    run_id = client.post("/v1/runs", json=body).json()["run_id"]
+    run = wait_for_state(client, run_id)
+    assert run["state"] == "failed"
+    assert "tabletop_state is not answered in words" in run["reason"]
+    assert chat.requests == []
+
+
+def test_questions_are_sent_with_their_pictures(
+    client: httpx.Client, chat: ScriptedChat
+) -> None:
+    """Every answer is A. Expect what the scenes say of that, item by item."""
+    chat.reply = "A"
+    body = push_submission(chat.url, protocol="openai_chat", max_concurrent=2) | {
+        "benchmark_id": "question_answering",
+        "images": {"codec": "png", "width": 320, "height": 240},
+    }
+    del body["options"]
+    run_id = client.post("/v1/runs", json=body).json()["run_id"]
+    enough = threading.Event()
+    chat.set_after(18, enough)
+    assert enough.wait(60), client.get(f"/v1/runs/{run_id}").text
+    assert client.post(f"/v1/runs/{run_id}/stop", json={}).status_code == 200
+    scored = [e["result"] for e in episodes(client, run_id) if "result" in e]
+    assert len(scored) >= 12
+    scene = TabletopScene("fast")
+    texts = set()
+    for result in scored:
+        question, shown = draw(scene, result["task"], result["seed"], result["split"])
+        is_right = question.is_right(action(choice=0), shown)
+        assert result["score"] == float(is_right), result
+        texts.add(question.text)
+    assert len({result["score"] for result in scored}) == 2
+    for request in chat.requests:
+        (url,) = request.image_urls
+        head, _, data = url.partition(",")
+        assert head == "data:image/png;base64"
+        with Image.open(io.BytesIO(base64.b64decode(data))) as picture:
+            assert picture.size == (320, 240)
+    assert texts <= {request.question for request in chat.requests}
+
+
+def test_raw_images_are_refused_for_chat_models(
+    client: httpx.Client, chat: ScriptedChat
+) -> None:
+    body = push_submission(chat.url, protocol="openai_chat") | {
+        "benchmark_id": "question_answering",
+        "images": {"codec": "raw", "width": 320, "height": 240},
+    }
+    del body["options"]
+    run = wait_for_state(client, client.post("/v1/runs", json=body).json()["run_id"])
+    assert run["state"] == "failed"
+    assert "png or jpeg" in run["reason"]

@@ -1,0 +1,315 @@
+"""The driver without a network: how long its workers wait, what it does when the store
+fails, and that no part of a key is in what a policy server made it say.
+"""
+
+import asyncio
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from conformance.policy.scripted import PolicyCall, PolicyReply, ScriptedPolicy
+from reference_server.generated import models
+from reference_server.http.problems import PROBLEM_JSON, Refused
+from reference_server.push import driver
+from reference_server.push.driver import Driver
+from reference_server.push.egress import EgressPolicy
+from reference_server.push.http_calls import Backoff, CallLimits, HttpCalls, PolicyFault
+from reference_server.push.key_encryption import KeyEncryption
+from reference_server.push.policy_calls import Description, ProctorPolicy, answer_fault
+from reference_server.push.policy_protocols import PROTOCOLS
+from reference_server.push.policy_server_config import PolicyServerConfig
+from reference_server.rules.lifecycle import Attach
+from reference_server.rules.run import Run
+from reference_server.storage.store import StoreFailed
+from reference_sim.process.pool import NoCapacity, SimulatorPool
+from tests.support.server import server_parts as rest
+from tests.support.server.server_parts import (
+    ServerParts,
+    calibration_run,
+    expect_refusal,
+    run_scenarios,
+)
+
+ORDER = {"url": "http://127.0.0.1:9", "protocol": "proctor", "max_concurrent": 1}
+
+
+class FaultyPolicy:
+    """A policy that goes wrong as often as `faults` says, and then plays."""
+
+    def __init__(self, faults: int = 0) -> None:
+        self.faults = faults
+
+    def __call__(self, *_: Any) -> "FaultyPolicy":
+        return self
+
+    async def describe(self) -> Description:
+        return Description(1)
+
+    async def reset(self, _turn: Any) -> None:
+        """There is nothing to forget."""
+
+    async def predict(self, turn: Any) -> models.Predict:
+        if self.faults:
+            self.faults -= 1
+            raise PolicyFault("It said nonsense.")
+        command = rest.predict_command(turn, end=1)
+        return models.Predict(
+            session_id=command.session_id,
+            seq=command.seq,
+            actions=[
+                models.Action(
+                    values={n: list(v) for n, v in command.actions[0].items()}
+                )
+            ],
+        )
+
+
+def push_run() -> Run:
+    run = calibration_run("score")
+    run.submission = {**run.submission, "mode": "push", "policy_server": ORDER}
+    return run
+
+
+def make_driver(parts: ServerParts) -> Driver:
+    return Driver(
+        parts.registry, parts.executor, EgressPolicy("all"), KeyEncryption(), 65536
+    )
+
+
+async def wait_until_completed(parts: ServerParts) -> Run:
+    while True:
+        news, run = (
+            parts.registry.change_event("run_1"),
+            await parts.registry.get("run_1"),
+        )
+        if run.state in ("completed", "failed"):
+            assert run.state == "completed", run.reason
+            return run
+        await parts.registry.wait_for_change(news, 10)
+
+
+@pytest.fixture
+def backoff(monkeypatch: pytest.MonkeyPatch) -> list[float]:
+    """How long workers wanted to pause; none of them does."""
+    asked: list[float] = []
+    right = Backoff.next_s
+
+    def next_s(self: Backoff) -> float:
+        asked.append(right(self))
+        return 0.0
+
+    monkeypatch.setattr(Backoff, "next_s", next_s)
+    return asked
+
+
+def matches_backoff(asked: list[float], *due: float) -> bool:
+    return len(asked) == len(due) and all(
+        0.79 * d <= a <= 1.21 * d for a, d in zip(asked, due, strict=True)
+    )
+
+
+def test_waits_for_a_simulator_back_off(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, backoff: list[float]
+) -> None:
+    """And begins anew with short pauses after a turn."""
+    monkeypatch.setitem(PROTOCOLS, "proctor", FaultyPolicy())
+    right, refused = SimulatorPool.acquire, 7
+
+    async def acquire(self: SimulatorPool, *given: Any, **named: Any) -> Any:
+        if len(backoff) < refused:
+            raise NoCapacity("All simulators are busy.")
+        return await right(self, *given, **named)
+
+    monkeypatch.setattr(SimulatorPool, "acquire", acquire)
+
+    async def scenario(parts: ServerParts) -> None:
+        push_driver = make_driver(parts)
+        await parts.registry.add(push_run(), None, "")
+        run = await wait_until_completed(parts)
+        assert [e.attempt for e in run.episodes] == [1]
+        await push_driver.close()
+
+    run_scenarios(tmp_path, scenario)
+    assert matches_backoff(backoff, 0.2, 0.4, 0.8, 1.6, 3.2, 5.0, 5.0), backoff
+
+
+def test_a_worker_pauses_after_a_fault_of_its_policy(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, backoff: list[float]
+) -> None:
+    monkeypatch.setitem(PROTOCOLS, "proctor", FaultyPolicy(faults=2))
+
+    async def scenario(parts: ServerParts) -> None:
+        push_driver = make_driver(parts)
+        await parts.registry.add(push_run(), None, "")
+        await wait_until_completed(parts)
+        await push_driver.close()
+
+    run_scenarios(tmp_path, scenario)
+    assert matches_backoff(backoff, 0.2, 0.4), backoff
+
+
+def test_the_backoff_restarts() -> None:
+    one = Backoff(0.2, 5.0)
+    assert matches_backoff([one.next_s(), one.next_s()], 0.2, 0.4)
+    one.reset()
+    assert matches_backoff([one.next_s()], 0.2)
+
+
+def test_a_session_without_a_simulator_is_not_stored(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nothing of the run has changed that the store has; who waits is told."""
+
+    async def acquire(*_: Any, **__: Any) -> Any:
+        raise NoCapacity("All simulators are busy.")
+
+    monkeypatch.setattr(SimulatorPool, "acquire", acquire)
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("score"), None, "")
+        assert await parts.registry.is_stored(run)
+        saved: list[str] = []
+
+        async def save(run: Run) -> None:
+            saved.append(run.state)
+
+        monkeypatch.setattr(parts.store, "save", save)
+        with expect_refusal("no_capacity"):
+            await parts.executor.attach(run, Attach("w", "key"))
+        await parts.registry.close()
+        assert (run.state, run.workers, saved) == ("ready", {}, [])
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_loading_a_run_is_retried(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """PUSH-017: nobody asks for it meanwhile."""
+    monkeypatch.setitem(PROTOCOLS, "proctor", FaultyPolicy())
+    monkeypatch.setattr(driver, "RELOAD_S", 0.001, raising=False)
+
+    async def before(parts: ServerParts) -> None:
+        await parts.registry.add(push_run(), None, "")
+
+    async def scenario(parts: ServerParts) -> None:
+        right, failed, scored = parts.store.load, 0, asyncio.Event()
+
+        async def load(run_id: str) -> Run | None:
+            nonlocal failed
+            failed += 1
+            if failed <= 3:
+                raise StoreFailed("The disk is away.")
+            run = await right(run_id)
+            scored.set()
+            return run
+
+        monkeypatch.setattr(parts.store, "load", load)
+        push_driver = make_driver(parts)
+        push_driver.open()
+        await asyncio.wait_for(scored.wait(), 5)
+        await wait_until_completed(parts)
+        await push_driver.close()
+
+    run_scenarios(tmp_path, before, scenario)
+
+
+# --- keys ---
+
+LONG_KEY = "sk-" + "0123456789" * 4
+SLASHED = "ab/cd~ef/gh"
+
+
+@pytest.fixture
+def policy() -> Iterator[ScriptedPolicy]:
+    with ScriptedPolicy() as server:
+        yield server
+
+
+def fault_text(policy: ScriptedPolicy, key: str, operation: str = "describe") -> str:
+    """What a run's submitter is told when the policy server is asked."""
+
+    async def ask() -> Any:
+        limits = CallLimits(2.0, 1, 0, 65536)
+        async with HttpCalls(policy.url, EgressPolicy("all"), limits, key) as calls:
+            run = push_run()
+            asked = ProctorPolicy(run, PolicyServerConfig.from_run(run), calls)
+            if operation == "describe":
+                return await asked.describe()
+            return await asked.predict({"session_id": "s", "seq": 0, "episode": {}})
+
+    with pytest.raises(PolicyFault) as caught:
+        asyncio.run(ask())
+    return str(caught.value)
+
+
+@pytest.mark.parametrize("before", [0, 150, 170, 190, 195])
+def test_no_part_of_a_key_survives_truncation(
+    policy: ScriptedPolicy, before: int
+) -> None:
+    problem = {"detail": "x" * before + LONG_KEY}
+    reply = PolicyReply(problem, 401, {"Content-Type": PROBLEM_JSON})
+    policy.on("describe_policy", lambda _: reply)
+    text = fault_text(policy, LONG_KEY)
+    assert "status 401" in text
+    assert LONG_KEY[:4] not in text
+
+
+def test_a_key_in_a_media_type_is_redacted(policy: ScriptedPolicy) -> None:
+    named = {"Content-Type": "text/" + "x" * 40 + LONG_KEY.upper()}
+    policy.on("describe_policy", lambda _: PolicyReply(b"", 200, named))
+    text = fault_text(policy, LONG_KEY.upper())
+    assert "answered with text/xx" in text
+    assert LONG_KEY[:4] not in text.lower()
+
+
+@pytest.mark.parametrize("length", [0, 440, 460, 480])
+def test_a_key_in_a_pointer_is_redacted(policy: ScriptedPolicy, length: int) -> None:
+    """A JSON pointer writes a slash otherwise, and long lists are cut."""
+
+    def wrong(call: PolicyCall) -> PolicyReply:
+        right: dict[str, Any] = dict(policy.final_action_reply(call).body)
+        return PolicyReply(right | {"x" * length + SLASHED: 1})
+
+    policy.on("predict", wrong)
+    text = fault_text(policy, SLASHED, "predict")
+    assert "was refused" in text
+    assert "ab~1" not in text
+    assert SLASHED[:3] not in text
+
+
+def test_a_key_in_a_refused_action_name_is_redacted() -> None:
+    calls = HttpCalls("http://x", EgressPolicy(), CallLimits(1.0, 1, 0, 1), SLASHED)
+    at = "/actions/0/values/ab~1cd~0ef~1gh"
+    refused = Refused("invalid_request", "No.", errors=[(at, "is no name")])
+    assert str(answer_fault(refused, calls)) == (
+        "The policy's answer to predict was refused: "
+        "/actions/0/values/(its API key) is no name."
+    )
+
+
+def test_a_key_in_the_assumptions_is_redacted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class AssumingPolicy(FaultyPolicy):
+        async def describe(self) -> Description:
+            return Description(1, {"action": {SLASHED: {"size": 1}}})
+
+    monkeypatch.setitem(PROTOCOLS, "proctor", AssumingPolicy())
+
+    async def scenario(parts: ServerParts) -> None:
+        key_encryption = KeyEncryption()
+        push_driver = Driver(
+            parts.registry, parts.executor, EgressPolicy("all"), key_encryption, 65536
+        )
+        run = push_run()
+        asked = ORDER | {"sealed_key": key_encryption.encrypt(SLASHED)}
+        run.submission = {**run.submission, "policy_server": asked}
+        await parts.registry.add(run, None, "")
+        with pytest.raises(AssertionError, match=r"/assumes/action/\(its API key\)"):
+            await wait_until_completed(parts)
+        await push_driver.close()
+
+    run_scenarios(tmp_path, scenario)

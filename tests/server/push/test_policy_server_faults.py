@@ -1,0 +1,340 @@
+"""Policy servers that are down, slow, wrong or hostile: each ends its attempt with a
+reason that the submitter can read, nothing of it is executed, and nothing hangs.
+"""
+
+import itertools
+import re
+import socket
+import threading
+import time
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+
+from conformance.client.check_context import CheckContext
+from conformance.policy.scripted import (
+    PolicyCall,
+    PolicyReply,
+    ScriptedPolicy,
+    busy_reply,
+)
+from tests.conftest import ReferenceServer
+from tests.support import push_runs
+from tests.support.push_runs import play_push_run, raw_socket_server, start_push_server
+
+TIMEOUT_S = 0.5
+# Of a fault: so often it may happen in a row before the run fails, and once more.
+LONGEST_S = 10.0
+
+
+@pytest.fixture(scope="module")
+def push_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
+    path = tmp_path_factory.mktemp("push_server")
+    yield from start_push_server(path, PROCTOR_MAX_BODY_BYTES="65536")
+
+
+@pytest.fixture
+def policy() -> Iterator[ScriptedPolicy]:
+    with ScriptedPolicy() as server:
+        yield server
+
+
+BARE = {
+    "endless_body": "answered more than 65536 bytes",
+    "endless_chunks": "answered more than 65536 bytes",
+    "endless_headers": "broke off, or does not speak HTTP",
+    "slow_bytes": r"gave no whole answer within 0\.5 s",
+    "no_answer": r"gave no whole answer within 0\.5 s",
+    "not_http": "broke off, or does not speak HTTP",
+    "close_at_once": "broke off|not reached",
+    "truncated_body": "broke off",
+}
+
+
+@pytest.mark.parametrize("name", BARE)
+def test_an_invalid_http_server_fails_the_run(
+    push_server: ReferenceServer, name: str
+) -> None:
+    began = time.monotonic()
+    with raw_socket_server(getattr(push_runs, name)) as url:
+        run = play_push_run(push_server, url, call_timeout_s=TIMEOUT_S)
+    assert (run["state"], run["retryable"]) == ("failed", True)
+    assert url in run["reason"]
+    assert re.search(BARE[name], run["reason"])
+    assert run["episodes"][0]["attempt"] == 1
+    assert time.monotonic() - began < LONGEST_S
+
+
+def test_a_refused_connection_fails_the_run(push_server: ReferenceServer) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        port = listener.getsockname()[1]
+    run = play_push_run(push_server, f"http://127.0.0.1:{port}", max_retries=1)
+    assert (run["state"], run["retryable"]) == ("failed", True)
+    assert "is not reached (policy, 2 times)" in run["reason"]
+
+
+def test_a_name_without_address_fails_the_run(push_server: ReferenceServer) -> None:
+    run = play_push_run(push_server, "http://nobody.invalid/")
+    assert (run["state"], run["retryable"]) == ("failed", True)
+    assert "nobody.invalid has no address" in run["reason"]
+
+
+Wrong = Callable[[PolicyCall], PolicyReply]
+
+
+def body(text: bytes, media_type: str = "application/json") -> Wrong:
+    return lambda _: PolicyReply(text, 200, {"Content-Type": media_type})
+
+
+def status(number: int, **headers: str) -> Wrong:
+    named = {name.replace("_", "-"): value for name, value in headers.items()}
+    return lambda _: PolicyReply(b"{}", number, named)
+
+
+def description_with(**changes: Any) -> Wrong:
+    valid = {"name": "x", "protocol": {"min": "1.0", "max": "1.0"}, "max_sessions": 1}
+    return lambda _: PolicyReply(valid | changes)
+
+
+DESCRIPTIONS: dict[str, tuple[Wrong, str]] = {
+    "error": (status(500), "status 500"),
+    "refusal": (status(404), "status 404"),
+    "created": (status(201), "status 201"),
+    "redirect": (status(302, Location="http://127.0.0.1:1/"), "redirects"),
+    "permanent": (status(308, Location="/v1/policy/"), "redirects"),
+    "gzip": (status(200, Content_Encoding="gzip"), "compressed"),
+    "html": (body(b"<html>", "text/html"), "answered with text/html"),
+    "no_type": (body(b"{}", ""), "no media type"),
+    "no_json": (body(b"{'name': 1}"), "no JSON"),
+    "nothing": (body(b""), "no JSON"),
+    "deep": (body(b"[" * 60000), "no JSON"),
+    "list": (body(b"[]"), "not as policy.yaml says"),
+    "null": (body(b"null"), "not as policy.yaml says"),
+    "future": (
+        description_with(protocol={"min": "9.0", "max": "9.1"}),
+        "speaks 9.0 to 9.1",
+    ),
+    "digits": (
+        description_with(protocol={"min": "9" * 9999 + ".0", "max": "1.0"}),
+        "speaks",
+    ),
+    "no_room": (description_with(max_sessions=0), "/max_sessions"),
+    "huge_room": (description_with(max_sessions=10**9), "/max_sessions"),
+    "text_room": (description_with(max_sessions="8"), "/max_sessions"),
+    "assumes_nonsense": (description_with(assumes={"action": 7}), "/assumes/action"),
+    "assumes_else": (
+        description_with(assumes={"action": {"score": {"size": 7}}}),
+        "assumes conventions.*score",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", DESCRIPTIONS)
+def test_a_bad_description_fails_the_run(
+    push_server: ReferenceServer, policy: ScriptedPolicy, name: str
+) -> None:
+    wrong, reason = DESCRIPTIONS[name]
+    policy.on("describe_policy", wrong)
+    run = play_push_run(push_server, policy.url)
+    assert (run["state"], run["retryable"]) == ("failed", True)
+    assert re.search(reason, run["reason"])
+    assert policy.calls_of("predict") == []
+
+
+def answer_with(change: Callable[[dict[str, Any]], Any]) -> Wrong:
+    """An answer to predict that was right before the change."""
+
+    def wrong(call: PolicyCall) -> PolicyReply:
+        action = CheckContext.action(score=1, end=1)
+        answer = {
+            "session_id": call.body["session_id"],
+            "seq": call.body["seq"] + 1,
+            "actions": [action],
+        }
+        change(answer)
+        return PolicyReply(answer)
+
+    return wrong
+
+
+def encoded(find: bytes, replace: bytes) -> Wrong:
+    right = answer_with(lambda _answer: None)
+    return lambda call: PolicyReply(right(call).encoded().replace(find, replace))
+
+
+def values(answer: dict[str, Any]) -> dict[str, Any]:
+    found: dict[str, Any] = answer["actions"][0]["values"]
+    return found
+
+
+ANSWERS: dict[str, tuple[Wrong, str]] = {
+    "nan": (encoded(b'"score": [1]', b'"score": [NaN]'), "no JSON"),
+    "infinity": (encoded(b'"score": [1]', b'"score": [1e999]'), "no JSON"),
+    "surrogate": (encoded(b'"score"', b'"\\ud800"'), "no JSON"),
+    "text": (
+        answer_with(lambda a: values(a).update(score="1")),
+        "/actions/0/values/score",
+    ),
+    "boolean": (
+        answer_with(lambda a: values(a).update(score=[True])),
+        "/values/score/0",
+    ),
+    "length": (answer_with(lambda a: values(a).update(score=[1, 1])), "/values/score"),
+    "range": (answer_with(lambda a: values(a).update(score=[2])), "/values/score"),
+    "missing": (answer_with(lambda a: values(a).pop("score")), "/actions/0/values"),
+    "unknown": (answer_with(lambda a: values(a).update(grip=[1])), "/values/grip"),
+    "member": (answer_with(lambda a: a.update(extra=1)), "/extra"),
+    "no_actions": (answer_with(lambda a: a.update(actions=[])), "/actions"),
+    "too_many": (
+        answer_with(lambda a: a.update(actions=a["actions"] * 65)),
+        "/actions",
+    ),
+    "session": (answer_with(lambda a: a.update(session_id="x")), "another turn"),
+    "seq": (answer_with(lambda a: a.update(seq=7)), "another turn"),
+    "observe": (answer_with(lambda a: a.update(observe="some")), "/observe"),
+    "list": (lambda _: PolicyReply([]), "refused"),
+    "redirect": (status(307, Location="http://127.0.0.1:1/"), "redirects"),
+    "refusal": (status(422), "status 422"),
+    "error": (status(500), "status 500"),
+}
+
+
+@pytest.mark.parametrize("name", ANSWERS)
+def test_a_bad_answer_ends_the_attempt_unexecuted(
+    push_server: ReferenceServer, policy: ScriptedPolicy, name: str
+) -> None:
+    """Nothing was executed, so no attempt counts; three in a row fail the run."""
+    wrong, reason = ANSWERS[name]
+    policy.on("predict", wrong)
+    run = play_push_run(push_server, policy.url)
+    assert (run["state"], run["retryable"]) == ("failed", True)
+    assert re.search(reason, run["reason"])
+    (episode,) = run["episodes"]
+    assert (episode["status"], episode["attempt"]) == ("pending", 1)
+    assert episode["policy_fault"] == run["reason"]
+    assert len(policy.calls_of("predict")) == 3
+
+
+RESETS: dict[str, tuple[Callable[[dict[str, Any]], Any], str]] = {
+    "session": (lambda a: a.update(session_id="x"), "another reset"),
+    "episode": (lambda a: a.update(episode_id="e0099"), "another reset"),
+    "attempt": (lambda a: a.update(attempt=2), "another reset"),
+    "missing": (lambda a: a.pop("attempt"), "/attempt"),
+}
+
+
+@pytest.mark.parametrize("name", RESETS)
+def test_an_episode_does_not_begin_without_its_reset(
+    push_server: ReferenceServer, policy: ScriptedPolicy, name: str
+) -> None:
+    change, reason = RESETS[name]
+
+    def wrong(call: PolicyCall) -> PolicyReply:
+        answer = dict(policy.reset_reply(call).body)
+        change(answer)
+        return PolicyReply(answer)
+
+    policy.on("reset", wrong)
+    run = play_push_run(push_server, policy.url)
+    assert run["state"] == "failed"
+    assert re.search(reason, run["reason"])
+    assert policy.calls_of("predict") == []
+
+
+def test_an_executed_action_makes_the_attempt_count(
+    push_server: ReferenceServer, policy: ScriptedPolicy
+) -> None:
+    """A policy that always dies in the middle is abandoned, and the run completes."""
+
+    def dies(call: PolicyCall) -> PolicyReply:
+        if call.body["episode"]["step"] == 0:
+            return policy.actions_reply(call, CheckContext.action(score=1))
+        return PolicyReply(b"", 400)
+
+    policy.on("predict", dies)
+    run = play_push_run(push_server, policy.url, options={"max_attempts": 2})
+    assert run["state"] == "completed"
+    (episode,) = run["episodes"]
+    assert episode["result"]["outcome"] == "abandoned"
+    assert episode["result"]["attempt"] == 2
+    assert "status 400" in episode["policy_fault"]
+
+
+def test_a_call_is_repeated_with_the_same_body_until_it_is_answered(
+    push_server: ReferenceServer, policy: ScriptedPolicy
+) -> None:
+    turns = itertools.count()
+
+    def busy_at_first(call: PolicyCall) -> PolicyReply:
+        return busy_reply() if next(turns) % 3 < 2 else policy.final_action_reply(call)
+
+    policy.on("predict", busy_at_first)
+    run = play_push_run(
+        push_server, policy.url, "score", "score", max_retries=2, max_concurrent=1
+    )
+    assert run["state"] == "completed"
+    assert [e["result"]["steps"] for e in run["episodes"]] == [1, 1]
+    asked = [call.raw for call in policy.calls_of("predict")]
+    assert len(asked) == 6
+    assert len(set(asked[:3])) == len(set(asked[3:])) == 1
+
+
+def test_a_policy_that_is_sometimes_slow_is_waited_for(
+    push_server: ReferenceServer, policy: ScriptedPolicy
+) -> None:
+    """For longer than the lease of a run's workers: the server's own have none."""
+    thought = threading.Event()
+
+    def slow(call: PolicyCall) -> PolicyReply:
+        thought.wait(1.4)
+        return policy.final_action_reply(call)
+
+    policy.on("predict", slow)
+    run = play_push_run(push_server, policy.url, idle_timeout_s=1.0)
+    assert run["state"] == "completed"
+    assert run["episodes"][0]["result"]["attempt"] == 1
+    assert run["episodes"][0]["result"]["think_s"] > 1.3
+
+
+def test_no_more_calls_are_in_flight_than_allowed(
+    push_server: ReferenceServer, policy: ScriptedPolicy
+) -> None:
+    barrier = threading.Barrier(3)
+
+    def together(call: PolicyCall) -> PolicyReply:
+        barrier.wait(10)
+        return policy.final_action_reply(call)
+
+    policy.on("predict", together)
+    run = play_push_run(push_server, policy.url, *["score"] * 9, max_concurrent=3)
+    assert run["state"] == "completed"
+    assert policy.max_in_flight == 3
+
+
+def test_max_sessions_of_the_policy_is_respected(
+    push_server: ReferenceServer, policy: ScriptedPolicy
+) -> None:
+    policy.max_sessions = 1
+    run = play_push_run(push_server, policy.url, *["score"] * 4)
+    assert run["state"] == "completed"
+    assert len({call.body["session_id"] for call in policy.calls_of("reset")}) == 1
+
+
+def test_the_problem_of_a_policy_appears_in_the_reason(
+    push_server: ReferenceServer, policy: ScriptedPolicy
+) -> None:
+    policy.on("describe_policy", lambda _: busy_reply())
+    run = play_push_run(push_server, policy.url)
+    assert "unavailable: The kit wants this call once more." in run["reason"]
+
+
+def test_the_server_works_after_all_faults(
+    push_server: ReferenceServer, policy: ScriptedPolicy
+) -> None:
+    run = play_push_run(push_server, policy.url, api_key="sesame")
+    assert run["state"] == "completed"
+    assert run["policy_server"]["has_api_key"]
+    headers = {call.headers["authorization"] for call in policy.calls}
+    assert headers == {"Bearer sesame"}
+    assert "sesame" not in str(run) + push_server.log()

@@ -1,0 +1,344 @@
+"""Runs that the server plays by calling a policy: to the score, through stops, failures
+and restarts, and with a key that nobody else ever reads.
+"""
+
+import json
+import re
+import signal
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from conformance.client.check_context import CheckContext
+from conformance.policy.scripted import PolicyCall, PolicyReply, ScriptedPolicy
+from reference_server.generated import models
+from reference_server.http.codec import validate
+from tests.conftest import TIMEOUT_S, ReferenceServer
+from tests.support.paths import ROOT
+from tests.support.push_runs import (
+    ALLOW_LOOPBACK,
+    episodes,
+    play_push_run,
+    push_submission,
+    start_push_server,
+    submit_push_run,
+    wait_for_state,
+)
+
+
+@pytest.fixture(scope="module")
+def push_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
+    yield from start_push_server(tmp_path_factory.mktemp("push_server"))
+
+
+@pytest.fixture
+def client(push_server: ReferenceServer) -> Iterator[httpx.Client]:
+    with push_server.client() as opened:
+        yield opened
+
+
+@pytest.fixture
+def policy() -> Iterator[ScriptedPolicy]:
+    with ScriptedPolicy(score=0.25) as server:
+        yield server
+
+
+def test_a_run_is_played_to_its_score(
+    push_server: ReferenceServer, policy: ScriptedPolicy
+) -> None:
+    run = play_push_run(push_server, policy.url, *["score"] * 6, max_concurrent=3)
+    assert (run["state"], run["reason"], run["mode"]) == ("completed", None, "push")
+    assert [e["result"]["score"] for e in run["episodes"]] == [0.25] * 6
+    assert "policy_fault" not in run["episodes"][0]
+    assert run["policy_server"] == {
+        "url": policy.url,
+        "protocol": "proctor",
+        "has_api_key": False,
+        "call_timeout_s": 5.0,
+        "max_concurrent": 3,
+        "max_retries": 0,
+    }
+    assert all("authorization" not in call.headers for call in policy.calls)
+
+
+def test_omitted_policy_server_settings_get_defaults(
+    client: httpx.Client, policy: ScriptedPolicy
+) -> None:
+    body = push_submission(policy.url + "/", max_workers=5)
+    for name in ("call_timeout_s", "max_retries"):
+        del body["policy_server"][name]
+    run = client.post("/v1/runs", json=body).json()
+    shown = run["policy_server"]
+    assert shown["call_timeout_s"] == 30.0
+    assert (shown["max_concurrent"], shown["max_retries"]) == (5, 3)
+    assert wait_for_state(client, run["run_id"])["state"] == "completed"
+
+
+def test_a_worker_plays_many_steps_and_chunks(
+    push_server: ReferenceServer, policy: ScriptedPolicy
+) -> None:
+    """Turns are the same as a worker's: seq grows, what is left of a chunk is not
+    executed, and each episode begins with a reset."""
+
+    def three_then_end(call: PolicyCall) -> PolicyReply:
+        step = call.body["episode"]["step"]
+        assert call.body["observation"]["state"]["count"] == [step]
+        actions = [CheckContext.action(score=1) for _ in range(3)]
+        if step == 3:
+            actions[1] = CheckContext.action(score=1, end=1)
+        return policy.actions_reply(call, *actions)
+
+    policy.on("predict", three_then_end)
+    run = play_push_run(push_server, policy.url, "score", "count", max_concurrent=1)
+    assert [e["result"]["steps"] for e in run["episodes"]] == [5, 5]
+    order = [
+        (call.operation, call.body["episode"]["episode_id"])
+        for call in policy.calls[1:]
+    ]
+    assert order == [
+        *[("reset", "e0000"), ("predict", "e0000"), ("predict", "e0000")],
+        *[("reset", "e0001"), ("predict", "e0001"), ("predict", "e0001")],
+    ]
+    assert [call.body["seq"] for call in policy.calls_of("predict")] == [0, 1, 2, 3]
+
+
+def test_a_simulator_that_breaks_begins_the_attempt_anew(
+    push_server: ReferenceServer, policy: ScriptedPolicy
+) -> None:
+    """FAULT-001 in this direction: another reset, the same attempt."""
+    broke = threading.Event()
+
+    def break_once(call: PolicyCall) -> PolicyReply:
+        if broke.is_set():
+            return policy.final_action_reply(call)
+        broke.set()
+        return policy.actions_reply(call, CheckContext.action(fault=1))
+
+    policy.on("predict", break_once)
+    run = play_push_run(push_server, policy.url, "fault")
+    assert run["state"] == "completed"
+    resets = [call.body["episode"]["attempt"] for call in policy.calls_of("reset")]
+    assert resets == [1, 1]
+    assert run["episodes"][0]["faults"] == 1
+
+
+@pytest.mark.parametrize(
+    ("change", "pointer"),
+    [
+        ({"mode": "pull"}, "/policy_server"),
+        ({"mode": None}, "/policy_server"),
+        ({"policy_server": None}, "/policy_server"),
+        ({"mode": "sideways"}, "/mode"),
+        ({"policy_server": {}}, "/policy_server/url"),
+    ],
+)
+def test_an_invalid_submission_is_refused(
+    client: httpx.Client, change: dict[str, Any], pointer: str
+) -> None:
+    body = push_submission("http://127.0.0.1:9") | change
+    body = {name: value for name, value in body.items() if value is not None}
+    answer = client.post("/v1/runs", json=body)
+    assert (answer.status_code, answer.json()["code"]) == (422, "invalid_request")
+    assert pointer in {e["pointer"] for e in answer.json()["errors"]}
+
+
+def test_the_example_request_of_the_page_is_valid() -> None:
+    page = (ROOT / "docs" / "push.md").read_text()
+    (example,) = re.findall(r"```json\n(.*?)```", page, re.DOTALL)
+    asked = json.loads(example)
+    asked["policy_server"]["api_key"] = "sesame"
+    validate(models.SubmitRun, asked)
+    left_out = models.PolicyServer.model_fields.keys() - asked["policy_server"].keys()
+    assert left_out == {"model", "generation"}  # of the other protocol
+
+
+@pytest.mark.parametrize(
+    "order",
+    [
+        {"protocol": "grpc"},
+        {"generation": {"temperature": 0.5}},
+        {"call_timeout_s": 0},
+        {"call_timeout_s": 601},
+        {"max_concurrent": 0},
+        {"max_retries": 11},
+        {"max_retries": -1},
+        {"api_key": ""},
+        {"api_key": "two\r\nlines"},
+        {"api_key": "schlüssel"},
+        {"extra": 1},
+    ],
+)
+def test_an_invalid_policy_server_is_refused_with_its_pointer(
+    client: httpx.Client, order: dict[str, Any]
+) -> None:
+    (name,) = order
+    answer = client.post(
+        "/v1/runs", json=push_submission("http://127.0.0.1:9", **order)
+    )
+    assert (answer.status_code, answer.json()["code"]) == (422, "invalid_request")
+    pointers = {e["pointer"] for e in answer.json()["errors"]}
+    assert pointers == {f"/policy_server/{name}"}
+
+
+def hold_predict(policy: ScriptedPolicy) -> threading.Event:
+    """Let predict wait for the event that is returned."""
+    may_continue = threading.Event()
+
+    def wait(call: PolicyCall) -> PolicyReply:
+        may_continue.wait(TIMEOUT_S)
+        return policy.final_action_reply(call)
+
+    policy.on("predict", wait)
+    return may_continue
+
+
+def test_workers_cannot_attach_to_a_push_run(
+    client: httpx.Client, policy: ScriptedPolicy
+) -> None:
+    may_continue = hold_predict(policy)
+    run_id = submit_push_run(client, policy.url)
+    assert policy.wait_for("predict")
+    path = f"/v1/runs/{run_id}/workers/push-1"
+    for takeover in (False, True):
+        body = {"attach_key": "k", "takeover": takeover}
+        answer = client.put(path, json=body)
+        assert (answer.status_code, answer.json()["code"]) == (
+            409,
+            "illegal_transition",
+        )
+        assert answer.json()["state"] == "running"
+    # What the policy server was told of the session opens nothing either.
+    turn = policy.calls_of("predict")[0].body
+    session = {"session_id": turn["session_id"]}
+    play = {"seq": turn["seq"] + 1, "actions": [CheckContext.action(end=1)]}
+    for answer in (
+        client.post(f"{path}/predict", json=session | play),
+        client.post(f"{path}/heartbeat", json=session),
+        client.delete(path, params=session),
+    ):
+        assert answer.json()["code"] == "illegal_transition"
+    may_continue.set()
+    assert wait_for_state(client, run_id)["state"] == "completed"
+    assert len(policy.calls_of("reset")) == 1
+    (episode,) = episodes(client, run_id)
+    assert episode["result"]["score"] == 0.25
+
+
+def test_a_stop_ends_the_calls_and_a_resume_continues(
+    client: httpx.Client, policy: ScriptedPolicy
+) -> None:
+    may_continue = hold_predict(policy)
+    run_id = submit_push_run(client, policy.url, "score", "score", max_concurrent=1)
+    assert policy.wait_for("predict")
+    assert client.post(f"/v1/runs/{run_id}/stop", json={}).json()["state"] == "stopped"
+    calls = len(policy.calls)
+    may_continue.set()
+    assert client.get(f"/v1/runs/{run_id}").json()["state"] == "stopped"
+    assert len(policy.calls) == calls
+    assert client.post(f"/v1/runs/{run_id}/resume").status_code == 200
+    assert wait_for_state(client, run_id)["state"] == "completed"
+    # No action of the attempt that was stopped had been executed.
+    assert [e["result"]["attempt"] for e in episodes(client, run_id)] == [1, 1]
+
+
+def test_a_drain_plays_the_episode_to_its_end(
+    client: httpx.Client, policy: ScriptedPolicy
+) -> None:
+    may_continue = hold_predict(policy)
+    run_id = submit_push_run(client, policy.url, "score", "score", max_concurrent=1)
+    assert policy.wait_for("predict")
+    client.post(f"/v1/runs/{run_id}/stop", json={"mode": "drain"})
+    may_continue.set()
+    assert wait_for_state(client, run_id)["state"] == "stopped"
+    statuses = [e["status"] for e in episodes(client, run_id)]
+    assert statuses == ["scored", "pending"]
+    client.post(f"/v1/runs/{run_id}/resume")
+    assert wait_for_state(client, run_id)["state"] == "completed"
+
+
+def test_an_unreachable_policy_fails_the_run_and_a_resume_continues(
+    client: httpx.Client, policy: ScriptedPolicy
+) -> None:
+    def down_at_the_third(call: PolicyCall) -> PolicyReply:
+        if call.body["episode"]["index"] < 2:
+            return policy.final_action_reply(call)
+        policy.on("describe_policy", lambda _: PolicyReply(b"", 500))
+        return PolicyReply(b"", 500)
+
+    policy.on("predict", down_at_the_third)
+    run_id = submit_push_run(client, policy.url, *["score"] * 4, max_concurrent=1)
+    run = wait_for_state(client, run_id)
+    assert (run["state"], run["retryable"]) == ("failed", True)
+    assert run["reason"] == (
+        f"The policy server at {policy.url} answered with status 500 (policy)."
+    )
+    before = episodes(client, run_id)
+    assert [e["status"] for e in before] == ["scored"] * 2 + ["pending"] * 2
+    assert "(predict)" in before[2]["policy_fault"]
+    policy.on("predict", policy.final_action_reply)
+    policy.on("describe_policy", policy.description)
+    assert client.post(f"/v1/runs/{run_id}/resume").status_code == 200
+    assert wait_for_state(client, run_id)["state"] == "completed"
+    after = episodes(client, run_id)
+    assert after[:2] == before[:2]
+    assert [e["result"]["score"] for e in after] == [0.25] * 4
+
+
+def test_a_queued_run_is_played_when_its_turn_comes(
+    client: httpx.Client, policy: ScriptedPolicy
+) -> None:
+    run_id = submit_push_run(client, policy.url, options={"queue_s": 0.3})
+    assert client.get(f"/v1/runs/{run_id}").json()["state"] == "queued"
+    assert policy.calls == []
+    assert wait_for_state(client, run_id)["state"] == "completed"
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM])
+def test_a_restarted_server_continues_with_the_stored_key(
+    tmp_path: Path, policy: ScriptedPolicy, number: signal.Signals
+) -> None:
+    server = ReferenceServer(tmp_path, **ALLOW_LOOPBACK)
+    may_continue = hold_predict(policy)
+    with server.client() as client:
+        order = {"api_key": "sesame", "max_concurrent": 1}
+        run_id = submit_push_run(client, policy.url, "score", "score", **order)
+    assert policy.wait_for("predict")
+    server.end(number)
+    may_continue.set()
+    server.start()
+    with server.client() as client:
+        run = wait_for_state(client, run_id)
+        assert (run["state"], run["reason"]) == ("completed", None)
+        results = [e["result"] for e in episodes(client, run_id)]
+        assert [r["attempt"] for r in results] == [1, 1]
+    assert {c.headers["authorization"] for c in policy.calls} == {"Bearer sesame"}
+    server.end(signal.SIGKILL)
+    assert server.log() == ""
+    kept = b"".join(p.read_bytes() for p in tmp_path.iterdir())
+    assert policy.url.encode() in kept
+    assert b"sesame" not in kept
+    assert (tmp_path / "proctor.sqlite.key").stat().st_mode & 0o777 == 0o600
+
+
+def test_a_lost_encryption_key_fails_the_run(
+    tmp_path: Path, policy: ScriptedPolicy
+) -> None:
+    server = ReferenceServer(tmp_path, **ALLOW_LOOPBACK)
+    hold_predict(policy)
+    with server.client() as client:
+        run_id = submit_push_run(client, policy.url, api_key="sesame")
+    assert policy.wait_for("predict")
+    server.end(signal.SIGKILL)
+    (tmp_path / "proctor.sqlite.key").unlink()
+    server.start()
+    with server.client() as client:
+        run = wait_for_state(client, run_id)
+        resumed = client.post(f"/v1/runs/{run_id}/resume")
+    assert (run["state"], run["retryable"]) == ("failed", False)
+    assert "Submit the run anew" in run["reason"]
+    assert resumed.json()["code"] == "illegal_transition"
+    server.end(signal.SIGKILL)

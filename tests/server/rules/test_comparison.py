@@ -1,0 +1,214 @@
+"""The numbers of a comparison: the vectors, a known test, laws, exact arithmetic."""
+
+import json
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from referencing import Registry, Resource
+
+from reference_server.generated import models
+from reference_server.http.dispatch import QUERY_RANGES
+from reference_server.rules import comparison
+from reference_server.rules.comparison import TOLERANCE, compare, is_within, mcnemar
+from reference_server.rules.run import Outcome
+from reference_server.rules.scoring import ScoredEpisode
+from tests.repository.test_spec import DOCUMENT, SCHEMAS
+from tests.server.rules.test_scoring import EXACTNESS, assert_same
+from tests.support.paths import ROOT
+
+SPEC = ROOT / "spec"
+VECTORS = sorted((SPEC / "vectors" / "comparison").glob("*.json"))
+
+
+@st.composite
+def pairs(draw: st.DrawFn) -> tuple[ScoredEpisode, ScoredEpisode]:
+    task = draw(st.sampled_from("abc"))
+
+    def one() -> ScoredEpisode:
+        outcome: Outcome | None = draw(
+            st.sampled_from([None, "success", "failure", "abandoned"])
+        )
+        # What an abandoned episode carries is of no account.
+        return ScoredEpisode(task, "x", outcome, draw(st.floats(0, 1)))
+
+    return one(), one()
+
+
+runs = st.lists(pairs(), min_size=1, max_size=40)
+
+
+def sides(
+    drawn: list[tuple[ScoredEpisode, ScoredEpisode]],
+) -> tuple[list[ScoredEpisode], list[ScoredEpisode]]:
+    return [base for base, _ in drawn], [run for _, run in drawn]
+
+
+def schema(name: str) -> Any:
+    return json.loads((SPEC / "schema" / name).read_text())
+
+
+@pytest.mark.parametrize("path", VECTORS, ids=lambda path: path.stem)
+def test_a_vector_is_compared_as_it_says(path: Path) -> None:
+    vector = json.loads(path.read_text())
+    base, run = (
+        [
+            ScoredEpisode(e["task"], e["split"], e["outcome"], e["score"] or 0.0)
+            for e in vector[side]
+        ]
+        for side in ("baseline", "run")
+    )
+    assert_same(compare(base, run, vector["tolerance"]), vector["comparison"])
+
+
+@pytest.mark.parametrize("path", VECTORS, ids=lambda path: path.stem)
+def test_a_vector_fits_its_schema(path: Path) -> None:
+    episodes = Resource.from_contents(schema("scoring-vector.json"))
+    registry: Registry[Any] = Registry().with_resource("scoring-vector.json", episodes)
+    judge = jsonschema.Draft202012Validator(
+        schema("comparison-vector.json"), registry=registry
+    )
+    judge.validate(json.loads(path.read_text()))
+
+
+def test_there_are_vectors_of_every_number() -> None:
+    cited = {json.loads(path.read_text())["requirement"] for path in VECTORS}
+    assert cited >= {"CMP-002", "CMP-004", "CMP-006", "CMP-007", "CMP-008"}
+
+
+# --- McNemar ---
+
+
+@pytest.mark.parametrize(
+    ("wins", "losses", "p"),
+    [
+        (0, 0, 1.0),
+        (3, 3, 1.0),
+        (1, 0, 1.0),
+        (5, 0, 0.0625),
+        (1, 10, 0.01171875),
+        # Fagerland, Lydersen, Laake, BMC Medical Research Methodology 13:91 (2013).
+        (7, 1, 0.0703125),
+    ],
+)
+def test_known_p_values(wins: int, losses: int, p: float) -> None:
+    assert mcnemar(wins, losses) == mcnemar(losses, wins) == p
+
+
+def test_p_values_of_many_episodes_are_finite() -> None:
+    assert mcnemar(0, 5000) == 0.0
+    assert mcnemar(10_000, 10_000) == 1.0
+    assert 0.0 < mcnemar(10_300, 9_700) < 1e-4
+
+
+@given(st.integers(0, 60), st.integers(0, 60))
+def test_a_larger_gap_is_never_likelier(wins: int, losses: int) -> None:
+    more = max(wins, losses) + 1
+    assert mcnemar(more, min(wins, losses)) <= mcnemar(wins, losses) <= 1
+
+
+# --- any two runs ---
+
+
+@given(runs)
+def test_a_run_beside_itself_does_not_differ(drawn: Any) -> None:
+    base, _ = sides(drawn)
+    found = compare(base, base, 0.0)
+    assert found["difference"] in (0.0, None)
+    assert (found["wins"], found["losses"], found["p_value"]) == (0, 0, 1.0)
+    assert found["release"] == found["complete"] == all(e.outcome for e in base)
+
+
+@given(runs, st.floats(0, 1))
+def test_swapping_the_runs_negates_the_difference(drawn: Any, tolerance: float) -> None:
+    base, run = sides(drawn)
+    forward, backward = compare(base, run, tolerance), compare(run, base, tolerance)
+    if forward["paired"]:
+        assert forward["difference"] == -backward["difference"]
+    assert (forward["wins"], forward["losses"]) == (
+        backward["losses"],
+        backward["wins"],
+    )
+    for same in ("complete", "release", "paired", "ties", "p_value"):
+        assert forward[same] == backward[same]
+
+
+@given(runs)
+def test_means_are_exact(drawn: Any) -> None:
+    both = [pair for pair in drawn if pair[0].outcome and pair[1].outcome]
+    found = compare(*sides(drawn), 0.0)
+    assert found["paired"] == len(both)
+    assert found["wins"] + found["losses"] + found["ties"] == len(both)
+    for side, name in enumerate(("baseline_mean", "mean")):
+        earned = [
+            Fraction(0 if p[side].outcome == "abandoned" else p[side].score)
+            for p in both
+        ]
+        if earned:
+            exact = sum(earned, Fraction(0)) / len(earned)
+            assert abs(Fraction(found[name]) - exact) <= EXACTNESS
+        else:
+            assert found[name] is None
+
+
+@given(runs)
+def test_a_task_is_compared_like_a_run(drawn: Any) -> None:
+    found = compare(*sides(drawn), 0.0)["by_task"]
+    assert set(found) == {run.task for _, run in drawn}
+    for task, group in found.items():
+        alone = compare(*sides([p for p in drawn if p[1].task == task]), 0.0)
+        assert group == {name: alone[name] for name in group}
+
+
+@given(runs, st.floats(0, 1))
+def test_a_comparison_fits_its_schema(drawn: Any, tolerance: float) -> None:
+    found = compare(*sides(drawn), tolerance)
+    models.ComparedRun.model_validate({"run_id": "r"} | found, strict=True)
+
+
+# --- the gate ---
+
+
+@given(runs)
+def test_a_tolerance_of_one_releases_every_complete_run(drawn: Any) -> None:
+    found = compare(*sides(drawn), 1.0)
+    assert found["release"] == found["complete"]
+
+
+@pytest.mark.parametrize(
+    ("differences", "is_so"),
+    [
+        ([0.0], True),
+        ([0.25, -0.25], True),
+        ([0.25 + 5e-10], True),
+        ([0.25 + 2e-9], False),
+        ([0.0, 0.3], False),
+        ([0.0, -0.3], False),
+    ],
+)
+def test_the_tolerance_applies_to_every_group(
+    differences: list[float], is_so: bool
+) -> None:
+    assert is_within([{"difference": d} for d in differences], 0.25) == is_so
+
+
+# --- what the specification says of the request ---
+
+
+def test_the_tolerance_is_the_one_described() -> None:
+    described = DOCUMENT["paths"]["/v1/comparisons"]["get"]["parameters"]
+    (parameter,) = [p for p in described if p.get("name") == "tolerance"]
+    assert f"{TOLERANCE:g} when absent" in parameter["description"]
+    (rule,) = [r for r in DOCUMENT["x-requirements"] if r["id"] == "CMP-008"]
+    assert f"which is {TOLERANCE:g}" in rule["text"]
+    assert f"{comparison.ROUNDING:g}".replace("e-0", "e-") in rule["text"]
+
+
+def test_bounds_of_numbers_are_those_described() -> None:
+    numbers = {name: s for (_, name), s in SCHEMAS.items() if s["type"] != "string"}
+    bounds = {name: (s["minimum"], s["maximum"]) for name, s in numbers.items()}
+    assert bounds == QUERY_RANGES

@@ -1,0 +1,369 @@
+"""What commands and events do to a run: each effect by itself."""
+
+from typing import Any, cast
+
+import pytest
+
+from reference_server.rules import effects
+from reference_server.rules import run as run_state
+from reference_server.rules.lifecycle import (
+    Attach,
+    Predict,
+)
+from reference_server.rules.run import Result, Session, State
+from tests.conftest import ACTION, NOW, make_run
+from tests.support.server.play_turns import WALL, chunk_result, play_turn, start_session
+
+# --- sessions ---
+
+
+def test_attach_takes_the_first_episode_and_a_slot() -> None:
+    run = make_run()
+    session = effects.open_session(run, Attach("w", "key"), "s", NOW)
+    assert run.state == "running"
+    assert session.busy == "opening"
+    assert session.episode is run.episodes[0]
+    assert run.episodes[0].in_progress
+    assert run.live_sessions == [session]
+    assert session.expires_at == NOW + run.idle_timeout_s
+
+
+def test_attach_with_nothing_left_is_done_at_once() -> None:
+    run = make_run(1)
+    start_session(run, "a")
+    late = start_session(run, "b")
+    assert late.done
+    assert late.episode is None
+    assert run.state == "running"
+
+
+def test_a_takeover_continues_the_old_session() -> None:
+    run = make_run()
+    old = start_session(run)
+    play_turn(run, old, chunk_result(3), NOW + 2)
+    old.instruction = "Lift."
+    new = effects.open_session(run, Attach("w", "another", True), "s2", NOW + 3)
+    assert new.episode is run.episodes[0]
+    assert (new.steps, new.think_s, new.instruction) == (3, 2.0, "Lift.")
+    assert run.live_sessions == [new]
+    assert run.episodes[0].attempt == 1
+
+
+def test_replacing_a_session_that_is_done_takes_a_new_episode() -> None:
+    run = make_run(2)
+    other = start_session(run, "other")
+    play_turn(run, start_session(run, "w"), chunk_result(1, ended=True))
+    assert run.workers["w"].done
+    effects.close_session(run, other, "detached", WALL)
+    assert start_session(run, "w").episode is run.episodes[0]
+
+
+def test_a_turn_uses_its_seq_and_stores_the_request() -> None:
+    session = start_session(make_run())
+    effects.begin_turn(session, Predict("w", "s", 1, [ACTION], "all"), NOW + 4)
+    assert (session.seq, session.busy, session.turn) == (1, "playing", None)
+    assert session.request == ([ACTION], "all")
+    assert session.think_s == 4.0
+    session = start_session(make_run())
+    effects.begin_turn(session, Predict("w", "s", 1, [ACTION]), NOW)
+    assert session.think_s == 0.0
+
+
+def test_an_answer_is_stored_and_restarts_the_lease() -> None:
+    run = make_run()
+    session = start_session(run)
+    play_turn(run, session, chunk_result(), NOW + 8)
+    assert session.turn == {"seq": 1}
+    assert session.busy is None
+    assert session.expires_at == NOW + 8 + run.idle_timeout_s
+
+
+def test_a_heartbeat_extends_the_lease_and_keeps_the_think_time() -> None:
+    run = make_run()
+    session = start_session(run)
+    effects.extend_lease(session, NOW + 5)
+    assert session.expires_at == NOW + 5 + run.idle_timeout_s
+    play_turn(run, session, chunk_result(), NOW + 7)
+    assert session.think_s == 7.0
+
+
+def test_a_turn_is_unconfirmed_until_its_answer_is_delivered() -> None:
+    session = start_session(make_run())
+    effects.confirm_delivery(session, 0)  # nothing was asked
+    effects.await_confirmation(session, Predict("w", "s", 1, [ACTION]), "asked")
+    effects.confirm_delivery(session, 2)
+    assert session.unconfirmed_turn == (1, "asked")
+    effects.confirm_delivery(session, 1)
+    assert session.unconfirmed_turn is None
+
+
+def test_a_turn_in_play_stays_the_unconfirmed_one() -> None:
+    session = start_session(make_run())
+    first, next_ = (Predict("w", "s", seq, [ACTION]) for seq in (1, 2))
+    effects.await_confirmation(session, first, "first")
+    effects.begin_turn(session, first, 0.0)
+    effects.await_confirmation(session, next_, "next")
+    assert session.unconfirmed_turn == (1, "first")
+
+
+# --- episodes ---
+
+
+def test_a_turn_within_an_episode_counts_its_steps() -> None:
+    run = make_run()
+    session = start_session(run)
+    assert play_turn(run, session, chunk_result(2)) is None
+    assert play_turn(run, session, chunk_result(3)) is None
+    assert session.steps == 5
+    assert session.episode is run.episodes[0]
+    assert run.scored == 0
+
+
+@pytest.mark.parametrize(
+    ("success", "outcome"), [(True, "success"), (False, "failure")]
+)
+def test_an_episode_that_ends_is_scored(success: bool, outcome: str) -> None:
+    run = make_run()
+    session = start_session(run)
+    play_turn(run, session, chunk_result(2), NOW + 0.5)
+    last = chunk_result(3, ended=True, success=success, score=0.25, truncated=True)
+    ended = play_turn(run, session, last, NOW + 3)
+    assert ended is run.episodes[0]
+    assert ended.result == Result(cast(Any, outcome), 0.25, 1, 5, True, True, 3.0, WALL)
+    assert session.episode is run.episodes[1]
+    assert (session.steps, session.think_s, session.done) == (0, 0.0, False)
+    assert run.changed == {0}
+
+
+def test_the_last_episode_completes_the_run() -> None:
+    run = make_run(1)
+    session = start_session(run)
+    play_turn(run, session, chunk_result(1, ended=True))
+    assert (run.state, run.scored) == ("completed", 1)
+    assert session.done
+    assert run.live_sessions == []
+
+
+def test_a_session_without_episodes_does_not_end_the_others() -> None:
+    run = make_run(2)
+    start_session(run, "a")
+    session = start_session(run, "b")
+    play_turn(run, session, chunk_result(1, ended=True))
+    assert session.done
+    assert run.state == "running"
+
+
+def test_a_draining_run_assigns_no_more_episodes() -> None:
+    run = make_run(3)
+    session = start_session(run)
+    assert effects.stop(run, "drain", WALL) == []
+    assert run.state == "stopping"
+    play_turn(run, session, chunk_result(1, ended=True))
+    assert session.done
+    assert (run.state, run.reason, run.scored) == ("stopped", "Drained.", 1)
+
+
+def test_a_session_that_closes_before_its_first_action_costs_no_attempt() -> None:
+    run = make_run()
+    session = start_session(run)
+    effects.close_session(run, session, "detached", WALL)
+    assert session.done
+    assert run.episodes[0].attempt == 1
+    assert not run.episodes[0].in_progress
+    assert (run.state, run.ended) == ("ready", {"s": "detached"})
+    assert run.changed == set()
+
+
+@pytest.mark.parametrize("in_execution", [True, False])
+def test_a_session_that_closes_after_an_action_costs_an_attempt(
+    in_execution: bool,
+) -> None:
+    run = make_run()
+    session = start_session(run)
+    if in_execution:
+        effects.begin_turn(session, Predict("w", "s", 1, [ACTION]), NOW)
+    else:
+        play_turn(run, session, chunk_result())
+    effects.close_session(run, session, "detached", WALL)
+    assert run.episodes[0].attempt == 2
+    assert run.episodes[0].result is None
+    assert run.changed == {0}
+
+
+def test_the_last_attempt_is_abandoned() -> None:
+    run = make_run(2)
+    for _ in range(2):
+        session = start_session(run)
+        play_turn(run, session, chunk_result(4), NOW + 1)
+        effects.close_session(run, session, "detached", WALL)
+    assert run.episodes[0].result == Result(
+        "abandoned", 0.0, 2, 4, False, False, 1.0, WALL
+    )
+    assert run.state == "ready"
+    assert start_session(run).episode is run.episodes[1]
+
+
+def test_an_abandoned_episode_can_complete_the_run() -> None:
+    run = make_run(1)
+    run.episodes[0].attempt = 2
+    session = start_session(run)
+    play_turn(run, session, chunk_result())
+    effects.close_session(run, session, "lease_ended", WALL)
+    assert run.state == "completed"
+
+
+def test_closing_a_session_that_is_done_changes_no_state() -> None:
+    run = make_run(1)
+    start_session(run, "a")
+    done = start_session(run, "b")
+    effects.close_session(run, done, "detached", WALL)
+    assert run.state == "running"
+    assert list(run.workers) == ["a"]
+
+
+def test_an_old_session_cannot_close_its_successor() -> None:
+    run = make_run()
+    old = start_session(run)
+    new = effects.open_session(run, Attach("w", "b", True), "s2", NOW)
+    old.episode = None
+    effects.close_session(run, old, "unknown", WALL)
+    assert run.workers == {"w": new}
+
+
+def test_expire_ends_every_overdue_lease() -> None:
+    run = make_run(3, max_workers=3)
+    early, late = start_session(run, "a"), start_session(run, "b", NOW + 5)
+    busy = start_session(run, "c")
+    effects.begin_turn(busy, Predict("c", "s", 1, [ACTION]), NOW)
+    assert effects.expire(run, NOW + 10.5, WALL) == [early]
+    assert early.ended_by == "lease_ended"
+    assert run.live_sessions == [late, busy]
+
+
+def test_expire_does_not_report_a_session_that_is_done() -> None:
+    run = make_run(1)
+    session = start_session(run)
+    play_turn(run, session, chunk_result(1, ended=True))
+    assert effects.expire(run, NOW + 99, WALL) == []
+    assert run.workers == {}
+
+
+def test_a_stop_after_the_last_turn_costs_the_next_episode_no_attempt() -> None:
+    """The result is being stored: the next episode is in hand, and not begun."""
+    run = make_run()
+    session = start_session(run)
+    effects.begin_turn(session, Predict("w", "s", 1, [ACTION]), NOW)
+    effects.end_turn(run, session, chunk_result(1, ended=True), WALL)
+    assert session.episode is run.episodes[1]
+    effects.stop(run, "abort", WALL)
+    assert [e.attempt for e in run.episodes] == [1, 1, 1]
+
+
+# --- stop and resume ---
+
+
+def test_an_abort_ends_every_session() -> None:
+    run = make_run()
+    a, b = start_session(run, "a"), start_session(run, "b")
+    play_turn(run, a, chunk_result())
+    assert effects.stop(run, "abort", WALL) == [a, b]
+    assert (run.state, run.workers) == ("stopped", {})
+    assert (a.ended_by, b.ended_by) == ("run_stopped", "run_stopped")
+    assert a.done
+    assert b.done
+    assert [e.attempt for e in run.episodes] == [2, 1, 1]
+    assert "abort" in (run.reason or "")
+
+
+def test_a_resume_queues_the_run_and_forgives_faults() -> None:
+    run = make_run(3, state="failed", retryable=True, reason="It broke.")
+    scored = Result("success", 1.0, 1, 1, True, False, 0.0, WALL)
+    run.episodes[0].faults, run.episodes[0].result = 1, scored
+    run.episodes[1].faults = 2
+    effects.resume(run, WALL + 3)
+    assert (run.state, run.reason, run.retryable) == ("queued", None, None)
+    assert run.queue_until_wall == WALL + 3
+    assert [e.faults_forgiven for e in run.episodes] == [0, 2, 0]
+    assert run.changed == {1}
+
+
+@pytest.mark.parametrize("state", ["queued", "ready", "running"])
+def test_a_resume_of_an_active_run_changes_nothing(state: State) -> None:
+    run = make_run(state=state)
+    effects.resume(run, WALL + 3)
+    assert (run.state, run.queue_until_wall) == (state, 0.0)
+
+
+# --- faults ---
+
+
+def test_a_fault_costs_no_attempt() -> None:
+    run = make_run()
+    session = start_session(run)
+    play_turn(run, session, chunk_result(2))
+    assert (
+        effects.record_fault(run, session, "died", unplayable=False, now_wall=WALL)
+        == []
+    )
+    assert run.state == "running"
+    assert (session.steps, run.episodes[0].attempt, run.episodes[0].faults) == (0, 1, 1)
+    assert session.episode is run.episodes[0]
+    assert run.changed == {0}
+
+
+@pytest.mark.parametrize(("unplayable", "faults"), [(False, 2), (True, 1)])
+def test_a_fault_too_many_fails_the_run(unplayable: bool, faults: int) -> None:
+    run = make_run()
+    a, b = start_session(run, "a"), start_session(run, "b")
+    play_turn(run, b, chunk_result())
+    for _ in range(faults):
+        ended = effects.record_fault(
+            run, a, "died", unplayable=unplayable, now_wall=WALL
+        )
+    assert ended == [a, b]
+    assert (run.state, run.retryable) == ("failed", not unplayable)
+    assert "e0000" in (run.reason or "")
+    assert "died" in (run.reason or "")
+    assert ("cannot be played" in (run.reason or "")) == unplayable
+    assert (a.ended_by, b.ended_by, run.workers) == ("run_failed", "run_failed", {})
+    assert a.done
+    assert b.done
+    assert [e.attempt for e in run.episodes] == [1, 1, 1]
+
+
+def test_forgiven_faults_do_not_fail_the_run_again() -> None:
+    run = make_run()
+    run.episodes[0].faults = run.episodes[0].faults_forgiven = 5
+    session = start_session(run)
+    assert (
+        effects.record_fault(run, session, "died", unplayable=False, now_wall=WALL)
+        == []
+    )
+    assert run.state == "running"
+
+
+# --- the queue ---
+
+
+def test_the_oldest_are_admitted_first_while_there_is_room() -> None:
+    runs = [make_run(number=number, state="queued") for number in (3, 1, 4, 2)]
+    runs[1].queue_until_wall = WALL + 1
+    assert [r.number for r in effects.admit(runs, 1, 3, WALL)] == [2, 3]
+    assert [r.state for r in runs] == ["ready", "queued", "queued", "ready"]
+    assert effects.admit(runs[1:2], 3, 3, WALL + 1) == []
+    assert effects.admit(runs[1:2], 2, 3, WALL + 1) == [runs[1]]
+
+
+def test_an_event_without_a_row_changes_nothing() -> None:
+    run = make_run(state="completed", reason="because")
+    effects.apply_event(run, "stop_abort", "other")
+    assert (run.state, run.reason) == ("completed", "because")
+
+
+def test_the_number_of_remembered_ended_sessions_is_bounded() -> None:
+    run = make_run()
+    for number in range(run_state.ENDED_SESSIONS_MAX + 1):
+        run.record_end(Session(f"s{number}", "w", "k", 1.0, 1, NOW), "detached")
+    assert len(run.ended) == run_state.ENDED_SESSIONS_MAX
+    assert "s0" not in run.ended
+    assert "s1" in run.ended

@@ -1,0 +1,413 @@
+"""The runs in memory: one object each, and never ahead of the disk for a stranger."""
+
+import asyncio
+import contextlib
+import gc
+import sqlite3
+from pathlib import Path
+
+import pytest
+
+from reference_server.rules import effects
+from reference_server.rules.lifecycle import Attach, Detach
+from reference_server.rules.run import Run
+from reference_server.runs import registry
+from reference_server.storage.store import StoreFailed
+from tests.conftest import TIMEOUT_S
+from tests.support.server.server_parts import (
+    BlockedCall,
+    ServerParts,
+    calibration_run,
+    count_rows,
+    expect_refusal,
+    fail_writes,
+    predict_command,
+    record_score,
+    run_scenarios,
+)
+
+# --- the key of a submit ---
+
+
+def test_concurrent_submits_with_one_key_make_one_run(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        runs = [calibration_run(run_id=f"run_{number}") for number in range(8)]
+        made = await asyncio.gather(
+            *(parts.registry.add(r, "key", "same") for r in runs)
+        )
+        assert len({id(run) for run in made}) == 1
+        assert count_rows(parts.path, "runs") == 1
+        other = await parts.registry.add(
+            calibration_run(run_id="b", account="bob"), "key", "x"
+        )
+        assert other.run_id == "b"
+        with expect_refusal("idempotency_conflict"):
+            await parts.registry.add(calibration_run(run_id="c"), "key", "another")
+        assert count_rows(parts.path, "runs") == 2
+
+    async def afterwards(parts: ServerParts) -> None:
+        again = await parts.registry.add(calibration_run(run_id="d"), "key", "same")
+        assert again.run_id.startswith("run_")
+
+    run_scenarios(tmp_path, scenario, afterwards)
+
+
+# --- a new start ---
+
+
+def test_a_restart_ends_runs_in_play(tmp_path: Path) -> None:
+    states = [
+        "queued",
+        "ready",
+        "running",
+        "stopping",
+        "stopped",
+        "failed",
+        "completed",
+    ]
+
+    async def before(parts: ServerParts) -> None:
+        for state in states:
+            run = calibration_run(run_id=state, state=state, queue_until_wall=1e11)
+            await parts.store.insert(run, None, "")
+
+    async def after(parts: ServerParts) -> None:
+        found = {state: (await parts.registry.get(state)).state for state in states}
+        ended = {"running": "ready", "stopping": "stopped"}
+        assert found == {state: ended.get(state, state) for state in states}
+        assert parts.registry.queue_position(await parts.registry.get("queued")) == 1
+
+    run_scenarios(tmp_path, before, after)
+
+
+def test_a_restart_admits_runs_up_to_the_limit(tmp_path: Path) -> None:
+    async def before(parts: ServerParts) -> None:
+        for number in range(3):
+            run = calibration_run(run_id=f"run_{number}")
+            await parts.store.insert(run, None, "")
+
+    async def after(parts: ServerParts) -> None:
+        runs = [await parts.registry.get(f"run_{number}") for number in range(3)]
+        assert [run.state for run in runs] == ["ready", "ready", "queued"]
+
+    run_scenarios(tmp_path, before, after, active_max=2)
+
+
+def test_answered_results_are_stored(tmp_path: Path) -> None:
+    async def before(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        turn = await parts.executor.predict(
+            run, predict_command(turn, score=0.25, end=1)
+        )
+        assert turn["episode_result"]["score"] == 0.25
+        await parts.executor.predict(run, predict_command(turn, score=0.5))
+        # Nothing is said to the store of how this ends: as if the process were killed.
+        stored = await parts.store.load(run.run_id)
+        assert stored is not None
+        assert [e.result is not None for e in stored.episodes] == [True, False]
+        assert stored.episodes[1].attempt == 1  # CRASH-002
+
+    run_scenarios(tmp_path, before)
+
+
+# --- writes that fail ---
+
+
+def test_a_submit_that_cannot_be_stored_makes_no_run(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        with parts.reject_writes(), pytest.raises(StoreFailed, match="disk is full"):
+            await parts.registry.add(calibration_run(), "key", "body")
+        assert count_rows(parts.path, "runs") == 0
+        run = await parts.registry.add(calibration_run(), "key", "body")
+        assert run.number == 1
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_an_unreadable_database_is_reported(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        await parts.store.insert(calibration_run(), None, "")
+        with contextlib.closing(sqlite3.connect(parts.path)) as database:
+            database.execute("ALTER TABLE runs RENAME TO elsewhere")
+        with pytest.raises(StoreFailed):
+            await parts.registry.get("run_1")
+        with pytest.raises(StoreFailed):
+            await parts.registry.page("alice", None, 10, lambda run: run)
+        with contextlib.closing(sqlite3.connect(parts.path)) as database:
+            database.execute("ALTER TABLE elsewhere RENAME TO runs")
+        assert (await parts.registry.get("run_1")).run_id == "run_1"
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_an_unstored_result_is_not_answered(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("score", "score"), None, "")
+        other = await parts.registry.add(calibration_run(run_id="run_2"), None, "")
+        a = await parts.executor.attach(run, Attach("a", "key"))
+        b = await parts.executor.attach(run, Attach("b", "key"))
+        elsewhere = await parts.executor.attach(other, Attach("w", "key"))
+        waiting = asyncio.create_task(
+            parts.registry.wait_for_change(
+                parts.registry.change_event(run.run_id), TIMEOUT_S
+            )
+        )
+        with parts.reject_writes(), expect_refusal("unavailable"):
+            await parts.executor.predict(run, predict_command(a, "a", score=1, end=1))
+        assert await waiting, "whoever waits for a change is woken"
+        # The run is as the store has it: in no session's hands, with nothing scored.
+        found = await parts.registry.get(run.run_id)
+        assert found is not run
+        assert (found.state, found.scored, found.live_sessions) == ("ready", 0, [])
+        assert [e.attempt for e in found.episodes] == [1, 1]
+        for worker_id, turn in (("a", a), ("b", b)):
+            with expect_refusal("session_ended", ended_by="unknown"):
+                await parts.executor.predict(found, predict_command(turn, worker_id))
+        # Nothing else is lost.
+        await parts.executor.predict(other, predict_command(elsewhere, score=1))
+        turn = await parts.executor.attach(found, Attach("a", "again"))
+        while not turn["done"]:
+            turn = await parts.executor.predict(
+                found, predict_command(turn, "a", score=1, end=1)
+            )
+        stored = await parts.store.load(run.run_id)
+        assert stored is not None
+        assert stored.scored == 2
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_an_unstored_resume_has_no_effect(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(state="stopped"), None, "")
+        run.state = "queued"
+        with parts.reject_writes(), expect_refusal("unavailable"):
+            await parts.registry.commit(run)
+        with expect_refusal(
+            "unavailable"
+        ):  # nor does it happen later, by the lost object
+            await parts.registry.commit(run)
+        found = await parts.registry.get(run.run_id)
+        assert (found is run, found.state) == (False, "stopped")
+        assert parts.registry.queue_position(found) is None
+        # It holds no place among the active ones either.
+        for number in (2, 3):
+            await parts.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
+        later = [(await parts.registry.get(f"run_{n}")).state for n in (2, 3)]
+        assert later == ["ready", "ready"]
+
+    run_scenarios(tmp_path, scenario, active_max=2)
+
+
+@pytest.mark.parametrize("error", [StoreFailed("full"), OSError("gone"), KeyError(1)])
+def test_any_failed_write_reloads_the_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, error: Exception
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(), None, "")
+        fail_writes(monkeypatch, parts, {run.run_id}, error)
+        record_score(run, 0)
+        with expect_refusal("unavailable"):
+            await parts.registry.commit(run)
+        found = await parts.registry.get(run.run_id)
+        assert (found is run, found.scored) == (False, 0)
+
+    run_scenarios(tmp_path, scenario)
+
+
+@pytest.mark.parametrize("readable", [True, False])
+def test_a_run_whose_admission_failed_is_admitted_later(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, readable: bool
+) -> None:
+    """Nobody asks for it; it keeps its place, and the rest of the queue waits on."""
+
+    async def scenario(parts: ServerParts) -> None:
+        first = await parts.registry.add(calibration_run(), None, "")
+        for number in (2, 3):
+            await parts.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
+        await parts.registry.is_stored(first)
+        broken = {"run_2"}
+        done = fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
+        load, unread = parts.store.load, [] if readable else [StoreFailed("gone")]
+
+        async def load_at_last(run_id: str) -> Run | None:
+            if unread:
+                raise unread.pop()
+            return await load(run_id)
+
+        monkeypatch.setattr(parts.store, "load", load_at_last)
+        monkeypatch.setattr(registry, "RELOAD_S", 0.001)
+        effects.stop(first, "abort", 0.0)
+        await parts.registry.commit(first)
+        while "run_2" not in parts.registry._reload_timers:
+            await asyncio.wait(parts.registry._tasks)
+        assert (await parts.registry.get("run_3")).state == "queued"
+        broken.clear()
+        assert await done("run_2") == "ready"
+        assert (await parts.registry.get("run_3")).state == "queued"
+        assert parts.registry.queue_position(await parts.registry.get("run_3")) == 1
+        assert unread == []
+
+    run_scenarios(tmp_path, scenario, active_max=1)
+
+
+def test_a_cancelled_caller_does_not_cancel_the_write(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(), None, "")
+        await parts.registry.is_stored(run)
+        blocked = BlockedCall(monkeypatch, parts.store, "save")
+        record_score(run, 0)
+        leaving = asyncio.create_task(parts.registry.commit(run))
+        await blocked.wait_until_reached()
+        leaving.cancel()
+        await asyncio.wait([leaving])
+        assert leaving.cancelled()
+        blocked.open()
+        await parts.registry.close()
+        stored = await parts.store.load(run.run_id)
+        assert stored is not None
+        assert stored.scored == 1
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_closing_waits_for_tasks_of_the_last_writes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A write ends, its run leaves room; nothing is admitted by a server that ends."""
+
+    async def before(parts: ServerParts) -> None:
+        held = calibration_run(run_id="run_3", queue_until_wall=1e11)
+        await parts.registry.add(held, None, "")
+        first = await parts.registry.add(calibration_run(), None, "")
+        await parts.registry.add(calibration_run(run_id="run_2"), None, "")
+        blocked = BlockedCall(monkeypatch, parts.store, "save")
+        effects.stop(first, "abort", 0.0)
+        parts.registry.commit_later(first)
+
+        async def one_more() -> None:
+            await parts.registry.is_stored(first)
+            parts.registry.commit_later(held)
+
+        parts.registry.run_in_background(one_more())
+        closing = asyncio.create_task(parts.registry.close())
+        await blocked.wait_until_reached()
+        blocked.open()
+        await closing
+        assert parts.registry._tasks == set()
+        timer = parts.registry._admission_timer
+        assert timer is not None
+        assert timer.cancelled()
+        stored = [await parts.store.load(f"run_{n}") for n in (1, 2)]
+        assert [run and run.state for run in stored] == ["stopped", "queued"]
+
+    run_scenarios(tmp_path, before, active_max=1)
+
+
+# --- one object per run ---
+
+
+def test_concurrent_reads_load_a_run_once(tmp_path: Path) -> None:
+    async def before(parts: ServerParts) -> None:
+        await parts.registry.add(calibration_run(), None, "")
+
+    async def after(parts: ServerParts) -> None:
+        found = await asyncio.gather(*(parts.registry.get("run_1") for _ in range(8)))
+        assert len({id(run) for run in found}) == 1
+        with expect_refusal("not_found"):
+            await parts.registry.get("run_1", "bob")
+
+    run_scenarios(tmp_path, before, after)
+
+
+def test_a_new_run_is_one_object(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Between the commit of its row and our hearing of it, a list may show it."""
+
+    async def scenario(parts: ServerParts) -> None:
+        blocked = BlockedCall(monkeypatch, parts.store, "insert", after=True)
+        adding = asyncio.create_task(parts.registry.add(calibration_run(), None, ""))
+        await blocked.wait_until_reached()
+        (found,) = await parts.registry.page("alice", None, 9, lambda run: run)
+        blocked.open()
+        assert found is await adding
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_slow_read_does_not_replace_a_newer_state(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A second reader is slow; meanwhile the run changes and falls out of memory."""
+
+    async def before(parts: ServerParts) -> None:
+        await parts.registry.add(calibration_run("score", "score"), None, "")
+
+    async def after(parts: ServerParts) -> None:
+        blocked = BlockedCall(monkeypatch, parts.store, "load", after=True)
+        slow = asyncio.create_task(parts.registry.get("run_1"))
+        await blocked.wait_until_reached()
+        monkeypatch.undo()
+        quick = asyncio.create_task(parts.registry.get("run_1"))
+        await asyncio.sleep(0)
+        blocked.open()
+        assert await quick is await slow
+
+    run_scenarios(tmp_path, before, after)
+
+
+def test_an_evicted_run_is_read_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A finished run falls out of memory; what plays stays, whatever else is read."""
+    monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 2)
+
+    async def scenario(parts: ServerParts) -> None:
+        for number in range(5):
+            run = calibration_run("score", run_id=f"run_{number}")
+            turn = await parts.executor.attach(
+                await parts.registry.add(run, None, ""), Attach("w", "key")
+            )
+            if number != 1:
+                await parts.executor.predict(run, predict_command(turn, score=1, end=1))
+                await parts.executor.detach(run, Detach("w", turn["session_id"]))
+            del run
+        await parts.registry.close()
+        gc.collect()
+        assert sorted(parts.registry._in_memory) == ["run_1", "run_3", "run_4"]
+        again = await parts.registry.get("run_0")
+        assert (again.state, again.scored, again.live_sessions) == ("completed", 1, [])
+        assert len((await parts.registry.get("run_1")).live_sessions) == 1
+
+    run_scenarios(tmp_path, scenario)
+
+
+@pytest.mark.parametrize("how", ["it is stopped", "it is admitted"])
+def test_waiters_are_notified_when_their_queue_position_changes(
+    tmp_path: Path, how: str
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        first = calibration_run(queue_until_wall=1e11)
+        second = calibration_run(run_id="run_2", queue_until_wall=1e11)
+        for run in (first, second):
+            await parts.registry.add(run, None, "")
+        assert parts.registry.queue_position(second) == 2
+        waiting = asyncio.create_task(
+            parts.registry.wait_for_change(
+                parts.registry.change_event(second.run_id), TIMEOUT_S
+            )
+        )
+        await asyncio.sleep(0)
+        if how == "it is stopped":
+            first.state = "stopped"
+        else:
+            first.queue_until_wall = 0.0
+        await parts.registry.commit(first)
+        assert await waiting
+        assert parts.registry.queue_position(second) == 1
+
+    run_scenarios(tmp_path, scenario)

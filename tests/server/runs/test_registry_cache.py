@@ -1,0 +1,369 @@
+"""Runs at rest: read for whoever looks, in nobody's memory, no older than told."""
+
+import asyncio
+import gc
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from reference_server.http import views
+from reference_server.rules import effects
+from reference_server.rules.lifecycle import Attach, Detach
+from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.runs import registry
+from reference_server.storage.store import StoreFailed
+from tests.conftest import TIMEOUT_S
+from tests.support.server.server_parts import (
+    BlockedCall,
+    ServerParts,
+    calibration_run,
+    expect_refusal,
+    fail_writes,
+    predict_command,
+    record_score,
+    run_scenarios,
+    start_task,
+)
+
+RunSummary = tuple[str, int, list[str]]
+
+
+def run_summary(run: RunHead, episodes: Sequence[Episode]) -> RunSummary:
+    return run.state, run.scored, [e.episode_id for e in episodes if e.result]
+
+
+async def insert_runs(parts: ServerParts, *runs: Run) -> None:
+    """Runs in the database and nowhere else."""
+    for run in runs:
+        changed, run.changed = run.changed, set()
+        assert await parts.store.insert(run, None, "")
+        run.changed = changed
+        await parts.store.save(run)
+
+
+def finished_run(run_id: str = "run_1", state: str = "completed") -> Run:
+    run = calibration_run("score", "echo", "count", run_id=run_id, state=state)
+    for index in range(len(run.episodes)):
+        record_score(run, index)
+    return run
+
+
+def runs_in_memory(parts: ServerParts) -> list[str]:
+    gc.collect()
+    return sorted(parts.registry._in_memory)
+
+
+# --- a look ---
+
+
+@pytest.mark.parametrize("state", registry.STABLE_STATES)
+def test_reading_a_stable_run_does_not_load_it(tmp_path: Path, state: str) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        await insert_runs(parts, finished_run(state=state))
+        look = parts.registry.read_view
+        assert await look("run_1", "alice", run_summary) == (state, 3, [])
+        page = await look("run_1", "alice", run_summary, 1, 2)
+        assert page == (state, 3, ["e0001"])
+        assert await look("run_1", "alice", run_summary, 2, 9) == (state, 3, ["e0002"])
+        assert await look("run_1", "alice", run_summary, 3, 9) == (state, 3, [])
+        everything = await look("run_1", "alice", views.score_view, end=None)
+        assert await parts.registry.page("alice", None, 9, lambda run: run.scored) == [
+            3
+        ]
+        assert runs_in_memory(parts) == []
+        run = await parts.registry.get("run_1")
+        assert views.score_view(run, run.episodes) == everything
+        assert await look("run_1", "alice", run_summary, 1, 2) == page
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_views_from_memory_and_store_are_equal(tmp_path: Path) -> None:
+    def whole(run: RunHead, episodes: Sequence[Episode]) -> list[object]:
+        shown_state = [views.episode_view(episode) for episode in episodes]
+        return [views.run_view(run, "http://x", None), shown_state]
+
+    async def scenario(parts: ServerParts) -> None:
+        run = calibration_run("score", "echo", "count", state="stopped")
+        run.episodes[0].attempt = run.episodes[0].faults = 2
+        run.changed = {0}
+        record_score(run, 1)
+        await insert_runs(parts, run)
+        read = await parts.registry.read_view("run_1", "alice", whole, end=None)
+        run = await parts.registry.get("run_1")
+        assert await parts.registry.read_view("run_1", "alice", whole, end=None) == read
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_foreign_runs_are_not_found(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        await insert_runs(parts, finished_run())
+        details = []
+        for run_id in ("run_1", "run_2"):
+            with expect_refusal("not_found") as refused:
+                await parts.registry.read_view(run_id, "bob", run_summary)
+            details.append(refused.value.detail.replace(run_id, ""))
+        assert details[0] == details[1]
+
+    run_scenarios(tmp_path, scenario)
+
+
+@pytest.mark.parametrize(
+    ("row", "shown_state"), [("running", "ready"), ("queued", "ready")]
+)
+def test_an_unstable_row_is_loaded_first(
+    tmp_path: Path, row: str, shown_state: str
+) -> None:
+    """Its sessions were lost with a write, or it waits to be admitted."""
+
+    async def scenario(parts: ServerParts) -> None:
+        await insert_runs(parts, calibration_run(state=row))
+        found = await parts.registry.read_view("run_1", "alice", run_summary)
+        assert found == (shown_state, 0, [])
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_run_loaded_meanwhile_is_shown_in_its_new_state(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        runs = [calibration_run("score", "score", run_id=f"run_{n}") for n in (1, 2)]
+        for run in runs:
+            run.state = "stopped"
+        await insert_runs(parts, *runs)
+        read_window = BlockedCall(monkeypatch, parts.store, "read_window", after=True)
+        heads = BlockedCall(monkeypatch, parts.store, "heads", after=True)
+        looking = start_task(
+            parts.registry.read_view("run_1", "alice", run_summary, end=None)
+        )
+        paging = start_task(
+            parts.registry.page("alice", None, 9, lambda run: run.state)
+        )
+        await read_window.wait_until_reached()
+        await heads.wait_until_reached()
+        run = await parts.registry.get("run_1")
+        effects.resume(run, 0.0)
+        await parts.registry.commit(run)
+        record_score(run, 1)
+        await parts.registry.commit(run)
+        read_window.open()
+        heads.open()
+        assert await looking == ("ready", 1, ["e0001"])
+        assert await paging == ["stopped", "ready"]
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_read_never_shows_unstored_results(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(state="ready"), None, "")
+        await parts.registry.is_stored(run)
+        fail_writes(monkeypatch, parts, {run.run_id}, StoreFailed("full"))
+        record_score(run, 0)
+        parts.registry.commit_later(run)
+        looked = await parts.registry.read_view("run_1", "alice", run_summary, end=None)
+        assert looked == ("ready", 0, [])
+        shown_state = await parts.registry.page(
+            "alice", None, 9, lambda run: run.scored
+        )
+        assert shown_state == [0]
+
+    run_scenarios(tmp_path, scenario)
+
+
+# --- leaving memory ---
+
+
+def test_a_run_in_use_stays_one_object(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The run leaves the kept ones while its reader has not had its turn."""
+    monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 1)
+
+    async def scenario(parts: ServerParts) -> None:
+        await insert_runs(
+            parts, *(finished_run(f"run_{number}") for number in range(4))
+        )
+        blocked = BlockedCall(monkeypatch, parts.store, "load", after=True)
+        asking = [
+            start_task(parts.registry.get(f"run_{number}")) for number in (0, 1, 2)
+        ]
+        asking.append(start_task(parts.registry.get("run_0")))
+        await blocked.wait_until_reached()
+        blocked.open()
+        first, *_, again = await asyncio.gather(*asking)
+        assert first is again
+        await parts.registry.get("run_3")
+        assert await parts.registry.get("run_0") is first
+        del first, again, asking, _
+        await parts.registry.get("run_3")
+        assert runs_in_memory(parts) == ["run_3"]
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_waiters_are_notified_of_evicted_runs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It waits for the id: the run is loaded again by whoever changes it."""
+    monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 1)
+
+    async def scenario(parts: ServerParts) -> None:
+        await insert_runs(
+            parts, calibration_run(state="stopped"), finished_run("run_2")
+        )
+        await parts.registry.get("run_1")
+        waiting = start_task(
+            parts.registry.wait_for_change(
+                parts.registry.change_event("run_1"), TIMEOUT_S
+            )
+        )
+        await asyncio.sleep(0)
+        await parts.registry.get("run_2")
+        assert runs_in_memory(parts) == ["run_2"]
+        assert not waiting.done()
+        run = await parts.registry.get("run_1")
+        effects.resume(run, 0.0)
+        await parts.registry.commit(run)
+        assert await waiting
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_waiting_keeps_no_run_in_memory(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        await insert_runs(parts, calibration_run(state="ready"))
+        news = parts.registry.change_event("run_1")
+        await parts.registry.read_view("run_1", "alice", run_summary)
+        waiting = start_task(parts.registry.wait_for_change(news, TIMEOUT_S))
+        await asyncio.sleep(0)
+        assert runs_in_memory(parts) == []
+        run = await parts.registry.get("run_1")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        assert await waiting
+        assert turn["seq"] == 0
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_lease_ends_without_requests(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What is played stays in memory; after its lease it is stored, and may leave."""
+    monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 1)
+
+    async def scenario(parts: ServerParts) -> None:
+        await insert_runs(parts, finished_run("run_2"))
+        run = calibration_run("count", idle_timeout_s=0.2)
+        run = await parts.registry.add(run, None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        await parts.executor.predict(run, predict_command(turn))
+        del run
+        await parts.registry.get("run_2")
+        news = parts.registry.change_event("run_1")
+        while (await parts.registry.read_view("run_1", "alice", run_summary))[
+            0
+        ] == "running":
+            assert await parts.registry.wait_for_change(news, TIMEOUT_S)
+            news = parts.registry.change_event("run_1")
+        await parts.registry.get("run_2")
+        await parts.registry.close()
+        assert runs_in_memory(parts) == ["run_2"]
+
+        def attempt(run: RunHead, episodes: Sequence[Episode]) -> tuple[str, int]:
+            return run.state, episodes[0].attempt
+
+        found = await parts.registry.read_view("run_1", "alice", attempt, end=1)
+        assert found == ("ready", 2)
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_eviction_does_not_repeat_episodes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 1)
+
+    async def scenario(parts: ServerParts) -> None:
+        await insert_runs(parts, calibration_run(*["score"] * 4, state="ready"))
+        await insert_runs(parts, finished_run("run_2"))
+        for number in range(4):
+            run = await parts.registry.get("run_1")
+            assert (run.scored, run.pending[0]) == (number, number)
+            turn = await parts.executor.attach(run, Attach("w", f"key-{number}"))
+            value = (number + 1) / 8
+            turn = await parts.executor.predict(
+                run, predict_command(turn, score=value, end=1)
+            )
+            session_id = turn["session_id"]
+            await parts.executor.detach(run, Detach("w", session_id))
+            del run
+            await parts.registry.get("run_2")
+            assert runs_in_memory(parts) == ["run_2"]
+            counted = await parts.registry.read_view(
+                "run_1", "alice", run_summary, end=None
+            )
+            assert counted[1] == len(counted[2]) == number + 1
+        body = await parts.registry.read_view(
+            "run_1", "alice", views.score_view, end=None
+        )
+        assert (body["state"], body["score"]) == ("completed", 10 / 32)
+
+    run_scenarios(tmp_path, scenario)
+
+
+# --- the queue ---
+
+
+def test_only_later_queue_positions_change(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        runs = [
+            calibration_run(run_id=f"run_{n}", queue_until_wall=1e11) for n in range(4)
+        ]
+        for run in runs:
+            await parts.registry.add(run, None, "")
+        positions = [parts.registry.queue_position(run) for run in runs]
+        assert positions == [1, 2, 3, 4]
+        news = [parts.registry.change_event(run.run_id) for run in runs]
+        effects.stop(runs[1], "abort", 0.0)
+        await parts.registry.commit(runs[1])
+        assert [event.is_set() for event in news] == [False, True, True, True]
+        positions = [parts.registry.queue_position(run) for run in runs]
+        assert positions == [1, None, 2, 3]
+        news = [parts.registry.change_event(run.run_id) for run in runs]
+        effects.resume(runs[1], 1e11)  # an old number: it comes before newer runs
+        await parts.registry.commit(runs[1])
+        assert [event.is_set() for event in news] == [False, True, True, True]
+        positions = [parts.registry.queue_position(run) for run in runs]
+        assert positions == [1, 2, 3, 4]
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_admission_is_computed_only_when_capacity_changes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        first = await parts.registry.add(calibration_run(), None, "")
+        second = await parts.registry.add(calibration_run(run_id="run_2"), None, "")
+        asked, admit = [], effects.admit
+
+        def counted(queued: Sequence[Run], *rest: Any) -> list[Run]:
+            asked.append(len(queued))
+            return admit(queued, *rest)
+
+        monkeypatch.setattr(effects, "admit", counted)
+        parts.registry.notify(first)
+        assert asked == []
+        effects.stop(first, "abort", 0.0)
+        await parts.registry.commit(first)
+        assert asked == [1]
+        assert second.state == "ready"
+
+    run_scenarios(tmp_path, scenario, active_max=1)

@@ -1,0 +1,205 @@
+"""What memory shows of a run: never more than the disk has, and every change."""
+
+import asyncio
+import gc
+from pathlib import Path
+
+import pytest
+from starlette.requests import Request
+
+from reference_server.http.auth import Caller
+from reference_server.http.dispatch import OperationCall
+from reference_server.http.handlers import Handlers
+from reference_server.rules.lifecycle import Attach, Resume
+from reference_server.rules.run import RunHead
+from reference_server.runs.benchmarks import Benchmarks
+from reference_server.settings import Settings
+from reference_server.storage.store import StoreFailed
+from tests.conftest import TIMEOUT_S
+from tests.support.server.server_parts import (
+    BlockedCall,
+    ServerParts,
+    calibration_run,
+    expect_refusal,
+    fail_writes,
+    predict_command,
+    record_score,
+    run_scenarios,
+)
+
+
+def make_call(run_id: str) -> OperationCall:
+    request = Request({"type": "http", "headers": []})
+    caller = Caller("alice", frozenset({"read", "run"}))
+    return OperationCall(
+        request, {"run_id": run_id}, {}, {}, "application/json", caller
+    )
+
+
+# --- what is shown is stored ---
+
+
+def shown_score(run: RunHead) -> int:
+    return run.scored
+
+
+def test_shown_results_are_stored(tmp_path: Path) -> None:
+    """A write that was only just begun counts as well; nobody waits for it here."""
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(), None, "")
+        record_score(run, 0)
+        parts.registry.commit_later(run)
+        assert await parts.registry.render_when_stored(run, shown_score) == 1
+        stored = await parts.store.load(run.run_id)
+        assert stored is not None
+        assert stored.scored == 1
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_unstored_results_are_not_shown(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(), None, "")
+        await parts.registry.is_stored(run)
+        fail_writes(monkeypatch, parts, {run.run_id}, StoreFailed("full"))
+        record_score(run, 0)
+        parts.registry.commit_later(run)
+        assert await parts.registry.render_when_stored(run, shown_score) == 0
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_read_does_not_wait_for_later_writes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A run whose workers never pause can be looked at, and shows no more than then."""
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(), None, "")
+        await parts.registry.is_stored(run)
+        record_score(run, 0)
+        parts.registry.commit_later(run)
+        looking = asyncio.create_task(
+            parts.registry.render_when_stored(run, shown_score)
+        )
+        await asyncio.sleep(0)
+        blocked = BlockedCall(monkeypatch, parts.store, "save")
+        record_score(run, 1)
+        parts.registry.commit_later(run)
+        await blocked.wait_until_reached()
+        assert await looking == 1
+        blocked.open()
+        assert await parts.registry.render_when_stored(run, shown_score) == 2
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_page_shows_each_run_as_it_was_stored(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """While the second run of the page is waited for, the first one plays on."""
+
+    async def scenario(parts: ServerParts) -> None:
+        runs = [
+            await parts.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
+            for number in (1, 2)
+        ]
+        for run in runs:
+            await parts.registry.is_stored(run)
+        blocked = BlockedCall(monkeypatch, parts.store, "save")
+        parts.registry.commit_later(runs[0])
+        looking = asyncio.create_task(
+            parts.registry.page("alice", None, 9, shown_score)
+        )
+        seen = BlockedCall(monkeypatch, parts.registry, "is_stored")
+        await seen.wait_until_reached()  # the newest, run_2, has been looked at
+        record_score(runs[1], 0)
+        parts.registry.commit_later(runs[1])
+        seen.open()
+        blocked.open()
+        assert await looking == [0, 0]
+
+    run_scenarios(tmp_path, scenario)
+
+
+@pytest.mark.parametrize("is_lost", [False, True])
+def test_a_refusal_states_only_stored_states(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_lost: bool
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(
+            calibration_run("score", state="ready"), None, ""
+        )
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        broken = {run.run_id} if is_lost else set[str]()
+        fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
+        blocked = BlockedCall(monkeypatch, parts.store, "save")
+        last = asyncio.create_task(
+            parts.executor.predict(run, predict_command(turn, score=1, end=1))
+        )
+        await blocked.wait_until_reached()
+        assert run.state == "completed"
+        routes = Handlers(Settings(), Benchmarks(64), parts.registry, parts.executor)
+        resuming = asyncio.create_task(
+            routes._run_accepting(make_call(run.run_id), Resume())
+        )
+        blocked.open()
+        await asyncio.wait([last])
+        if is_lost:
+            found = await resuming
+            assert (found is run, found.state) == (False, "ready")
+        else:
+            with expect_refusal("illegal_transition", state="completed"):
+                await resuming
+
+    run_scenarios(tmp_path, scenario)
+
+
+# --- news ---
+
+
+def test_no_change_between_read_and_wait_is_missed(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(), None, "")
+        await parts.registry.is_stored(run)
+        news = parts.registry.change_event(run.run_id)
+        parts.registry.notify(run)
+        assert await parts.registry.wait_for_change(news, TIMEOUT_S)
+        assert not await parts.registry.wait_for_change(
+            parts.registry.change_event(run.run_id), 0.001
+        )
+        del news
+        gc.collect()
+        assert len(parts.registry._change_events) == 0, (
+            "what nobody waits for is not kept"
+        )
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_waiting_is_refused_during_shutdown(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(), None, "")
+        await parts.registry.is_stored(run)
+        waiting = asyncio.create_task(
+            parts.registry.wait_for_change(
+                parts.registry.change_event(run.run_id), TIMEOUT_S
+            )
+        )
+        await asyncio.sleep(0)
+        parts.registry.release_waiters()
+        for _ in range(2):
+            with expect_refusal("unavailable"):
+                await waiting
+            waiting = asyncio.create_task(
+                parts.registry.wait_for_change(
+                    parts.registry.change_event(run.run_id), TIMEOUT_S
+                )
+            )
+        with expect_refusal("unavailable"):
+            await waiting
+
+    run_scenarios(tmp_path, scenario)

@@ -1,0 +1,174 @@
+"""Scores that are kept: never another run's, never an older one, never a lost one."""
+
+import gc
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from reference_server.http import views
+from reference_server.rules import effects
+from reference_server.rules.run import Run
+from reference_server.runs import scores
+from reference_server.runs.scores import ScoreCache
+from reference_server.storage.store import StoreFailed
+from tests.support.server.server_parts import (
+    RESULT,
+    BlockedCall,
+    ServerParts,
+    calibration_run,
+    expect_refusal,
+    fail_writes,
+    record_score,
+    run_scenarios,
+    start_task,
+)
+
+
+def record_computed_scores(patch: pytest.MonkeyPatch) -> list[str]:
+    """The ids of the runs whose score is computed from now on."""
+    computed: list[str] = []
+    right = views.score_view
+
+    def note(run: Any, episodes: Any) -> dict[str, Any]:
+        computed.append(run.run_id)
+        return right(run, episodes)
+
+    patch.setattr(views, "score_view", note)
+    return computed
+
+
+async def evict_run(parts: ServerParts, run: Run) -> None:
+    """The run is stored and leaves memory as soon as nobody holds it."""
+    await parts.registry.commit(run)
+    parts.registry._recent.clear()
+
+
+async def add_stopped_run(parts: ServerParts, run_id: str, count: int) -> None:
+    """A stopped run with three episodes and `count` results, in nobody's memory."""
+    run = calibration_run("score", "score", "score", run_id=run_id, state="stopped")
+    await parts.registry.add(run, None, "")
+    for index in range(count):
+        record_score(run, index)
+    await evict_run(parts, run)
+
+
+def test_the_score_of_a_stable_run_is_computed_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    computed = record_computed_scores(monkeypatch)
+
+    async def scenario(parts: ServerParts) -> None:
+        await add_stopped_run(parts, "run_1", 1)
+        await add_stopped_run(parts, "run_2", 2)
+        gc.collect()
+        score_cache = ScoreCache()
+        for _ in range(3):
+            first = await score_cache.get(parts.registry, "run_1", "alice")
+            second = await score_cache.get(parts.registry, "run_2", "alice")
+        assert [s["counts"]["success"] for s in (first, second)] == [1, 2]
+        assert [s["run_id"] for s in (first, second)] == computed == ["run_1", "run_2"]
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_changed_run_is_scored_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    computed = record_computed_scores(monkeypatch)
+
+    async def scenario(parts: ServerParts) -> None:
+        await add_stopped_run(parts, "run_1", 1)
+        gc.collect()
+        score_cache = ScoreCache()
+        before = await score_cache.get(parts.registry, "run_1", "alice")
+        assert (before["state"], before["counts"]["unscored"]) == ("stopped", 2)
+        run = await parts.registry.get("run_1")
+        effects.resume(run, 1e11)
+        await parts.registry.commit(run)
+        queued = await score_cache.get(parts.registry, "run_1", "alice")
+        assert queued == before | {"state": "queued"}
+        record_score(run, 1)
+        playing = await score_cache.get(parts.registry, "run_1", "alice")
+        assert playing["counts"]["unscored"] == 1
+        effects.stop(run, "abort", 0.0)
+        await evict_run(parts, run)
+        del run
+        gc.collect()
+        del computed[:]
+        for _ in range(2):
+            after = await score_cache.get(parts.registry, "run_1", "alice")
+            assert after == playing | {"state": "stopped"}
+        assert computed == ["run_1"]
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_lost_results_are_not_cached(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Who asked has left before it was known; then another result is stored."""
+    computed = record_computed_scores(monkeypatch)
+
+    async def scenario(parts: ServerParts) -> None:
+        score_cache, broken = ScoreCache(), {"run_1"}
+        run = await parts.registry.add(
+            calibration_run("score", state="ready"), None, ""
+        )
+        fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
+        blocked = BlockedCall(monkeypatch, parts.store, "save")
+        blocked_is_stored = BlockedCall(monkeypatch, parts.registry, "is_stored")
+        record_score(run, 0)
+        parts.registry.commit_later(run)
+        leaving = start_task(score_cache.get(parts.registry, "run_1", "alice"))
+        await blocked_is_stored.wait_until_reached()
+        assert computed == ["run_1"]
+        leaving.cancel()
+        blocked_is_stored.open()
+        blocked.open()
+        assert not await parts.registry.is_stored(run)
+        broken.clear()
+        run = await parts.registry.get("run_1")
+        record_score(run, 0)
+        run.episodes[0].result = replace(RESULT, score=0.25)
+        await evict_run(parts, run)
+        del run
+        gc.collect()
+        for _ in range(2):
+            assert (await score_cache.get(parts.registry, "run_1", "alice"))[
+                "mean"
+            ] == 0.25
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_cached_score_is_private_to_its_account(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        await add_stopped_run(parts, "run_1", 1)
+        gc.collect()
+        score_cache = ScoreCache()
+        for _ in range(2):
+            await score_cache.get(parts.registry, "run_1", "alice")
+            with expect_refusal("not_found"):
+                await score_cache.get(parts.registry, "run_1", "bob")
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_the_score_cache_is_bounded(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(scores, "CACHED_SCORES_MAX", 2)
+    computed = record_computed_scores(monkeypatch)
+
+    async def scenario(parts: ServerParts) -> None:
+        for number in range(3):
+            await add_stopped_run(parts, f"run_{number}", 1)
+        gc.collect()
+        score_cache = ScoreCache()
+        for number in (0, 1, 2, 2, 1, 0):
+            await score_cache.get(parts.registry, f"run_{number}", "alice")
+        assert computed == ["run_0", "run_1", "run_2", "run_0"]
+
+    run_scenarios(tmp_path, scenario)

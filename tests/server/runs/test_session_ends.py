@@ -1,0 +1,242 @@
+"""A session ends while its turn is carried out: by a stop, a detach, the end."""
+
+import asyncio
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from reference_server.rules import effects
+from reference_server.rules.lifecycle import Attach, Detach
+from reference_server.storage.store import Store
+from reference_sim.process.pool import SimulatorHandle, SimulatorPool
+from tests.support.server.server_parts import (
+    BlockedCall,
+    ServerParts,
+    assert_no_error_logged,
+    assert_no_simulator_lent,
+    calibration_run,
+    expect_refusal,
+    predict_command,
+    run_scenarios,
+    start_task,
+    stop_run,
+)
+
+# --- a run meets another server ---
+
+
+@pytest.mark.parametrize(
+    ("what", "change"),
+    [
+        ("is not offered", {"submission": {"benchmark_id": "gone"}}),
+        ("has changed", {"manifest_sha256": "0" * 64}),
+    ],
+)
+def test_a_run_is_not_played_on_another_benchmark(
+    tmp_path: Path, what: str, change: dict[str, Any]
+) -> None:
+    """A score is of one manifest. Nothing is counted, and the run stays as it is."""
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("count", **change), None, "")
+        with expect_refusal("benchmark_unavailable") as refused:
+            await parts.executor.attach(run, Attach("w", "key"))
+        assert what in refused.value.detail
+        await assert_no_simulator_lent(parts)
+        assert (run.state, run.episodes[0].attempt) == ("ready", 1)
+
+    run_scenarios(tmp_path, scenario)
+
+
+# --- a stop meets a turn ---
+
+
+@pytest.mark.parametrize("work_kind", ["a new session", "a successor", "a turn"])
+def test_a_stop_before_the_work_begins(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture, work_kind: str
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("count"), None, "")
+        if work_kind == "a new session":
+            work = parts.executor.attach(run, Attach("w", "key"))
+        else:
+            turn = await parts.executor.attach(run, Attach("w", "key"))
+            work = parts.executor.predict(run, predict_command(turn))
+        if work_kind == "a successor":
+            work.close()
+            work = parts.executor.attach(run, Attach("w", "another", takeover=True))
+        task = start_task(work)
+        await asyncio.sleep(0)  # the session is open; its work waits for its turn
+        stop_run(parts, run)
+        with expect_refusal("session_ended", ended_by="run_stopped"):
+            await task
+        await assert_no_simulator_lent(parts)
+        assert run.state == "stopped"
+
+    run_scenarios(tmp_path, scenario)
+    assert_no_error_logged(caplog)
+
+
+@pytest.mark.parametrize(
+    ("owner", "method"),
+    [(SimulatorPool, "acquire"), (SimulatorHandle, "begin")],
+    ids=["while it waits for a simulator", "while the simulator begins"],
+)
+def test_a_stop_while_a_session_opens(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+    owner: type,
+    method: str,
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("count"), None, "")
+        blocked = BlockedCall(monkeypatch, owner, method)
+        opening = start_task(parts.executor.attach(run, Attach("w", "key")))
+        await blocked.wait_until_reached()
+        stop_run(parts, run)
+        blocked.open()
+        with expect_refusal("session_ended", ended_by="run_stopped"):
+            await opening
+        await assert_no_simulator_lent(parts)
+        assert (run.episodes[0].attempt, run.episodes[0].faults) == (1, 0)
+        effects.resume(run, 0.0)
+        effects.apply_event(run, "capacity")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        assert turn["episode"]["attempt"] == 1
+
+    run_scenarios(tmp_path, scenario)
+    assert_no_error_logged(caplog)
+
+
+@pytest.mark.parametrize(
+    ("method", "attempt"), [("begin", 1), ("play", 2), ("observe", 2)]
+)
+def test_a_stop_when_the_simulator_has_just_answered(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+    method: str,
+    attempt: int,
+) -> None:
+    """The answer comes too late: it is not told, and what it says is not scored."""
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("count"), None, "")
+        if method != "begin":
+            turn = await parts.executor.attach(run, Attach("w", "key"))
+        if method == "observe":
+            await parts.executor.predict(run, predict_command(turn))
+        blocked = BlockedCall(monkeypatch, SimulatorHandle, method, after=True)
+        work = (
+            parts.executor.predict(run, predict_command(turn, end=1))
+            if method == "play"
+            else parts.executor.attach(run, Attach("w", "another", takeover=True))
+        )
+        task = start_task(work)
+        await blocked.wait_until_reached()
+        stop_run(parts, run)
+        blocked.open()
+        with expect_refusal("session_ended", ended_by="run_stopped"):
+            await task
+        await assert_no_simulator_lent(parts)
+        assert (run.state, run.scored) == ("stopped", 0)
+        assert run.episodes[0].attempt == attempt
+
+    run_scenarios(tmp_path, scenario)
+    assert_no_error_logged(caplog)
+
+
+def test_a_stop_after_the_last_action_and_before_the_result_is_stored(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The result stands, although the turn that brought it is not answered."""
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("score", "score"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        blocked = BlockedCall(monkeypatch, parts.store, "save")
+        last = start_task(
+            parts.executor.predict(run, predict_command(turn, score=1, end=1))
+        )
+        await blocked.wait_until_reached()
+        stop_run(parts, run)
+        blocked.open()
+        with expect_refusal("session_ended", ended_by="run_stopped"):
+            await last
+        await parts.registry.commit(run)
+        stored = await parts.store.load(run.run_id)
+        assert stored is not None
+        assert (stored.state, stored.scored) == ("stopped", 1)
+        await assert_no_simulator_lent(parts)
+
+    run_scenarios(tmp_path, scenario)
+
+
+# --- a detach, a loss or the end of the server meets a turn ---
+
+
+def test_a_detach_ends_a_turn_in_the_middle(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("count"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        blocked = BlockedCall(monkeypatch, SimulatorHandle, "play")
+        playing = start_task(parts.executor.predict(run, predict_command(turn)))
+        await blocked.wait_until_reached()
+        await parts.executor.detach(run, Detach("w", turn["session_id"]))
+        blocked.open()
+        with expect_refusal("session_ended", ended_by="detached"):
+            await playing
+        await assert_no_simulator_lent(parts)
+        assert run.episodes[0].attempt == 2
+
+    run_scenarios(tmp_path, scenario)
+    assert_no_error_logged(caplog)
+
+
+@pytest.mark.parametrize(
+    ("owner", "method"),
+    [
+        (SimulatorHandle, "play"),
+        (SimulatorHandle, "begin"),
+        (SimulatorPool, "acquire"),
+        (Store, "save"),
+    ],
+)
+def test_a_shutdown_during_work_logs_no_error(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+    owner: type,
+    method: str,
+) -> None:
+    """Sessions end uncounted, whatever is executed for them; then nothing is left."""
+    work: list[asyncio.Task[Any]] = []
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("score", "score"), None, "")
+        if method in ("acquire", "begin"):
+            blocked = BlockedCall(monkeypatch, owner, method)
+            work.append(start_task(parts.executor.attach(run, Attach("w", "key"))))
+        else:
+            turn = await parts.executor.attach(run, Attach("w", "key"))
+            blocked = BlockedCall(monkeypatch, owner, method)
+            command = predict_command(turn, score=1, end=1)
+            work.append(start_task(parts.executor.predict(run, command)))
+        await blocked.wait_until_reached()
+        await parts.executor.close()
+        blocked.open()
+        with expect_refusal("session_ended", ended_by="unknown"):
+            await work[0]
+        await assert_no_simulator_lent(parts)
+
+    async def after(parts: ServerParts) -> None:
+        run = await parts.registry.get("run_1")
+        assert (run.state, [e.attempt for e in run.episodes]) == ("ready", [1, 1])
+        assert run.scored == (method == "save")
+
+    run_scenarios(tmp_path, scenario, after)
+    assert_no_error_logged(caplog)

@@ -1,0 +1,254 @@
+"""Sessions and their simulators: what may happen while a turn is carried out."""
+
+import asyncio
+import time
+import types
+from pathlib import Path
+
+import pytest
+
+from reference_server.http.problems import Refused
+from reference_server.rules.lifecycle import Attach, Heartbeat
+from reference_server.rules.run import Run
+from reference_server.runs import session_executor as stage_module
+from reference_sim.process.pool import SimulatorHandle
+from tests.support.server.server_parts import (
+    BlockedCall,
+    ServerParts,
+    assert_no_error_logged,
+    assert_no_simulator_lent,
+    calibration_run,
+    expect_refusal,
+    predict_command,
+    run_scenarios,
+    start_task,
+    stop_run,
+)
+
+# --- a successor meets a turn ---
+
+
+def test_a_takeover_continues_after_the_turn_in_progress(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("count"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        before = parts.executor._resources.find(run.workers["w"])
+        blocked = BlockedCall(monkeypatch, SimulatorHandle, "play")
+        played = start_task(parts.executor.predict(run, predict_command(turn)))
+        await blocked.wait_until_reached()
+        taking = start_task(
+            parts.executor.attach(run, Attach("w", "another", takeover=True))
+        )
+        await asyncio.sleep(0)
+        blocked.open()
+        assert (await played)["executed_steps"] == 1
+        successor = await taking
+        assert successor["episode"]["step"] == 1
+        assert successor["observation"]["state"]["count"] == [1.0]
+        with expect_refusal("session_superseded"):
+            await parts.executor.predict(run, predict_command(await played))
+        assert before is not None
+        assert before.timer is not None
+        assert before.timer.cancelled()
+        assert parts.pool.busy == len(parts.executor._resources) == 1
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_takeovers_are_serialised(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("count"), None, "")
+        blocked = BlockedCall(monkeypatch, SimulatorHandle, "begin")
+        attachments = [
+            start_task(parts.executor.attach(run, Attach("w", key, takeover=True)))
+            for key in ("first", "second", "third")
+        ]
+        await blocked.wait_until_reached()
+        blocked.open()
+        *before, last = [await task for task in attachments]
+        for turn in before:
+            with expect_refusal("session_superseded"):
+                parts.executor.heartbeat(run, Heartbeat("w", turn["session_id"]))
+        parts.executor.heartbeat(run, Heartbeat("w", last["session_id"]))
+        assert run.episodes[0].attempt == 1
+        assert parts.pool.busy == len(parts.executor._resources) == 1
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_takeover_of_a_failed_run_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("fault", "count"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        other = await parts.executor.attach(run, Attach("other", "key"))
+        # What the other one's simulator answers is held up until all is over.
+        blocked = BlockedCall(monkeypatch, SimulatorHandle, "play", after=True)
+        dying = start_task(parts.executor.predict(run, predict_command(turn, fault=2)))
+        beside = start_task(
+            parts.executor.predict(run, predict_command(other, "other"))
+        )
+        taking = start_task(
+            parts.executor.attach(run, Attach("w", "another", takeover=True))
+        )
+        await asyncio.wait([taking])
+        blocked.open()
+        for task in (dying, beside):
+            with expect_refusal("session_ended", ended_by="run_failed"):
+                await task
+        with expect_refusal("illegal_transition", state="failed"):
+            await taking
+        await assert_no_simulator_lent(parts)
+        assert [e.attempt for e in run.episodes] == [1, 1]
+
+    run_scenarios(tmp_path, scenario)
+    assert_no_error_logged(caplog)
+
+
+@pytest.mark.parametrize("then", ["goes on", "is stopped", "fails"])
+def test_a_takeover_with_a_dead_simulator_restarts_the_episode(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+    then: str,
+) -> None:
+    """The fault is recorded; while it is stored anything may happen to the run."""
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("count"), None, "")
+        if then == "fails":
+            run.manifest = {**run.manifest, "max_faults": 1}
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        await parts.executor.predict(run, predict_command(turn))
+        for process in list(parts.pool._processes):
+            process.end("was killed by the test")
+        blocked = BlockedCall(monkeypatch, parts.store, "save")
+        taking = start_task(
+            parts.executor.attach(run, Attach("w", "another", takeover=True))
+        )
+        await blocked.wait_until_reached()
+        if then == "is stopped":
+            stop_run(parts, run)
+        blocked.open()
+        if then == "goes on":
+            successor = await taking
+            assert successor["fault"]["faults"] == 1
+            assert successor["episode"]["step"] == 0
+            assert successor["episode"]["attempt"] == 1
+            assert successor["observation"]["state"]["count"] == [0.0]
+            return
+        ended_by = {"is stopped": "run_stopped", "fails": "run_failed"}[then]
+        with expect_refusal("session_ended", ended_by=ended_by):
+            await taking
+        await assert_no_simulator_lent(parts)
+        assert (run.episodes[0].attempt, run.episodes[0].faults) == (1, 1)
+
+    run_scenarios(tmp_path, scenario)
+    assert_no_error_logged(caplog)
+
+
+def test_waiters_for_a_lost_turn_are_refused(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("delay"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        command = predict_command(turn, delay_s=0.2, end=1)
+        with parts.reject_writes():
+            work = [
+                parts.executor.predict(run, command),
+                parts.executor.predict(run, command),
+                parts.executor.attach(run, Attach("w", "another", takeover=True)),
+            ]
+            tasks = [asyncio.create_task(one) for one in work]
+            await asyncio.wait(tasks)
+        with expect_refusal("unavailable"):
+            await tasks[0]
+        with pytest.raises(Refused, match=r"has ended|newer session"):
+            await tasks[1]
+        # The successor plays the run as it is stored, not the one that was lost.
+        successor = await tasks[2]
+        found = await parts.registry.get(run.run_id)
+        assert found is not run
+        assert list(found.workers) == ["w"]
+        assert successor["episode"]["step"] == 0
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_commands_for_a_lost_run_object_are_refused(tmp_path: Path) -> None:
+    """Its caller found the run, awaited something else, and another's write failed."""
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("count", "count"), None, "")
+        one = await parts.executor.attach(run, Attach("one", "key"))
+        other = await parts.executor.attach(run, Attach("other", "key"))
+        with parts.reject_writes(), expect_refusal("unavailable"):
+            await parts.executor.predict(run, predict_command(one, "one", end=1))
+        with expect_refusal("session_ended", ended_by="unknown"):
+            await parts.executor.predict(run, predict_command(other, "other"))
+        assert await parts.registry.get(run.run_id) is not run
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_the_last_turn_is_answered_despite_a_takeover(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("score", "score"), None, "")
+        await parts.executor.attach(run, Attach("other", "key"))
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        saving, release, save = asyncio.Event(), asyncio.Event(), parts.store.save
+
+        async def slow_save(run: Run) -> None:
+            saving.set()
+            await release.wait()
+            await save(run)
+
+        monkeypatch.setattr(parts.store, "save", slow_save)
+        last = asyncio.create_task(
+            parts.executor.predict(run, predict_command(turn, score=1, end=1))
+        )
+        await saving.wait()
+        successor = asyncio.create_task(
+            parts.executor.attach(run, Attach("w", "another"))
+        )
+        await asyncio.sleep(0)
+        release.set()
+        assert (await last)["done"]
+        assert (await successor)["done"]
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_lease_end_is_evaluated_once_per_command(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Between two looks at the clock a lease ended: then it ended for both or none."""
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("count", "count"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        await parts.executor.predict(run, predict_command(turn))
+        expires_at = run.workers["w"].expires_at
+        moments = iter([expires_at])  # the first look; all others are too late
+
+        def monotonic() -> float:
+            return next(moments, expires_at + 0.001)
+
+        clock = types.SimpleNamespace(**vars(time))
+        clock.monotonic = monotonic
+        monkeypatch.setattr(stage_module, "time", clock)
+        with expect_refusal("worker_busy"):
+            await parts.executor.attach(run, Attach("w", "another"))
+        turn = await parts.executor.attach(run, Attach("w", "another"))
+        assert turn["episode"]["attempt"] == 2
+        assert parts.pool.busy == 1
+        monkeypatch.undo()
+        parts.executor.heartbeat(run, Heartbeat("w", turn["session_id"]))
+
+    run_scenarios(tmp_path, scenario)

@@ -1,0 +1,313 @@
+"""The server as people run it: a process that starts, says so, ends, and is killed."""
+
+import asyncio
+import contextlib
+import json
+import os
+import signal
+import socket
+import subprocess
+import sys
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+from starlette.requests import Request
+from starlette.responses import Response
+
+from reference_server.__main__ import main
+from reference_server.http.auth import Tokens
+from reference_server.http.dispatch import Operation, perform
+from tests.conftest import (
+    TIMEOUT_S,
+    TOKENS,
+    ReferenceServer,
+    descendants,
+    wait_until_ended,
+)
+from tests.support.paths import ROOT
+
+WORKER = "/v1/runs/{run_id}/workers/w"
+
+
+def environment(**settings: str) -> dict[str, str]:
+    """This process's, without settings of the house and without proxies."""
+    inherited = {
+        name: value
+        for name, value in os.environ.items()
+        if not name.upper().startswith("PROCTOR_")
+        and not name.lower().endswith("_proxy")
+    }
+    return inherited | settings
+
+
+def submit(client: httpx.Client, *tasks: str) -> str:
+    body = {
+        "benchmark_id": "calibration",
+        "policy": {"name": "p"},
+        "options": {"tasks": tasks},
+    }
+    answer = client.post("/v1/runs", json=body)
+    assert answer.status_code == 201, answer.text
+    return str(answer.json()["run_id"])
+
+
+def attach(client: httpx.Client, run_id: str, key: str = "key") -> dict[str, Any]:
+    path = WORKER.format(run_id=run_id)
+    answer = client.put(path, json={"attach_key": key})
+    assert answer.status_code == 200, answer.text
+    return dict(answer.json())
+
+
+def predict_body(turn: dict[str, Any], **values: float) -> dict[str, Any]:
+    sizes = {"vector": 8, "clipped": 2}
+    names = ("score", "success", "end", "delay_s", "fault", "vector", "clipped")
+    action = {n: [float(values.get(n, 0))] * sizes.get(n, 1) for n in names}
+    return {
+        "session_id": turn["session_id"],
+        "seq": turn["seq"] + 1,
+        "actions": [{"values": action}],
+    }
+
+
+def predict(
+    client: httpx.Client, run_id: str, turn: dict[str, Any], **values: float
+) -> dict[str, Any]:
+    path = WORKER.format(run_id=run_id) + "/predict"
+    answer = client.post(path, json=predict_body(turn, **values))
+    assert answer.status_code == 200, answer.text
+    return dict(answer.json())
+
+
+def results(client: httpx.Client, run_id: str) -> list[Any]:
+    episodes = client.get(f"/v1/runs/{run_id}/episodes").json()["episodes"]
+    return [(e["attempt"], e.get("result")) for e in episodes]
+
+
+def is_one_line(code: int | None, stderr_text: str, *, about: str) -> bool:
+    assert (code, stderr_text.count("\n")) == (2, 1), stderr_text
+    assert stderr_text.startswith("proctor: ")
+    return about in stderr_text
+
+
+# --- starting ---
+
+
+@pytest.mark.parametrize("about", ["port", "tokens", "database"])
+def test_a_failed_start_prints_one_line(tmp_path: Path, about: str) -> None:
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = str(taken.getsockname()[1])
+        flags = {
+            "port": ["--port", port],
+            "tokens": ["--tokens", "alice:read"],
+            "database": ["--port", "0", "--database", str(ROOT / "LICENSE")],
+        }
+        ended = subprocess.run(
+            [sys.executable, "-m", "reference_server", *flags[about]],
+            cwd=ROOT,
+            env=environment(PROCTOR_DATABASE=str(tmp_path / "proctor.sqlite")),
+            capture_output=True,
+            text=True,
+            timeout=TIMEOUT_S,
+            check=False,
+        )
+    assert is_one_line(ended.returncode, ended.stderr, about=about)
+    assert ended.stdout == ""
+    # A server beside ours may be using the database: it was left alone.
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("flags", "about"),
+    [
+        (["--tokens", ","], "tokens"),
+        (["--port", "x"], "port"),
+        (["--port", "65536"], "port"),
+        (["--max-chunk", "3"], "max_chunk"),
+        (["--log-level", "nonsense"], "log_level"),
+        (["--host", "nowhere.invalid"], "nowhere.invalid"),
+        (["--database", "nonsense://x"], "database"),
+    ],
+)
+def test_an_invalid_setting_prints_one_line(
+    flags: list[str],
+    about: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    flags = flags if "--port" in flags else [*flags, "--port", "0"]
+    monkeypatch.setattr(sys, "argv", ["reference_server", *flags])
+    code = main()
+    assert is_one_line(code, capsys.readouterr().err, about=about)
+
+
+def test_the_printed_command_works(tmp_path: Path) -> None:
+    with subprocess.Popen(
+        [sys.executable, "-m", "reference_server", "--port", "0"],
+        cwd=ROOT,
+        env=environment(PROCTOR_DATABASE=str(tmp_path / "proctor.sqlite")),
+        stdout=subprocess.PIPE,
+        text=True,
+    ) as server:
+        assert server.stdout is not None
+        serves, token, tries, line = (server.stdout.readline() for _ in range(4))
+        try:
+            pasted = subprocess.run(
+                ["sh", "-c", line.strip()],
+                env=environment(),
+                capture_output=True,
+                text=True,
+                timeout=TIMEOUT_S,
+                check=True,
+            )
+        finally:
+            server.terminate()
+    assert serves.startswith("Proctor serves at http://127.0.0.1:")
+    assert token.split()[0] == "token:"
+    assert token.split()[1] in line
+    assert serves.split()[-1] in line
+    assert tries == "try:\n"
+    named = [one["benchmark_id"] for one in json.loads(pasted.stdout)["benchmarks"]]
+    assert "calibration" in named
+
+
+def test_configured_tokens_are_not_printed(server: ReferenceServer) -> None:
+    assert server.process.stdout is not None
+    server.end()
+    assert server.process.stdout.closed
+    assert not any(token in server.log() for token in TOKENS.values())
+
+
+# --- ending ---
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
+def test_no_process_outlives_the_server(
+    server: ReferenceServer, number: signal.Signals
+) -> None:
+    with server.client() as client:
+        idle, busy = submit(client, "count"), submit(client, "delay")
+        attach(client, idle)
+        turn = attach(client, busy)
+        # In order, the server lets the turn end; by force, there is no time for that.
+        delay_s = 5 if number == signal.SIGKILL else 0.5
+        with in_play(server, client, busy, turn, delay_s=delay_s):
+            children = descendants(server.process.pid)
+            assert len(children) >= 3, "two simulators and who started them"
+            server.end(number)
+            wait_until_ended(children)
+    assert server.log() == ""
+
+
+def test_long_polls_are_answered_at_shutdown(server: ReferenceServer) -> None:
+    with server.client() as client, server.client() as waiter:
+        path = f"/v1/runs/{submit(client, 'count')}"
+        etag = client.get(path).headers["etag"]
+        poll_headers = {"If-None-Match": etag, "Prefer": "wait=30"}
+        with ThreadPoolExecutor(1) as pool:
+            waiting = pool.submit(waiter.get, path, headers=poll_headers)
+            for _ in range(50):  # it arrives meanwhile
+                client.get(path)
+            server.end()
+            answer = waiting.result(TIMEOUT_S)
+    assert (answer.status_code, answer.json()["code"]) == (503, "unavailable")
+    assert answer.headers["retry-after"]
+    assert server.log() == ""
+
+
+def test_cancelled_requests_are_answered_with_503() -> None:
+    async def endless(_call: Any) -> Response:
+        await asyncio.Event().wait()
+        raise AssertionError("nobody sets it")
+
+    async def scenario() -> Response:
+        request = Request({"type": "http", "headers": [], "query_string": b""})
+        operation = Operation(endless, scope=None)
+        task = asyncio.ensure_future(perform(request, operation, Tokens({}), 1024))
+        await asyncio.sleep(0)
+        task.cancel()
+        return await task
+
+    assert asyncio.run(scenario()).status_code == 503
+
+
+@contextmanager
+def in_play(
+    server: ReferenceServer,
+    client: httpx.Client,
+    run_id: str,
+    turn: dict[str, Any],
+    **values: float,
+) -> Iterator[None]:
+    """A turn is executed meanwhile, which the server's end may break off."""
+    path, body = f"{WORKER.format(run_id=run_id)}/predict", predict_body(turn, **values)
+
+    def play() -> None:
+        with server.client() as player, contextlib.suppress(httpx.TransportError):
+            assert player.post(path, json=body).status_code in (200, 409, 503)
+
+    with ThreadPoolExecutor(1) as pool:
+        playing = pool.submit(play)
+        ahead = body | {"seq": body["seq"] + 5}
+        expected = 0
+        while expected <= body["seq"]:  # until the turn has used up its seq
+            expected = client.post(path, json=ahead).json()["expected_seq"]
+        yield
+        playing.result(TIMEOUT_S)
+
+
+# --- being killed ---
+
+
+def test_a_kill_loses_no_scored_episode(server: ReferenceServer) -> None:
+    with server.client() as client:
+        run_id = submit(client, "score", "score", "delay")
+        turn = attach(client, run_id)
+        turn = predict(client, run_id, turn, score=0.25, end=1)
+        turn = predict(client, run_id, turn, score=0.75)
+        turn = predict(client, run_id, turn, score=1 / 3, end=1)
+        turn = predict(client, run_id, turn)
+        results_before = results(client, run_id)
+        before = client.get(f"/v1/runs/{run_id}").json()
+        with in_play(server, client, run_id, turn, delay_s=5):
+            server.end(signal.SIGKILL)
+    server.start()
+    with server.client() as client:
+        assert results(client, run_id) == results_before
+        assert [result and result["score"] for _, result in results_before] == [
+            0.25,
+            1 / 3,
+            None,
+        ]
+        after = client.get(f"/v1/runs/{run_id}").json()
+        assert (before["state"], after["state"]) == ("running", "ready")
+        assert after["live_workers"] == 0
+        path = WORKER.format(run_id=run_id)
+        refused = client.post(f"{path}/predict", json=predict_body(turn))
+        assert refused.json()["ended_by"] == "unknown"
+        turn = attach(client, run_id)
+        # CRASH-002: the attempt in play was not counted.
+        assert (turn["episode"]["index"], turn["episode"]["attempt"]) == (2, 1)
+        assert predict(client, run_id, turn, end=1)["done"]
+        score = client.get(f"/v1/runs/{run_id}/score").json()
+        assert score["complete"]
+        assert abs(score["score"] - (0.25 + 1 / 3) / 3) <= 1e-12
+
+
+def test_an_idempotency_key_survives_a_kill(server: ReferenceServer) -> None:
+    body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
+    headers = {"Idempotency-Key": "key"}
+    with server.client() as client:
+        first = client.post("/v1/runs", json=body, headers=headers).json()
+    server.end(signal.SIGKILL)
+    server.start()
+    with server.client() as client:
+        again = client.post("/v1/runs", json=body, headers=headers).json()
+        assert again["run_id"] == first["run_id"]
+        assert len(client.get("/v1/runs").json()["runs"]) == 1

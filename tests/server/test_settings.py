@@ -1,0 +1,215 @@
+"""Settings: what each means, where it may come from, and docs/settings.md.
+
+`python tests/server/test_settings.py` writes the page anew.
+"""
+
+import os
+import sys
+import typing
+from typing import Any
+
+import pytest
+from annotated_types import Ge, Gt, Le
+from pydantic import ValidationError
+from pydantic.fields import FieldInfo
+from pydantic_settings import CliSettingsSource
+
+from reference_server.http.auth import BadTokens, Tokens
+from reference_server.http.problems import Refused
+from reference_server.settings import Settings
+from tests.support.paths import ROOT
+
+PAGE = ROOT / "docs" / "settings.md"
+HEAD = """# Settings of the reference server
+
+Each is a flag of `python -m reference_server` and a variable of its environment; where
+both are given, the flag wins. Written by `python tests/server/test_settings.py` from
+`reference_server/settings.py`.
+
+| name | flag | environment | default | values | meaning |
+|---|---|---|---|---|---|
+"""
+
+
+def values_of(field: FieldInfo) -> str:
+    """What a setting may be, in words."""
+    if typing.get_origin(field.annotation) is typing.Literal:
+        return ", ".join(f"`{choice}`" for choice in typing.get_args(field.annotation))
+    if field.annotation is str:
+        return "text"
+    words = ["whole number" if field.annotation is int else "number"]
+    for bound in field.metadata:
+        match bound:
+            case Ge(ge=least):
+                words.append(f"≥ {least}")
+            case Gt(gt=least):
+                words.append(f"> {least}")
+            case Le(le=most):
+                words.append(f"≤ {most}")
+    return ", ".join(words)
+
+
+def page() -> str:
+    rows = []
+    for name, field in Settings.model_fields.items():
+        assert field.description, f"{name} has no description"
+        cells = [
+            f"`{name}`",
+            f"`--{name.replace('_', '-')}`",
+            f"`PROCTOR_{name.upper()}`",
+            "–" if field.default == "" else f"`{field.default}`",
+            values_of(field),
+            field.description.replace("|", "\\|").replace("<", "\\<"),
+        ]
+        rows.append(f"| {' | '.join(cells)} |\n")
+    return HEAD + "".join(rows)
+
+
+def test_the_page_is_up_to_date() -> None:
+    assert PAGE.read_text() == page(), (
+        "python tests/server/test_settings.py writes it anew"
+    )
+
+
+@pytest.fixture(autouse=True)
+def _empty_environment(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in list(os.environ):
+        if name.upper().startswith("PROCTOR_"):
+            monkeypatch.delenv(name)
+
+
+def settings(*flags: str) -> Settings:
+    source: CliSettingsSource[Settings] = CliSettingsSource(
+        Settings, cli_parse_args=list(flags)
+    )
+    return Settings(_cli_settings_source=source)
+
+
+@pytest.mark.parametrize("name", Settings.model_fields)
+def test_each_is_a_flag_and_a_variable_as_the_page_says(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    field = Settings.model_fields[name]
+    examples: dict[str, tuple[str, str]] = {
+        "public_url": ("http://a", "https://b"),
+        "log_level": ("info", "debug"),
+        "allow_private_policies": ("127.0.0.1", "10.0.0.0/8,fd00::/8"),
+        "profiles": ("ebench", "flageval,ebench"),
+    }
+    numbers = ("5", "6") if field.annotation in (int, float) else ("some", "other")
+    by_variable, by_flag = examples.get(name, numbers)
+    flag, variable = f"--{name.replace('_', '-')}", f"PROCTOR_{name.upper()}"
+    if name == "max_body_bytes":
+        by_variable, by_flag = "70000", "80000"
+    assert getattr(settings(), name) == field.default
+    monkeypatch.setenv(variable, by_variable)
+    assert str(getattr(settings(), name)).removesuffix(".0") == by_variable
+    assert str(getattr(settings(flag, by_flag), name)).removesuffix(".0") == by_flag
+
+
+@pytest.mark.parametrize(
+    ("name", "bad"),
+    [
+        ("port", -1),
+        ("port", 65536),
+        ("max_workers", 0),
+        ("max_workers", 1025),
+        ("max_active_runs", 0),
+        ("max_simulators", 0),
+        ("spare_simulators", -1),
+        ("turn_timeout_s", 0),
+        ("turn_timeout_s", float("inf")),
+        ("idle_timeout_s_max", 0.9),
+        ("idle_timeout_s_max", float("inf")),
+        ("idle_timeout_s_max", float("nan")),
+        ("wait_s_max", 601),
+        ("max_body_bytes", 65535),
+        ("max_chunk", 3),
+        ("max_chunk", 4097),
+        ("log_level", "nonsense"),
+        ("public_url", "example.org"),
+        ("allow_private_policies", "10.0.0.1/8"),
+        ("profiles", "ebench,"),
+    ],
+)
+def test_a_setting_has_bounds(name: str, bad: Any) -> None:
+    with pytest.raises(ValidationError) as caught:
+        Settings(**{name: bad})
+    assert [fault["loc"] for fault in caught.value.errors()] == [(name,)]
+
+
+@pytest.mark.parametrize(
+    ("database", "url"),
+    [
+        ("var/x.sqlite", "sqlite+aiosqlite:///var/x.sqlite"),
+        ("/tmp/x.sqlite", "sqlite+aiosqlite:////tmp/x.sqlite"),  # noqa: S108
+        ("postgresql+asyncpg://host/name", "postgresql+asyncpg://host/name"),
+    ],
+)
+def test_a_database_is_a_path_or_a_url(database: str, url: str) -> None:
+    assert Settings(database=database).database_url == url
+
+
+# --- tokens ---
+
+
+def caller(tokens: Tokens, header: str | None, scope: str = "read") -> str:
+    """The account that a header stands for, or the code of the refusal."""
+    try:
+        return tokens.authenticate(header, scope).account
+    except Refused as refused:
+        return refused.code
+
+
+def test_tokens_have_accounts_and_scopes() -> None:
+    tokens = Tokens.parse("alice:read+run:a:b, bob:read:c,")
+    assert caller(tokens, "Bearer a:b", "run") == "alice"
+    assert caller(tokens, "bearer  c") == "bob"
+    assert caller(tokens, "Bearer c", "run") == "forbidden"
+
+
+@pytest.mark.parametrize(
+    "header", [None, "", "Bearer", "Bearer ", "Bearer x", "Basic c", "c", "Bearer c c"]
+)
+def test_other_credentials_are_refused(header: str | None) -> None:
+    tokens = Tokens.parse("bob:read:c")
+    assert caller(tokens, header) == "unauthenticated"
+
+
+def test_a_token_may_be_given_as_its_hash() -> None:
+    # Of the secret "c", by sha256sum.
+    hashed = "2e7d2c03a9507ae265ecf5b5356885a53393a2029d241394997265a1a25aefc6"
+    for form in (hashed, hashed.upper()):
+        tokens = Tokens.parse(f"bob:read:sha256={form}")
+        assert caller(tokens, "Bearer c") == "bob"
+        assert caller(tokens, f"Bearer {form}") == "unauthenticated"
+        assert caller(tokens, f"Bearer sha256={form}") == "unauthenticated"
+
+
+def test_a_fresh_token_can_do_everything_and_is_new_each_time() -> None:
+    tokens, secret = Tokens.generate()
+    assert caller(tokens, f"Bearer {secret}", "run") == "local"
+    assert Tokens.generate()[1] != secret
+
+
+def test_secrets_are_not_kept() -> None:
+    tokens = Tokens.parse("alice:read:the-secret")
+    assert "the-secret" not in repr(vars(tokens))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *(",", "alice", "alice:read", "alice:read:", ":read:x", "alice::x"),
+        *("alice:all:x", "alice:read+:x", "alice:read:x, :"),
+        *("alice:read:sha256=12", "alice:read:sha256="),
+    ],
+)
+def test_invalid_tokens_are_an_error(text: str) -> None:
+    with pytest.raises(BadTokens, match="tokens"):
+        Tokens.parse(text)
+
+
+if __name__ == "__main__":
+    PAGE.write_text(page())
+    sys.exit()

@@ -1,0 +1,100 @@
+"""The measurement of experts: it judges rightly, and docs/tasks.md is what it wrote."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+
+import pytest
+from PIL import Image
+
+from reference_sim.benchmarks.tabletop.experts import TabletopExpert
+from tests.support.paths import ROOT
+from tools import experts
+
+PAGE = (ROOT / "docs" / "tasks.md").read_text()
+SHOWN = [
+    (name, task)
+    for name in experts.benchmark_names()
+    for task in experts.manifest(name)["tasks"]
+]
+
+
+def test_experts_solve_every_task_and_random_actions_none() -> None:
+    """One seed of each task and split, played for real."""
+    done = subprocess.run(
+        [sys.executable, "tools/experts.py", "tabletop", "--seeds", "1"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "72 measured, 0 missed" in done.stdout
+    assert "MISSED" not in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("player", "successes", "missed"),
+    [
+        ("expert", 99, False),
+        ("expert", 98, True),
+        ("random", 2, False),
+        ("random", 3, True),
+        ("still", 3, True),
+    ],
+)
+def test_a_missed_criterion_is_reported_and_fails(
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    player: str,
+    successes: int,
+    missed: bool,
+) -> None:
+    trial = experts.Trial("tabletop", "reach", "test", player, seeds=100)
+    outcome = experts.TrialResult(trial, (10,) * successes)
+    assert ("MISSED" in str(outcome)) == missed
+    monkeypatch.setattr(experts, "measure", lambda *_: [outcome])
+    monkeypatch.setattr(sys, "argv", ["experts.py"])
+    assert experts.main() == missed
+    assert f"1 measured, {int(missed)} missed" in capsys.readouterr().out
+
+
+def test_the_tabletop_is_measured() -> None:
+    assert "tabletop" in experts.benchmark_names()
+    assert "runners" not in experts.benchmark_names()
+
+
+@pytest.mark.parametrize(("name", "task"), SHOWN)
+def test_the_page_shows_each_task_as_it_is(name: str, task: str) -> None:
+    """Instruction, goal and stages as the code has them, and a small picture."""
+    assert experts.task_section(name, task) in PAGE
+    picture = ROOT / "docs" / "tasks" / f"{name}_{task}.png"
+    with Image.open(picture) as drawn:
+        assert drawn.size == experts.PICTURE_SIZE
+    assert picture.stat().st_size < 80_000
+
+
+def test_the_figures_on_the_page_meet_the_criteria() -> None:
+    """A page written by a short or a failed measurement is not to be kept."""
+    rows = re.findall(r"^\| `(\w+)` \| (.*) \|$", PAGE, re.MULTILINE)
+    assert [task for task, _ in rows] == [task for _, task in SHOWN]
+    for task, cells in rows:
+        of = [(int(n), int(m)) for n, m in re.findall(r"(\d+) of (\d+)", cells)]
+        *expert, still, random = of
+        assert expert, task
+        for successes, seeds in expert:
+            assert seeds >= 100, task
+            assert successes >= experts.EXPERT_AT_LEAST * seeds, task
+        for successes, seeds in (still, random):
+            assert successes <= experts.LUCK_AT_MOST * seeds, task
+
+
+def test_an_expert_rejects_an_unknown_instruction() -> None:
+    expert = TabletopExpert()
+    with pytest.raises(RuntimeError, match="reset"):
+        expert.act({})
+    with pytest.raises(KeyError):
+        expert.reset("Juggle the cubes.")

@@ -1,0 +1,197 @@
+"""Benchmark files: what they may say, and how they are told what is wrong with them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from reference_sim.gymnasium import BadBenchmark
+from reference_sim.gymnasium.benchmark_file import (
+    BUNDLED_BENCHMARKS,
+    Benchmark,
+    legal_id,
+    read,
+)
+from tests.support.paths import ROOT
+
+EXAMPLES = ROOT / "examples" / "benchmarks"
+TASK = '[[tasks]]\nname = "a"\ninstruction = "Do."\n'
+
+
+def read_text(folder: Path, text: str, name: str = "my-bench.toml") -> Benchmark:
+    (folder / name).write_text(text)
+    ((benchmark, found),) = read(str(folder / name))
+    assert found == folder
+    return benchmark
+
+
+def test_the_shortest_file_names_an_environment(tmp_path: Path) -> None:
+    benchmark = read_text(tmp_path, 'environment = "CartPole-v1"')
+    assert benchmark.benchmark_id == "my_bench"
+    assert benchmark.source == "CartPole-v1"
+    assert [episode["seed"] for episode in benchmark.episodes(["a"])] == list(range(10))
+
+
+def test_episodes_come_split_by_split_and_task_by_task(tmp_path: Path) -> None:
+    benchmark = read_text(
+        tmp_path,
+        'environment = "X-v0"\n'
+        + TASK
+        + TASK.replace('"a"', '"b"')
+        + '[[splits]]\nname = "s"\nseeds = [7, 3]\n'
+        + '[[splits]]\nname = "t"\nfirst_seed = 5\nepisodes = 2\ntasks = ["b"]\n',
+    )
+    assert [tuple(episode.values()) for episode in benchmark.episodes(["a", "b"])] == [
+        *[("a", "s", 7), ("a", "s", 3), ("b", "s", 7), ("b", "s", 3)],
+        *[("b", "t", 5), ("b", "t", 6)],
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "fault"),
+    [
+        ("environment = CartPole", "no TOML: Invalid value (at line 1, column 15)"),
+        ("\nx = 'é'\ny = [", "no TOML: Invalid value (at end of document)"),
+        ("max_stepz = 1\nenvironment = 'X'", "max_stepz: Extra inputs are not permit"),
+        ("", 'give either environment = "ID" or made_by = "FILE.py:NAME"'),
+        ("environment = 'X'\nmade_by = 'a:b'", "give either environment"),
+        ("made_by = 'a.py'", "made_by: String should match pattern"),
+        ("environment = 'X'\nbenchmark_id = 'My'", "benchmark_id: String should match"),
+        (
+            "environment = 'X'\nmax_steps = '9'",
+            "max_steps: Input should be a valid int",
+        ),
+        (
+            "environment = 'X'\ncontrol_rate_hz = inf",
+            "control_rate_hz: Input should be",
+        ),
+        (
+            "environment = 'X'\n[[tasks]]\nname = 'a'",
+            "tasks[0].instruction: Field requ",
+        ),
+        ("environment = 'X'\n" + TASK + TASK, "two tasks have the same name"),
+        (
+            "environment = 'X'\n[[splits]]\nname = 's'\nseeds = [-1]",
+            "splits[0].seeds[0]: Input should be greater than or equal to 0",
+        ),
+        (
+            "environment = 'X'\n[[splits]]\nname = 's'",
+            "splits[0]: give either seeds = [...] or episodes = N (and first_seed)",
+        ),
+        (
+            "environment = 'X'\n[[splits]]\nname = 's'\nseeds = [1, 1]",
+            "splits[0]: seeds has a number twice",
+        ),
+        (
+            "environment = 'X'\n" + 2 * "[[splits]]\nname = 's'\nseeds = [1]\n",
+            "two splits have the same name",
+        ),
+        (
+            "environment = 'X'\n[[splits]]\nname='s'\nseeds=[1]\ntasks=['z']\n" + TASK,
+            "split s names no task: z",
+        ),
+        (
+            "environment = 'X'\nsuccess = { info = 'a', terminated = true }",
+            "success: give exactly one of info, reward_at_least, return_at_least, ",
+        ),
+        ("environment = 'X'\nsuccess = {}", "success: give exactly one of info"),
+        (
+            "success_rule='any_step'\nsuccess={return_at_least=1}\nenvironment='X'",
+            "return_at_least is known at the end only: success_rule is last_step",
+        ),
+        (
+            "environment = 'X'\nscore = { return_from = 1, return_to = 1 }",
+            "return_from must be less than return_to",
+        ),
+        ("environment = 'X'\ncamera = true", "camera"),
+        ("environment = 'X'\nimage_codecs = []", "image_codecs: List should have at"),
+        (
+            "environment = 'X'\n[action.a]\nrotation = 'x'",
+            "action.a.rotation: Input sh",
+        ),
+        (
+            "environment = 'X'\n[[image_sizes]]\nwidth = 0\nheight = 5",
+            "image_sizes[0].w",
+        ),
+    ],
+)
+def test_a_fault_of_a_file_is_one_line_with_its_place(
+    tmp_path: Path, text: str, fault: str
+) -> None:
+    with pytest.raises(BadBenchmark) as caught:
+        read_text(tmp_path, text)
+    said = str(caught.value)
+    assert said.startswith(f"{tmp_path / 'my-bench.toml'}: ")
+    assert fault in said
+    assert "\n" not in said
+
+
+def test_all_faults_of_a_file_are_reported_together(tmp_path: Path) -> None:
+    with pytest.raises(BadBenchmark, match=r"version: .*; max_steps: "):
+        read_text(tmp_path, "environment = 'X'\nversion = 1\nmax_steps = 0")
+
+
+@pytest.mark.parametrize(
+    ("reference", "fault"),
+    [
+        ("nothing.toml", "nothing.toml: No such file or directory"),
+        ("juggling", "juggling: no benchmark; say gymnasium:ID, FILE.toml, a folder"),
+        ("gymnasium:", "no benchmark; say"),
+        ("x.py:", "no benchmark; say"),
+    ],
+)
+def test_an_invalid_reference_is_an_error(reference: str, fault: str) -> None:
+    with pytest.raises(BadBenchmark) as caught:
+        list(read(reference))
+    assert fault in str(caught.value)
+
+
+def test_a_file_must_be_text(tmp_path: Path) -> None:
+    (tmp_path / "a.toml").write_bytes(b"\xff\xfe")
+    with pytest.raises(BadBenchmark, match="no TOML"):
+        list(read(str(tmp_path / "a.toml")))
+
+
+def test_a_folder_is_all_its_files_in_order(tmp_path: Path) -> None:
+    with pytest.raises(BadBenchmark, match=r"no file \*.toml is in this folder"):
+        list(read(str(tmp_path)))
+    for name in ("b", "a"):
+        (tmp_path / f"{name}.toml").write_text('environment = "X-v0"')
+    assert [benchmark.benchmark_id for benchmark, _ in read(str(tmp_path))] == [
+        "a",
+        "b",
+    ]
+
+
+def test_short_references_stand_for_files() -> None:
+    ((benchmark, folder),) = read("gymnasium:my_robots:ns/Arm-v2")
+    assert (benchmark.environment, benchmark.modules) == ("ns/Arm-v2", ["my_robots"])
+    assert (benchmark.benchmark_id, folder) == ("ns_arm_v2", Path.cwd())
+    ((benchmark, folder),) = read(f"{EXAMPLES}/corridor.py:Corridor")
+    assert (benchmark.made_by, folder) == ("corridor.py:Corridor", EXAMPLES)
+
+
+@pytest.mark.parametrize(
+    ("name", "benchmark_id"),
+    [
+        ("CartPole-v1", "cartpole_v1"),
+        ("ALE/Pong-v5", "ale_pong_v5"),
+        ("3Body-v0", "env_3body_v0"),
+        ("---", "env"),
+        ("a" * 80, "a" * 64),
+    ],
+)
+def test_ids_are_legal(name: str, benchmark_id: str) -> None:
+    assert legal_id(name) == benchmark_id
+    assert Benchmark(benchmark_id=benchmark_id, environment=name).source == name
+
+
+def test_meta_world_has_fifty_tasks_with_distinct_instructions() -> None:
+    ((benchmark, _),) = read("metaworld_mt50")
+    assert BUNDLED_BENCHMARKS.keys() == {benchmark.benchmark_id}
+    assert len({task.name for task in benchmark.tasks}) == 50
+    assert len({task.instruction for task in benchmark.tasks}) == 50
+    assert all(task.kwargs == {"task": task.name} for task in benchmark.tasks)
+    assert len(benchmark.episodes([task.name for task in benchmark.tasks])) == 500
+    assert benchmark.success_rule == "any_step"

@@ -1,0 +1,216 @@
+"""Raw images that two processes share: right, private, and never torn."""
+
+import asyncio
+import fcntl
+import os
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from reference_server.http.codec import (
+    JSON,
+    LARGE_BYTES,
+    MSGPACK,
+    encode_response,
+    encode_segments,
+)
+from reference_sim import benchmark_registry
+from reference_sim.process.encoding import EncodedObservation, encode_image
+from reference_sim.process.pool import SimulatorPool
+from reference_sim.process.shared_frame_buffer import (
+    SharedFrameBuffer,
+    SharedMemoryRegion,
+    map_memory,
+)
+from reference_sim.process.simulator_process import SimulatorProcess
+from tests.sim.process.test_pool import action
+
+HEIGHT, WIDTH = 30, 40
+SIZE = HEIGHT * WIDTH * 3
+
+
+def draw(
+    frame_buffer: SharedFrameBuffer, shade: int, images: int = 1
+) -> list[NDArray[np.uint8]]:
+    """An observation of some images, all of one shade."""
+    frame_buffer.swap()
+    pictures = [frame_buffer.allocate(HEIGHT, WIDTH) for _ in range(images)]
+    for picture in pictures:
+        picture.fill(shade)
+    return pictures
+
+
+def test_memory_is_shared_once_its_size_is_known() -> None:
+    frame_buffer = SharedFrameBuffer()
+    (first,) = draw(frame_buffer, 1)
+    assert frame_buffer.place_of(first) is None
+    assert frame_buffer.pending_mapping() is None
+    (second,) = draw(frame_buffer, 2)
+    told = frame_buffer.pending_mapping()
+    assert told is not None
+    assert frame_buffer.pending_mapping() is None
+    assert frame_buffer.place_of(second) is not None
+    seen = map_memory(os.getpid(), told)
+    offset, length = frame_buffer.place_of(second) or (0, 0)
+    assert seen[offset : offset + length] == bytes([2]) * SIZE
+    more = draw(frame_buffer, 3, images=2)
+    assert [frame_buffer.place_of(picture) is None for picture in more] == [False, True]
+    assert None not in map(frame_buffer.place_of, draw(frame_buffer, 4, images=2))
+
+
+def test_an_observation_is_valid_until_the_next_but_one() -> None:
+    frame_buffer = SharedFrameBuffer()
+    draw(frame_buffer, 1)
+    (second,) = draw(frame_buffer, 2)
+    (third,) = draw(frame_buffer, 3)
+    assert (second.max(), third.min()) == (2, 3)
+    (fourth,) = draw(frame_buffer, 4)
+    assert (second.max(), third.max(), fourth.max()) == (4, 3, 4)
+
+
+def test_a_new_episode_uses_other_memory() -> None:
+    """What is still being sent to one client never shows what another one sees."""
+    frame_buffer = SharedFrameBuffer()
+    draw(frame_buffer, 1)
+    (own_image,) = draw(frame_buffer, 2)
+    frame_buffer.begin_episode()
+    for shade in (3, 4, 5):
+        (other_image,) = draw(frame_buffer, shade)
+    assert (own_image.max(), other_image.max()) == (2, 5)
+    assert frame_buffer.place_of(own_image) is None
+
+
+def test_pixels_from_elsewhere_are_copied() -> None:
+    frame_buffer = SharedFrameBuffer()
+    draw(frame_buffer, 1)
+    (shared,) = draw(frame_buffer, 2)
+    assert "place" in encode_image(shared, "raw", frame_buffer)
+    for pixels in (np.ones((2, 2, 3), np.uint8), shared[::-1], shared[:, :2]):
+        image = encode_image(pixels, "raw", frame_buffer)
+        assert "place" not in image
+        assert image["data"] == pixels.tobytes()
+    assert "place" not in encode_image(shared, "png", frame_buffer)
+
+
+def test_memory_that_could_shrink_under_its_reader_is_refused() -> None:
+    descriptor = os.memfd_create("loose", os.MFD_ALLOW_SEALING)
+    os.ftruncate(descriptor, 4096)
+    with pytest.raises(ValueError, match="could shrink"):
+        map_memory(os.getpid(), SharedMemoryRegion(descriptor, 4096))
+    fcntl.fcntl(descriptor, fcntl.F_ADD_SEALS, fcntl.F_SEAL_SHRINK)
+    with pytest.raises(ValueError, match="could shrink"):
+        map_memory(os.getpid(), SharedMemoryRegion(descriptor, 4097))
+    assert map_memory(os.getpid(), SharedMemoryRegion(descriptor, 4096)) == bytes(4096)
+    os.close(descriptor)
+
+
+def test_descriptors_do_not_accumulate() -> None:
+    frame_buffer, counts = SharedFrameBuffer(), []
+    for _ in range(20):
+        frame_buffer.begin_episode()
+        draw(frame_buffer, 1)
+        draw(frame_buffer, 2)
+        frame_buffer.pending_mapping()
+        frame_buffer.acknowledge()
+        counts.append(len(list(Path("/proc/self/fd").iterdir())))
+    assert set(counts) == {counts[0]}
+
+
+def pixels_of(observation: EncodedObservation) -> bytes:
+    return bytes(observation["images"]["pattern"]["data"])
+
+
+def test_images_come_out_of_the_process_bit_for_bit() -> None:
+    world = benchmark_registry.resolve(
+        "calibration", images={"codec": "raw", "width": 64, "height": 48}
+    ).world
+    row, column, channel = np.ogrid[:48, :64, :3]
+
+    def pattern(count: int) -> bytes:
+        grey = 7 * column + 13 * row + 29 * channel + count
+        return bytes(grey.astype(np.uint8).tobytes())
+
+    async def scenario() -> None:
+        pool = SimulatorPool()
+        await pool.start()
+        handle = await pool.acquire(world)
+        for _ in range(2):
+            begun = await handle.begin("echo", 7, max_steps=9, success_rule="any_step")
+            shown = [begun.observation]
+            for _ in range(4):
+                played = await handle.play([action()], observe_all=False)
+                assert played.observation is not None
+                shown.append(played.observation)
+            # Older ones may have been drawn over by now.
+            assert [pixels_of(one) for one in shown[-2:]] == [pattern(3), pattern(4)]
+            assert pixels_of(await handle.observe()) == pattern(4)
+            chunk = await handle.play([action()] * 3, observe_all=True)
+            assert chunk.observations is not None
+            assert [pixels_of(one) for one in chunk.observations] == [
+                pattern(5),
+                pattern(6),
+                pattern(7),
+            ]
+        await handle.release()
+        await pool.close()
+
+    asyncio.run(scenario())
+
+
+def test_an_offset_outside_the_memory_is_an_error() -> None:
+    process = SimulatorProcess.__new__(SimulatorProcess)
+    process._frame_memory = memoryview(bytes(10))
+    for place in ((5, 6), (-2, 1), (11, 1)):
+        image = encode_image(np.zeros((1, 1, 1), np.uint8), "raw")
+        image["place"] = place
+        with pytest.raises(ValueError, match="beside"):
+            process._resolve_pixels(
+                {"state": {}, "tensors": {}, "images": {"a": image}}
+            )
+
+
+PIXELS = memoryview(bytes(range(256)) * (LARGE_BYTES // 64))
+TURN = {
+    "seq": 1,
+    "observation": {
+        "state": {"a": [1.0]},
+        "images": {
+            name: {"codec": "raw", "data": data}
+            for name, data in (
+                ("x", PIXELS),
+                ("y", memoryview(b"\x01" * 10)),
+                ("z", PIXELS[1:]),
+            )
+        },
+        "tensors": {},
+    },
+    "done": False,
+}
+
+
+def test_large_images_are_sent_without_a_copy() -> None:
+    parts = encode_segments(TURN)
+    assert sum(part is PIXELS for part in parts) == 1
+    assert b"".join(parts) == msgspec.msgpack.encode(TURN)
+
+
+@pytest.mark.parametrize(
+    ("media_type", "encode"),
+    [(MSGPACK, msgspec.msgpack.encode), (JSON, msgspec.json.encode)],
+)
+def test_a_segmented_answer_equals_the_whole(media_type: str, encode: Any) -> None:
+    parts = encode_segments(TURN, media_type)
+    assert len(parts) == 5
+    assert b"".join(parts) == encode(TURN)
+    answer = encode_response(TURN, media_type)
+    assert answer.media_type == media_type
+    assert int(answer.headers["content-length"]) == len(encode(TURN))
+
+
+@pytest.mark.parametrize("content", [{"observation": {}}, {"observation": 1}, [1], {}])
+def test_a_body_that_is_not_a_turn_is_one_segment(content: Any) -> None:
+    assert encode_segments(content, JSON) == [msgspec.json.encode(content)]

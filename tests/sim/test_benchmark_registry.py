@@ -1,0 +1,72 @@
+"""The catalog: what is offered, and what a user adds to it."""
+
+from __future__ import annotations
+
+import pytest
+
+from reference_sim import benchmark_registry
+from reference_sim.benchmark_registry import SimulatorConfig
+from reference_sim.gymnasium import BadBenchmark
+from tests.repository.test_layers import files_of_package, importers_of
+from tests.support.paths import ROOT
+
+EXAMPLES = ROOT / "examples" / "benchmarks"
+
+
+@pytest.fixture(autouse=True)
+def _catalog_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(
+        benchmark_registry, "_BENCHMARKS", dict(benchmark_registry._BENCHMARKS)
+    )
+
+
+def test_added_benchmarks_are_offered() -> None:
+    built_in = benchmark_registry.benchmark_ids()
+    warnings: list[str] = []
+    benchmark_registry.add(f"{EXAMPLES}, gymnasium:Acrobot-v1,", warnings.append)
+    added = {"acrobot_v1", "cartpole", "pendulum"}
+    assert set(benchmark_registry.benchmark_ids()) == {*built_in, *added}
+    assert benchmark_registry.unavailable_reason("cartpole") is None
+    (warning,) = warnings
+    assert warning.startswith("acrobot_v1: no camera: DependencyNotInstalled: pygame")
+
+    resolved = benchmark_registry.resolve("cartpole", max_chunk=7)
+    assert resolved.manifest["max_chunk"] == 7
+    assert len(resolved.episodes) == 2 * (2 + 3)
+    assert resolved.world.success_scored_tasks == ["balance", "recover"]
+    assert benchmark_registry.resolve("pendulum").world.success_scored_tasks == []
+    with pytest.raises(BadBenchmark, match="there is a benchmark acrobot_v1 already"):
+        benchmark_registry.add("gymnasium:Acrobot-v1", warnings.append)
+
+
+def test_a_simulator_is_built_without_the_registration() -> None:
+    benchmark_registry.add(f"{EXAMPLES}/corridor.py:Corridor", print)
+    world = benchmark_registry.resolve("corridor").world
+    benchmark_registry._BENCHMARKS.clear()
+    simulator = benchmark_registry.make(
+        SimulatorConfig("corridor", dict(world.settings))
+    )
+    assert simulator.reset("corridor", 1) == "Walk to the mark and stop there."
+    assert simulator.observe().state["observation"].shape == (2,)
+    simulator.close()
+    with pytest.raises(benchmark_registry.UnknownBenchmark):
+        benchmark_registry.resolve("corridor")
+
+
+def test_missing_meta_world_is_reported_with_the_command_to_install_it() -> None:
+    with pytest.raises(BadBenchmark) as caught:
+        benchmark_registry.add("metaworld_mt50", print)
+    assert "No module named 'metaworld'" in str(caught.value)
+    assert "make serve BENCHMARK=metaworld_mt50" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("module", "owner"),
+    [
+        ("gymnasium", "reference_sim/gymnasium/environments.py"),
+        ("metaworld", "reference_sim/benchmarks/metaworld/world.py"),
+    ],
+)
+def test_a_library_of_environments_has_one_owner(module: str, owner: str) -> None:
+    packages = files_of_package("reference_sim", "reference_server", "conformance")
+    assert importers_of(module, among=packages) == [owner]

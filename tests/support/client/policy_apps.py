@@ -1,0 +1,97 @@
+"""A policy server in this process, a policy for the benchmark `calibration`, and a
+server that may call it.
+"""
+
+import contextlib
+import os
+import signal
+import socket
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+import uvicorn
+from starlette.types import ASGIApp
+
+from reference_client import Observation
+from reference_client.policies.serving import PolicyApp
+from tests.conftest import TOKENS, ReferenceServer
+from tests.support.push_runs import ALLOW_LOOPBACK
+
+KEY = "sesame"
+ACTION: dict[str, Any] = {
+    "score": [0.5],
+    "success": [1.0],
+    "end": [0.0],
+    "delay_s": [0.0],
+    "fault": [0.0],
+    "vector": [0.0] * 8,
+    "clipped": [0.0, 0.0],
+}
+
+
+class CountingPolicy:
+    """Ends an episode at its third act; has its score from how often it was asked."""
+
+    def reset(self, instruction: str) -> None:
+        self.acts = 0
+
+    def act(self, observation: Observation) -> list[dict[str, Any]]:
+        self.acts += 1
+        end = [1.0 if self.acts == 3 else 0.0]
+        return [ACTION | {"score": [self.acts / 10], "end": end}]
+
+
+def make_app(**members: Any) -> PolicyApp:
+    return PolicyApp(CountingPolicy, "counting", **{"key": KEY, **members})
+
+
+@contextlib.contextmanager
+def run_app(app: ASGIApp) -> Iterator[str]:
+    """Serves an application on a free port; yields its URL."""
+    listener = socket.create_server(("127.0.0.1", 0))
+    config = uvicorn.Config(app, log_level="critical", lifespan="off")
+    server = uvicorn.Server(config)
+    thread = threading.Thread(target=server.run, args=([listener],), daemon=True)
+    thread.start()
+    try:
+        yield f"http://127.0.0.1:{listener.getsockname()[1]}"
+    finally:
+        server.should_exit = True
+        thread.join()
+        listener.close()
+
+
+@pytest.fixture(autouse=True)
+def policy_key(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PROCTOR_POLICY_KEY", KEY)
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
+    server = ReferenceServer(tmp_path_factory.mktemp("server"), **ALLOW_LOOPBACK)
+    yield server
+    server.end(signal.SIGKILL)
+    assert "Traceback" not in server.log()
+
+
+def free_port() -> int:
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        port: int = listener.getsockname()[1]
+    return port
+
+
+def run_proctor(
+    server: ReferenceServer, *arguments: str, command: str = "run"
+) -> subprocess.CompletedProcess[str]:
+    tokens = {"PROCTOR_TOKEN": TOKENS["alice"], "PROCTOR_URL": server.url}
+    return subprocess.run(
+        [sys.executable, "-m", "reference_client.command", command, *arguments],
+        env=os.environ | tokens,
+        capture_output=True,
+        text=True,
+        check=False,
+    )

@@ -1,0 +1,94 @@
+"""What the tests of FlagEval's wire share: a server, a model, and a client's words."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import httpx
+import pytest
+
+from conformance.policy.chat import ScriptedChat
+from tests.conftest import TIMEOUT_S, ReferenceServer
+from tests.support.push_runs import start_push_server
+
+KEY = "sk-this-is-nobodys-business"
+TASKS = {"score": 4, "count": 2}
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
+    path = tmp_path_factory.mktemp("flageval")
+    yield from start_push_server(path, PROCTOR_PROFILES="flageval")
+    stored_files = [p.read_bytes() for p in path.rglob("*") if p.is_file()]
+    assert KEY.encode() not in b"".join(stored_files)
+
+
+@pytest.fixture
+def client(server: ReferenceServer) -> Iterator[httpx.Client]:
+    with server.client() as opened:
+        yield opened
+
+
+@pytest.fixture
+def chat() -> Iterator[ScriptedChat]:
+    with ScriptedChat("1") as server:
+        yield server
+
+
+def model_info(chat: ScriptedChat, name: str, **more: Any) -> dict[str, Any]:
+    members = {
+        "eval_model": name,
+        "model": name,
+        "eval_url": chat.completions_url,
+        "tokenizer": "Qwen/Qwen3-8B",
+        "num_retry": 0,
+    }
+    return members | more
+
+
+def post_evaluation(client: httpx.Client, *infos: dict[str, Any], **more: Any) -> Any:
+    body = {"eval_infos": list(infos), "domain": "MM", "mode": "calibration"} | more
+    answer = client.post("/evaluation", json=body)
+    assert answer.status_code == 200, answer.text
+    assert KEY not in answer.text
+    return answer.json()
+
+
+def submit_evaluation(client: httpx.Client, *infos: dict[str, Any], **more: Any) -> str:
+    answer = post_evaluation(client, *infos, **more)
+    assert answer["err_code"] == 0, answer
+    return str(answer["request_id"])
+
+
+def post(client: httpx.Client, path: str, **body: Any) -> Any:
+    answer = client.post(path, json=body)
+    assert answer.status_code == 200, answer.text
+    return answer.json()
+
+
+def get_progress(client: httpx.Client, request_id: str) -> Any:
+    return post(client, "/evaluation_progress", request_id=request_id, domain="MM")
+
+
+def wait_until_finished(client: httpx.Client, request_id: str) -> Any:
+    deadline = time.monotonic() + TIMEOUT_S
+    while not (answer := get_progress(client, request_id))["finished"]:
+        assert time.monotonic() < deadline, answer
+        time.sleep(0.02)
+    return answer
+
+
+def get_evaldiffs(client: httpx.Client, request_id: str) -> Any:
+    """As their scripts do: a GET with a body."""
+    answer = client.request("GET", "/evaldiffs", json={"request_id": request_id})
+    assert answer.status_code == 200, answer.text
+    return answer.json()
+
+
+def is_refused(answer: Any, about: str) -> bool:
+    assert answer["err_code"] == 1
+    assert answer["err_msg"] == answer["err_message"]
+    assert about in answer["err_msg"], answer
+    return set(answer) == {"err_code", "err_msg", "err_message"}
