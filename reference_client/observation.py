@@ -21,6 +21,11 @@ from reference_client.errors import BAD_ANSWER, ProctorError
 from reference_client.messages import Image, Tensor, Turn
 from reference_client.messages import Observation as WireObservation
 
+# What numpy can hold; a tensor of a dtype that a later version has is left out.
+DTYPES = frozenset(
+    ("bool", "int8", "int16", "int32", "int64", "uint8", "uint16", "uint32", "uint64")
+    + ("float16", "float32", "float64")
+)
 # channels → what pillow calls them, and what simplejpeg does
 _PNG_MODES = {1: "L", 2: "LA", 3: "RGB", 4: "RGBA"}
 _JPEG_COLOURS = {1: "GRAY", 3: "RGB", 4: "RGBA"}
@@ -73,7 +78,11 @@ def decoded(
     return Observation(
         state={name: tuple(v) for name, v in seen.state.items()},
         images=_pictures(seen.images),
-        tensors={name: _array(name, tensor) for name, tensor in seen.tensors.items()},
+        tensors={
+            name: _array(name, tensor)
+            for name, tensor in seen.tensors.items()
+            if tensor.dtype in DTYPES
+        },
         instruction=instruction,
         episode_id=episode_id,
         step=step,

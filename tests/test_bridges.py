@@ -18,7 +18,6 @@ import pytest
 from proctor_client import (
     Action,
     ImageChoice,
-    ImageCodec,
     PolicyInfo,
     Predict,
     SubmitRun,
@@ -340,7 +339,7 @@ def _first_turn(house: House, benchmark: str, policy: Any) -> Any:
             benchmark_id=benchmark,
             policy=PolicyInfo(name="p"),
             images=ImageChoice(
-                codec=ImageCodec.RAW, width=size.width, height=size.height
+                codec="raw", width=size.width, height=size.height
             ),
         )
     )

@@ -250,8 +250,6 @@ def test_only_the_limits_that_are_told_are_tolerated() -> None:
     lost_sign = ["0000000000000000", "3fb999999999999a"]
     one_off = ["8000000000000000", "3fb9999999999999"]
     assert tolerated("typescript", lost_sign, wanted) == wanted
-    assert tolerated("cpp", one_off, wanted) == wanted
-    for language, seen in (("go", lost_sign), ("cpp", lost_sign), ("java", one_off)):
+    for language, seen in (("go", lost_sign), ("typescript", one_off)):
         assert tolerated(language, seen, wanted) != wanted
-    assert pictures.same([0.1], [0.1 + 2**-56], ulps=1)
-    assert not pictures.same([0.1], [0.1 + 2**-55], ulps=1)
+    assert not pictures.same([0.1], [0.1 + 2**-56])

@@ -4,7 +4,6 @@ package proctor
 
 import (
 	"encoding/json"
-	"bytes"
 	"fmt"
 )
 
@@ -15,6 +14,7 @@ var _ MappedNullable = &Action{}
 type Action struct {
 	// Name → vector, exactly the entries of the benchmark's action space.
 	Values map[string][]float64 `json:"values"`
+	AdditionalProperties map[string]interface{}
 }
 
 type _Action Action
@@ -72,6 +72,11 @@ func (o Action) MarshalJSON() ([]byte, error) {
 func (o Action) ToMap() (map[string]interface{}, error) {
 	toSerialize := map[string]interface{}{}
 	toSerialize["values"] = o.Values
+
+	for key, value := range o.AdditionalProperties {
+		toSerialize[key] = value
+	}
+
 	return toSerialize, nil
 }
 
@@ -99,15 +104,20 @@ func (o *Action) UnmarshalJSON(data []byte) (err error) {
 
 	varAction := _Action{}
 
-	decoder := json.NewDecoder(bytes.NewReader(data))
-	decoder.DisallowUnknownFields()
-	err = decoder.Decode(&varAction)
+	err = json.Unmarshal(data, &varAction)
 
 	if err != nil {
 		return err
 	}
 
 	*o = Action(varAction)
+
+	additionalProperties := make(map[string]interface{})
+
+	if err = json.Unmarshal(data, &additionalProperties); err == nil {
+		delete(additionalProperties, "values")
+		o.AdditionalProperties = additionalProperties
+	}
 
 	return err
 }

@@ -13,11 +13,14 @@ var _ MappedNullable = &Assumption{}
 type Assumption struct {
 	Size *int32 `json:"size,omitempty"`
 	Unit *string `json:"unit,omitempty"`
-	Rotation *Rotation `json:"rotation,omitempty"`
+	Rotation *string `json:"rotation,omitempty" validate:"regexp=^[a-z][a-z0-9_]{0\\,63}$"`
 	Frame *string `json:"frame,omitempty"`
 	Relative *bool `json:"relative,omitempty"`
 	GripperOpen *float64 `json:"gripper_open,omitempty"`
+	AdditionalProperties map[string]interface{}
 }
+
+type _Assumption Assumption
 
 // NewAssumption instantiates a new Assumption object
 // This constructor will assign default values to properties that have it defined,
@@ -101,9 +104,9 @@ func (o *Assumption) SetUnit(v string) {
 }
 
 // GetRotation returns the Rotation field value if set, zero value otherwise.
-func (o *Assumption) GetRotation() Rotation {
+func (o *Assumption) GetRotation() string {
 	if o == nil || IsNil(o.Rotation) {
-		var ret Rotation
+		var ret string
 		return ret
 	}
 	return *o.Rotation
@@ -111,7 +114,7 @@ func (o *Assumption) GetRotation() Rotation {
 
 // GetRotationOk returns a tuple with the Rotation field value if set, nil otherwise
 // and a boolean to check if the value has been set.
-func (o *Assumption) GetRotationOk() (*Rotation, bool) {
+func (o *Assumption) GetRotationOk() (*string, bool) {
 	if o == nil || IsNil(o.Rotation) {
 		return nil, false
 	}
@@ -127,8 +130,8 @@ func (o *Assumption) HasRotation() bool {
 	return false
 }
 
-// SetRotation gets a reference to the given Rotation and assigns it to the Rotation field.
-func (o *Assumption) SetRotation(v Rotation) {
+// SetRotation gets a reference to the given string and assigns it to the Rotation field.
+func (o *Assumption) SetRotation(v string) {
 	o.Rotation = &v
 }
 
@@ -256,7 +259,38 @@ func (o Assumption) ToMap() (map[string]interface{}, error) {
 	if !IsNil(o.GripperOpen) {
 		toSerialize["gripper_open"] = o.GripperOpen
 	}
+
+	for key, value := range o.AdditionalProperties {
+		toSerialize[key] = value
+	}
+
 	return toSerialize, nil
+}
+
+func (o *Assumption) UnmarshalJSON(data []byte) (err error) {
+	varAssumption := _Assumption{}
+
+	err = json.Unmarshal(data, &varAssumption)
+
+	if err != nil {
+		return err
+	}
+
+	*o = Assumption(varAssumption)
+
+	additionalProperties := make(map[string]interface{})
+
+	if err = json.Unmarshal(data, &additionalProperties); err == nil {
+		delete(additionalProperties, "size")
+		delete(additionalProperties, "unit")
+		delete(additionalProperties, "rotation")
+		delete(additionalProperties, "frame")
+		delete(additionalProperties, "relative")
+		delete(additionalProperties, "gripper_open")
+		o.AdditionalProperties = additionalProperties
+	}
+
+	return err
 }
 
 type NullableAssumption struct {

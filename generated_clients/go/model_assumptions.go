@@ -14,7 +14,10 @@ type Assumptions struct {
 	ControlRateHz *float64 `json:"control_rate_hz,omitempty"`
 	Action map[string]Assumption `json:"action,omitempty"`
 	State map[string]Assumption `json:"state,omitempty"`
+	AdditionalProperties map[string]interface{}
 }
+
+type _Assumptions Assumptions
 
 // NewAssumptions instantiates a new Assumptions object
 // This constructor will assign default values to properties that have it defined,
@@ -148,7 +151,35 @@ func (o Assumptions) ToMap() (map[string]interface{}, error) {
 	if !IsNil(o.State) {
 		toSerialize["state"] = o.State
 	}
+
+	for key, value := range o.AdditionalProperties {
+		toSerialize[key] = value
+	}
+
 	return toSerialize, nil
+}
+
+func (o *Assumptions) UnmarshalJSON(data []byte) (err error) {
+	varAssumptions := _Assumptions{}
+
+	err = json.Unmarshal(data, &varAssumptions)
+
+	if err != nil {
+		return err
+	}
+
+	*o = Assumptions(varAssumptions)
+
+	additionalProperties := make(map[string]interface{})
+
+	if err = json.Unmarshal(data, &additionalProperties); err == nil {
+		delete(additionalProperties, "control_rate_hz")
+		delete(additionalProperties, "action")
+		delete(additionalProperties, "state")
+		o.AdditionalProperties = additionalProperties
+	}
+
+	return err
 }
 
 type NullableAssumptions struct {

@@ -4,7 +4,6 @@ package proctor
 
 import (
 	"encoding/json"
-	"bytes"
 	"fmt"
 )
 
@@ -18,6 +17,7 @@ type AttachWorker struct {
 	// Fence out a live session; false when absent.
 	Takeover *bool `json:"takeover,omitempty"`
 	Assumes *Assumptions `json:"assumes,omitempty"`
+	AdditionalProperties map[string]interface{}
 }
 
 type _AttachWorker AttachWorker
@@ -145,6 +145,11 @@ func (o AttachWorker) ToMap() (map[string]interface{}, error) {
 	if !IsNil(o.Assumes) {
 		toSerialize["assumes"] = o.Assumes
 	}
+
+	for key, value := range o.AdditionalProperties {
+		toSerialize[key] = value
+	}
+
 	return toSerialize, nil
 }
 
@@ -172,15 +177,22 @@ func (o *AttachWorker) UnmarshalJSON(data []byte) (err error) {
 
 	varAttachWorker := _AttachWorker{}
 
-	decoder := json.NewDecoder(bytes.NewReader(data))
-	decoder.DisallowUnknownFields()
-	err = decoder.Decode(&varAttachWorker)
+	err = json.Unmarshal(data, &varAttachWorker)
 
 	if err != nil {
 		return err
 	}
 
 	*o = AttachWorker(varAttachWorker)
+
+	additionalProperties := make(map[string]interface{})
+
+	if err = json.Unmarshal(data, &additionalProperties); err == nil {
+		delete(additionalProperties, "attach_key")
+		delete(additionalProperties, "takeover")
+		delete(additionalProperties, "assumes")
+		o.AdditionalProperties = additionalProperties
+	}
 
 	return err
 }

@@ -28,14 +28,15 @@ type Benchmark struct {
 	MaxChunk int32 `json:"max_chunk"`
 	MaxAttempts int32 `json:"max_attempts"`
 	MaxFaults int32 `json:"max_faults"`
-	SuccessRule SuccessRule `json:"success_rule"`
+	// A `SuccessRule`, or one of a later version.
+	SuccessRule string `json:"success_rule" validate:"regexp=^[a-z][a-z0-9_]{0\\,63}$"`
 	// Name of an action value → what it means.
 	ActionSpace map[string]VectorSpace `json:"action_space"`
 	ObservationSpace ObservationSpace `json:"observation_space"`
 	// Sizes that may be chosen at submit; the first is the default.
 	ImageSizes []ImageSize `json:"image_sizes"`
 	// Codecs that may be chosen at submit; the first is the default.
-	ImageCodecs []ImageCodec `json:"image_codecs"`
+	ImageCodecs []string `json:"image_codecs"`
 	Simulator SimulatorInfo `json:"simulator"`
 	// Why a run cannot be submitted here now, and the cure; null when it can.
 	UnavailableReason NullableString `json:"unavailable_reason"`
@@ -48,7 +49,7 @@ type _Benchmark Benchmark
 // This constructor will assign default values to properties that have it defined,
 // and makes sure properties required by API are set, but the set of arguments
 // will change when the set of required properties is changed
-func NewBenchmark(benchmarkId string, version string, title string, description string, manifestSha256 string, episodesTotal int32, tasks []string, splits []string, controlRateHz float64, maxSteps int32, maxChunk int32, maxAttempts int32, maxFaults int32, successRule SuccessRule, actionSpace map[string]VectorSpace, observationSpace ObservationSpace, imageSizes []ImageSize, imageCodecs []ImageCodec, simulator SimulatorInfo, unavailableReason NullableString) *Benchmark {
+func NewBenchmark(benchmarkId string, version string, title string, description string, manifestSha256 string, episodesTotal int32, tasks []string, splits []string, controlRateHz float64, maxSteps int32, maxChunk int32, maxAttempts int32, maxFaults int32, successRule string, actionSpace map[string]VectorSpace, observationSpace ObservationSpace, imageSizes []ImageSize, imageCodecs []string, simulator SimulatorInfo, unavailableReason NullableString) *Benchmark {
 	this := Benchmark{}
 	this.BenchmarkId = benchmarkId
 	this.Version = version
@@ -394,9 +395,9 @@ func (o *Benchmark) SetMaxFaults(v int32) {
 }
 
 // GetSuccessRule returns the SuccessRule field value
-func (o *Benchmark) GetSuccessRule() SuccessRule {
+func (o *Benchmark) GetSuccessRule() string {
 	if o == nil {
-		var ret SuccessRule
+		var ret string
 		return ret
 	}
 
@@ -405,7 +406,7 @@ func (o *Benchmark) GetSuccessRule() SuccessRule {
 
 // GetSuccessRuleOk returns a tuple with the SuccessRule field value
 // and a boolean to check if the value has been set.
-func (o *Benchmark) GetSuccessRuleOk() (*SuccessRule, bool) {
+func (o *Benchmark) GetSuccessRuleOk() (*string, bool) {
 	if o == nil {
 		return nil, false
 	}
@@ -413,7 +414,7 @@ func (o *Benchmark) GetSuccessRuleOk() (*SuccessRule, bool) {
 }
 
 // SetSuccessRule sets field value
-func (o *Benchmark) SetSuccessRule(v SuccessRule) {
+func (o *Benchmark) SetSuccessRule(v string) {
 	o.SuccessRule = v
 }
 
@@ -490,9 +491,9 @@ func (o *Benchmark) SetImageSizes(v []ImageSize) {
 }
 
 // GetImageCodecs returns the ImageCodecs field value
-func (o *Benchmark) GetImageCodecs() []ImageCodec {
+func (o *Benchmark) GetImageCodecs() []string {
 	if o == nil {
-		var ret []ImageCodec
+		var ret []string
 		return ret
 	}
 
@@ -501,7 +502,7 @@ func (o *Benchmark) GetImageCodecs() []ImageCodec {
 
 // GetImageCodecsOk returns a tuple with the ImageCodecs field value
 // and a boolean to check if the value has been set.
-func (o *Benchmark) GetImageCodecsOk() ([]ImageCodec, bool) {
+func (o *Benchmark) GetImageCodecsOk() ([]string, bool) {
 	if o == nil {
 		return nil, false
 	}
@@ -509,7 +510,7 @@ func (o *Benchmark) GetImageCodecsOk() ([]ImageCodec, bool) {
 }
 
 // SetImageCodecs sets field value
-func (o *Benchmark) SetImageCodecs(v []ImageCodec) {
+func (o *Benchmark) SetImageCodecs(v []string) {
 	o.ImageCodecs = v
 }
 

@@ -22,7 +22,10 @@ type CalibrationOptions struct {
 	MaxFaults *int32 `json:"max_faults,omitempty"`
 	// Seconds for which the run stays queued after submit and after resume; 0 when absent.
 	QueueS *float64 `json:"queue_s,omitempty"`
+	AdditionalProperties map[string]interface{}
 }
+
+type _CalibrationOptions CalibrationOptions
 
 // NewCalibrationOptions instantiates a new CalibrationOptions object
 // This constructor will assign default values to properties that have it defined,
@@ -261,7 +264,38 @@ func (o CalibrationOptions) ToMap() (map[string]interface{}, error) {
 	if !IsNil(o.QueueS) {
 		toSerialize["queue_s"] = o.QueueS
 	}
+
+	for key, value := range o.AdditionalProperties {
+		toSerialize[key] = value
+	}
+
 	return toSerialize, nil
+}
+
+func (o *CalibrationOptions) UnmarshalJSON(data []byte) (err error) {
+	varCalibrationOptions := _CalibrationOptions{}
+
+	err = json.Unmarshal(data, &varCalibrationOptions)
+
+	if err != nil {
+		return err
+	}
+
+	*o = CalibrationOptions(varCalibrationOptions)
+
+	additionalProperties := make(map[string]interface{})
+
+	if err = json.Unmarshal(data, &additionalProperties); err == nil {
+		delete(additionalProperties, "tasks")
+		delete(additionalProperties, "max_steps")
+		delete(additionalProperties, "success_rule")
+		delete(additionalProperties, "max_attempts")
+		delete(additionalProperties, "max_faults")
+		delete(additionalProperties, "queue_s")
+		o.AdditionalProperties = additionalProperties
+	}
+
+	return err
 }
 
 type NullableCalibrationOptions struct {

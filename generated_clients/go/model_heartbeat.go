@@ -4,7 +4,6 @@ package proctor
 
 import (
 	"encoding/json"
-	"bytes"
 	"fmt"
 )
 
@@ -14,6 +13,7 @@ var _ MappedNullable = &Heartbeat{}
 // Heartbeat struct for Heartbeat
 type Heartbeat struct {
 	SessionId string `json:"session_id"`
+	AdditionalProperties map[string]interface{}
 }
 
 type _Heartbeat Heartbeat
@@ -71,6 +71,11 @@ func (o Heartbeat) MarshalJSON() ([]byte, error) {
 func (o Heartbeat) ToMap() (map[string]interface{}, error) {
 	toSerialize := map[string]interface{}{}
 	toSerialize["session_id"] = o.SessionId
+
+	for key, value := range o.AdditionalProperties {
+		toSerialize[key] = value
+	}
+
 	return toSerialize, nil
 }
 
@@ -98,15 +103,20 @@ func (o *Heartbeat) UnmarshalJSON(data []byte) (err error) {
 
 	varHeartbeat := _Heartbeat{}
 
-	decoder := json.NewDecoder(bytes.NewReader(data))
-	decoder.DisallowUnknownFields()
-	err = decoder.Decode(&varHeartbeat)
+	err = json.Unmarshal(data, &varHeartbeat)
 
 	if err != nil {
 		return err
 	}
 
 	*o = Heartbeat(varHeartbeat)
+
+	additionalProperties := make(map[string]interface{})
+
+	if err = json.Unmarshal(data, &additionalProperties); err == nil {
+		delete(additionalProperties, "session_id")
+		o.AdditionalProperties = additionalProperties
+	}
 
 	return err
 }

@@ -12,7 +12,7 @@ var _ MappedNullable = &Image{}
 
 // Image RGB or grey, row 0 on top; raw is height × width × channels bytes.
 type Image struct {
-	Codec ImageCodec `json:"codec"`
+	Codec string `json:"codec" validate:"regexp=^[a-z][a-z0-9_]{0\\,63}$"`
 	Width int32 `json:"width"`
 	Height int32 `json:"height"`
 	Channels int32 `json:"channels"`
@@ -27,7 +27,7 @@ type _Image Image
 // This constructor will assign default values to properties that have it defined,
 // and makes sure properties required by API are set, but the set of arguments
 // will change when the set of required properties is changed
-func NewImage(codec ImageCodec, width int32, height int32, channels int32, data string) *Image {
+func NewImage(codec string, width int32, height int32, channels int32, data string) *Image {
 	this := Image{}
 	this.Codec = codec
 	this.Width = width
@@ -46,9 +46,9 @@ func NewImageWithDefaults() *Image {
 }
 
 // GetCodec returns the Codec field value
-func (o *Image) GetCodec() ImageCodec {
+func (o *Image) GetCodec() string {
 	if o == nil {
-		var ret ImageCodec
+		var ret string
 		return ret
 	}
 
@@ -57,7 +57,7 @@ func (o *Image) GetCodec() ImageCodec {
 
 // GetCodecOk returns a tuple with the Codec field value
 // and a boolean to check if the value has been set.
-func (o *Image) GetCodecOk() (*ImageCodec, bool) {
+func (o *Image) GetCodecOk() (*string, bool) {
 	if o == nil {
 		return nil, false
 	}
@@ -65,7 +65,7 @@ func (o *Image) GetCodecOk() (*ImageCodec, bool) {
 }
 
 // SetCodec sets field value
-func (o *Image) SetCodec(v ImageCodec) {
+func (o *Image) SetCodec(v string) {
 	o.Codec = v
 }
 

@@ -4,7 +4,6 @@ package proctor
 
 import (
 	"encoding/json"
-	"bytes"
 	"fmt"
 )
 
@@ -13,9 +12,10 @@ var _ MappedNullable = &ImageChoice{}
 
 // ImageChoice Recorded with the result, because it changes the score.
 type ImageChoice struct {
-	Codec ImageCodec `json:"codec"`
+	Codec string `json:"codec" validate:"regexp=^[a-z][a-z0-9_]{0\\,63}$"`
 	Width int32 `json:"width"`
 	Height int32 `json:"height"`
+	AdditionalProperties map[string]interface{}
 }
 
 type _ImageChoice ImageChoice
@@ -24,7 +24,7 @@ type _ImageChoice ImageChoice
 // This constructor will assign default values to properties that have it defined,
 // and makes sure properties required by API are set, but the set of arguments
 // will change when the set of required properties is changed
-func NewImageChoice(codec ImageCodec, width int32, height int32) *ImageChoice {
+func NewImageChoice(codec string, width int32, height int32) *ImageChoice {
 	this := ImageChoice{}
 	this.Codec = codec
 	this.Width = width
@@ -41,9 +41,9 @@ func NewImageChoiceWithDefaults() *ImageChoice {
 }
 
 // GetCodec returns the Codec field value
-func (o *ImageChoice) GetCodec() ImageCodec {
+func (o *ImageChoice) GetCodec() string {
 	if o == nil {
-		var ret ImageCodec
+		var ret string
 		return ret
 	}
 
@@ -52,7 +52,7 @@ func (o *ImageChoice) GetCodec() ImageCodec {
 
 // GetCodecOk returns a tuple with the Codec field value
 // and a boolean to check if the value has been set.
-func (o *ImageChoice) GetCodecOk() (*ImageCodec, bool) {
+func (o *ImageChoice) GetCodecOk() (*string, bool) {
 	if o == nil {
 		return nil, false
 	}
@@ -60,7 +60,7 @@ func (o *ImageChoice) GetCodecOk() (*ImageCodec, bool) {
 }
 
 // SetCodec sets field value
-func (o *ImageChoice) SetCodec(v ImageCodec) {
+func (o *ImageChoice) SetCodec(v string) {
 	o.Codec = v
 }
 
@@ -125,6 +125,11 @@ func (o ImageChoice) ToMap() (map[string]interface{}, error) {
 	toSerialize["codec"] = o.Codec
 	toSerialize["width"] = o.Width
 	toSerialize["height"] = o.Height
+
+	for key, value := range o.AdditionalProperties {
+		toSerialize[key] = value
+	}
+
 	return toSerialize, nil
 }
 
@@ -154,15 +159,22 @@ func (o *ImageChoice) UnmarshalJSON(data []byte) (err error) {
 
 	varImageChoice := _ImageChoice{}
 
-	decoder := json.NewDecoder(bytes.NewReader(data))
-	decoder.DisallowUnknownFields()
-	err = decoder.Decode(&varImageChoice)
+	err = json.Unmarshal(data, &varImageChoice)
 
 	if err != nil {
 		return err
 	}
 
 	*o = ImageChoice(varImageChoice)
+
+	additionalProperties := make(map[string]interface{})
+
+	if err = json.Unmarshal(data, &additionalProperties); err == nil {
+		delete(additionalProperties, "codec")
+		delete(additionalProperties, "width")
+		delete(additionalProperties, "height")
+		o.AdditionalProperties = additionalProperties
+	}
 
 	return err
 }

@@ -4,7 +4,6 @@ package proctor
 
 import (
 	"encoding/json"
-	"bytes"
 	"fmt"
 )
 
@@ -15,6 +14,7 @@ var _ MappedNullable = &ImageSize{}
 type ImageSize struct {
 	Width int32 `json:"width"`
 	Height int32 `json:"height"`
+	AdditionalProperties map[string]interface{}
 }
 
 type _ImageSize ImageSize
@@ -98,6 +98,11 @@ func (o ImageSize) ToMap() (map[string]interface{}, error) {
 	toSerialize := map[string]interface{}{}
 	toSerialize["width"] = o.Width
 	toSerialize["height"] = o.Height
+
+	for key, value := range o.AdditionalProperties {
+		toSerialize[key] = value
+	}
+
 	return toSerialize, nil
 }
 
@@ -126,15 +131,21 @@ func (o *ImageSize) UnmarshalJSON(data []byte) (err error) {
 
 	varImageSize := _ImageSize{}
 
-	decoder := json.NewDecoder(bytes.NewReader(data))
-	decoder.DisallowUnknownFields()
-	err = decoder.Decode(&varImageSize)
+	err = json.Unmarshal(data, &varImageSize)
 
 	if err != nil {
 		return err
 	}
 
 	*o = ImageSize(varImageSize)
+
+	additionalProperties := make(map[string]interface{})
+
+	if err = json.Unmarshal(data, &additionalProperties); err == nil {
+		delete(additionalProperties, "width")
+		delete(additionalProperties, "height")
+		o.AdditionalProperties = additionalProperties
+	}
 
 	return err
 }

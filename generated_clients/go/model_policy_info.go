@@ -4,7 +4,6 @@ package proctor
 
 import (
 	"encoding/json"
-	"bytes"
 	"fmt"
 )
 
@@ -17,6 +16,7 @@ type PolicyInfo struct {
 	Version *string `json:"version,omitempty"`
 	Submitter *string `json:"submitter,omitempty"`
 	Homepage *string `json:"homepage,omitempty"`
+	AdditionalProperties map[string]interface{}
 }
 
 type _PolicyInfo PolicyInfo
@@ -179,6 +179,11 @@ func (o PolicyInfo) ToMap() (map[string]interface{}, error) {
 	if !IsNil(o.Homepage) {
 		toSerialize["homepage"] = o.Homepage
 	}
+
+	for key, value := range o.AdditionalProperties {
+		toSerialize[key] = value
+	}
+
 	return toSerialize, nil
 }
 
@@ -206,15 +211,23 @@ func (o *PolicyInfo) UnmarshalJSON(data []byte) (err error) {
 
 	varPolicyInfo := _PolicyInfo{}
 
-	decoder := json.NewDecoder(bytes.NewReader(data))
-	decoder.DisallowUnknownFields()
-	err = decoder.Decode(&varPolicyInfo)
+	err = json.Unmarshal(data, &varPolicyInfo)
 
 	if err != nil {
 		return err
 	}
 
 	*o = PolicyInfo(varPolicyInfo)
+
+	additionalProperties := make(map[string]interface{})
+
+	if err = json.Unmarshal(data, &additionalProperties); err == nil {
+		delete(additionalProperties, "name")
+		delete(additionalProperties, "version")
+		delete(additionalProperties, "submitter")
+		delete(additionalProperties, "homepage")
+		o.AdditionalProperties = additionalProperties
+	}
 
 	return err
 }

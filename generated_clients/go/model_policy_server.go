@@ -4,7 +4,6 @@ package proctor
 
 import (
 	"encoding/json"
-	"bytes"
 	"fmt"
 )
 
@@ -28,6 +27,7 @@ type PolicyServer struct {
 	MaxRetries *int32 `json:"max_retries,omitempty"`
 	// Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` alone.
 	Generation map[string]float64 `json:"generation,omitempty"`
+	AdditionalProperties map[string]interface{}
 }
 
 type _PolicyServer PolicyServer
@@ -321,6 +321,11 @@ func (o PolicyServer) ToMap() (map[string]interface{}, error) {
 	if !IsNil(o.Generation) {
 		toSerialize["generation"] = o.Generation
 	}
+
+	for key, value := range o.AdditionalProperties {
+		toSerialize[key] = value
+	}
+
 	return toSerialize, nil
 }
 
@@ -349,15 +354,27 @@ func (o *PolicyServer) UnmarshalJSON(data []byte) (err error) {
 
 	varPolicyServer := _PolicyServer{}
 
-	decoder := json.NewDecoder(bytes.NewReader(data))
-	decoder.DisallowUnknownFields()
-	err = decoder.Decode(&varPolicyServer)
+	err = json.Unmarshal(data, &varPolicyServer)
 
 	if err != nil {
 		return err
 	}
 
 	*o = PolicyServer(varPolicyServer)
+
+	additionalProperties := make(map[string]interface{})
+
+	if err = json.Unmarshal(data, &additionalProperties); err == nil {
+		delete(additionalProperties, "url")
+		delete(additionalProperties, "protocol")
+		delete(additionalProperties, "api_key")
+		delete(additionalProperties, "model")
+		delete(additionalProperties, "call_timeout_s")
+		delete(additionalProperties, "max_concurrent")
+		delete(additionalProperties, "max_retries")
+		delete(additionalProperties, "generation")
+		o.AdditionalProperties = additionalProperties
+	}
 
 	return err
 }

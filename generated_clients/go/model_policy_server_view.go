@@ -13,7 +13,8 @@ var _ MappedNullable = &PolicyServerView{}
 // PolicyServerView The policy server of a run with mode `push`, with what was left open filled in, and without its key.
 type PolicyServerView struct {
 	Url string `json:"url"`
-	Protocol PolicyProtocol `json:"protocol"`
+	// A `PolicyProtocol`, or one of a later version.
+	Protocol string `json:"protocol" validate:"regexp=^[a-z][a-z0-9_]{0\\,63}$"`
 	HasApiKey bool `json:"has_api_key"`
 	Model *string `json:"model,omitempty"`
 	CallTimeoutS float64 `json:"call_timeout_s"`
@@ -29,7 +30,7 @@ type _PolicyServerView PolicyServerView
 // This constructor will assign default values to properties that have it defined,
 // and makes sure properties required by API are set, but the set of arguments
 // will change when the set of required properties is changed
-func NewPolicyServerView(url string, protocol PolicyProtocol, hasApiKey bool, callTimeoutS float64, maxConcurrent int32, maxRetries int32) *PolicyServerView {
+func NewPolicyServerView(url string, protocol string, hasApiKey bool, callTimeoutS float64, maxConcurrent int32, maxRetries int32) *PolicyServerView {
 	this := PolicyServerView{}
 	this.Url = url
 	this.Protocol = protocol
@@ -73,9 +74,9 @@ func (o *PolicyServerView) SetUrl(v string) {
 }
 
 // GetProtocol returns the Protocol field value
-func (o *PolicyServerView) GetProtocol() PolicyProtocol {
+func (o *PolicyServerView) GetProtocol() string {
 	if o == nil {
-		var ret PolicyProtocol
+		var ret string
 		return ret
 	}
 
@@ -84,7 +85,7 @@ func (o *PolicyServerView) GetProtocol() PolicyProtocol {
 
 // GetProtocolOk returns a tuple with the Protocol field value
 // and a boolean to check if the value has been set.
-func (o *PolicyServerView) GetProtocolOk() (*PolicyProtocol, bool) {
+func (o *PolicyServerView) GetProtocolOk() (*string, bool) {
 	if o == nil {
 		return nil, false
 	}
@@ -92,7 +93,7 @@ func (o *PolicyServerView) GetProtocolOk() (*PolicyProtocol, bool) {
 }
 
 // SetProtocol sets field value
-func (o *PolicyServerView) SetProtocol(v PolicyProtocol) {
+func (o *PolicyServerView) SetProtocol(v string) {
 	o.Protocol = v
 }
 

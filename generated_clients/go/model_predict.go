@@ -4,7 +4,6 @@ package proctor
 
 import (
 	"encoding/json"
-	"bytes"
 	"fmt"
 )
 
@@ -17,6 +16,7 @@ type Predict struct {
 	Seq int64 `json:"seq"`
 	Actions []Action `json:"actions"`
 	Observe *Observe `json:"observe,omitempty"`
+	AdditionalProperties map[string]interface{}
 }
 
 type _Predict Predict
@@ -161,6 +161,11 @@ func (o Predict) ToMap() (map[string]interface{}, error) {
 	if !IsNil(o.Observe) {
 		toSerialize["observe"] = o.Observe
 	}
+
+	for key, value := range o.AdditionalProperties {
+		toSerialize[key] = value
+	}
+
 	return toSerialize, nil
 }
 
@@ -190,15 +195,23 @@ func (o *Predict) UnmarshalJSON(data []byte) (err error) {
 
 	varPredict := _Predict{}
 
-	decoder := json.NewDecoder(bytes.NewReader(data))
-	decoder.DisallowUnknownFields()
-	err = decoder.Decode(&varPredict)
+	err = json.Unmarshal(data, &varPredict)
 
 	if err != nil {
 		return err
 	}
 
 	*o = Predict(varPredict)
+
+	additionalProperties := make(map[string]interface{})
+
+	if err = json.Unmarshal(data, &additionalProperties); err == nil {
+		delete(additionalProperties, "session_id")
+		delete(additionalProperties, "seq")
+		delete(additionalProperties, "actions")
+		delete(additionalProperties, "observe")
+		o.AdditionalProperties = additionalProperties
+	}
 
 	return err
 }

@@ -17,7 +17,7 @@ type Problem struct {
 	Status int32 `json:"status"`
 	// What happened and what to do about it.
 	Detail string `json:"detail"`
-	// One of x-problems.
+	// One of x-problems, or one of a later version.
 	Code string `json:"code"`
 	// Whether the same request can succeed later.
 	Retryable bool `json:"retryable"`
@@ -27,7 +27,8 @@ type Problem struct {
 	Requirement *string `json:"requirement,omitempty"`
 	State *RunState `json:"state,omitempty"`
 	ExpectedSeq *int64 `json:"expected_seq,omitempty"`
-	EndedBy *SessionEnd `json:"ended_by,omitempty"`
+	// What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended.
+	EndedBy *string `json:"ended_by,omitempty" validate:"regexp=^[a-z][a-z0-9_]{0\\,63}$"`
 	AdditionalProperties map[string]interface{}
 }
 
@@ -354,9 +355,9 @@ func (o *Problem) SetExpectedSeq(v int64) {
 }
 
 // GetEndedBy returns the EndedBy field value if set, zero value otherwise.
-func (o *Problem) GetEndedBy() SessionEnd {
+func (o *Problem) GetEndedBy() string {
 	if o == nil || IsNil(o.EndedBy) {
-		var ret SessionEnd
+		var ret string
 		return ret
 	}
 	return *o.EndedBy
@@ -364,7 +365,7 @@ func (o *Problem) GetEndedBy() SessionEnd {
 
 // GetEndedByOk returns a tuple with the EndedBy field value if set, nil otherwise
 // and a boolean to check if the value has been set.
-func (o *Problem) GetEndedByOk() (*SessionEnd, bool) {
+func (o *Problem) GetEndedByOk() (*string, bool) {
 	if o == nil || IsNil(o.EndedBy) {
 		return nil, false
 	}
@@ -380,8 +381,8 @@ func (o *Problem) HasEndedBy() bool {
 	return false
 }
 
-// SetEndedBy gets a reference to the given SessionEnd and assigns it to the EndedBy field.
-func (o *Problem) SetEndedBy(v SessionEnd) {
+// SetEndedBy gets a reference to the given string and assigns it to the EndedBy field.
+func (o *Problem) SetEndedBy(v string) {
 	o.EndedBy = &v
 }
 

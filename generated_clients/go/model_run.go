@@ -24,7 +24,8 @@ type Run struct {
 	// The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.
 	ManifestSha256 string `json:"manifest_sha256" validate:"regexp=^[0-9a-f]{64}$"`
 	Policy PolicyInfo `json:"policy"`
-	Mode *RunMode `json:"mode,omitempty"`
+	// A `RunMode`, or one of a later version; `pull` when absent.
+	Mode *string `json:"mode,omitempty" validate:"regexp=^[a-z][a-z0-9_]{0\\,63}$"`
 	PolicyServer *PolicyServerView `json:"policy_server,omitempty"`
 	MaxWorkers int32 `json:"max_workers"`
 	IdleTimeoutS float64 `json:"idle_timeout_s"`
@@ -273,9 +274,9 @@ func (o *Run) SetPolicy(v PolicyInfo) {
 }
 
 // GetMode returns the Mode field value if set, zero value otherwise.
-func (o *Run) GetMode() RunMode {
+func (o *Run) GetMode() string {
 	if o == nil || IsNil(o.Mode) {
-		var ret RunMode
+		var ret string
 		return ret
 	}
 	return *o.Mode
@@ -283,7 +284,7 @@ func (o *Run) GetMode() RunMode {
 
 // GetModeOk returns a tuple with the Mode field value if set, nil otherwise
 // and a boolean to check if the value has been set.
-func (o *Run) GetModeOk() (*RunMode, bool) {
+func (o *Run) GetModeOk() (*string, bool) {
 	if o == nil || IsNil(o.Mode) {
 		return nil, false
 	}
@@ -299,8 +300,8 @@ func (o *Run) HasMode() bool {
 	return false
 }
 
-// SetMode gets a reference to the given RunMode and assigns it to the Mode field.
-func (o *Run) SetMode(v RunMode) {
+// SetMode gets a reference to the given string and assigns it to the Mode field.
+func (o *Run) SetMode(v string) {
 	o.Mode = &v
 }
 

@@ -18,11 +18,11 @@ type Service struct {
 	Version string `json:"version"`
 	Protocol ProtocolRange `json:"protocol"`
 	// Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.
-	Profiles []Profile `json:"profiles"`
+	Profiles []string `json:"profiles"`
 	Limits Limits `json:"limits"`
 	// Media types of the data plane.
 	Encodings []string `json:"encodings"`
-	ImageCodecs []ImageCodec `json:"image_codecs"`
+	ImageCodecs []string `json:"image_codecs"`
 	// The server's clock, UTC.
 	ServerTime time.Time `json:"server_time"`
 	AdditionalProperties map[string]interface{}
@@ -34,7 +34,7 @@ type _Service Service
 // This constructor will assign default values to properties that have it defined,
 // and makes sure properties required by API are set, but the set of arguments
 // will change when the set of required properties is changed
-func NewService(name string, version string, protocol ProtocolRange, profiles []Profile, limits Limits, encodings []string, imageCodecs []ImageCodec, serverTime time.Time) *Service {
+func NewService(name string, version string, protocol ProtocolRange, profiles []string, limits Limits, encodings []string, imageCodecs []string, serverTime time.Time) *Service {
 	this := Service{}
 	this.Name = name
 	this.Version = version
@@ -128,9 +128,9 @@ func (o *Service) SetProtocol(v ProtocolRange) {
 }
 
 // GetProfiles returns the Profiles field value
-func (o *Service) GetProfiles() []Profile {
+func (o *Service) GetProfiles() []string {
 	if o == nil {
-		var ret []Profile
+		var ret []string
 		return ret
 	}
 
@@ -139,7 +139,7 @@ func (o *Service) GetProfiles() []Profile {
 
 // GetProfilesOk returns a tuple with the Profiles field value
 // and a boolean to check if the value has been set.
-func (o *Service) GetProfilesOk() ([]Profile, bool) {
+func (o *Service) GetProfilesOk() ([]string, bool) {
 	if o == nil {
 		return nil, false
 	}
@@ -147,7 +147,7 @@ func (o *Service) GetProfilesOk() ([]Profile, bool) {
 }
 
 // SetProfiles sets field value
-func (o *Service) SetProfiles(v []Profile) {
+func (o *Service) SetProfiles(v []string) {
 	o.Profiles = v
 }
 
@@ -200,9 +200,9 @@ func (o *Service) SetEncodings(v []string) {
 }
 
 // GetImageCodecs returns the ImageCodecs field value
-func (o *Service) GetImageCodecs() []ImageCodec {
+func (o *Service) GetImageCodecs() []string {
 	if o == nil {
-		var ret []ImageCodec
+		var ret []string
 		return ret
 	}
 
@@ -211,7 +211,7 @@ func (o *Service) GetImageCodecs() []ImageCodec {
 
 // GetImageCodecsOk returns a tuple with the ImageCodecs field value
 // and a boolean to check if the value has been set.
-func (o *Service) GetImageCodecsOk() ([]ImageCodec, bool) {
+func (o *Service) GetImageCodecsOk() ([]string, bool) {
 	if o == nil {
 		return nil, false
 	}
@@ -219,7 +219,7 @@ func (o *Service) GetImageCodecsOk() ([]ImageCodec, bool) {
 }
 
 // SetImageCodecs sets field value
-func (o *Service) SetImageCodecs(v []ImageCodec) {
+func (o *Service) SetImageCodecs(v []string) {
 	o.ImageCodecs = v
 }
 

@@ -12,7 +12,10 @@ var _ MappedNullable = &StopRun{}
 // StopRun struct for StopRun
 type StopRun struct {
 	Mode *StopMode `json:"mode,omitempty"`
+	AdditionalProperties map[string]interface{}
 }
+
+type _StopRun StopRun
 
 // NewStopRun instantiates a new StopRun object
 // This constructor will assign default values to properties that have it defined,
@@ -76,7 +79,33 @@ func (o StopRun) ToMap() (map[string]interface{}, error) {
 	if !IsNil(o.Mode) {
 		toSerialize["mode"] = o.Mode
 	}
+
+	for key, value := range o.AdditionalProperties {
+		toSerialize[key] = value
+	}
+
 	return toSerialize, nil
+}
+
+func (o *StopRun) UnmarshalJSON(data []byte) (err error) {
+	varStopRun := _StopRun{}
+
+	err = json.Unmarshal(data, &varStopRun)
+
+	if err != nil {
+		return err
+	}
+
+	*o = StopRun(varStopRun)
+
+	additionalProperties := make(map[string]interface{})
+
+	if err = json.Unmarshal(data, &additionalProperties); err == nil {
+		delete(additionalProperties, "mode")
+		o.AdditionalProperties = additionalProperties
+	}
+
+	return err
 }
 
 type NullableStopRun struct {

@@ -4,7 +4,6 @@ package proctor
 
 import (
 	"encoding/json"
-	"bytes"
 	"fmt"
 )
 
@@ -23,6 +22,7 @@ type SubmitRun struct {
 	Options *CalibrationOptions `json:"options,omitempty"`
 	Mode *RunMode `json:"mode,omitempty"`
 	PolicyServer *PolicyServer `json:"policy_server,omitempty"`
+	AdditionalProperties map[string]interface{}
 }
 
 type _SubmitRun SubmitRun
@@ -316,6 +316,11 @@ func (o SubmitRun) ToMap() (map[string]interface{}, error) {
 	if !IsNil(o.PolicyServer) {
 		toSerialize["policy_server"] = o.PolicyServer
 	}
+
+	for key, value := range o.AdditionalProperties {
+		toSerialize[key] = value
+	}
+
 	return toSerialize, nil
 }
 
@@ -344,15 +349,27 @@ func (o *SubmitRun) UnmarshalJSON(data []byte) (err error) {
 
 	varSubmitRun := _SubmitRun{}
 
-	decoder := json.NewDecoder(bytes.NewReader(data))
-	decoder.DisallowUnknownFields()
-	err = decoder.Decode(&varSubmitRun)
+	err = json.Unmarshal(data, &varSubmitRun)
 
 	if err != nil {
 		return err
 	}
 
 	*o = SubmitRun(varSubmitRun)
+
+	additionalProperties := make(map[string]interface{})
+
+	if err = json.Unmarshal(data, &additionalProperties); err == nil {
+		delete(additionalProperties, "benchmark_id")
+		delete(additionalProperties, "policy")
+		delete(additionalProperties, "max_workers")
+		delete(additionalProperties, "idle_timeout_s")
+		delete(additionalProperties, "images")
+		delete(additionalProperties, "options")
+		delete(additionalProperties, "mode")
+		delete(additionalProperties, "policy_server")
+		o.AdditionalProperties = additionalProperties
+	}
 
 	return err
 }

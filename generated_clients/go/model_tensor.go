@@ -12,7 +12,7 @@ var _ MappedNullable = &Tensor{}
 
 // Tensor C order, little-endian; a bool is one byte, 0 or 1.
 type Tensor struct {
-	Dtype Dtype `json:"dtype"`
+	Dtype string `json:"dtype" validate:"regexp=^[a-z][a-z0-9_]{0\\,63}$"`
 	Shape []int64 `json:"shape"`
 	// Base64 with padding in JSON; `bin` in MessagePack.
 	Data string `json:"data"`
@@ -25,7 +25,7 @@ type _Tensor Tensor
 // This constructor will assign default values to properties that have it defined,
 // and makes sure properties required by API are set, but the set of arguments
 // will change when the set of required properties is changed
-func NewTensor(dtype Dtype, shape []int64, data string) *Tensor {
+func NewTensor(dtype string, shape []int64, data string) *Tensor {
 	this := Tensor{}
 	this.Dtype = dtype
 	this.Shape = shape
@@ -42,9 +42,9 @@ func NewTensorWithDefaults() *Tensor {
 }
 
 // GetDtype returns the Dtype field value
-func (o *Tensor) GetDtype() Dtype {
+func (o *Tensor) GetDtype() string {
 	if o == nil {
-		var ret Dtype
+		var ret string
 		return ret
 	}
 
@@ -53,7 +53,7 @@ func (o *Tensor) GetDtype() Dtype {
 
 // GetDtypeOk returns a tuple with the Dtype field value
 // and a boolean to check if the value has been set.
-func (o *Tensor) GetDtypeOk() (*Dtype, bool) {
+func (o *Tensor) GetDtypeOk() (*string, bool) {
 	if o == nil {
 		return nil, false
 	}
@@ -61,7 +61,7 @@ func (o *Tensor) GetDtypeOk() (*Dtype, bool) {
 }
 
 // SetDtype sets field value
-func (o *Tensor) SetDtype(v Dtype) {
+func (o *Tensor) SetDtype(v string) {
 	o.Dtype = v
 }
 

@@ -12,7 +12,7 @@ var _ MappedNullable = &TensorSpace{}
 
 // TensorSpace struct for TensorSpace
 type TensorSpace struct {
-	Dtype Dtype `json:"dtype"`
+	Dtype string `json:"dtype" validate:"regexp=^[a-z][a-z0-9_]{0\\,63}$"`
 	Shape []int32 `json:"shape"`
 	Description string `json:"description"`
 	Tasks []string `json:"tasks,omitempty"`
@@ -25,7 +25,7 @@ type _TensorSpace TensorSpace
 // This constructor will assign default values to properties that have it defined,
 // and makes sure properties required by API are set, but the set of arguments
 // will change when the set of required properties is changed
-func NewTensorSpace(dtype Dtype, shape []int32, description string) *TensorSpace {
+func NewTensorSpace(dtype string, shape []int32, description string) *TensorSpace {
 	this := TensorSpace{}
 	this.Dtype = dtype
 	this.Shape = shape
@@ -42,9 +42,9 @@ func NewTensorSpaceWithDefaults() *TensorSpace {
 }
 
 // GetDtype returns the Dtype field value
-func (o *TensorSpace) GetDtype() Dtype {
+func (o *TensorSpace) GetDtype() string {
 	if o == nil {
-		var ret Dtype
+		var ret string
 		return ret
 	}
 
@@ -53,7 +53,7 @@ func (o *TensorSpace) GetDtype() Dtype {
 
 // GetDtypeOk returns a tuple with the Dtype field value
 // and a boolean to check if the value has been set.
-func (o *TensorSpace) GetDtypeOk() (*Dtype, bool) {
+func (o *TensorSpace) GetDtypeOk() (*string, bool) {
 	if o == nil {
 		return nil, false
 	}
@@ -61,7 +61,7 @@ func (o *TensorSpace) GetDtypeOk() (*Dtype, bool) {
 }
 
 // SetDtype sets field value
-func (o *TensorSpace) SetDtype(v Dtype) {
+func (o *TensorSpace) SetDtype(v string) {
 	o.Dtype = v
 }
 

@@ -15,7 +15,7 @@ type VectorSpace struct {
 	Size int32 `json:"size"`
 	// `rad`, `m`, `1`, or several joined by commas.
 	Unit string `json:"unit"`
-	Rotation Rotation `json:"rotation"`
+	Rotation string `json:"rotation" validate:"regexp=^[a-z][a-z0-9_]{0\\,63}$"`
 	// `world`, `base`, `tool`, `joint`, or `none`.
 	Frame string `json:"frame"`
 	// True when the values are increments.
@@ -24,7 +24,7 @@ type VectorSpace struct {
 	GripperOpen *float64 `json:"gripper_open,omitempty"`
 	Minimum []float64 `json:"minimum,omitempty"`
 	Maximum []float64 `json:"maximum,omitempty"`
-	OutOfRange OutOfRange `json:"out_of_range"`
+	OutOfRange string `json:"out_of_range" validate:"regexp=^[a-z][a-z0-9_]{0\\,63}$"`
 	// What the numbers are.
 	Description *string `json:"description,omitempty"`
 	// The tasks that have this entry; all of them when absent.
@@ -38,7 +38,7 @@ type _VectorSpace VectorSpace
 // This constructor will assign default values to properties that have it defined,
 // and makes sure properties required by API are set, but the set of arguments
 // will change when the set of required properties is changed
-func NewVectorSpace(size int32, unit string, rotation Rotation, frame string, relative bool, outOfRange OutOfRange) *VectorSpace {
+func NewVectorSpace(size int32, unit string, rotation string, frame string, relative bool, outOfRange string) *VectorSpace {
 	this := VectorSpace{}
 	this.Size = size
 	this.Unit = unit
@@ -106,9 +106,9 @@ func (o *VectorSpace) SetUnit(v string) {
 }
 
 // GetRotation returns the Rotation field value
-func (o *VectorSpace) GetRotation() Rotation {
+func (o *VectorSpace) GetRotation() string {
 	if o == nil {
-		var ret Rotation
+		var ret string
 		return ret
 	}
 
@@ -117,7 +117,7 @@ func (o *VectorSpace) GetRotation() Rotation {
 
 // GetRotationOk returns a tuple with the Rotation field value
 // and a boolean to check if the value has been set.
-func (o *VectorSpace) GetRotationOk() (*Rotation, bool) {
+func (o *VectorSpace) GetRotationOk() (*string, bool) {
 	if o == nil {
 		return nil, false
 	}
@@ -125,7 +125,7 @@ func (o *VectorSpace) GetRotationOk() (*Rotation, bool) {
 }
 
 // SetRotation sets field value
-func (o *VectorSpace) SetRotation(v Rotation) {
+func (o *VectorSpace) SetRotation(v string) {
 	o.Rotation = v
 }
 
@@ -274,9 +274,9 @@ func (o *VectorSpace) SetMaximum(v []float64) {
 }
 
 // GetOutOfRange returns the OutOfRange field value
-func (o *VectorSpace) GetOutOfRange() OutOfRange {
+func (o *VectorSpace) GetOutOfRange() string {
 	if o == nil {
-		var ret OutOfRange
+		var ret string
 		return ret
 	}
 
@@ -285,7 +285,7 @@ func (o *VectorSpace) GetOutOfRange() OutOfRange {
 
 // GetOutOfRangeOk returns a tuple with the OutOfRange field value
 // and a boolean to check if the value has been set.
-func (o *VectorSpace) GetOutOfRangeOk() (*OutOfRange, bool) {
+func (o *VectorSpace) GetOutOfRangeOk() (*string, bool) {
 	if o == nil {
 		return nil, false
 	}
@@ -293,7 +293,7 @@ func (o *VectorSpace) GetOutOfRangeOk() (*OutOfRange, bool) {
 }
 
 // SetOutOfRange sets field value
-func (o *VectorSpace) SetOutOfRange(v OutOfRange) {
+func (o *VectorSpace) SetOutOfRange(v string) {
 	o.OutOfRange = v
 }
 

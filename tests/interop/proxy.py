@@ -2,8 +2,8 @@
 
 It stands in front of one server, keeps a record of what passed, and can drop the first
 answer to each kind of request after the server has acted, or kill the server at one
-predict. It knows which operation a path is, and nothing of what the bodies mean, except
-that a run's `endpoint` must lead back through it.
+predict, or alter every answer. It knows which operation a path is, and nothing of what
+the bodies mean, except that a run's `endpoint` must lead back through it.
 """
 
 from __future__ import annotations
@@ -44,6 +44,7 @@ class Proxy:
     drop: kinds whose first answer is lost after the server gave it.
     crash_at: the number of the predict (from 1) whose answer is lost in a crash.
     crash: called then; it returns when the server is back, with its URL.
+    alter: makes another answer of each parsed JSON answer.
     """
 
     def __init__(
@@ -53,8 +54,9 @@ class Proxy:
         drop: Iterable[str] = (),
         crash_at: int = 0,
         crash: Callable[[], str] | None = None,
+        alter: Callable[[object], object] | None = None,
     ) -> None:
-        self.upstream = upstream
+        self.upstream, self._alter = upstream, alter
         self.passed: list[Passed] = []
         self.dropped: list[str] = []
         self._to_drop, self._crash_at, self._crash = set(drop), crash_at, crash
@@ -140,6 +142,8 @@ class Proxy:
         content = answer.content
         if request.path.startswith("/v1/runs") and b'"endpoint"' in content:
             content = json.dumps(self._through_here(json.loads(content))).encode()
+        if self._alter is not None and content:
+            content = json.dumps(self._alter(json.loads(content))).encode()
         request.send_response_only(answer.status_code)
         for name, value in answer.headers.items():
             if name not in HOP_BY_HOP | {"content-encoding"}:

@@ -109,8 +109,7 @@ public final class Worker {
                 Problem why = error.problem;
                 boolean completed = why.getState() == RunState.COMPLETED;
                 if (why.getCode().equals("illegal_transition") && completed) return; // others played the rest
-                SessionEnd end = why.getEndedBy();
-                boolean over = end == SessionEnd.RUN_STOPPED || end == SessionEnd.RUN_FAILED;
+                boolean over = "run_stopped".equals(why.getEndedBy()) || "run_failed".equals(why.getEndedBy());
                 if (!why.getCode().equals("session_ended") || over) throw error;
             }
         }

@@ -29,7 +29,10 @@ namespace Proctor.Client.Model
         /// Initializes a new instance of the <see cref="Action" /> class.
         /// </summary>
         [JsonConstructorAttribute]
-        protected Action() { }
+        protected Action()
+        {
+            this.AdditionalProperties = new Dictionary<string, object>();
+        }
         /// <summary>
         /// Initializes a new instance of the <see cref="Action" /> class.
         /// </summary>
@@ -42,6 +45,7 @@ namespace Proctor.Client.Model
                 throw new ArgumentNullException("values is a required property for Action and cannot be null");
             }
             this.Values = values;
+            this.AdditionalProperties = new Dictionary<string, object>();
         }
 
         /// <summary>
@@ -52,6 +56,12 @@ namespace Proctor.Client.Model
         public Dictionary<string, List<double>> Values { get; set; }
 
         /// <summary>
+        /// Gets or Sets additional properties
+        /// </summary>
+        [JsonExtensionData]
+        public IDictionary<string, object> AdditionalProperties { get; set; }
+
+        /// <summary>
         /// Returns the string presentation of the object
         /// </summary>
         /// <returns>String presentation of the object</returns>
@@ -60,6 +70,7 @@ namespace Proctor.Client.Model
             StringBuilder sb = new StringBuilder();
             sb.Append("class Action {\n");
             sb.Append("  Values: ").Append(Values).Append("\n");
+            sb.Append("  AdditionalProperties: ").Append(AdditionalProperties).Append("\n");
             sb.Append("}\n");
             return sb.ToString();
         }

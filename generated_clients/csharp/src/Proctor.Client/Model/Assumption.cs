@@ -25,12 +25,6 @@ namespace Proctor.Client.Model
     [DataContract(Name = "Assumption")]
     public partial class Assumption : IValidatableObject
     {
-
-        /// <summary>
-        /// Gets or Sets Rotation
-        /// </summary>
-        [DataMember(Name = "rotation", EmitDefaultValue = false)]
-        public Rotation? Rotation { get; set; }
         /// <summary>
         /// Initializes a new instance of the <see cref="Assumption" /> class.
         /// </summary>
@@ -40,7 +34,7 @@ namespace Proctor.Client.Model
         /// <param name="frame">frame.</param>
         /// <param name="relative">relative.</param>
         /// <param name="gripperOpen">gripperOpen.</param>
-        public Assumption(int size = default, string unit = default, Rotation? rotation = default, string frame = default, bool relative = default, double gripperOpen = default)
+        public Assumption(int size = default, string unit = default, string rotation = default, string frame = default, bool relative = default, double gripperOpen = default)
         {
             this.Size = size;
             this.Unit = unit;
@@ -48,6 +42,7 @@ namespace Proctor.Client.Model
             this.Frame = frame;
             this.Relative = relative;
             this.GripperOpen = gripperOpen;
+            this.AdditionalProperties = new Dictionary<string, object>();
         }
 
         /// <summary>
@@ -61,6 +56,12 @@ namespace Proctor.Client.Model
         /// </summary>
         [DataMember(Name = "unit", EmitDefaultValue = false)]
         public string Unit { get; set; }
+
+        /// <summary>
+        /// Gets or Sets Rotation
+        /// </summary>
+        [DataMember(Name = "rotation", EmitDefaultValue = false)]
+        public string Rotation { get; set; }
 
         /// <summary>
         /// Gets or Sets Frame
@@ -81,6 +82,12 @@ namespace Proctor.Client.Model
         public double GripperOpen { get; set; }
 
         /// <summary>
+        /// Gets or Sets additional properties
+        /// </summary>
+        [JsonExtensionData]
+        public IDictionary<string, object> AdditionalProperties { get; set; }
+
+        /// <summary>
         /// Returns the string presentation of the object
         /// </summary>
         /// <returns>String presentation of the object</returns>
@@ -94,6 +101,7 @@ namespace Proctor.Client.Model
             sb.Append("  Frame: ").Append(Frame).Append("\n");
             sb.Append("  Relative: ").Append(Relative).Append("\n");
             sb.Append("  GripperOpen: ").Append(GripperOpen).Append("\n");
+            sb.Append("  AdditionalProperties: ").Append(AdditionalProperties).Append("\n");
             sb.Append("}\n");
             return sb.ToString();
         }
@@ -124,6 +132,15 @@ namespace Proctor.Client.Model
             if (this.Unit != null && this.Unit.Length > 64)
             {
                 yield return new ValidationResult("Invalid value for Unit, length must be less than 64.", new [] { "Unit" });
+            }
+
+            if (this.Rotation != null) {
+                // Rotation (string) pattern
+                Regex regexRotation = new Regex(@"^[a-z][a-z0-9_]{0,63}$", RegexOptions.CultureInvariant);
+                if (!regexRotation.Match(this.Rotation).Success)
+                {
+                    yield return new System.ComponentModel.DataAnnotations.ValidationResult("Invalid value for Rotation, must match a pattern of " + regexRotation, new [] { "Rotation" });
+                }
             }
 
             // Frame (string) maxLength

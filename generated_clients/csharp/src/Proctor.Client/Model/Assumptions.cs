@@ -36,6 +36,7 @@ namespace Proctor.Client.Model
             this.ControlRateHz = controlRateHz;
             this.Action = action;
             this.State = state;
+            this.AdditionalProperties = new Dictionary<string, object>();
         }
 
         /// <summary>
@@ -57,6 +58,12 @@ namespace Proctor.Client.Model
         public Dictionary<string, Assumption> State { get; set; }
 
         /// <summary>
+        /// Gets or Sets additional properties
+        /// </summary>
+        [JsonExtensionData]
+        public IDictionary<string, object> AdditionalProperties { get; set; }
+
+        /// <summary>
         /// Returns the string presentation of the object
         /// </summary>
         /// <returns>String presentation of the object</returns>
@@ -67,6 +74,7 @@ namespace Proctor.Client.Model
             sb.Append("  ControlRateHz: ").Append(ControlRateHz).Append("\n");
             sb.Append("  Action: ").Append(Action).Append("\n");
             sb.Append("  State: ").Append(State).Append("\n");
+            sb.Append("  AdditionalProperties: ").Append(AdditionalProperties).Append("\n");
             sb.Append("}\n");
             return sb.ToString();
         }

@@ -29,7 +29,10 @@ namespace Proctor.Client.Model
         /// Initializes a new instance of the <see cref="AttachWorker" /> class.
         /// </summary>
         [JsonConstructorAttribute]
-        protected AttachWorker() { }
+        protected AttachWorker()
+        {
+            this.AdditionalProperties = new Dictionary<string, object>();
+        }
         /// <summary>
         /// Initializes a new instance of the <see cref="AttachWorker" /> class.
         /// </summary>
@@ -46,6 +49,7 @@ namespace Proctor.Client.Model
             this.AttachKey = attachKey;
             this.Takeover = takeover;
             this.Assumes = assumes;
+            this.AdditionalProperties = new Dictionary<string, object>();
         }
 
         /// <summary>
@@ -69,6 +73,12 @@ namespace Proctor.Client.Model
         public Assumptions Assumes { get; set; }
 
         /// <summary>
+        /// Gets or Sets additional properties
+        /// </summary>
+        [JsonExtensionData]
+        public IDictionary<string, object> AdditionalProperties { get; set; }
+
+        /// <summary>
         /// Returns the string presentation of the object
         /// </summary>
         /// <returns>String presentation of the object</returns>
@@ -79,6 +89,7 @@ namespace Proctor.Client.Model
             sb.Append("  AttachKey: ").Append(AttachKey).Append("\n");
             sb.Append("  Takeover: ").Append(Takeover).Append("\n");
             sb.Append("  Assumes: ").Append(Assumes).Append("\n");
+            sb.Append("  AdditionalProperties: ").Append(AdditionalProperties).Append("\n");
             sb.Append("}\n");
             return sb.ToString();
         }

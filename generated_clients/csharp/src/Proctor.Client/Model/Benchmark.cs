@@ -25,12 +25,6 @@ namespace Proctor.Client.Model
     [DataContract(Name = "Benchmark")]
     public partial class Benchmark : IValidatableObject
     {
-
-        /// <summary>
-        /// Gets or Sets SuccessRule
-        /// </summary>
-        [DataMember(Name = "success_rule", IsRequired = true, EmitDefaultValue = true)]
-        public SuccessRule SuccessRule { get; set; }
         /// <summary>
         /// Initializes a new instance of the <see cref="Benchmark" /> class.
         /// </summary>
@@ -55,14 +49,14 @@ namespace Proctor.Client.Model
         /// <param name="maxChunk">maxChunk (required).</param>
         /// <param name="maxAttempts">maxAttempts (required).</param>
         /// <param name="maxFaults">maxFaults (required).</param>
-        /// <param name="successRule">successRule (required).</param>
+        /// <param name="successRule">A &#x60;SuccessRule&#x60;, or one of a later version. (required).</param>
         /// <param name="actionSpace">Name of an action value → what it means. (required).</param>
         /// <param name="observationSpace">observationSpace (required).</param>
         /// <param name="imageSizes">Sizes that may be chosen at submit; the first is the default. (required).</param>
         /// <param name="imageCodecs">Codecs that may be chosen at submit; the first is the default. (required).</param>
         /// <param name="simulator">simulator (required).</param>
         /// <param name="unavailableReason">Why a run cannot be submitted here now, and the cure; null when it can. (required).</param>
-        public Benchmark(string benchmarkId = default, string varVersion = default, string title = default, string description = default, string manifestSha256 = default, int episodesTotal = default, List<string> tasks = default, List<string> splits = default, double controlRateHz = default, int maxSteps = default, int maxChunk = default, int maxAttempts = default, int maxFaults = default, SuccessRule successRule = default, Dictionary<string, VectorSpace> actionSpace = default, ObservationSpace observationSpace = default, List<ImageSize> imageSizes = default, List<ImageCodec> imageCodecs = default, SimulatorInfo simulator = default, string unavailableReason = default)
+        public Benchmark(string benchmarkId = default, string varVersion = default, string title = default, string description = default, string manifestSha256 = default, int episodesTotal = default, List<string> tasks = default, List<string> splits = default, double controlRateHz = default, int maxSteps = default, int maxChunk = default, int maxAttempts = default, int maxFaults = default, string successRule = default, Dictionary<string, VectorSpace> actionSpace = default, ObservationSpace observationSpace = default, List<ImageSize> imageSizes = default, List<string> imageCodecs = default, SimulatorInfo simulator = default, string unavailableReason = default)
         {
             // to ensure "benchmarkId" is required (not null)
             if (benchmarkId == null)
@@ -112,6 +106,11 @@ namespace Proctor.Client.Model
             this.MaxChunk = maxChunk;
             this.MaxAttempts = maxAttempts;
             this.MaxFaults = maxFaults;
+            // to ensure "successRule" is required (not null)
+            if (successRule == null)
+            {
+                throw new ArgumentNullException("successRule is a required property for Benchmark and cannot be null");
+            }
             this.SuccessRule = successRule;
             // to ensure "actionSpace" is required (not null)
             if (actionSpace == null)
@@ -234,6 +233,13 @@ namespace Proctor.Client.Model
         public int MaxFaults { get; set; }
 
         /// <summary>
+        /// A &#x60;SuccessRule&#x60;, or one of a later version.
+        /// </summary>
+        /// <value>A &#x60;SuccessRule&#x60;, or one of a later version.</value>
+        [DataMember(Name = "success_rule", IsRequired = true, EmitDefaultValue = true)]
+        public string SuccessRule { get; set; }
+
+        /// <summary>
         /// Name of an action value → what it means.
         /// </summary>
         /// <value>Name of an action value → what it means.</value>
@@ -258,7 +264,7 @@ namespace Proctor.Client.Model
         /// </summary>
         /// <value>Codecs that may be chosen at submit; the first is the default.</value>
         [DataMember(Name = "image_codecs", IsRequired = true, EmitDefaultValue = true)]
-        public List<ImageCodec> ImageCodecs { get; set; }
+        public List<string> ImageCodecs { get; set; }
 
         /// <summary>
         /// Gets or Sets Simulator
@@ -365,6 +371,15 @@ namespace Proctor.Client.Model
             if (this.MaxFaults < (int)1)
             {
                 yield return new ValidationResult("Invalid value for MaxFaults, must be a value greater than or equal to 1.", new [] { "MaxFaults" });
+            }
+
+            if (this.SuccessRule != null) {
+                // SuccessRule (string) pattern
+                Regex regexSuccessRule = new Regex(@"^[a-z][a-z0-9_]{0,63}$", RegexOptions.CultureInvariant);
+                if (!regexSuccessRule.Match(this.SuccessRule).Success)
+                {
+                    yield return new System.ComponentModel.DataAnnotations.ValidationResult("Invalid value for SuccessRule, must match a pattern of " + regexSuccessRule, new [] { "SuccessRule" });
+                }
             }
 
             yield break;

@@ -48,6 +48,7 @@ namespace Proctor.Client.Model
             this.MaxAttempts = maxAttempts;
             this.MaxFaults = maxFaults;
             this.QueueS = queueS;
+            this.AdditionalProperties = new Dictionary<string, object>();
         }
 
         /// <summary>
@@ -86,6 +87,12 @@ namespace Proctor.Client.Model
         public double QueueS { get; set; }
 
         /// <summary>
+        /// Gets or Sets additional properties
+        /// </summary>
+        [JsonExtensionData]
+        public IDictionary<string, object> AdditionalProperties { get; set; }
+
+        /// <summary>
         /// Returns the string presentation of the object
         /// </summary>
         /// <returns>String presentation of the object</returns>
@@ -99,6 +106,7 @@ namespace Proctor.Client.Model
             sb.Append("  MaxAttempts: ").Append(MaxAttempts).Append("\n");
             sb.Append("  MaxFaults: ").Append(MaxFaults).Append("\n");
             sb.Append("  QueueS: ").Append(QueueS).Append("\n");
+            sb.Append("  AdditionalProperties: ").Append(AdditionalProperties).Append("\n");
             sb.Append("}\n");
             return sb.ToString();
         }

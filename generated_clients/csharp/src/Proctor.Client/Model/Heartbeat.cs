@@ -29,7 +29,10 @@ namespace Proctor.Client.Model
         /// Initializes a new instance of the <see cref="Heartbeat" /> class.
         /// </summary>
         [JsonConstructorAttribute]
-        protected Heartbeat() { }
+        protected Heartbeat()
+        {
+            this.AdditionalProperties = new Dictionary<string, object>();
+        }
         /// <summary>
         /// Initializes a new instance of the <see cref="Heartbeat" /> class.
         /// </summary>
@@ -42,6 +45,7 @@ namespace Proctor.Client.Model
                 throw new ArgumentNullException("sessionId is a required property for Heartbeat and cannot be null");
             }
             this.SessionId = sessionId;
+            this.AdditionalProperties = new Dictionary<string, object>();
         }
 
         /// <summary>
@@ -49,6 +53,12 @@ namespace Proctor.Client.Model
         /// </summary>
         [DataMember(Name = "session_id", IsRequired = true, EmitDefaultValue = true)]
         public string SessionId { get; set; }
+
+        /// <summary>
+        /// Gets or Sets additional properties
+        /// </summary>
+        [JsonExtensionData]
+        public IDictionary<string, object> AdditionalProperties { get; set; }
 
         /// <summary>
         /// Returns the string presentation of the object
@@ -59,6 +69,7 @@ namespace Proctor.Client.Model
             StringBuilder sb = new StringBuilder();
             sb.Append("class Heartbeat {\n");
             sb.Append("  SessionId: ").Append(SessionId).Append("\n");
+            sb.Append("  AdditionalProperties: ").Append(AdditionalProperties).Append("\n");
             sb.Append("}\n");
             return sb.ToString();
         }

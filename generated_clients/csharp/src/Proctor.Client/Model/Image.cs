@@ -25,12 +25,6 @@ namespace Proctor.Client.Model
     [DataContract(Name = "Image")]
     public partial class Image : IValidatableObject
     {
-
-        /// <summary>
-        /// Gets or Sets Codec
-        /// </summary>
-        [DataMember(Name = "codec", IsRequired = true, EmitDefaultValue = true)]
-        public ImageCodec Codec { get; set; }
         /// <summary>
         /// Initializes a new instance of the <see cref="Image" /> class.
         /// </summary>
@@ -47,8 +41,13 @@ namespace Proctor.Client.Model
         /// <param name="height">height (required).</param>
         /// <param name="channels">channels (required).</param>
         /// <param name="data">Base64 with padding in JSON; &#x60;bin&#x60; in MessagePack. (required).</param>
-        public Image(ImageCodec codec = default, int width = default, int height = default, int channels = default, string data = default)
+        public Image(string codec = default, int width = default, int height = default, int channels = default, string data = default)
         {
+            // to ensure "codec" is required (not null)
+            if (codec == null)
+            {
+                throw new ArgumentNullException("codec is a required property for Image and cannot be null");
+            }
             this.Codec = codec;
             this.Width = width;
             this.Height = height;
@@ -61,6 +60,12 @@ namespace Proctor.Client.Model
             this.Data = data;
             this.AdditionalProperties = new Dictionary<string, object>();
         }
+
+        /// <summary>
+        /// Gets or Sets Codec
+        /// </summary>
+        [DataMember(Name = "codec", IsRequired = true, EmitDefaultValue = true)]
+        public string Codec { get; set; }
 
         /// <summary>
         /// Gets or Sets Width
@@ -127,6 +132,15 @@ namespace Proctor.Client.Model
         /// <returns>Validation Result</returns>
         IEnumerable<ValidationResult> IValidatableObject.Validate(ValidationContext validationContext)
         {
+            if (this.Codec != null) {
+                // Codec (string) pattern
+                Regex regexCodec = new Regex(@"^[a-z][a-z0-9_]{0,63}$", RegexOptions.CultureInvariant);
+                if (!regexCodec.Match(this.Codec).Success)
+                {
+                    yield return new System.ComponentModel.DataAnnotations.ValidationResult("Invalid value for Codec, must match a pattern of " + regexCodec, new [] { "Codec" });
+                }
+            }
+
             // Width (int) minimum
             if (this.Width < (int)1)
             {

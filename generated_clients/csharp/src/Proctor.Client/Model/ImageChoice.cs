@@ -25,29 +25,38 @@ namespace Proctor.Client.Model
     [DataContract(Name = "ImageChoice")]
     public partial class ImageChoice : IValidatableObject
     {
-
-        /// <summary>
-        /// Gets or Sets Codec
-        /// </summary>
-        [DataMember(Name = "codec", IsRequired = true, EmitDefaultValue = true)]
-        public ImageCodec Codec { get; set; }
         /// <summary>
         /// Initializes a new instance of the <see cref="ImageChoice" /> class.
         /// </summary>
         [JsonConstructorAttribute]
-        protected ImageChoice() { }
+        protected ImageChoice()
+        {
+            this.AdditionalProperties = new Dictionary<string, object>();
+        }
         /// <summary>
         /// Initializes a new instance of the <see cref="ImageChoice" /> class.
         /// </summary>
         /// <param name="codec">codec (required).</param>
         /// <param name="width">width (required).</param>
         /// <param name="height">height (required).</param>
-        public ImageChoice(ImageCodec codec = default, int width = default, int height = default)
+        public ImageChoice(string codec = default, int width = default, int height = default)
         {
+            // to ensure "codec" is required (not null)
+            if (codec == null)
+            {
+                throw new ArgumentNullException("codec is a required property for ImageChoice and cannot be null");
+            }
             this.Codec = codec;
             this.Width = width;
             this.Height = height;
+            this.AdditionalProperties = new Dictionary<string, object>();
         }
+
+        /// <summary>
+        /// Gets or Sets Codec
+        /// </summary>
+        [DataMember(Name = "codec", IsRequired = true, EmitDefaultValue = true)]
+        public string Codec { get; set; }
 
         /// <summary>
         /// Gets or Sets Width
@@ -62,6 +71,12 @@ namespace Proctor.Client.Model
         public int Height { get; set; }
 
         /// <summary>
+        /// Gets or Sets additional properties
+        /// </summary>
+        [JsonExtensionData]
+        public IDictionary<string, object> AdditionalProperties { get; set; }
+
+        /// <summary>
         /// Returns the string presentation of the object
         /// </summary>
         /// <returns>String presentation of the object</returns>
@@ -72,6 +87,7 @@ namespace Proctor.Client.Model
             sb.Append("  Codec: ").Append(Codec).Append("\n");
             sb.Append("  Width: ").Append(Width).Append("\n");
             sb.Append("  Height: ").Append(Height).Append("\n");
+            sb.Append("  AdditionalProperties: ").Append(AdditionalProperties).Append("\n");
             sb.Append("}\n");
             return sb.ToString();
         }
@@ -92,6 +108,15 @@ namespace Proctor.Client.Model
         /// <returns>Validation Result</returns>
         IEnumerable<ValidationResult> IValidatableObject.Validate(ValidationContext validationContext)
         {
+            if (this.Codec != null) {
+                // Codec (string) pattern
+                Regex regexCodec = new Regex(@"^[a-z][a-z0-9_]{0,63}$", RegexOptions.CultureInvariant);
+                if (!regexCodec.Match(this.Codec).Success)
+                {
+                    yield return new System.ComponentModel.DataAnnotations.ValidationResult("Invalid value for Codec, must match a pattern of " + regexCodec, new [] { "Codec" });
+                }
+            }
+
             // Width (int) maximum
             if (this.Width > (int)4096)
             {

@@ -29,7 +29,10 @@ namespace Proctor.Client.Model
         /// Initializes a new instance of the <see cref="ImageSize" /> class.
         /// </summary>
         [JsonConstructorAttribute]
-        protected ImageSize() { }
+        protected ImageSize()
+        {
+            this.AdditionalProperties = new Dictionary<string, object>();
+        }
         /// <summary>
         /// Initializes a new instance of the <see cref="ImageSize" /> class.
         /// </summary>
@@ -39,6 +42,7 @@ namespace Proctor.Client.Model
         {
             this.Width = width;
             this.Height = height;
+            this.AdditionalProperties = new Dictionary<string, object>();
         }
 
         /// <summary>
@@ -54,6 +58,12 @@ namespace Proctor.Client.Model
         public int Height { get; set; }
 
         /// <summary>
+        /// Gets or Sets additional properties
+        /// </summary>
+        [JsonExtensionData]
+        public IDictionary<string, object> AdditionalProperties { get; set; }
+
+        /// <summary>
         /// Returns the string presentation of the object
         /// </summary>
         /// <returns>String presentation of the object</returns>
@@ -63,6 +73,7 @@ namespace Proctor.Client.Model
             sb.Append("class ImageSize {\n");
             sb.Append("  Width: ").Append(Width).Append("\n");
             sb.Append("  Height: ").Append(Height).Append("\n");
+            sb.Append("  AdditionalProperties: ").Append(AdditionalProperties).Append("\n");
             sb.Append("}\n");
             return sb.ToString();
         }

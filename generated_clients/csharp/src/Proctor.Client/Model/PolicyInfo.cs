@@ -29,7 +29,10 @@ namespace Proctor.Client.Model
         /// Initializes a new instance of the <see cref="PolicyInfo" /> class.
         /// </summary>
         [JsonConstructorAttribute]
-        protected PolicyInfo() { }
+        protected PolicyInfo()
+        {
+            this.AdditionalProperties = new Dictionary<string, object>();
+        }
         /// <summary>
         /// Initializes a new instance of the <see cref="PolicyInfo" /> class.
         /// </summary>
@@ -48,6 +51,7 @@ namespace Proctor.Client.Model
             this.VarVersion = varVersion;
             this.Submitter = submitter;
             this.Homepage = homepage;
+            this.AdditionalProperties = new Dictionary<string, object>();
         }
 
         /// <summary>
@@ -75,6 +79,12 @@ namespace Proctor.Client.Model
         public string Homepage { get; set; }
 
         /// <summary>
+        /// Gets or Sets additional properties
+        /// </summary>
+        [JsonExtensionData]
+        public IDictionary<string, object> AdditionalProperties { get; set; }
+
+        /// <summary>
         /// Returns the string presentation of the object
         /// </summary>
         /// <returns>String presentation of the object</returns>
@@ -86,6 +96,7 @@ namespace Proctor.Client.Model
             sb.Append("  VarVersion: ").Append(VarVersion).Append("\n");
             sb.Append("  Submitter: ").Append(Submitter).Append("\n");
             sb.Append("  Homepage: ").Append(Homepage).Append("\n");
+            sb.Append("  AdditionalProperties: ").Append(AdditionalProperties).Append("\n");
             sb.Append("}\n");
             return sb.ToString();
         }

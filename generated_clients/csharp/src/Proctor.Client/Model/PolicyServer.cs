@@ -35,7 +35,10 @@ namespace Proctor.Client.Model
         /// Initializes a new instance of the <see cref="PolicyServer" /> class.
         /// </summary>
         [JsonConstructorAttribute]
-        protected PolicyServer() { }
+        protected PolicyServer()
+        {
+            this.AdditionalProperties = new Dictionary<string, object>();
+        }
         /// <summary>
         /// Initializes a new instance of the <see cref="PolicyServer" /> class.
         /// </summary>
@@ -62,6 +65,7 @@ namespace Proctor.Client.Model
             this.MaxConcurrent = maxConcurrent;
             this.MaxRetries = maxRetries;
             this.Generation = generation;
+            this.AdditionalProperties = new Dictionary<string, object>();
         }
 
         /// <summary>
@@ -114,6 +118,12 @@ namespace Proctor.Client.Model
         public Dictionary<string, double> Generation { get; set; }
 
         /// <summary>
+        /// Gets or Sets additional properties
+        /// </summary>
+        [JsonExtensionData]
+        public IDictionary<string, object> AdditionalProperties { get; set; }
+
+        /// <summary>
         /// Returns the string presentation of the object
         /// </summary>
         /// <returns>String presentation of the object</returns>
@@ -129,6 +139,7 @@ namespace Proctor.Client.Model
             sb.Append("  MaxConcurrent: ").Append(MaxConcurrent).Append("\n");
             sb.Append("  MaxRetries: ").Append(MaxRetries).Append("\n");
             sb.Append("  Generation: ").Append(Generation).Append("\n");
+            sb.Append("  AdditionalProperties: ").Append(AdditionalProperties).Append("\n");
             sb.Append("}\n");
             return sb.ToString();
         }

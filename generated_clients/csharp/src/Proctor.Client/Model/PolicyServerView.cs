@@ -25,12 +25,6 @@ namespace Proctor.Client.Model
     [DataContract(Name = "PolicyServerView")]
     public partial class PolicyServerView : IValidatableObject
     {
-
-        /// <summary>
-        /// Gets or Sets Protocol
-        /// </summary>
-        [DataMember(Name = "protocol", IsRequired = true, EmitDefaultValue = true)]
-        public PolicyProtocol Protocol { get; set; }
         /// <summary>
         /// Initializes a new instance of the <see cref="PolicyServerView" /> class.
         /// </summary>
@@ -43,14 +37,14 @@ namespace Proctor.Client.Model
         /// Initializes a new instance of the <see cref="PolicyServerView" /> class.
         /// </summary>
         /// <param name="url">url (required).</param>
-        /// <param name="protocol">protocol (required).</param>
+        /// <param name="protocol">A &#x60;PolicyProtocol&#x60;, or one of a later version. (required).</param>
         /// <param name="hasApiKey">hasApiKey (required).</param>
         /// <param name="model">model.</param>
         /// <param name="callTimeoutS">callTimeoutS (required).</param>
         /// <param name="maxConcurrent">maxConcurrent (required).</param>
         /// <param name="maxRetries">maxRetries (required).</param>
         /// <param name="generation">generation.</param>
-        public PolicyServerView(string url = default, PolicyProtocol protocol = default, bool hasApiKey = default, string model = default, double callTimeoutS = default, int maxConcurrent = default, int maxRetries = default, Dictionary<string, double> generation = default)
+        public PolicyServerView(string url = default, string protocol = default, bool hasApiKey = default, string model = default, double callTimeoutS = default, int maxConcurrent = default, int maxRetries = default, Dictionary<string, double> generation = default)
         {
             // to ensure "url" is required (not null)
             if (url == null)
@@ -58,6 +52,11 @@ namespace Proctor.Client.Model
                 throw new ArgumentNullException("url is a required property for PolicyServerView and cannot be null");
             }
             this.Url = url;
+            // to ensure "protocol" is required (not null)
+            if (protocol == null)
+            {
+                throw new ArgumentNullException("protocol is a required property for PolicyServerView and cannot be null");
+            }
             this.Protocol = protocol;
             this.HasApiKey = hasApiKey;
             this.CallTimeoutS = callTimeoutS;
@@ -73,6 +72,13 @@ namespace Proctor.Client.Model
         /// </summary>
         [DataMember(Name = "url", IsRequired = true, EmitDefaultValue = true)]
         public string Url { get; set; }
+
+        /// <summary>
+        /// A &#x60;PolicyProtocol&#x60;, or one of a later version.
+        /// </summary>
+        /// <value>A &#x60;PolicyProtocol&#x60;, or one of a later version.</value>
+        [DataMember(Name = "protocol", IsRequired = true, EmitDefaultValue = true)]
+        public string Protocol { get; set; }
 
         /// <summary>
         /// Gets or Sets HasApiKey
@@ -153,6 +159,15 @@ namespace Proctor.Client.Model
         /// <returns>Validation Result</returns>
         IEnumerable<ValidationResult> IValidatableObject.Validate(ValidationContext validationContext)
         {
+            if (this.Protocol != null) {
+                // Protocol (string) pattern
+                Regex regexProtocol = new Regex(@"^[a-z][a-z0-9_]{0,63}$", RegexOptions.CultureInvariant);
+                if (!regexProtocol.Match(this.Protocol).Success)
+                {
+                    yield return new System.ComponentModel.DataAnnotations.ValidationResult("Invalid value for Protocol, must match a pattern of " + regexProtocol, new [] { "Protocol" });
+                }
+            }
+
             yield break;
         }
     }

@@ -35,7 +35,10 @@ namespace Proctor.Client.Model
         /// Initializes a new instance of the <see cref="Predict" /> class.
         /// </summary>
         [JsonConstructorAttribute]
-        protected Predict() { }
+        protected Predict()
+        {
+            this.AdditionalProperties = new Dictionary<string, object>();
+        }
         /// <summary>
         /// Initializes a new instance of the <see cref="Predict" /> class.
         /// </summary>
@@ -59,6 +62,7 @@ namespace Proctor.Client.Model
             }
             this.Actions = actions;
             this.Observe = observe;
+            this.AdditionalProperties = new Dictionary<string, object>();
         }
 
         /// <summary>
@@ -80,6 +84,12 @@ namespace Proctor.Client.Model
         public List<Action> Actions { get; set; }
 
         /// <summary>
+        /// Gets or Sets additional properties
+        /// </summary>
+        [JsonExtensionData]
+        public IDictionary<string, object> AdditionalProperties { get; set; }
+
+        /// <summary>
         /// Returns the string presentation of the object
         /// </summary>
         /// <returns>String presentation of the object</returns>
@@ -91,6 +101,7 @@ namespace Proctor.Client.Model
             sb.Append("  Seq: ").Append(Seq).Append("\n");
             sb.Append("  Actions: ").Append(Actions).Append("\n");
             sb.Append("  Observe: ").Append(Observe).Append("\n");
+            sb.Append("  AdditionalProperties: ").Append(AdditionalProperties).Append("\n");
             sb.Append("}\n");
             return sb.ToString();
         }

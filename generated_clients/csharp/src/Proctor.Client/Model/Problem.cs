@@ -37,12 +37,6 @@ namespace Proctor.Client.Model
         /// </summary>
         [DataMember(Name = "state", EmitDefaultValue = false)]
         public RunState? State { get; set; }
-
-        /// <summary>
-        /// Gets or Sets EndedBy
-        /// </summary>
-        [DataMember(Name = "ended_by", EmitDefaultValue = false)]
-        public SessionEnd? EndedBy { get; set; }
         /// <summary>
         /// Initializes a new instance of the <see cref="Problem" /> class.
         /// </summary>
@@ -58,15 +52,15 @@ namespace Proctor.Client.Model
         /// <param name="title">title (required).</param>
         /// <param name="status">status (required).</param>
         /// <param name="detail">What happened and what to do about it. (required).</param>
-        /// <param name="code">One of x-problems. (required).</param>
+        /// <param name="code">One of x-problems, or one of a later version. (required).</param>
         /// <param name="retryable">Whether the same request can succeed later. (required).</param>
         /// <param name="sideEffects">sideEffects (required).</param>
         /// <param name="errors">errors.</param>
         /// <param name="requirement">Id of the rule that was enforced..</param>
         /// <param name="state">state.</param>
         /// <param name="expectedSeq">expectedSeq.</param>
-        /// <param name="endedBy">endedBy.</param>
-        public Problem(string type = default, string title = default, int status = default, string detail = default, string code = default, bool retryable = default, SideEffects sideEffects = default, List<ProblemItem> errors = default, string requirement = default, RunState? state = default, long expectedSeq = default, SessionEnd? endedBy = default)
+        /// <param name="endedBy">What ended the session, as far as the server still knows; &#x60;unknown&#x60; after a restart, and for a session that was taken over and whose successor has ended..</param>
+        public Problem(string type = default, string title = default, int status = default, string detail = default, string code = default, bool retryable = default, SideEffects sideEffects = default, List<ProblemItem> errors = default, string requirement = default, RunState? state = default, long expectedSeq = default, string endedBy = default)
         {
             // to ensure "type" is required (not null)
             if (type == null)
@@ -129,9 +123,9 @@ namespace Proctor.Client.Model
         public string Detail { get; set; }
 
         /// <summary>
-        /// One of x-problems.
+        /// One of x-problems, or one of a later version.
         /// </summary>
-        /// <value>One of x-problems.</value>
+        /// <value>One of x-problems, or one of a later version.</value>
         [DataMember(Name = "code", IsRequired = true, EmitDefaultValue = true)]
         public string Code { get; set; }
 
@@ -160,6 +154,13 @@ namespace Proctor.Client.Model
         /// </summary>
         [DataMember(Name = "expected_seq", EmitDefaultValue = false)]
         public long ExpectedSeq { get; set; }
+
+        /// <summary>
+        /// What ended the session, as far as the server still knows; &#x60;unknown&#x60; after a restart, and for a session that was taken over and whose successor has ended.
+        /// </summary>
+        /// <value>What ended the session, as far as the server still knows; &#x60;unknown&#x60; after a restart, and for a session that was taken over and whose successor has ended.</value>
+        [DataMember(Name = "ended_by", EmitDefaultValue = false)]
+        public string EndedBy { get; set; }
 
         /// <summary>
         /// Gets or Sets additional properties
@@ -224,6 +225,15 @@ namespace Proctor.Client.Model
             if (this.ExpectedSeq < (long)1)
             {
                 yield return new ValidationResult("Invalid value for ExpectedSeq, must be a value greater than or equal to 1.", new [] { "ExpectedSeq" });
+            }
+
+            if (this.EndedBy != null) {
+                // EndedBy (string) pattern
+                Regex regexEndedBy = new Regex(@"^[a-z][a-z0-9_]{0,63}$", RegexOptions.CultureInvariant);
+                if (!regexEndedBy.Match(this.EndedBy).Success)
+                {
+                    yield return new System.ComponentModel.DataAnnotations.ValidationResult("Invalid value for EndedBy, must match a pattern of " + regexEndedBy, new [] { "EndedBy" });
+                }
             }
 
             yield break;

@@ -31,12 +31,6 @@ namespace Proctor.Client.Model
         /// </summary>
         [DataMember(Name = "state", IsRequired = true, EmitDefaultValue = true)]
         public RunState State { get; set; }
-
-        /// <summary>
-        /// Gets or Sets Mode
-        /// </summary>
-        [DataMember(Name = "mode", EmitDefaultValue = false)]
-        public RunMode? Mode { get; set; }
         /// <summary>
         /// Initializes a new instance of the <see cref="Run" /> class.
         /// </summary>
@@ -56,7 +50,7 @@ namespace Proctor.Client.Model
         /// <param name="benchmarkVersion">benchmarkVersion (required).</param>
         /// <param name="manifestSha256">The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software. (required).</param>
         /// <param name="policy">policy (required).</param>
-        /// <param name="mode">mode.</param>
+        /// <param name="mode">A &#x60;RunMode&#x60;, or one of a later version; &#x60;pull&#x60; when absent..</param>
         /// <param name="policyServer">policyServer.</param>
         /// <param name="maxWorkers">maxWorkers (required).</param>
         /// <param name="idleTimeoutS">idleTimeoutS (required).</param>
@@ -67,7 +61,7 @@ namespace Proctor.Client.Model
         /// <param name="progress">progress (required).</param>
         /// <param name="createdAt">createdAt (required).</param>
         /// <param name="updatedAt">updatedAt (required).</param>
-        public Run(string runId = default, RunState state = default, string reason = default, bool? retryable = default, string benchmarkId = default, string benchmarkVersion = default, string manifestSha256 = default, PolicyInfo policy = default, RunMode? mode = default, PolicyServerView policyServer = default, int maxWorkers = default, double idleTimeoutS = default, ImageChoice images = default, string endpoint = default, int? queuePosition = default, int liveWorkers = default, Progress progress = default, DateTime createdAt = default, DateTime updatedAt = default)
+        public Run(string runId = default, RunState state = default, string reason = default, bool? retryable = default, string benchmarkId = default, string benchmarkVersion = default, string manifestSha256 = default, PolicyInfo policy = default, string mode = default, PolicyServerView policyServer = default, int maxWorkers = default, double idleTimeoutS = default, ImageChoice images = default, string endpoint = default, int? queuePosition = default, int liveWorkers = default, Progress progress = default, DateTime createdAt = default, DateTime updatedAt = default)
         {
             // to ensure "runId" is required (not null)
             if (runId == null)
@@ -192,6 +186,13 @@ namespace Proctor.Client.Model
         public PolicyInfo Policy { get; set; }
 
         /// <summary>
+        /// A &#x60;RunMode&#x60;, or one of a later version; &#x60;pull&#x60; when absent.
+        /// </summary>
+        /// <value>A &#x60;RunMode&#x60;, or one of a later version; &#x60;pull&#x60; when absent.</value>
+        [DataMember(Name = "mode", EmitDefaultValue = false)]
+        public string Mode { get; set; }
+
+        /// <summary>
         /// Gets or Sets PolicyServer
         /// </summary>
         [DataMember(Name = "policy_server", EmitDefaultValue = false)]
@@ -313,6 +314,15 @@ namespace Proctor.Client.Model
                 if (!regexManifestSha256.Match(this.ManifestSha256).Success)
                 {
                     yield return new System.ComponentModel.DataAnnotations.ValidationResult("Invalid value for ManifestSha256, must match a pattern of " + regexManifestSha256, new [] { "ManifestSha256" });
+                }
+            }
+
+            if (this.Mode != null) {
+                // Mode (string) pattern
+                Regex regexMode = new Regex(@"^[a-z][a-z0-9_]{0,63}$", RegexOptions.CultureInvariant);
+                if (!regexMode.Match(this.Mode).Success)
+                {
+                    yield return new System.ComponentModel.DataAnnotations.ValidationResult("Invalid value for Mode, must match a pattern of " + regexMode, new [] { "Mode" });
                 }
             }
 

@@ -44,7 +44,7 @@ namespace Proctor.Client.Model
         /// <param name="encodings">Media types of the data plane. (required).</param>
         /// <param name="imageCodecs">imageCodecs (required).</param>
         /// <param name="serverTime">The server&#39;s clock, UTC. (required).</param>
-        public Service(string name = default, string varVersion = default, ProtocolRange protocol = default, List<Profile> profiles = default, Limits limits = default, List<string> encodings = default, List<ImageCodec> imageCodecs = default, DateTime serverTime = default)
+        public Service(string name = default, string varVersion = default, ProtocolRange protocol = default, List<string> profiles = default, Limits limits = default, List<string> encodings = default, List<string> imageCodecs = default, DateTime serverTime = default)
         {
             // to ensure "name" is required (not null)
             if (name == null)
@@ -116,7 +116,7 @@ namespace Proctor.Client.Model
         /// </summary>
         /// <value>Parts of the protocol offered; &#x60;core&#x60; may be left out, for it always is. An operation with &#x60;x-profile&#x60; is there when its profile is announced. The rules of the profile &#x60;crash&#x60; are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.</value>
         [DataMember(Name = "profiles", IsRequired = true, EmitDefaultValue = true)]
-        public List<Profile> Profiles { get; set; }
+        public List<string> Profiles { get; set; }
 
         /// <summary>
         /// Gets or Sets Limits
@@ -135,7 +135,7 @@ namespace Proctor.Client.Model
         /// Gets or Sets ImageCodecs
         /// </summary>
         [DataMember(Name = "image_codecs", IsRequired = true, EmitDefaultValue = true)]
-        public List<ImageCodec> ImageCodecs { get; set; }
+        public List<string> ImageCodecs { get; set; }
 
         /// <summary>
         /// The server&#39;s clock, UTC.

@@ -38,7 +38,14 @@ namespace Proctor.Client.Model
         public StopRun(StopMode? mode = default)
         {
             this.Mode = mode;
+            this.AdditionalProperties = new Dictionary<string, object>();
         }
+
+        /// <summary>
+        /// Gets or Sets additional properties
+        /// </summary>
+        [JsonExtensionData]
+        public IDictionary<string, object> AdditionalProperties { get; set; }
 
         /// <summary>
         /// Returns the string presentation of the object
@@ -49,6 +56,7 @@ namespace Proctor.Client.Model
             StringBuilder sb = new StringBuilder();
             sb.Append("class StopRun {\n");
             sb.Append("  Mode: ").Append(Mode).Append("\n");
+            sb.Append("  AdditionalProperties: ").Append(AdditionalProperties).Append("\n");
             sb.Append("}\n");
             return sb.ToString();
         }

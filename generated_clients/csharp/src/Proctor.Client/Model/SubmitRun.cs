@@ -35,7 +35,10 @@ namespace Proctor.Client.Model
         /// Initializes a new instance of the <see cref="SubmitRun" /> class.
         /// </summary>
         [JsonConstructorAttribute]
-        protected SubmitRun() { }
+        protected SubmitRun()
+        {
+            this.AdditionalProperties = new Dictionary<string, object>();
+        }
         /// <summary>
         /// Initializes a new instance of the <see cref="SubmitRun" /> class.
         /// </summary>
@@ -67,6 +70,7 @@ namespace Proctor.Client.Model
             this.Options = options;
             this.Mode = mode;
             this.PolicyServer = policyServer;
+            this.AdditionalProperties = new Dictionary<string, object>();
         }
 
         /// <summary>
@@ -114,6 +118,12 @@ namespace Proctor.Client.Model
         public PolicyServer PolicyServer { get; set; }
 
         /// <summary>
+        /// Gets or Sets additional properties
+        /// </summary>
+        [JsonExtensionData]
+        public IDictionary<string, object> AdditionalProperties { get; set; }
+
+        /// <summary>
         /// Returns the string presentation of the object
         /// </summary>
         /// <returns>String presentation of the object</returns>
@@ -129,6 +139,7 @@ namespace Proctor.Client.Model
             sb.Append("  Options: ").Append(Options).Append("\n");
             sb.Append("  Mode: ").Append(Mode).Append("\n");
             sb.Append("  PolicyServer: ").Append(PolicyServer).Append("\n");
+            sb.Append("  AdditionalProperties: ").Append(AdditionalProperties).Append("\n");
             sb.Append("}\n");
             return sb.ToString();
         }

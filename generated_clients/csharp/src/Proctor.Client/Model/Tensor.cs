@@ -25,12 +25,6 @@ namespace Proctor.Client.Model
     [DataContract(Name = "Tensor")]
     public partial class Tensor : IValidatableObject
     {
-
-        /// <summary>
-        /// Gets or Sets Dtype
-        /// </summary>
-        [DataMember(Name = "dtype", IsRequired = true, EmitDefaultValue = true)]
-        public Dtype Dtype { get; set; }
         /// <summary>
         /// Initializes a new instance of the <see cref="Tensor" /> class.
         /// </summary>
@@ -45,8 +39,13 @@ namespace Proctor.Client.Model
         /// <param name="dtype">dtype (required).</param>
         /// <param name="shape">shape (required).</param>
         /// <param name="data">Base64 with padding in JSON; &#x60;bin&#x60; in MessagePack. (required).</param>
-        public Tensor(Dtype dtype = default, List<long> shape = default, string data = default)
+        public Tensor(string dtype = default, List<long> shape = default, string data = default)
         {
+            // to ensure "dtype" is required (not null)
+            if (dtype == null)
+            {
+                throw new ArgumentNullException("dtype is a required property for Tensor and cannot be null");
+            }
             this.Dtype = dtype;
             // to ensure "shape" is required (not null)
             if (shape == null)
@@ -62,6 +61,12 @@ namespace Proctor.Client.Model
             this.Data = data;
             this.AdditionalProperties = new Dictionary<string, object>();
         }
+
+        /// <summary>
+        /// Gets or Sets Dtype
+        /// </summary>
+        [DataMember(Name = "dtype", IsRequired = true, EmitDefaultValue = true)]
+        public string Dtype { get; set; }
 
         /// <summary>
         /// Gets or Sets Shape
@@ -114,6 +119,15 @@ namespace Proctor.Client.Model
         /// <returns>Validation Result</returns>
         IEnumerable<ValidationResult> IValidatableObject.Validate(ValidationContext validationContext)
         {
+            if (this.Dtype != null) {
+                // Dtype (string) pattern
+                Regex regexDtype = new Regex(@"^[a-z][a-z0-9_]{0,63}$", RegexOptions.CultureInvariant);
+                if (!regexDtype.Match(this.Dtype).Success)
+                {
+                    yield return new System.ComponentModel.DataAnnotations.ValidationResult("Invalid value for Dtype, must match a pattern of " + regexDtype, new [] { "Dtype" });
+                }
+            }
+
             yield break;
         }
     }

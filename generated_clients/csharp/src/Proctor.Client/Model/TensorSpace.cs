@@ -25,12 +25,6 @@ namespace Proctor.Client.Model
     [DataContract(Name = "TensorSpace")]
     public partial class TensorSpace : IValidatableObject
     {
-
-        /// <summary>
-        /// Gets or Sets Dtype
-        /// </summary>
-        [DataMember(Name = "dtype", IsRequired = true, EmitDefaultValue = true)]
-        public Dtype Dtype { get; set; }
         /// <summary>
         /// Initializes a new instance of the <see cref="TensorSpace" /> class.
         /// </summary>
@@ -46,8 +40,13 @@ namespace Proctor.Client.Model
         /// <param name="shape">shape (required).</param>
         /// <param name="description">description (required).</param>
         /// <param name="tasks">tasks.</param>
-        public TensorSpace(Dtype dtype = default, List<int> shape = default, string description = default, List<string> tasks = default)
+        public TensorSpace(string dtype = default, List<int> shape = default, string description = default, List<string> tasks = default)
         {
+            // to ensure "dtype" is required (not null)
+            if (dtype == null)
+            {
+                throw new ArgumentNullException("dtype is a required property for TensorSpace and cannot be null");
+            }
             this.Dtype = dtype;
             // to ensure "shape" is required (not null)
             if (shape == null)
@@ -64,6 +63,12 @@ namespace Proctor.Client.Model
             this.Tasks = tasks;
             this.AdditionalProperties = new Dictionary<string, object>();
         }
+
+        /// <summary>
+        /// Gets or Sets Dtype
+        /// </summary>
+        [DataMember(Name = "dtype", IsRequired = true, EmitDefaultValue = true)]
+        public string Dtype { get; set; }
 
         /// <summary>
         /// Gets or Sets Shape
@@ -122,6 +127,15 @@ namespace Proctor.Client.Model
         /// <returns>Validation Result</returns>
         IEnumerable<ValidationResult> IValidatableObject.Validate(ValidationContext validationContext)
         {
+            if (this.Dtype != null) {
+                // Dtype (string) pattern
+                Regex regexDtype = new Regex(@"^[a-z][a-z0-9_]{0,63}$", RegexOptions.CultureInvariant);
+                if (!regexDtype.Match(this.Dtype).Success)
+                {
+                    yield return new System.ComponentModel.DataAnnotations.ValidationResult("Invalid value for Dtype, must match a pattern of " + regexDtype, new [] { "Dtype" });
+                }
+            }
+
             yield break;
         }
     }

@@ -25,18 +25,6 @@ namespace Proctor.Client.Model
     [DataContract(Name = "VectorSpace")]
     public partial class VectorSpace : IValidatableObject
     {
-
-        /// <summary>
-        /// Gets or Sets Rotation
-        /// </summary>
-        [DataMember(Name = "rotation", IsRequired = true, EmitDefaultValue = true)]
-        public Rotation Rotation { get; set; }
-
-        /// <summary>
-        /// Gets or Sets OutOfRange
-        /// </summary>
-        [DataMember(Name = "out_of_range", IsRequired = true, EmitDefaultValue = true)]
-        public OutOfRange OutOfRange { get; set; }
         /// <summary>
         /// Initializes a new instance of the <see cref="VectorSpace" /> class.
         /// </summary>
@@ -59,7 +47,7 @@ namespace Proctor.Client.Model
         /// <param name="outOfRange">outOfRange (required).</param>
         /// <param name="description">What the numbers are..</param>
         /// <param name="tasks">The tasks that have this entry; all of them when absent..</param>
-        public VectorSpace(int size = default, string unit = default, Rotation rotation = default, string frame = default, bool relative = default, double gripperOpen = default, List<double> minimum = default, List<double> maximum = default, OutOfRange outOfRange = default, string description = default, List<string> tasks = default)
+        public VectorSpace(int size = default, string unit = default, string rotation = default, string frame = default, bool relative = default, double gripperOpen = default, List<double> minimum = default, List<double> maximum = default, string outOfRange = default, string description = default, List<string> tasks = default)
         {
             this.Size = size;
             // to ensure "unit" is required (not null)
@@ -68,6 +56,11 @@ namespace Proctor.Client.Model
                 throw new ArgumentNullException("unit is a required property for VectorSpace and cannot be null");
             }
             this.Unit = unit;
+            // to ensure "rotation" is required (not null)
+            if (rotation == null)
+            {
+                throw new ArgumentNullException("rotation is a required property for VectorSpace and cannot be null");
+            }
             this.Rotation = rotation;
             // to ensure "frame" is required (not null)
             if (frame == null)
@@ -76,6 +69,11 @@ namespace Proctor.Client.Model
             }
             this.Frame = frame;
             this.Relative = relative;
+            // to ensure "outOfRange" is required (not null)
+            if (outOfRange == null)
+            {
+                throw new ArgumentNullException("outOfRange is a required property for VectorSpace and cannot be null");
+            }
             this.OutOfRange = outOfRange;
             this.GripperOpen = gripperOpen;
             this.Minimum = minimum;
@@ -97,6 +95,12 @@ namespace Proctor.Client.Model
         /// <value>&#x60;rad&#x60;, &#x60;m&#x60;, &#x60;1&#x60;, or several joined by commas.</value>
         [DataMember(Name = "unit", IsRequired = true, EmitDefaultValue = true)]
         public string Unit { get; set; }
+
+        /// <summary>
+        /// Gets or Sets Rotation
+        /// </summary>
+        [DataMember(Name = "rotation", IsRequired = true, EmitDefaultValue = true)]
+        public string Rotation { get; set; }
 
         /// <summary>
         /// &#x60;world&#x60;, &#x60;base&#x60;, &#x60;tool&#x60;, &#x60;joint&#x60;, or &#x60;none&#x60;.
@@ -130,6 +134,12 @@ namespace Proctor.Client.Model
         /// </summary>
         [DataMember(Name = "maximum", EmitDefaultValue = false)]
         public List<double> Maximum { get; set; }
+
+        /// <summary>
+        /// Gets or Sets OutOfRange
+        /// </summary>
+        [DataMember(Name = "out_of_range", IsRequired = true, EmitDefaultValue = true)]
+        public string OutOfRange { get; set; }
 
         /// <summary>
         /// What the numbers are.
@@ -195,6 +205,24 @@ namespace Proctor.Client.Model
             if (this.Size < (int)1)
             {
                 yield return new ValidationResult("Invalid value for Size, must be a value greater than or equal to 1.", new [] { "Size" });
+            }
+
+            if (this.Rotation != null) {
+                // Rotation (string) pattern
+                Regex regexRotation = new Regex(@"^[a-z][a-z0-9_]{0,63}$", RegexOptions.CultureInvariant);
+                if (!regexRotation.Match(this.Rotation).Success)
+                {
+                    yield return new System.ComponentModel.DataAnnotations.ValidationResult("Invalid value for Rotation, must match a pattern of " + regexRotation, new [] { "Rotation" });
+                }
+            }
+
+            if (this.OutOfRange != null) {
+                // OutOfRange (string) pattern
+                Regex regexOutOfRange = new Regex(@"^[a-z][a-z0-9_]{0,63}$", RegexOptions.CultureInvariant);
+                if (!regexOutOfRange.Match(this.OutOfRange).Success)
+                {
+                    yield return new System.ComponentModel.DataAnnotations.ValidationResult("Invalid value for OutOfRange, must match a pattern of " + regexOutOfRange, new [] { "OutOfRange" });
+                }
             }
 
             yield break;

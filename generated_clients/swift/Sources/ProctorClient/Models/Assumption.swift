@@ -11,15 +11,16 @@ public struct Assumption: Sendable, Codable, Hashable {
 
     public static let sizeRule = NumericRule<Int>(minimum: 1, exclusiveMinimum: false, maximum: nil, exclusiveMaximum: false, multipleOf: nil)
     public static let unitRule = StringRule(minLength: nil, maxLength: 64, pattern: nil)
+    public static let rotationRule = StringRule(minLength: nil, maxLength: nil, pattern: "^[a-z][a-z0-9_]{0,63}$")
     public static let frameRule = StringRule(minLength: nil, maxLength: 64, pattern: nil)
     public var size: Int?
     public var unit: String?
-    public var rotation: Rotation?
+    public var rotation: String?
     public var frame: String?
     public var relative: Bool?
     public var gripperOpen: Double?
 
-    public init(size: Int? = nil, unit: String? = nil, rotation: Rotation? = nil, frame: String? = nil, relative: Bool? = nil, gripperOpen: Double? = nil) {
+    public init(size: Int? = nil, unit: String? = nil, rotation: String? = nil, frame: String? = nil, relative: Bool? = nil, gripperOpen: Double? = nil) {
         self.size = size
         self.unit = unit
         self.rotation = rotation
@@ -47,13 +48,5 @@ public struct Assumption: Sendable, Codable, Hashable {
         try container.encodeIfPresent(frame, forKey: .frame)
         try container.encodeIfPresent(relative, forKey: .relative)
         try container.encodeIfPresent(gripperOpen, forKey: .gripperOpen)
-    }
-}
-
-
-extension Assumption: UnknownCaseCheckable {
-    public var containsUnknownDefaultOpenApiCase: Bool {
-        if rotation == .unknownDefaultOpenApi { return true }
-        return false
     }
 }

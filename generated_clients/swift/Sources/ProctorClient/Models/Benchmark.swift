@@ -16,6 +16,7 @@ public struct Benchmark: Sendable, Codable, Hashable {
     public static let maxChunkRule = NumericRule<Int>(minimum: 1, exclusiveMinimum: false, maximum: nil, exclusiveMaximum: false, multipleOf: nil)
     public static let maxAttemptsRule = NumericRule<Int>(minimum: 1, exclusiveMinimum: false, maximum: nil, exclusiveMaximum: false, multipleOf: nil)
     public static let maxFaultsRule = NumericRule<Int>(minimum: 1, exclusiveMinimum: false, maximum: nil, exclusiveMaximum: false, multipleOf: nil)
+    public static let successRuleRule = StringRule(minLength: nil, maxLength: nil, pattern: "^[a-z][a-z0-9_]{0,63}$")
     public var benchmarkId: String
     public var version: String
     public var title: String
@@ -32,19 +33,20 @@ public struct Benchmark: Sendable, Codable, Hashable {
     public var maxChunk: Int
     public var maxAttempts: Int
     public var maxFaults: Int
-    public var successRule: SuccessRule
+    /** A `SuccessRule`, or one of a later version. */
+    public var successRule: String
     /** Name of an action value → what it means. */
     public var actionSpace: [String: VectorSpace]
     public var observationSpace: ObservationSpace
     /** Sizes that may be chosen at submit; the first is the default. */
     public var imageSizes: [ImageSize]
     /** Codecs that may be chosen at submit; the first is the default. */
-    public var imageCodecs: [ImageCodec]
+    public var imageCodecs: [String]
     public var simulator: SimulatorInfo
     /** Why a run cannot be submitted here now, and the cure; null when it can. */
     public var unavailableReason: String?
 
-    public init(benchmarkId: String, version: String, title: String, description: String, manifestSha256: String, episodesTotal: Int, tasks: [String], splits: [String], controlRateHz: Double, maxSteps: Int, maxChunk: Int, maxAttempts: Int, maxFaults: Int, successRule: SuccessRule, actionSpace: [String: VectorSpace], observationSpace: ObservationSpace, imageSizes: [ImageSize], imageCodecs: [ImageCodec], simulator: SimulatorInfo, unavailableReason: String?) {
+    public init(benchmarkId: String, version: String, title: String, description: String, manifestSha256: String, episodesTotal: Int, tasks: [String], splits: [String], controlRateHz: Double, maxSteps: Int, maxChunk: Int, maxAttempts: Int, maxFaults: Int, successRule: String, actionSpace: [String: VectorSpace], observationSpace: ObservationSpace, imageSizes: [ImageSize], imageCodecs: [String], simulator: SimulatorInfo, unavailableReason: String?) {
         self.benchmarkId = benchmarkId
         self.version = version
         self.title = title
@@ -151,11 +153,11 @@ public struct Benchmark: Sendable, Codable, Hashable {
         maxChunk = try container.decode(Int.self, forKey: .maxChunk)
         maxAttempts = try container.decode(Int.self, forKey: .maxAttempts)
         maxFaults = try container.decode(Int.self, forKey: .maxFaults)
-        successRule = try container.decode(SuccessRule.self, forKey: .successRule)
+        successRule = try container.decode(String.self, forKey: .successRule)
         actionSpace = try container.decode([String: VectorSpace].self, forKey: .actionSpace)
         observationSpace = try container.decode(ObservationSpace.self, forKey: .observationSpace)
         imageSizes = try container.decode([ImageSize].self, forKey: .imageSizes)
-        imageCodecs = try container.decode([ImageCodec].self, forKey: .imageCodecs)
+        imageCodecs = try container.decode([String].self, forKey: .imageCodecs)
         simulator = try container.decode(SimulatorInfo.self, forKey: .simulator)
         unavailableReason = try container.decodeIfPresent(String.self, forKey: .unavailableReason)
         var nonAdditionalPropertyKeys = Set<String>()
@@ -181,13 +183,5 @@ public struct Benchmark: Sendable, Codable, Hashable {
         nonAdditionalPropertyKeys.insert("unavailable_reason")
         let additionalPropertiesContainer = try decoder.container(keyedBy: String.self)
         additionalProperties = try additionalPropertiesContainer.decodeMap(JSONValue.self, excludedKeys: nonAdditionalPropertyKeys)
-    }
-}
-
-
-extension Benchmark: UnknownCaseCheckable {
-    public var containsUnknownDefaultOpenApiCase: Bool {
-        if successRule == .unknownDefaultOpenApi { return true }
-        return false
     }
 }

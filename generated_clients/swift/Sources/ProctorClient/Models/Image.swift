@@ -10,17 +10,18 @@ import Foundation
 /** RGB or grey, row 0 on top; raw is height × width × channels bytes. */
 public struct Image: Sendable, Codable, Hashable {
 
+    public static let codecRule = StringRule(minLength: nil, maxLength: nil, pattern: "^[a-z][a-z0-9_]{0,63}$")
     public static let widthRule = NumericRule<Int>(minimum: 1, exclusiveMinimum: false, maximum: nil, exclusiveMaximum: false, multipleOf: nil)
     public static let heightRule = NumericRule<Int>(minimum: 1, exclusiveMinimum: false, maximum: nil, exclusiveMaximum: false, multipleOf: nil)
     public static let channelsRule = NumericRule<Int>(minimum: 1, exclusiveMinimum: false, maximum: 4, exclusiveMaximum: false, multipleOf: nil)
-    public var codec: ImageCodec
+    public var codec: String
     public var width: Int
     public var height: Int
     public var channels: Int
     /** Base64 with padding in JSON; `bin` in MessagePack. */
     public var data: String
 
-    public init(codec: ImageCodec, width: Int, height: Int, channels: Int, data: String) {
+    public init(codec: String, width: Int, height: Int, channels: Int, data: String) {
         self.codec = codec
         self.width = width
         self.height = height
@@ -69,7 +70,7 @@ public struct Image: Sendable, Codable, Hashable {
     public init(from decoder: Decoder) throws {
         let container = try decoder.container(keyedBy: CodingKeys.self)
 
-        codec = try container.decode(ImageCodec.self, forKey: .codec)
+        codec = try container.decode(String.self, forKey: .codec)
         width = try container.decode(Int.self, forKey: .width)
         height = try container.decode(Int.self, forKey: .height)
         channels = try container.decode(Int.self, forKey: .channels)
@@ -82,13 +83,5 @@ public struct Image: Sendable, Codable, Hashable {
         nonAdditionalPropertyKeys.insert("data")
         let additionalPropertiesContainer = try decoder.container(keyedBy: String.self)
         additionalProperties = try additionalPropertiesContainer.decodeMap(JSONValue.self, excludedKeys: nonAdditionalPropertyKeys)
-    }
-}
-
-
-extension Image: UnknownCaseCheckable {
-    public var containsUnknownDefaultOpenApiCase: Bool {
-        if codec == .unknownDefaultOpenApi { return true }
-        return false
     }
 }

@@ -10,13 +10,14 @@ import Foundation
 /** Recorded with the result, because it changes the score. */
 public struct ImageChoice: Sendable, Codable, Hashable {
 
+    public static let codecRule = StringRule(minLength: nil, maxLength: nil, pattern: "^[a-z][a-z0-9_]{0,63}$")
     public static let widthRule = NumericRule<Int>(minimum: 1, exclusiveMinimum: false, maximum: 4096, exclusiveMaximum: false, multipleOf: nil)
     public static let heightRule = NumericRule<Int>(minimum: 1, exclusiveMinimum: false, maximum: 4096, exclusiveMaximum: false, multipleOf: nil)
-    public var codec: ImageCodec
+    public var codec: String
     public var width: Int
     public var height: Int
 
-    public init(codec: ImageCodec, width: Int, height: Int) {
+    public init(codec: String, width: Int, height: Int) {
         self.codec = codec
         self.width = width
         self.height = height
@@ -35,13 +36,5 @@ public struct ImageChoice: Sendable, Codable, Hashable {
         try container.encode(codec, forKey: .codec)
         try container.encode(width, forKey: .width)
         try container.encode(height, forKey: .height)
-    }
-}
-
-
-extension ImageChoice: UnknownCaseCheckable {
-    public var containsUnknownDefaultOpenApiCase: Bool {
-        if codec == .unknownDefaultOpenApi { return true }
-        return false
     }
 }

@@ -10,8 +10,10 @@ import Foundation
 /** The policy server of a run with mode &#x60;push&#x60;, with what was left open filled in, and without its key. */
 public struct PolicyServerView: Sendable, Codable, Hashable {
 
+    public static let _protocolRule = StringRule(minLength: nil, maxLength: nil, pattern: "^[a-z][a-z0-9_]{0,63}$")
     public var url: String
-    public var _protocol: PolicyProtocol
+    /** A `PolicyProtocol`, or one of a later version. */
+    public var _protocol: String
     public var hasApiKey: Bool
     public var model: String?
     public var callTimeoutS: Double
@@ -19,7 +21,7 @@ public struct PolicyServerView: Sendable, Codable, Hashable {
     public var maxRetries: Int
     public var generation: [String: Double]?
 
-    public init(url: String, _protocol: PolicyProtocol, hasApiKey: Bool, model: String? = nil, callTimeoutS: Double, maxConcurrent: Int, maxRetries: Int, generation: [String: Double]? = nil) {
+    public init(url: String, _protocol: String, hasApiKey: Bool, model: String? = nil, callTimeoutS: Double, maxConcurrent: Int, maxRetries: Int, generation: [String: Double]? = nil) {
         self.url = url
         self._protocol = _protocol
         self.hasApiKey = hasApiKey
@@ -78,7 +80,7 @@ public struct PolicyServerView: Sendable, Codable, Hashable {
         let container = try decoder.container(keyedBy: CodingKeys.self)
 
         url = try container.decode(String.self, forKey: .url)
-        _protocol = try container.decode(PolicyProtocol.self, forKey: ._protocol)
+        _protocol = try container.decode(String.self, forKey: ._protocol)
         hasApiKey = try container.decode(Bool.self, forKey: .hasApiKey)
         model = try container.decodeIfPresent(String.self, forKey: .model)
         callTimeoutS = try container.decode(Double.self, forKey: .callTimeoutS)
@@ -96,13 +98,5 @@ public struct PolicyServerView: Sendable, Codable, Hashable {
         nonAdditionalPropertyKeys.insert("generation")
         let additionalPropertiesContainer = try decoder.container(keyedBy: String.self)
         additionalProperties = try additionalPropertiesContainer.decodeMap(JSONValue.self, excludedKeys: nonAdditionalPropertyKeys)
-    }
-}
-
-
-extension PolicyServerView: UnknownCaseCheckable {
-    public var containsUnknownDefaultOpenApiCase: Bool {
-        if _protocol == .unknownDefaultOpenApi { return true }
-        return false
     }
 }

@@ -12,12 +12,13 @@ public struct Problem: Sendable, Codable, Hashable {
 
     public static let statusRule = NumericRule<Int>(minimum: 400, exclusiveMinimum: false, maximum: 599, exclusiveMaximum: false, multipleOf: nil)
     public static let expectedSeqRule = NumericRule<Int64>(minimum: 1, exclusiveMinimum: false, maximum: nil, exclusiveMaximum: false, multipleOf: nil)
+    public static let endedByRule = StringRule(minLength: nil, maxLength: nil, pattern: "^[a-z][a-z0-9_]{0,63}$")
     public var type: String
     public var title: String
     public var status: Int
     /** What happened and what to do about it. */
     public var detail: String
-    /** One of x-problems. */
+    /** One of x-problems, or one of a later version. */
     public var code: String
     /** Whether the same request can succeed later. */
     public var retryable: Bool
@@ -27,9 +28,10 @@ public struct Problem: Sendable, Codable, Hashable {
     public var requirement: String?
     public var state: RunState?
     public var expectedSeq: Int64?
-    public var endedBy: SessionEnd?
+    /** What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended. */
+    public var endedBy: String?
 
-    public init(type: String, title: String, status: Int, detail: String, code: String, retryable: Bool, sideEffects: SideEffects, errors: [ProblemItem]? = nil, requirement: String? = nil, state: RunState? = nil, expectedSeq: Int64? = nil, endedBy: SessionEnd? = nil) {
+    public init(type: String, title: String, status: Int, detail: String, code: String, retryable: Bool, sideEffects: SideEffects, errors: [ProblemItem]? = nil, requirement: String? = nil, state: RunState? = nil, expectedSeq: Int64? = nil, endedBy: String? = nil) {
         self.type = type
         self.title = title
         self.status = status
@@ -110,7 +112,7 @@ public struct Problem: Sendable, Codable, Hashable {
         requirement = try container.decodeIfPresent(String.self, forKey: .requirement)
         state = try container.decodeIfPresent(RunState.self, forKey: .state)
         expectedSeq = try container.decodeIfPresent(Int64.self, forKey: .expectedSeq)
-        endedBy = try container.decodeIfPresent(SessionEnd.self, forKey: .endedBy)
+        endedBy = try container.decodeIfPresent(String.self, forKey: .endedBy)
         var nonAdditionalPropertyKeys = Set<String>()
         nonAdditionalPropertyKeys.insert("type")
         nonAdditionalPropertyKeys.insert("title")
@@ -134,7 +136,6 @@ extension Problem: UnknownCaseCheckable {
     public var containsUnknownDefaultOpenApiCase: Bool {
         if sideEffects == .unknownDefaultOpenApi { return true }
         if state == .unknownDefaultOpenApi { return true }
-        if endedBy == .unknownDefaultOpenApi { return true }
         return false
     }
 }

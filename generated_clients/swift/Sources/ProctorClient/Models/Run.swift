@@ -10,6 +10,7 @@ import Foundation
 public struct Run: Sendable, Codable, Hashable {
 
     public static let manifestSha256Rule = StringRule(minLength: nil, maxLength: nil, pattern: "^[0-9a-f]{64}$")
+    public static let modeRule = StringRule(minLength: nil, maxLength: nil, pattern: "^[a-z][a-z0-9_]{0,63}$")
     public static let liveWorkersRule = NumericRule<Int>(minimum: 0, exclusiveMinimum: false, maximum: nil, exclusiveMaximum: false, multipleOf: nil)
     public var runId: String
     public var state: RunState
@@ -22,7 +23,8 @@ public struct Run: Sendable, Codable, Hashable {
     /** The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software. */
     public var manifestSha256: String
     public var policy: PolicyInfo
-    public var mode: RunMode?
+    /** A `RunMode`, or one of a later version; `pull` when absent. */
+    public var mode: String?
     public var policyServer: PolicyServerView?
     public var maxWorkers: Int
     public var idleTimeoutS: Double
@@ -36,7 +38,7 @@ public struct Run: Sendable, Codable, Hashable {
     public var createdAt: Date
     public var updatedAt: Date
 
-    public init(runId: String, state: RunState, reason: String?, retryable: Bool?, benchmarkId: String, benchmarkVersion: String, manifestSha256: String, policy: PolicyInfo, mode: RunMode? = nil, policyServer: PolicyServerView? = nil, maxWorkers: Int, idleTimeoutS: Double, images: ImageChoice, endpoint: String, queuePosition: Int?, liveWorkers: Int, progress: ModelProgress, createdAt: Date, updatedAt: Date) {
+    public init(runId: String, state: RunState, reason: String?, retryable: Bool?, benchmarkId: String, benchmarkVersion: String, manifestSha256: String, policy: PolicyInfo, mode: String? = nil, policyServer: PolicyServerView? = nil, maxWorkers: Int, idleTimeoutS: Double, images: ImageChoice, endpoint: String, queuePosition: Int?, liveWorkers: Int, progress: ModelProgress, createdAt: Date, updatedAt: Date) {
         self.runId = runId
         self.state = state
         self.reason = reason
@@ -135,7 +137,7 @@ public struct Run: Sendable, Codable, Hashable {
         benchmarkVersion = try container.decode(String.self, forKey: .benchmarkVersion)
         manifestSha256 = try container.decode(String.self, forKey: .manifestSha256)
         policy = try container.decode(PolicyInfo.self, forKey: .policy)
-        mode = try container.decodeIfPresent(RunMode.self, forKey: .mode)
+        mode = try container.decodeIfPresent(String.self, forKey: .mode)
         policyServer = try container.decodeIfPresent(PolicyServerView.self, forKey: .policyServer)
         maxWorkers = try container.decode(Int.self, forKey: .maxWorkers)
         idleTimeoutS = try container.decode(Double.self, forKey: .idleTimeoutS)
@@ -175,7 +177,6 @@ public struct Run: Sendable, Codable, Hashable {
 extension Run: UnknownCaseCheckable {
     public var containsUnknownDefaultOpenApiCase: Bool {
         if state == .unknownDefaultOpenApi { return true }
-        if mode == .unknownDefaultOpenApi { return true }
         return false
     }
 }

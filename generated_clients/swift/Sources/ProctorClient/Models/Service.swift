@@ -15,15 +15,15 @@ public struct Service: Sendable, Codable, Hashable {
     public var version: String
     public var _protocol: ProtocolRange
     /** Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified. */
-    public var profiles: [Profile]
+    public var profiles: [String]
     public var limits: Limits
     /** Media types of the data plane. */
     public var encodings: [String]
-    public var imageCodecs: [ImageCodec]
+    public var imageCodecs: [String]
     /** The server's clock, UTC. */
     public var serverTime: Date
 
-    public init(name: String, version: String, _protocol: ProtocolRange, profiles: [Profile], limits: Limits, encodings: [String], imageCodecs: [ImageCodec], serverTime: Date) {
+    public init(name: String, version: String, _protocol: ProtocolRange, profiles: [String], limits: Limits, encodings: [String], imageCodecs: [String], serverTime: Date) {
         self.name = name
         self.version = version
         self._protocol = _protocol
@@ -84,10 +84,10 @@ public struct Service: Sendable, Codable, Hashable {
         name = try container.decode(String.self, forKey: .name)
         version = try container.decode(String.self, forKey: .version)
         _protocol = try container.decode(ProtocolRange.self, forKey: ._protocol)
-        profiles = try container.decode([Profile].self, forKey: .profiles)
+        profiles = try container.decode([String].self, forKey: .profiles)
         limits = try container.decode(Limits.self, forKey: .limits)
         encodings = try container.decode([String].self, forKey: .encodings)
-        imageCodecs = try container.decode([ImageCodec].self, forKey: .imageCodecs)
+        imageCodecs = try container.decode([String].self, forKey: .imageCodecs)
         serverTime = try container.decode(Date.self, forKey: .serverTime)
         var nonAdditionalPropertyKeys = Set<String>()
         nonAdditionalPropertyKeys.insert("name")

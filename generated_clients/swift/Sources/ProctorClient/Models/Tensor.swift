@@ -10,12 +10,13 @@ import Foundation
 /** C order, little-endian; a bool is one byte, 0 or 1. */
 public struct Tensor: Sendable, Codable, Hashable {
 
-    public var dtype: Dtype
+    public static let dtypeRule = StringRule(minLength: nil, maxLength: nil, pattern: "^[a-z][a-z0-9_]{0,63}$")
+    public var dtype: String
     public var shape: [Int64]
     /** Base64 with padding in JSON; `bin` in MessagePack. */
     public var data: String
 
-    public init(dtype: Dtype, shape: [Int64], data: String) {
+    public init(dtype: String, shape: [Int64], data: String) {
         self.dtype = dtype
         self.shape = shape
         self.data = data
@@ -58,7 +59,7 @@ public struct Tensor: Sendable, Codable, Hashable {
     public init(from decoder: Decoder) throws {
         let container = try decoder.container(keyedBy: CodingKeys.self)
 
-        dtype = try container.decode(Dtype.self, forKey: .dtype)
+        dtype = try container.decode(String.self, forKey: .dtype)
         shape = try container.decode([Int64].self, forKey: .shape)
         data = try container.decode(String.self, forKey: .data)
         var nonAdditionalPropertyKeys = Set<String>()
@@ -67,13 +68,5 @@ public struct Tensor: Sendable, Codable, Hashable {
         nonAdditionalPropertyKeys.insert("data")
         let additionalPropertiesContainer = try decoder.container(keyedBy: String.self)
         additionalProperties = try additionalPropertiesContainer.decodeMap(JSONValue.self, excludedKeys: nonAdditionalPropertyKeys)
-    }
-}
-
-
-extension Tensor: UnknownCaseCheckable {
-    public var containsUnknownDefaultOpenApiCase: Bool {
-        if dtype == .unknownDefaultOpenApi { return true }
-        return false
     }
 }

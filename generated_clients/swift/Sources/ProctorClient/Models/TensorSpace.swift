@@ -9,12 +9,13 @@ import Foundation
 
 public struct TensorSpace: Sendable, Codable, Hashable {
 
-    public var dtype: Dtype
+    public static let dtypeRule = StringRule(minLength: nil, maxLength: nil, pattern: "^[a-z][a-z0-9_]{0,63}$")
+    public var dtype: String
     public var shape: [Int]
     public var description: String
     public var tasks: [String]?
 
-    public init(dtype: Dtype, shape: [Int], description: String, tasks: [String]? = nil) {
+    public init(dtype: String, shape: [Int], description: String, tasks: [String]? = nil) {
         self.dtype = dtype
         self.shape = shape
         self.description = description
@@ -60,7 +61,7 @@ public struct TensorSpace: Sendable, Codable, Hashable {
     public init(from decoder: Decoder) throws {
         let container = try decoder.container(keyedBy: CodingKeys.self)
 
-        dtype = try container.decode(Dtype.self, forKey: .dtype)
+        dtype = try container.decode(String.self, forKey: .dtype)
         shape = try container.decode([Int].self, forKey: .shape)
         description = try container.decode(String.self, forKey: .description)
         tasks = try container.decodeIfPresent([String].self, forKey: .tasks)
@@ -71,13 +72,5 @@ public struct TensorSpace: Sendable, Codable, Hashable {
         nonAdditionalPropertyKeys.insert("tasks")
         let additionalPropertiesContainer = try decoder.container(keyedBy: String.self)
         additionalProperties = try additionalPropertiesContainer.decodeMap(JSONValue.self, excludedKeys: nonAdditionalPropertyKeys)
-    }
-}
-
-
-extension TensorSpace: UnknownCaseCheckable {
-    public var containsUnknownDefaultOpenApiCase: Bool {
-        if dtype == .unknownDefaultOpenApi { return true }
-        return false
     }
 }

@@ -11,10 +11,12 @@ import Foundation
 public struct VectorSpace: Sendable, Codable, Hashable {
 
     public static let sizeRule = NumericRule<Int>(minimum: 1, exclusiveMinimum: false, maximum: nil, exclusiveMaximum: false, multipleOf: nil)
+    public static let rotationRule = StringRule(minLength: nil, maxLength: nil, pattern: "^[a-z][a-z0-9_]{0,63}$")
+    public static let outOfRangeRule = StringRule(minLength: nil, maxLength: nil, pattern: "^[a-z][a-z0-9_]{0,63}$")
     public var size: Int
     /** `rad`, `m`, `1`, or several joined by commas. */
     public var unit: String
-    public var rotation: Rotation
+    public var rotation: String
     /** `world`, `base`, `tool`, `joint`, or `none`. */
     public var frame: String
     /** True when the values are increments. */
@@ -23,13 +25,13 @@ public struct VectorSpace: Sendable, Codable, Hashable {
     public var gripperOpen: Double?
     public var minimum: [Double]?
     public var maximum: [Double]?
-    public var outOfRange: OutOfRange
+    public var outOfRange: String
     /** What the numbers are. */
     public var description: String?
     /** The tasks that have this entry; all of them when absent. */
     public var tasks: [String]?
 
-    public init(size: Int, unit: String, rotation: Rotation, frame: String, relative: Bool, gripperOpen: Double? = nil, minimum: [Double]? = nil, maximum: [Double]? = nil, outOfRange: OutOfRange, description: String? = nil, tasks: [String]? = nil) {
+    public init(size: Int, unit: String, rotation: String, frame: String, relative: Bool, gripperOpen: Double? = nil, minimum: [Double]? = nil, maximum: [Double]? = nil, outOfRange: String, description: String? = nil, tasks: [String]? = nil) {
         self.size = size
         self.unit = unit
         self.rotation = rotation
@@ -98,13 +100,13 @@ public struct VectorSpace: Sendable, Codable, Hashable {
 
         size = try container.decode(Int.self, forKey: .size)
         unit = try container.decode(String.self, forKey: .unit)
-        rotation = try container.decode(Rotation.self, forKey: .rotation)
+        rotation = try container.decode(String.self, forKey: .rotation)
         frame = try container.decode(String.self, forKey: .frame)
         relative = try container.decode(Bool.self, forKey: .relative)
         gripperOpen = try container.decodeIfPresent(Double.self, forKey: .gripperOpen)
         minimum = try container.decodeIfPresent([Double].self, forKey: .minimum)
         maximum = try container.decodeIfPresent([Double].self, forKey: .maximum)
-        outOfRange = try container.decode(OutOfRange.self, forKey: .outOfRange)
+        outOfRange = try container.decode(String.self, forKey: .outOfRange)
         description = try container.decodeIfPresent(String.self, forKey: .description)
         tasks = try container.decodeIfPresent([String].self, forKey: .tasks)
         var nonAdditionalPropertyKeys = Set<String>()
@@ -121,14 +123,5 @@ public struct VectorSpace: Sendable, Codable, Hashable {
         nonAdditionalPropertyKeys.insert("tasks")
         let additionalPropertiesContainer = try decoder.container(keyedBy: String.self)
         additionalProperties = try additionalPropertiesContainer.decodeMap(JSONValue.self, excludedKeys: nonAdditionalPropertyKeys)
-    }
-}
-
-
-extension VectorSpace: UnknownCaseCheckable {
-    public var containsUnknownDefaultOpenApiCase: Bool {
-        if rotation == .unknownDefaultOpenApi { return true }
-        if outOfRange == .unknownDefaultOpenApi { return true }
-        return false
     }
 }

@@ -13,7 +13,6 @@ import com.google.gson.stream.JsonReader;
 import com.google.gson.stream.JsonWriter;
 import java.io.IOException;
 import java.util.Arrays;
-import proctor.client.model.Rotation;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
@@ -57,7 +56,7 @@ public class Assumption {
   public static final String SERIALIZED_NAME_ROTATION = "rotation";
   @SerializedName(SERIALIZED_NAME_ROTATION)
   @javax.annotation.Nullable
-  private Rotation rotation;
+  private String rotation;
 
   public static final String SERIALIZED_NAME_FRAME = "frame";
   @SerializedName(SERIALIZED_NAME_FRAME)
@@ -116,7 +115,7 @@ public class Assumption {
   }
 
 
-  public Assumption rotation(@javax.annotation.Nullable Rotation rotation) {
+  public Assumption rotation(@javax.annotation.Nullable String rotation) {
     this.rotation = rotation;
     return this;
   }
@@ -126,11 +125,11 @@ public class Assumption {
    * @return rotation
    */
   @javax.annotation.Nullable
-  public Rotation getRotation() {
+  public String getRotation() {
     return rotation;
   }
 
-  public void setRotation(@javax.annotation.Nullable Rotation rotation) {
+  public void setRotation(@javax.annotation.Nullable String rotation) {
     this.rotation = rotation;
   }
 
@@ -191,6 +190,50 @@ public class Assumption {
     this.gripperOpen = gripperOpen;
   }
 
+  /**
+   * A container for additional, undeclared properties.
+   * This is a holder for any undeclared properties as specified with
+   * the 'additionalProperties' keyword in the OAS document.
+   */
+  private Map<String, Object> additionalProperties;
+
+  /**
+   * Set the additional (undeclared) property with the specified name and value.
+   * If the property does not already exist, create it otherwise replace it.
+   *
+   * @param key name of the property
+   * @param value value of the property
+   * @return the Assumption instance itself
+   */
+  public Assumption putAdditionalProperty(String key, Object value) {
+    if (this.additionalProperties == null) {
+        this.additionalProperties = new HashMap<String, Object>();
+    }
+    this.additionalProperties.put(key, value);
+    return this;
+  }
+
+  /**
+   * Return the additional (undeclared) property.
+   *
+   * @return a map of objects
+   */
+  public Map<String, Object> getAdditionalProperties() {
+    return additionalProperties;
+  }
+
+  /**
+   * Return the additional (undeclared) property with the specified name.
+   *
+   * @param key name of the property
+   * @return an object
+   */
+  public Object getAdditionalProperty(String key) {
+    if (this.additionalProperties == null) {
+        return null;
+    }
+    return this.additionalProperties.get(key);
+  }
 
 
   @Override
@@ -207,12 +250,13 @@ public class Assumption {
         Objects.equals(this.rotation, assumption.rotation) &&
         Objects.equals(this.frame, assumption.frame) &&
         Objects.equals(this.relative, assumption.relative) &&
-        Objects.equals(this.gripperOpen, assumption.gripperOpen);
+        Objects.equals(this.gripperOpen, assumption.gripperOpen)&&
+        Objects.equals(this.additionalProperties, assumption.additionalProperties);
   }
 
   @Override
   public int hashCode() {
-    return Objects.hash(size, unit, rotation, frame, relative, gripperOpen);
+    return Objects.hash(size, unit, rotation, frame, relative, gripperOpen, additionalProperties);
   }
 
   @Override
@@ -225,6 +269,7 @@ public class Assumption {
     sb.append("    frame: ").append(toIndentedString(frame)).append("\n");
     sb.append("    relative: ").append(toIndentedString(relative)).append("\n");
     sb.append("    gripperOpen: ").append(toIndentedString(gripperOpen)).append("\n");
+    sb.append("    additionalProperties: ").append(toIndentedString(additionalProperties)).append("\n");
     sb.append("}");
     return sb.toString();
   }
@@ -261,21 +306,12 @@ public class Assumption {
           throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field(s) %s in Assumption is not found in the empty JSON string", Assumption.openapiRequiredFields.toString()));
         }
       }
-
-      Set<Map.Entry<String, JsonElement>> entries = jsonElement.getAsJsonObject().entrySet();
-      // check to see if the JSON string contains additional fields
-      for (Map.Entry<String, JsonElement> entry : entries) {
-        if (!Assumption.openapiFields.contains(entry.getKey())) {
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The field `%s` in the JSON string is not defined in the `Assumption` properties. JSON: %s", entry.getKey(), jsonElement.toString()));
-        }
-      }
         JsonObject jsonObj = jsonElement.getAsJsonObject();
       if ((jsonObj.get("unit") != null && !jsonObj.get("unit").isJsonNull()) && !jsonObj.get("unit").isJsonPrimitive()) {
         throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `unit` to be a primitive type in the JSON string but got `%s`", jsonObj.get("unit").toString()));
       }
-      // validate the optional field `rotation`
-      if (jsonObj.get("rotation") != null && !jsonObj.get("rotation").isJsonNull()) {
-        Rotation.validateJsonElement(jsonObj.get("rotation"));
+      if ((jsonObj.get("rotation") != null && !jsonObj.get("rotation").isJsonNull()) && !jsonObj.get("rotation").isJsonPrimitive()) {
+        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `rotation` to be a primitive type in the JSON string but got `%s`", jsonObj.get("rotation").toString()));
       }
       if ((jsonObj.get("frame") != null && !jsonObj.get("frame").isJsonNull()) && !jsonObj.get("frame").isJsonPrimitive()) {
         throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `frame` to be a primitive type in the JSON string but got `%s`", jsonObj.get("frame").toString()));
@@ -297,6 +333,30 @@ public class Assumption {
            @Override
            public void write(JsonWriter out, Assumption value) throws IOException {
              JsonObject obj = thisAdapter.toJsonTree(value).getAsJsonObject();
+             obj.remove("additionalProperties");
+             // serialize additional properties
+             if (value.getAdditionalProperties() != null) {
+               for (Map.Entry<String, Object> entry : value.getAdditionalProperties().entrySet()) {
+                 if (entry.getValue() instanceof String)
+                   obj.addProperty(entry.getKey(), (String) entry.getValue());
+                 else if (entry.getValue() instanceof Number)
+                   obj.addProperty(entry.getKey(), (Number) entry.getValue());
+                 else if (entry.getValue() instanceof Boolean)
+                   obj.addProperty(entry.getKey(), (Boolean) entry.getValue());
+                 else if (entry.getValue() instanceof Character)
+                   obj.addProperty(entry.getKey(), (Character) entry.getValue());
+                 else {
+                   JsonElement jsonElement = gson.toJsonTree(entry.getValue());
+                   if (jsonElement.isJsonNull()) {
+                     obj.add(entry.getKey(), JsonNull.INSTANCE);
+                   } else if (jsonElement.isJsonArray()) {
+                     obj.add(entry.getKey(), jsonElement.getAsJsonArray());
+                   } else {
+                     obj.add(entry.getKey(), jsonElement.getAsJsonObject());
+                   }
+                 }
+               }
+             }
              elementAdapter.write(out, obj);
            }
 
@@ -304,7 +364,28 @@ public class Assumption {
            public Assumption read(JsonReader in) throws IOException {
              JsonElement jsonElement = elementAdapter.read(in);
              validateJsonElement(jsonElement);
-             return thisAdapter.fromJsonTree(jsonElement);
+             JsonObject jsonObj = jsonElement.getAsJsonObject();
+             // store additional fields in the deserialized instance
+             Assumption instance = thisAdapter.fromJsonTree(jsonObj);
+             for (Map.Entry<String, JsonElement> entry : jsonObj.entrySet()) {
+               if (!openapiFields.contains(entry.getKey())) {
+                 if (entry.getValue().isJsonPrimitive()) { // primitive type
+                   if (entry.getValue().getAsJsonPrimitive().isString())
+                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsString());
+                   else if (entry.getValue().getAsJsonPrimitive().isNumber())
+                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsNumber());
+                   else if (entry.getValue().getAsJsonPrimitive().isBoolean())
+                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsBoolean());
+                   else
+                     throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The field `%s` has unknown primitive type. Value: %s", entry.getKey(), entry.getValue().toString()));
+                 } else if (entry.getValue().isJsonArray()) {
+                     instance.putAdditionalProperty(entry.getKey(), gson.fromJson(entry.getValue(), List.class));
+                 } else { // JSON object
+                     instance.putAdditionalProperty(entry.getKey(), gson.fromJson(entry.getValue(), HashMap.class));
+                 }
+               }
+             }
+             return instance;
            }
 
        }.nullSafe();

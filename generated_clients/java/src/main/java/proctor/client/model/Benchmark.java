@@ -17,11 +17,9 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import proctor.client.model.ImageCodec;
 import proctor.client.model.ImageSize;
 import proctor.client.model.ObservationSpace;
 import proctor.client.model.SimulatorInfo;
-import proctor.client.model.SuccessRule;
 import proctor.client.model.VectorSpace;
 
 import com.google.gson.Gson;
@@ -121,7 +119,7 @@ public class Benchmark {
   public static final String SERIALIZED_NAME_SUCCESS_RULE = "success_rule";
   @SerializedName(SERIALIZED_NAME_SUCCESS_RULE)
   @javax.annotation.Nonnull
-  private SuccessRule successRule;
+  private String successRule;
 
   public static final String SERIALIZED_NAME_ACTION_SPACE = "action_space";
   @SerializedName(SERIALIZED_NAME_ACTION_SPACE)
@@ -141,7 +139,7 @@ public class Benchmark {
   public static final String SERIALIZED_NAME_IMAGE_CODECS = "image_codecs";
   @SerializedName(SERIALIZED_NAME_IMAGE_CODECS)
   @javax.annotation.Nonnull
-  private List<ImageCodec> imageCodecs;
+  private List<String> imageCodecs;
 
   public static final String SERIALIZED_NAME_SIMULATOR = "simulator";
   @SerializedName(SERIALIZED_NAME_SIMULATOR)
@@ -424,21 +422,21 @@ public class Benchmark {
   }
 
 
-  public Benchmark successRule(@javax.annotation.Nonnull SuccessRule successRule) {
+  public Benchmark successRule(@javax.annotation.Nonnull String successRule) {
     this.successRule = successRule;
     return this;
   }
 
   /**
-   * Get successRule
+   * A &#x60;SuccessRule&#x60;, or one of a later version.
    * @return successRule
    */
   @javax.annotation.Nonnull
-  public SuccessRule getSuccessRule() {
+  public String getSuccessRule() {
     return successRule;
   }
 
-  public void setSuccessRule(@javax.annotation.Nonnull SuccessRule successRule) {
+  public void setSuccessRule(@javax.annotation.Nonnull String successRule) {
     this.successRule = successRule;
   }
 
@@ -516,12 +514,12 @@ public class Benchmark {
   }
 
 
-  public Benchmark imageCodecs(@javax.annotation.Nonnull List<ImageCodec> imageCodecs) {
+  public Benchmark imageCodecs(@javax.annotation.Nonnull List<String> imageCodecs) {
     this.imageCodecs = imageCodecs;
     return this;
   }
 
-  public Benchmark addImageCodecsItem(ImageCodec imageCodecsItem) {
+  public Benchmark addImageCodecsItem(String imageCodecsItem) {
     if (this.imageCodecs == null) {
       this.imageCodecs = new ArrayList<>();
     }
@@ -534,11 +532,11 @@ public class Benchmark {
    * @return imageCodecs
    */
   @javax.annotation.Nonnull
-  public List<ImageCodec> getImageCodecs() {
+  public List<String> getImageCodecs() {
     return imageCodecs;
   }
 
-  public void setImageCodecs(@javax.annotation.Nonnull List<ImageCodec> imageCodecs) {
+  public void setImageCodecs(@javax.annotation.Nonnull List<String> imageCodecs) {
     this.imageCodecs = imageCodecs;
   }
 
@@ -759,17 +757,14 @@ public class Benchmark {
       } else if (!jsonObj.get("splits").isJsonArray()) {
         throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `splits` to be an array in the JSON string but got `%s`", jsonObj.get("splits").toString()));
       }
-      // validate the required field `success_rule`
-      SuccessRule.validateJsonElement(jsonObj.get("success_rule"));
-      if (jsonObj.get("image_sizes") != null) {
-        if (!jsonObj.get("image_sizes").isJsonArray()) {
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `image_sizes` to be an array in the JSON string but got `%s`", jsonObj.get("image_sizes").toString()));
-        }
-        JsonArray jsonArrayimageSizes = jsonObj.getAsJsonArray("image_sizes");
-        // validate the required field `image_sizes` (array)
-        for (int i = 0; i < jsonArrayimageSizes.size(); i++) {
-          ImageSize.validateJsonElement(jsonArrayimageSizes.get(i));
-        }
+      if (!jsonObj.get("success_rule").isJsonPrimitive()) {
+        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `success_rule` to be a primitive type in the JSON string but got `%s`", jsonObj.get("success_rule").toString()));
+      }
+      // ensure the required json array is present
+      if (jsonObj.get("image_sizes") == null) {
+        throw new IllegalArgumentException("Expected the field `linkedContent` to be an array in the JSON string but got `null`");
+      } else if (!jsonObj.get("image_sizes").isJsonArray()) {
+        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `image_sizes` to be an array in the JSON string but got `%s`", jsonObj.get("image_sizes").toString()));
       }
       // ensure the required json array is present
       if (jsonObj.get("image_codecs") == null) {

@@ -13,7 +13,6 @@ import com.google.gson.stream.JsonReader;
 import com.google.gson.stream.JsonWriter;
 import java.io.IOException;
 import java.util.Arrays;
-import proctor.client.model.ImageCodec;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
@@ -47,7 +46,7 @@ public class Image {
   public static final String SERIALIZED_NAME_CODEC = "codec";
   @SerializedName(SERIALIZED_NAME_CODEC)
   @javax.annotation.Nonnull
-  private ImageCodec codec;
+  private String codec;
 
   public static final String SERIALIZED_NAME_WIDTH = "width";
   @SerializedName(SERIALIZED_NAME_WIDTH)
@@ -72,7 +71,7 @@ public class Image {
   public Image() {
   }
 
-  public Image codec(@javax.annotation.Nonnull ImageCodec codec) {
+  public Image codec(@javax.annotation.Nonnull String codec) {
     this.codec = codec;
     return this;
   }
@@ -82,11 +81,11 @@ public class Image {
    * @return codec
    */
   @javax.annotation.Nonnull
-  public ImageCodec getCodec() {
+  public String getCodec() {
     return codec;
   }
 
-  public void setCodec(@javax.annotation.Nonnull ImageCodec codec) {
+  public void setCodec(@javax.annotation.Nonnull String codec) {
     this.codec = codec;
   }
 
@@ -292,8 +291,9 @@ public class Image {
         }
       }
         JsonObject jsonObj = jsonElement.getAsJsonObject();
-      // validate the required field `codec`
-      ImageCodec.validateJsonElement(jsonObj.get("codec"));
+      if (!jsonObj.get("codec").isJsonPrimitive()) {
+        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `codec` to be a primitive type in the JSON string but got `%s`", jsonObj.get("codec").toString()));
+      }
       if (!jsonObj.get("data").isJsonPrimitive()) {
         throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `data` to be a primitive type in the JSON string but got `%s`", jsonObj.get("data").toString()));
       }

@@ -15,7 +15,6 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
-import proctor.client.model.PolicyProtocol;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
@@ -54,7 +53,7 @@ public class PolicyServerView {
   public static final String SERIALIZED_NAME_PROTOCOL = "protocol";
   @SerializedName(SERIALIZED_NAME_PROTOCOL)
   @javax.annotation.Nonnull
-  private PolicyProtocol protocol;
+  private String protocol;
 
   public static final String SERIALIZED_NAME_HAS_API_KEY = "has_api_key";
   @SerializedName(SERIALIZED_NAME_HAS_API_KEY)
@@ -108,21 +107,21 @@ public class PolicyServerView {
   }
 
 
-  public PolicyServerView protocol(@javax.annotation.Nonnull PolicyProtocol protocol) {
+  public PolicyServerView protocol(@javax.annotation.Nonnull String protocol) {
     this.protocol = protocol;
     return this;
   }
 
   /**
-   * Get protocol
+   * A &#x60;PolicyProtocol&#x60;, or one of a later version.
    * @return protocol
    */
   @javax.annotation.Nonnull
-  public PolicyProtocol getProtocol() {
+  public String getProtocol() {
     return protocol;
   }
 
-  public void setProtocol(@javax.annotation.Nonnull PolicyProtocol protocol) {
+  public void setProtocol(@javax.annotation.Nonnull String protocol) {
     this.protocol = protocol;
   }
 
@@ -379,8 +378,9 @@ public class PolicyServerView {
       if (!jsonObj.get("url").isJsonPrimitive()) {
         throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `url` to be a primitive type in the JSON string but got `%s`", jsonObj.get("url").toString()));
       }
-      // validate the required field `protocol`
-      PolicyProtocol.validateJsonElement(jsonObj.get("protocol"));
+      if (!jsonObj.get("protocol").isJsonPrimitive()) {
+        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `protocol` to be a primitive type in the JSON string but got `%s`", jsonObj.get("protocol").toString()));
+      }
       if ((jsonObj.get("model") != null && !jsonObj.get("model").isJsonNull()) && !jsonObj.get("model").isJsonPrimitive()) {
         throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `model` to be a primitive type in the JSON string but got `%s`", jsonObj.get("model").toString()));
       }

@@ -17,7 +17,6 @@ import java.util.Arrays;
 import java.util.List;
 import proctor.client.model.ProblemItem;
 import proctor.client.model.RunState;
-import proctor.client.model.SessionEnd;
 import proctor.client.model.SideEffects;
 
 import com.google.gson.Gson;
@@ -107,7 +106,7 @@ public class Problem {
   public static final String SERIALIZED_NAME_ENDED_BY = "ended_by";
   @SerializedName(SERIALIZED_NAME_ENDED_BY)
   @javax.annotation.Nullable
-  private SessionEnd endedBy;
+  private String endedBy;
 
   public Problem() {
   }
@@ -196,7 +195,7 @@ public class Problem {
   }
 
   /**
-   * One of x-problems.
+   * One of x-problems, or one of a later version.
    * @return code
    */
   @javax.annotation.Nonnull
@@ -332,21 +331,21 @@ public class Problem {
   }
 
 
-  public Problem endedBy(@javax.annotation.Nullable SessionEnd endedBy) {
+  public Problem endedBy(@javax.annotation.Nullable String endedBy) {
     this.endedBy = endedBy;
     return this;
   }
 
   /**
-   * Get endedBy
+   * What ended the session, as far as the server still knows; &#x60;unknown&#x60; after a restart, and for a session that was taken over and whose successor has ended.
    * @return endedBy
    */
   @javax.annotation.Nullable
-  public SessionEnd getEndedBy() {
+  public String getEndedBy() {
     return endedBy;
   }
 
-  public void setEndedBy(@javax.annotation.Nullable SessionEnd endedBy) {
+  public void setEndedBy(@javax.annotation.Nullable String endedBy) {
     this.endedBy = endedBy;
   }
 
@@ -511,9 +510,8 @@ public class Problem {
       if (jsonObj.get("state") != null && !jsonObj.get("state").isJsonNull()) {
         RunState.validateJsonElement(jsonObj.get("state"));
       }
-      // validate the optional field `ended_by`
-      if (jsonObj.get("ended_by") != null && !jsonObj.get("ended_by").isJsonNull()) {
-        SessionEnd.validateJsonElement(jsonObj.get("ended_by"));
+      if ((jsonObj.get("ended_by") != null && !jsonObj.get("ended_by").isJsonNull()) && !jsonObj.get("ended_by").isJsonPrimitive()) {
+        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `ended_by` to be a primitive type in the JSON string but got `%s`", jsonObj.get("ended_by").toString()));
       }
   }
 

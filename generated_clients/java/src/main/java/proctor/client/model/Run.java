@@ -18,7 +18,6 @@ import proctor.client.model.ImageChoice;
 import proctor.client.model.PolicyInfo;
 import proctor.client.model.PolicyServerView;
 import proctor.client.model.Progress;
-import proctor.client.model.RunMode;
 import proctor.client.model.RunState;
 
 import com.google.gson.Gson;
@@ -93,7 +92,7 @@ public class Run {
   public static final String SERIALIZED_NAME_MODE = "mode";
   @SerializedName(SERIALIZED_NAME_MODE)
   @javax.annotation.Nullable
-  private RunMode mode;
+  private String mode;
 
   public static final String SERIALIZED_NAME_POLICY_SERVER = "policy_server";
   @SerializedName(SERIALIZED_NAME_POLICY_SERVER)
@@ -300,21 +299,21 @@ public class Run {
   }
 
 
-  public Run mode(@javax.annotation.Nullable RunMode mode) {
+  public Run mode(@javax.annotation.Nullable String mode) {
     this.mode = mode;
     return this;
   }
 
   /**
-   * Get mode
+   * A &#x60;RunMode&#x60;, or one of a later version; &#x60;pull&#x60; when absent.
    * @return mode
    */
   @javax.annotation.Nullable
-  public RunMode getMode() {
+  public String getMode() {
     return mode;
   }
 
-  public void setMode(@javax.annotation.Nullable RunMode mode) {
+  public void setMode(@javax.annotation.Nullable String mode) {
     this.mode = mode;
   }
 
@@ -678,9 +677,8 @@ public class Run {
       }
       // validate the required field `policy`
       PolicyInfo.validateJsonElement(jsonObj.get("policy"));
-      // validate the optional field `mode`
-      if (jsonObj.get("mode") != null && !jsonObj.get("mode").isJsonNull()) {
-        RunMode.validateJsonElement(jsonObj.get("mode"));
+      if ((jsonObj.get("mode") != null && !jsonObj.get("mode").isJsonNull()) && !jsonObj.get("mode").isJsonPrimitive()) {
+        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `mode` to be a primitive type in the JSON string but got `%s`", jsonObj.get("mode").toString()));
       }
       // validate the required field `images`
       ImageChoice.validateJsonElement(jsonObj.get("images"));

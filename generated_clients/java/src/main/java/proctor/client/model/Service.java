@@ -16,9 +16,7 @@ import java.time.OffsetDateTime;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import proctor.client.model.ImageCodec;
 import proctor.client.model.Limits;
-import proctor.client.model.Profile;
 import proctor.client.model.ProtocolRange;
 
 import com.google.gson.Gson;
@@ -68,7 +66,7 @@ public class Service {
   public static final String SERIALIZED_NAME_PROFILES = "profiles";
   @SerializedName(SERIALIZED_NAME_PROFILES)
   @javax.annotation.Nonnull
-  private List<Profile> profiles;
+  private List<String> profiles;
 
   public static final String SERIALIZED_NAME_LIMITS = "limits";
   @SerializedName(SERIALIZED_NAME_LIMITS)
@@ -83,7 +81,7 @@ public class Service {
   public static final String SERIALIZED_NAME_IMAGE_CODECS = "image_codecs";
   @SerializedName(SERIALIZED_NAME_IMAGE_CODECS)
   @javax.annotation.Nonnull
-  private List<ImageCodec> imageCodecs;
+  private List<String> imageCodecs;
 
   public static final String SERIALIZED_NAME_SERVER_TIME = "server_time";
   @SerializedName(SERIALIZED_NAME_SERVER_TIME)
@@ -150,12 +148,12 @@ public class Service {
   }
 
 
-  public Service profiles(@javax.annotation.Nonnull List<Profile> profiles) {
+  public Service profiles(@javax.annotation.Nonnull List<String> profiles) {
     this.profiles = profiles;
     return this;
   }
 
-  public Service addProfilesItem(Profile profilesItem) {
+  public Service addProfilesItem(String profilesItem) {
     if (this.profiles == null) {
       this.profiles = new ArrayList<>();
     }
@@ -168,11 +166,11 @@ public class Service {
    * @return profiles
    */
   @javax.annotation.Nonnull
-  public List<Profile> getProfiles() {
+  public List<String> getProfiles() {
     return profiles;
   }
 
-  public void setProfiles(@javax.annotation.Nonnull List<Profile> profiles) {
+  public void setProfiles(@javax.annotation.Nonnull List<String> profiles) {
     this.profiles = profiles;
   }
 
@@ -223,12 +221,12 @@ public class Service {
   }
 
 
-  public Service imageCodecs(@javax.annotation.Nonnull List<ImageCodec> imageCodecs) {
+  public Service imageCodecs(@javax.annotation.Nonnull List<String> imageCodecs) {
     this.imageCodecs = imageCodecs;
     return this;
   }
 
-  public Service addImageCodecsItem(ImageCodec imageCodecsItem) {
+  public Service addImageCodecsItem(String imageCodecsItem) {
     if (this.imageCodecs == null) {
       this.imageCodecs = new ArrayList<>();
     }
@@ -241,11 +239,11 @@ public class Service {
    * @return imageCodecs
    */
   @javax.annotation.Nonnull
-  public List<ImageCodec> getImageCodecs() {
+  public List<String> getImageCodecs() {
     return imageCodecs;
   }
 
-  public void setImageCodecs(@javax.annotation.Nonnull List<ImageCodec> imageCodecs) {
+  public void setImageCodecs(@javax.annotation.Nonnull List<String> imageCodecs) {
     this.imageCodecs = imageCodecs;
   }
 

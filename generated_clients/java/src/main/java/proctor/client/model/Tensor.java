@@ -15,7 +15,6 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import proctor.client.model.Dtype;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
@@ -49,7 +48,7 @@ public class Tensor {
   public static final String SERIALIZED_NAME_DTYPE = "dtype";
   @SerializedName(SERIALIZED_NAME_DTYPE)
   @javax.annotation.Nonnull
-  private Dtype dtype;
+  private String dtype;
 
   public static final String SERIALIZED_NAME_SHAPE = "shape";
   @SerializedName(SERIALIZED_NAME_SHAPE)
@@ -64,7 +63,7 @@ public class Tensor {
   public Tensor() {
   }
 
-  public Tensor dtype(@javax.annotation.Nonnull Dtype dtype) {
+  public Tensor dtype(@javax.annotation.Nonnull String dtype) {
     this.dtype = dtype;
     return this;
   }
@@ -74,11 +73,11 @@ public class Tensor {
    * @return dtype
    */
   @javax.annotation.Nonnull
-  public Dtype getDtype() {
+  public String getDtype() {
     return dtype;
   }
 
-  public void setDtype(@javax.annotation.Nonnull Dtype dtype) {
+  public void setDtype(@javax.annotation.Nonnull String dtype) {
     this.dtype = dtype;
   }
 
@@ -246,8 +245,9 @@ public class Tensor {
         }
       }
         JsonObject jsonObj = jsonElement.getAsJsonObject();
-      // validate the required field `dtype`
-      Dtype.validateJsonElement(jsonObj.get("dtype"));
+      if (!jsonObj.get("dtype").isJsonPrimitive()) {
+        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `dtype` to be a primitive type in the JSON string but got `%s`", jsonObj.get("dtype").toString()));
+      }
       // ensure the required json array is present
       if (jsonObj.get("shape") == null) {
         throw new IllegalArgumentException("Expected the field `linkedContent` to be an array in the JSON string but got `null`");

@@ -15,8 +15,6 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import proctor.client.model.OutOfRange;
-import proctor.client.model.Rotation;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
@@ -60,7 +58,7 @@ public class VectorSpace {
   public static final String SERIALIZED_NAME_ROTATION = "rotation";
   @SerializedName(SERIALIZED_NAME_ROTATION)
   @javax.annotation.Nonnull
-  private Rotation rotation;
+  private String rotation;
 
   public static final String SERIALIZED_NAME_FRAME = "frame";
   @SerializedName(SERIALIZED_NAME_FRAME)
@@ -90,7 +88,7 @@ public class VectorSpace {
   public static final String SERIALIZED_NAME_OUT_OF_RANGE = "out_of_range";
   @SerializedName(SERIALIZED_NAME_OUT_OF_RANGE)
   @javax.annotation.Nonnull
-  private OutOfRange outOfRange;
+  private String outOfRange;
 
   public static final String SERIALIZED_NAME_DESCRIPTION = "description";
   @SerializedName(SERIALIZED_NAME_DESCRIPTION)
@@ -144,7 +142,7 @@ public class VectorSpace {
   }
 
 
-  public VectorSpace rotation(@javax.annotation.Nonnull Rotation rotation) {
+  public VectorSpace rotation(@javax.annotation.Nonnull String rotation) {
     this.rotation = rotation;
     return this;
   }
@@ -154,11 +152,11 @@ public class VectorSpace {
    * @return rotation
    */
   @javax.annotation.Nonnull
-  public Rotation getRotation() {
+  public String getRotation() {
     return rotation;
   }
 
-  public void setRotation(@javax.annotation.Nonnull Rotation rotation) {
+  public void setRotation(@javax.annotation.Nonnull String rotation) {
     this.rotation = rotation;
   }
 
@@ -274,7 +272,7 @@ public class VectorSpace {
   }
 
 
-  public VectorSpace outOfRange(@javax.annotation.Nonnull OutOfRange outOfRange) {
+  public VectorSpace outOfRange(@javax.annotation.Nonnull String outOfRange) {
     this.outOfRange = outOfRange;
     return this;
   }
@@ -284,11 +282,11 @@ public class VectorSpace {
    * @return outOfRange
    */
   @javax.annotation.Nonnull
-  public OutOfRange getOutOfRange() {
+  public String getOutOfRange() {
     return outOfRange;
   }
 
-  public void setOutOfRange(@javax.annotation.Nonnull OutOfRange outOfRange) {
+  public void setOutOfRange(@javax.annotation.Nonnull String outOfRange) {
     this.outOfRange = outOfRange;
   }
 
@@ -475,8 +473,9 @@ public class VectorSpace {
       if (!jsonObj.get("unit").isJsonPrimitive()) {
         throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `unit` to be a primitive type in the JSON string but got `%s`", jsonObj.get("unit").toString()));
       }
-      // validate the required field `rotation`
-      Rotation.validateJsonElement(jsonObj.get("rotation"));
+      if (!jsonObj.get("rotation").isJsonPrimitive()) {
+        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `rotation` to be a primitive type in the JSON string but got `%s`", jsonObj.get("rotation").toString()));
+      }
       if (!jsonObj.get("frame").isJsonPrimitive()) {
         throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `frame` to be a primitive type in the JSON string but got `%s`", jsonObj.get("frame").toString()));
       }
@@ -488,8 +487,9 @@ public class VectorSpace {
       if (jsonObj.get("maximum") != null && !jsonObj.get("maximum").isJsonNull() && !jsonObj.get("maximum").isJsonArray()) {
         throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `maximum` to be an array in the JSON string but got `%s`", jsonObj.get("maximum").toString()));
       }
-      // validate the required field `out_of_range`
-      OutOfRange.validateJsonElement(jsonObj.get("out_of_range"));
+      if (!jsonObj.get("out_of_range").isJsonPrimitive()) {
+        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `out_of_range` to be a primitive type in the JSON string but got `%s`", jsonObj.get("out_of_range").toString()));
+      }
       if ((jsonObj.get("description") != null && !jsonObj.get("description").isJsonNull()) && !jsonObj.get("description").isJsonPrimitive()) {
         throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `description` to be a primitive type in the JSON string but got `%s`", jsonObj.get("description").toString()));
       }

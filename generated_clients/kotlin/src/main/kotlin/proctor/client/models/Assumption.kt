@@ -23,7 +23,6 @@
 
 package proctor.client.models
 
-import proctor.client.models.Rotation
 
 import com.google.gson.annotations.SerializedName
 
@@ -48,7 +47,7 @@ data class Assumption (
     val unit: kotlin.String? = null,
 
     @SerializedName("rotation")
-    val rotation: Rotation? = null,
+    val rotation: kotlin.String? = null,
 
     @SerializedName("frame")
     val frame: kotlin.String? = null,

@@ -23,11 +23,9 @@
 
 package proctor.client.models
 
-import proctor.client.models.ImageCodec
 import proctor.client.models.ImageSize
 import proctor.client.models.ObservationSpace
 import proctor.client.models.SimulatorInfo
-import proctor.client.models.SuccessRule
 import proctor.client.models.VectorSpace
 
 import com.google.gson.annotations.SerializedName
@@ -48,7 +46,7 @@ import com.google.gson.annotations.SerializedName
  * @param maxChunk
  * @param maxAttempts
  * @param maxFaults
- * @param successRule
+ * @param successRule A `SuccessRule`, or one of a later version.
  * @param actionSpace Name of an action value → what it means.
  * @param observationSpace
  * @param imageSizes Sizes that may be chosen at submit; the first is the default.
@@ -102,8 +100,9 @@ data class Benchmark (
     @SerializedName("max_faults")
     val maxFaults: kotlin.Int,
 
+    /* A `SuccessRule`, or one of a later version. */
     @SerializedName("success_rule")
-    val successRule: SuccessRule,
+    val successRule: kotlin.String,
 
     /* Name of an action value → what it means. */
     @SerializedName("action_space")
@@ -118,7 +117,7 @@ data class Benchmark (
 
     /* Codecs that may be chosen at submit; the first is the default. */
     @SerializedName("image_codecs")
-    val imageCodecs: kotlin.collections.List<ImageCodec>,
+    val imageCodecs: kotlin.collections.List<kotlin.String>,
 
     @SerializedName("simulator")
     val simulator: SimulatorInfo,

@@ -23,7 +23,6 @@
 
 package proctor.client.models
 
-import proctor.client.models.ImageCodec
 
 import com.google.gson.annotations.SerializedName
 
@@ -41,7 +40,7 @@ import com.google.gson.annotations.SerializedName
 data class Image (
 
     @SerializedName("codec")
-    val codec: ImageCodec,
+    val codec: kotlin.String,
 
     @SerializedName("width")
     val width: kotlin.Int,

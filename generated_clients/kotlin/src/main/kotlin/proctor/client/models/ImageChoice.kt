@@ -23,7 +23,6 @@
 
 package proctor.client.models
 
-import proctor.client.models.ImageCodec
 
 import com.google.gson.annotations.SerializedName
 
@@ -39,7 +38,7 @@ import com.google.gson.annotations.SerializedName
 data class ImageChoice (
 
     @SerializedName("codec")
-    val codec: ImageCodec,
+    val codec: kotlin.String,
 
     @SerializedName("width")
     val width: kotlin.Int,

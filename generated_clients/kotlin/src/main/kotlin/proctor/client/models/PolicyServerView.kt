@@ -23,7 +23,6 @@
 
 package proctor.client.models
 
-import proctor.client.models.PolicyProtocol
 
 import com.google.gson.annotations.SerializedName
 
@@ -31,7 +30,7 @@ import com.google.gson.annotations.SerializedName
  * The policy server of a run with mode `push`, with what was left open filled in, and without its key.
  *
  * @param url
- * @param protocol
+ * @param protocol A `PolicyProtocol`, or one of a later version.
  * @param hasApiKey
  * @param callTimeoutS
  * @param maxConcurrent
@@ -46,8 +45,9 @@ data class PolicyServerView (
     @SerializedName("url")
     val url: kotlin.String,
 
+    /* A `PolicyProtocol`, or one of a later version. */
     @SerializedName("protocol")
-    val protocol: PolicyProtocol,
+    val protocol: kotlin.String,
 
     @SerializedName("has_api_key")
     val hasApiKey: kotlin.Boolean,

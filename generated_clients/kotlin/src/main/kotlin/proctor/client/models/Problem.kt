@@ -25,7 +25,6 @@ package proctor.client.models
 
 import proctor.client.models.ProblemItem
 import proctor.client.models.RunState
-import proctor.client.models.SessionEnd
 import proctor.client.models.SideEffects
 
 import com.google.gson.annotations.SerializedName
@@ -37,14 +36,14 @@ import com.google.gson.annotations.SerializedName
  * @param title
  * @param status
  * @param detail What happened and what to do about it.
- * @param code One of x-problems.
+ * @param code One of x-problems, or one of a later version.
  * @param retryable Whether the same request can succeed later.
  * @param sideEffects
  * @param errors
  * @param requirement Id of the rule that was enforced.
  * @param state
  * @param expectedSeq
- * @param endedBy
+ * @param endedBy What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended.
  */
 
 
@@ -63,7 +62,7 @@ data class Problem (
     @SerializedName("detail")
     val detail: kotlin.String,
 
-    /* One of x-problems. */
+    /* One of x-problems, or one of a later version. */
     @SerializedName("code")
     val code: kotlin.String,
 
@@ -87,8 +86,9 @@ data class Problem (
     @SerializedName("expected_seq")
     val expectedSeq: kotlin.Long? = null,
 
+    /* What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended. */
     @SerializedName("ended_by")
-    val endedBy: SessionEnd? = null
+    val endedBy: kotlin.String? = null
 
 ) {
 

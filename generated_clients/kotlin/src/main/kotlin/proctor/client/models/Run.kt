@@ -27,7 +27,6 @@ import proctor.client.models.ImageChoice
 import proctor.client.models.PolicyInfo
 import proctor.client.models.PolicyServerView
 import proctor.client.models.Progress
-import proctor.client.models.RunMode
 import proctor.client.models.RunState
 
 import com.google.gson.annotations.SerializedName
@@ -52,7 +51,7 @@ import com.google.gson.annotations.SerializedName
  * @param progress
  * @param createdAt
  * @param updatedAt
- * @param mode
+ * @param mode A `RunMode`, or one of a later version; `pull` when absent.
  * @param policyServer
  */
 
@@ -115,8 +114,9 @@ data class Run (
     @SerializedName("updated_at")
     val updatedAt: java.time.OffsetDateTime,
 
+    /* A `RunMode`, or one of a later version; `pull` when absent. */
     @SerializedName("mode")
-    val mode: RunMode? = null,
+    val mode: kotlin.String? = null,
 
     @SerializedName("policy_server")
     val policyServer: PolicyServerView? = null

@@ -23,9 +23,7 @@
 
 package proctor.client.models
 
-import proctor.client.models.ImageCodec
 import proctor.client.models.Limits
-import proctor.client.models.Profile
 import proctor.client.models.ProtocolRange
 
 import com.google.gson.annotations.SerializedName
@@ -58,7 +56,7 @@ data class Service (
 
     /* Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified. */
     @SerializedName("profiles")
-    val profiles: kotlin.collections.List<Profile>,
+    val profiles: kotlin.collections.List<kotlin.String>,
 
     @SerializedName("limits")
     val limits: Limits,
@@ -68,7 +66,7 @@ data class Service (
     val encodings: kotlin.collections.List<kotlin.String>,
 
     @SerializedName("image_codecs")
-    val imageCodecs: kotlin.collections.List<ImageCodec>,
+    val imageCodecs: kotlin.collections.List<kotlin.String>,
 
     /* The server's clock, UTC. */
     @SerializedName("server_time")

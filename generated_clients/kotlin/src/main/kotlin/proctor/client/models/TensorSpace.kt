@@ -23,7 +23,6 @@
 
 package proctor.client.models
 
-import proctor.client.models.Dtype
 
 import com.google.gson.annotations.SerializedName
 
@@ -40,7 +39,7 @@ import com.google.gson.annotations.SerializedName
 data class TensorSpace (
 
     @SerializedName("dtype")
-    val dtype: Dtype,
+    val dtype: kotlin.String,
 
     @SerializedName("shape")
     val shape: kotlin.collections.List<kotlin.Int>,

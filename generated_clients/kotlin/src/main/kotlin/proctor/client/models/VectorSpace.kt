@@ -23,8 +23,6 @@
 
 package proctor.client.models
 
-import proctor.client.models.OutOfRange
-import proctor.client.models.Rotation
 
 import com.google.gson.annotations.SerializedName
 
@@ -55,7 +53,7 @@ data class VectorSpace (
     val unit: kotlin.String,
 
     @SerializedName("rotation")
-    val rotation: Rotation,
+    val rotation: kotlin.String,
 
     /* `world`, `base`, `tool`, `joint`, or `none`. */
     @SerializedName("frame")
@@ -66,7 +64,7 @@ data class VectorSpace (
     val relative: kotlin.Boolean,
 
     @SerializedName("out_of_range")
-    val outOfRange: OutOfRange,
+    val outOfRange: kotlin.String,
 
     /* The value that means fully open. */
     @SerializedName("gripper_open")
