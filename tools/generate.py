@@ -232,18 +232,24 @@ def tidy(target: Path, dropped: list[str], patches: list[dict[str, str]]) -> Non
         for file in list(target.glob(pattern)):
             file.unlink()
     for patch in patches:
-        places = [
-            p for p in target.glob(patch["file"]) if patch["find"] in p.read_text()
-        ]
-        if not places:
-            raise GenerationError(f"{target.name}: a patch finds nothing: {patch}")
-        for place in places:
-            text = place.read_text().replace(patch["find"], patch["replace"])
-            place.write_text(text)
+        apply_patch(target, patch)
     for file in target.rglob("*"):
         if file.is_file():
             lines = file.read_text().rstrip().splitlines()
             file.write_text("".join(line.rstrip() + "\n" for line in lines))
+
+
+def apply_patch(target: Path, patch: dict[str, str]) -> None:
+    """Replace a text (`find`) or what a regular expression matches (`pattern`)."""
+    wanted = patch.get("pattern") or re.escape(patch["find"])
+    found = 0
+    for place in target.glob(patch["file"]):
+        text, count = re.subn(wanted, lambda _: patch["replace"], place.read_text())
+        found += count
+        if count:
+            place.write_text(text)
+    if not found:
+        raise GenerationError(f"{target.name}: a patch finds nothing: {patch}")
 
 
 def write_all(out: Path) -> None:

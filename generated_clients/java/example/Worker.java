@@ -1,4 +1,3 @@
-import java.io.IOException;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
@@ -65,7 +64,7 @@ public final class Worker {
             Problem problem;
             try {
                 problem = Problem.fromJson(error.getResponseBody());
-            } catch (IOException | RuntimeException unreadable) {
+            } catch (RuntimeException unreadable) {
                 throw error; // a gateway speaks for itself
             }
             List<String> wait = error.getResponseHeaders().get("retry-after");
