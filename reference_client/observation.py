@@ -22,10 +22,10 @@ from reference_client.messages import Image, Tensor, Turn
 from reference_client.messages import Observation as WireObservation
 
 # What numpy can hold; a tensor of a dtype that a later version has is left out.
-DTYPES = frozenset(
-    ("bool", "int8", "int16", "int32", "int64", "uint8", "uint16", "uint32", "uint64")
-    + ("float16", "float32", "float64")
-)
+DTYPES = {
+    *("bool", "int8", "int16", "int32", "int64", "uint8", "uint16", "uint32", "uint64"),
+    *("float16", "float32", "float64"),
+}
 # channels → what pillow calls them, and what simplejpeg does
 _PNG_MODES = {1: "L", 2: "LA", 3: "RGB", 4: "RGBA"}
 _JPEG_COLOURS = {1: "GRAY", 3: "RGB", 4: "RGBA"}

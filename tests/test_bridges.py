@@ -338,9 +338,7 @@ def _first_turn(house: House, benchmark: str, policy: Any) -> Any:
         SubmitRun(
             benchmark_id=benchmark,
             policy=PolicyInfo(name="p"),
-            images=ImageChoice(
-                codec="raw", width=size.width, height=size.height
-            ),
+            images=ImageChoice(codec="raw", width=size.width, height=size.height),
         )
     )
     turn = house.attach(run.run_id, "w")

@@ -1,7 +1,7 @@
 """Answers as a server of a later minor version could send them.
 
-Every open list of the specification (`x-extensible-enum`) has a value more, every message
-a member more. It must not know which of them a client looks at.
+Every open list of the specification (`x-extensible-enum`) has one value more, every
+message one member more. It must not know which of them a client looks at.
 """
 
 from __future__ import annotations

@@ -20,7 +20,9 @@ from typing import Self
 from urllib.parse import urlsplit
 
 import httpx
+import msgspec
 
+MSGPACK = "application/msgpack"
 KINDS = {
     "submit": re.compile(r"POST /v1/runs"),
     "attach": re.compile(r"PUT /v1/runs/[^/]+/workers/[^/]+"),
@@ -44,7 +46,7 @@ class Proxy:
     drop: kinds whose first answer is lost after the server gave it.
     crash_at: the number of the predict (from 1) whose answer is lost in a crash.
     crash: called then; it returns when the server is back, with its URL.
-    alter: makes another answer of each parsed JSON answer.
+    alter: makes another answer of each parsed one.
     """
 
     def __init__(
@@ -143,7 +145,9 @@ class Proxy:
         if request.path.startswith("/v1/runs") and b'"endpoint"' in content:
             content = json.dumps(self._through_here(json.loads(content))).encode()
         if self._alter is not None and content:
-            content = json.dumps(self._alter(json.loads(content))).encode()
+            media_type = answer.headers.get("Content-Type", "").partition(";")[0]
+            codec = msgspec.msgpack if media_type == MSGPACK else msgspec.json
+            content = codec.encode(self._alter(codec.decode(content)))
         request.send_response_only(answer.status_code)
         for name, value in answer.headers.items():
             if name not in HOP_BY_HOP | {"content-encoding"}:
