@@ -75,14 +75,10 @@ lint: setup ## Check style and types
 
 generate: .venv-generate/ready ## Rewrite models and clients from spec/
 	@.venv-generate/bin/python tools/generate.py
-
 generate-check: .venv-generate/ready ## Fail if generated files differ from spec/
 	@.venv-generate/bin/python tools/generate.py --check
-
-client: .venv-generate/ready ## Write a client in any language into build/clients/
-#                   LANGUAGE=kotlin, or another one that openapi-generator knows
+client: .venv-generate/ready ## Write a client in LANGUAGE=kotlin or any other
 	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)"
-
 interop: setup ## Play every scenario through each language's client
 #                   URL=... TOKEN=... RESTART_CMD='...' LANGUAGES=go,rust ONLY=echo
 	@$(python) -m tools.interop
