@@ -3,7 +3,7 @@
 
 .DELETE_ON_ERROR:
 .PHONY: help setup conformance conformance-policy serve test lint generate generate-check
-.PHONY: lock kill-matrix experts bench clean metaworld metaworld-check metaworld-table interop
+.PHONY: client lock kill-matrix experts bench clean metaworld metaworld-check metaworld-table interop
 # Robot middleware likes to set it, and its plugins break our pytest.
 unexport PYTHONPATH
 
@@ -75,10 +75,10 @@ lint: setup ## Check style and types
 
 generate: .venv-generate/ready ## Rewrite models and clients from spec/
 	@.venv-generate/bin/python tools/generate.py
-
 generate-check: .venv-generate/ready ## Fail if generated files differ from spec/
 	@.venv-generate/bin/python tools/generate.py --check
-
+client: .venv-generate/ready ## Write a client in LANGUAGE=kotlin or any other
+	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)"
 interop: setup ## Play every scenario through each language's client
 #                   URL=... TOKEN=... RESTART_CMD='...' LANGUAGES=go,rust ONLY=echo
 	@$(python) -m tools.interop

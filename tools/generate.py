@@ -1,22 +1,28 @@
 """Write what is generated from the specification: Python messages and clients.
 
 Run inside the generator environment (`make generate`). With --check it writes
-into a scratch directory and fails if the committed files differ from it. A
-client in another language is another file in tools/generators/: the options of
-its generator and, beside them, `drop` (files that nobody needs) and `patches`
-(texts that the generator gets wrong). It must not know what the protocol means,
-only which constructs the generators misread.
+into a scratch directory and fails if the committed files differ from it. With
+--client it writes one client in any language into build/clients/.
+
+A committed client is a file in tools/generators/: the options of its generator
+and, beside them, `drop` (files that nobody needs) and `patches` (texts that the
+generator gets wrong). A file in tools/generators/on_request/ is the same for a
+client that is not committed; a language without a file has the defaults. It must
+not know what the protocol means, only which constructs the generators misread.
 """
 
 import argparse
 import difflib
 import filecmp
 import json
+import os
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +32,11 @@ ROOT = Path(__file__).resolve().parent.parent
 SPEC = ROOT / "spec" / "openapi.yaml"
 GENERATORS = ROOT / "tools" / "generators"
 CONFIGS = sorted(GENERATORS.glob("*.yaml"))
+ON_REQUEST = GENERATORS / "on_request"
+REQUESTED = ROOT / "build" / "clients"
+DEFAULTS = {"hideGenerationTimestamp": True, "enumUnknownDefaultCase": True}
+# A short run: what the better compiler makes faster does not last long enough.
+JAVA_OPTIONS = "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC"
 MODELS = Path("reference_server", "generated", "models.py")
 CATALOGUE = Path("reference_server", "generated", "problem_codes.py")
 TURNS = Path("reference_client", "generated", "messages.py")
@@ -88,14 +99,22 @@ class GenerationError(Exception):
     """What a generator said when it failed."""
 
 
-def run(*command: str | Path) -> None:
+def run(*command: str | Path) -> str:
+    """What the command wrote; GenerationError if it failed."""
+    environment = os.environ | {"JDK_JAVA_OPTIONS": JAVA_OPTIONS}
     done = subprocess.run(
-        command, cwd=ROOT, capture_output=True, text=True, check=False
+        command,
+        cwd=ROOT,
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=False,
     )
     if done.returncode != 0:
         said = (done.stdout + done.stderr).strip()
         name = Path(command[0]).name
         raise GenerationError(f"{name} failed:\n{said[-4000:]}")
+    return done.stdout
 
 
 def with_bytes(schema: Any) -> Any:
@@ -183,24 +202,69 @@ def without_streams(document: dict[str, Any]) -> dict[str, Any]:
     return document | {"paths": {path: item for path, item in paths.items() if item}}
 
 
-def write_clients(out: Path) -> None:
-    """All clients by one process: starting the generator costs more than running it."""
+def with_open_messages(node: Any) -> Any:
+    """Leave out which messages are closed: servers refuse unknown members, no client.
+
+    A later version may show members in a run that today's submission cannot have.
+    """
+    if isinstance(node, list):
+        return [with_open_messages(item) for item in node]
+    if not isinstance(node, dict):
+        return node
+    return {
+        key: with_open_messages(value)
+        for key, value in node.items()
+        if not (key == "additionalProperties" and value is False)
+    }
+
+
+def write_committed_clients(out: Path) -> None:
     plans = {config.stem: yaml.safe_load(config.read_text()) for config in CONFIGS}
+    write_clients(out / CLIENTS, plans)
+
+
+def write_requested_client(language: str) -> Path:
+    """One client in build/clients/; old files of it are replaced."""
+    if language not in known_languages():
+        command = (BIN / "openapi-generator-cli").relative_to(ROOT)
+        raise GenerationError(f"no client in {language!r}; see `{command} list`")
+    configured = {path.stem: path for path in [*CONFIGS, *ON_REQUEST.glob("*.yaml")]}
+    plan: dict[str, Any] = {"generatorName": language, "additionalProperties": DEFAULTS}
+    if language in configured:
+        plan = yaml.safe_load(configured[language].read_text())
+    target = REQUESTED / language
+    with tempfile.TemporaryDirectory() as scratch:
+        write_clients(Path(scratch), {language: plan})
+        shutil.rmtree(target, ignore_errors=True)
+        shutil.copytree(Path(scratch, language), target)
+    return target
+
+
+def known_languages() -> set[str]:
+    """What openapi-generator writes clients in, and our own names of some of them."""
+    names = run(BIN / "openapi-generator-cli", "list", "--short").strip().split(",")
+    configured = [path.stem for path in [*CONFIGS, *ON_REQUEST.glob("*.yaml")]]
+    return {*names, *configured}
+
+
+def write_clients(folder: Path, plans: dict[str, dict[str, Any]]) -> None:
+    """All clients by one process: starting the generator costs more than running it."""
     repairs = {name: take_repairs(plan) for name, plan in plans.items()}
     with tempfile.TemporaryDirectory() as scratch:
         files = []
         calls = Path(scratch, SPEC.name)
-        calls.write_text(json.dumps(without_streams(yaml.safe_load(SPEC.read_text()))))
+        document = without_streams(yaml.safe_load(SPEC.read_text()))
+        calls.write_text(json.dumps(with_open_messages(document)))
         for name, plan in plans.items():
             plan["globalProperties"] = PARTS | plan.get("globalProperties", {})
             plan["ignoreFileOverride"] = str(GENERATORS / "openapi-generator-ignore")
-            plan |= {"inputSpec": str(calls), "outputDir": str(out / CLIENTS / name)}
+            plan |= {"inputSpec": str(calls), "outputDir": str(folder / name)}
             files.append(Path(scratch, f"{name}.json"))
             files[-1].write_text(json.dumps(plan))
         command = ("batch", "--fail-fast", "--root-dir", ROOT, "--threads", "2")
         run(BIN / "openapi-generator-cli", *command, *files)
     for name, (dropped, patches) in repairs.items():
-        tidy(out / CLIENTS / name, dropped, patches)
+        tidy(folder / name, dropped, patches)
 
 
 def take_repairs(plan: dict[str, Any]) -> tuple[list[str], list[dict[str, str]]]:
@@ -211,28 +275,38 @@ def tidy(target: Path, dropped: list[str], patches: list[dict[str, str]]) -> Non
     """Remove what is dropped, apply the patches, make white space uniform."""
     shutil.rmtree(target / ".openapi-generator", ignore_errors=True)
     (target / ".openapi-generator-ignore").unlink(missing_ok=True)
-    for name in dropped:
-        (target / name).unlink()
+    for pattern in dropped:
+        for file in list(target.glob(pattern)):
+            file.unlink()
     for patch in patches:
-        places = [
-            p for p in target.glob(patch["file"]) if patch["find"] in p.read_text()
-        ]
-        if not places:
-            raise GenerationError(f"{target.name}: a patch finds nothing: {patch}")
-        for place in places:
-            text = place.read_text().replace(patch["find"], patch["replace"])
-            place.write_text(text)
+        apply_patch(target, patch)
     for file in target.rglob("*"):
         if file.is_file():
             lines = file.read_text().rstrip().splitlines()
             file.write_text("".join(line.rstrip() + "\n" for line in lines))
 
 
+def apply_patch(target: Path, patch: dict[str, str]) -> None:
+    """Replace a text (`find`) or what a regular expression matches (`pattern`)."""
+    wanted = patch.get("pattern") or re.escape(patch["find"])
+    found = 0
+    for place in target.glob(patch["file"]):
+        text, count = re.subn(wanted, lambda _: patch["replace"], place.read_text())
+        found += count
+        if count:
+            place.write_text(text)
+    if not found:
+        raise GenerationError(f"{target.name}: a patch finds nothing: {patch}")
+
+
 def write_all(out: Path) -> None:
-    write_models(out)
-    write_catalogue(out)
-    write_turns(out)
-    write_clients(out)
+    """Everything at once; the first error is raised."""
+    for path in (MODELS, TURNS, CATALOGUE):
+        (out / path).parent.mkdir(parents=True, exist_ok=True)
+    writers = (write_committed_clients, write_models, write_turns, write_catalogue)
+    with ThreadPoolExecutor(len(writers)) as pool:
+        for writing in [pool.submit(write, out) for write in writers]:
+            writing.result()
 
 
 def generated(root: Path) -> set[Path]:
@@ -268,10 +342,27 @@ def replace(generate: Path) -> None:
         shutil.copyfile(generate / path, ROOT / path)
 
 
-def main() -> int:
-    arguments = argparse.ArgumentParser(description=__doc__)
-    arguments.add_argument("--check", action="store_true", help="write nothing")
-    check = arguments.parse_args().check
+def write_one(language: str) -> int:
+    try:
+        target = write_requested_client(language)
+    except GenerationError as error:
+        print(f"generate: {error}", file=sys.stderr)
+        return 1
+    files = [path for path in target.rglob("*") if path.is_file()]
+    print(f"generate: {len(files)} files in {target.relative_to(ROOT)}")
+    return 0
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--check", action="store_true", help="write nothing")
+    parser.add_argument("--client", metavar="LANGUAGE", help="write this one alone")
+    options = parser.parse_args(arguments)
+    if options.client is not None:
+        return write_one(options.client)
+    check = options.check
     with tempfile.TemporaryDirectory() as scratch:
         generate = Path(scratch)
         try:

@@ -2,187 +2,48 @@
 
 package proctor
 
-import (
-	"encoding/json"
-)
-
-// checks if the Assumptions type satisfies the MappedNullable interface at compile time
-var _ MappedNullable = &Assumptions{}
-
 // Assumptions What the policy takes for granted; refused when the benchmark says otherwise.
 type Assumptions struct {
-	ControlRateHz *float64 `json:"control_rate_hz,omitempty"`
-	Action map[string]Assumption `json:"action,omitempty"`
-	State map[string]Assumption `json:"state,omitempty"`
+	ControlRateHz *float64 `json:"control_rate_hz,omitzero"`
+	Action map[string]Assumption `json:"action,omitzero"`
+	State map[string]Assumption `json:"state,omitzero"`
 }
 
-// NewAssumptions instantiates a new Assumptions object
-// This constructor will assign default values to properties that have it defined,
-// and makes sure properties required by API are set, but the set of arguments
-// will change when the set of required properties is changed
-func NewAssumptions() *Assumptions {
-	this := Assumptions{}
-	return &this
-}
-
-// NewAssumptionsWithDefaults instantiates a new Assumptions object
-// This constructor will only assign default values to properties that have it defined,
-// but it doesn't guarantee that properties required by API are set
-func NewAssumptionsWithDefaults() *Assumptions {
-	this := Assumptions{}
-	return &this
-}
-
-// GetControlRateHz returns the ControlRateHz field value if set, zero value otherwise.
-func (o *Assumptions) GetControlRateHz() float64 {
-	if o == nil || IsNil(o.ControlRateHz) {
-		var ret float64
-		return ret
+// GetControlRateHz returns control_rate_hz, or the zero value when it is absent.
+func (o *Assumptions) GetControlRateHz() (v float64) {
+	if o != nil && o.ControlRateHz != nil {
+		v = *o.ControlRateHz
 	}
-	return *o.ControlRateHz
+	return v
 }
 
-// GetControlRateHzOk returns a tuple with the ControlRateHz field value if set, nil otherwise
-// and a boolean to check if the value has been set.
-func (o *Assumptions) GetControlRateHzOk() (*float64, bool) {
-	if o == nil || IsNil(o.ControlRateHz) {
-		return nil, false
-	}
-	return o.ControlRateHz, true
-}
-
-// HasControlRateHz returns a boolean if a field has been set.
-func (o *Assumptions) HasControlRateHz() bool {
-	if o != nil && !IsNil(o.ControlRateHz) {
-		return true
-	}
-
-	return false
-}
-
-// SetControlRateHz gets a reference to the given float64 and assigns it to the ControlRateHz field.
+// SetControlRateHz sets control_rate_hz.
 func (o *Assumptions) SetControlRateHz(v float64) {
 	o.ControlRateHz = &v
 }
 
-// GetAction returns the Action field value if set, zero value otherwise.
-func (o *Assumptions) GetAction() map[string]Assumption {
-	if o == nil || IsNil(o.Action) {
-		var ret map[string]Assumption
-		return ret
+// GetAction returns action, or the zero value when it is absent.
+func (o *Assumptions) GetAction() (v map[string]Assumption) {
+	if o != nil && o.Action != nil {
+		v = o.Action
 	}
-	return o.Action
+	return v
 }
 
-// GetActionOk returns a tuple with the Action field value if set, nil otherwise
-// and a boolean to check if the value has been set.
-func (o *Assumptions) GetActionOk() (map[string]Assumption, bool) {
-	if o == nil || IsNil(o.Action) {
-		return map[string]Assumption{}, false
-	}
-	return o.Action, true
-}
-
-// HasAction returns a boolean if a field has been set.
-func (o *Assumptions) HasAction() bool {
-	if o != nil && !IsNil(o.Action) {
-		return true
-	}
-
-	return false
-}
-
-// SetAction gets a reference to the given map[string]Assumption and assigns it to the Action field.
+// SetAction sets action.
 func (o *Assumptions) SetAction(v map[string]Assumption) {
 	o.Action = v
 }
 
-// GetState returns the State field value if set, zero value otherwise.
-func (o *Assumptions) GetState() map[string]Assumption {
-	if o == nil || IsNil(o.State) {
-		var ret map[string]Assumption
-		return ret
+// GetState returns state, or the zero value when it is absent.
+func (o *Assumptions) GetState() (v map[string]Assumption) {
+	if o != nil && o.State != nil {
+		v = o.State
 	}
-	return o.State
+	return v
 }
 
-// GetStateOk returns a tuple with the State field value if set, nil otherwise
-// and a boolean to check if the value has been set.
-func (o *Assumptions) GetStateOk() (map[string]Assumption, bool) {
-	if o == nil || IsNil(o.State) {
-		return map[string]Assumption{}, false
-	}
-	return o.State, true
-}
-
-// HasState returns a boolean if a field has been set.
-func (o *Assumptions) HasState() bool {
-	if o != nil && !IsNil(o.State) {
-		return true
-	}
-
-	return false
-}
-
-// SetState gets a reference to the given map[string]Assumption and assigns it to the State field.
+// SetState sets state.
 func (o *Assumptions) SetState(v map[string]Assumption) {
 	o.State = v
-}
-
-func (o Assumptions) MarshalJSON() ([]byte, error) {
-	toSerialize,err := o.ToMap()
-	if err != nil {
-		return []byte{}, err
-	}
-	return json.Marshal(toSerialize)
-}
-
-func (o Assumptions) ToMap() (map[string]interface{}, error) {
-	toSerialize := map[string]interface{}{}
-	if !IsNil(o.ControlRateHz) {
-		toSerialize["control_rate_hz"] = o.ControlRateHz
-	}
-	if !IsNil(o.Action) {
-		toSerialize["action"] = o.Action
-	}
-	if !IsNil(o.State) {
-		toSerialize["state"] = o.State
-	}
-	return toSerialize, nil
-}
-
-type NullableAssumptions struct {
-	value *Assumptions
-	isSet bool
-}
-
-func (v NullableAssumptions) Get() *Assumptions {
-	return v.value
-}
-
-func (v *NullableAssumptions) Set(val *Assumptions) {
-	v.value = val
-	v.isSet = true
-}
-
-func (v NullableAssumptions) IsSet() bool {
-	return v.isSet
-}
-
-func (v *NullableAssumptions) Unset() {
-	v.value = nil
-	v.isSet = false
-}
-
-func NewNullableAssumptions(val *Assumptions) *NullableAssumptions {
-	return &NullableAssumptions{value: val, isSet: true}
-}
-
-func (v NullableAssumptions) MarshalJSON() ([]byte, error) {
-	return json.Marshal(v.value)
-}
-
-func (v *NullableAssumptions) UnmarshalJSON(src []byte) error {
-	v.isSet = true
-	return json.Unmarshal(src, &v.value)
 }

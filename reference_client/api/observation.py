@@ -21,6 +21,11 @@ from reference_client.api.errors import BAD_ANSWER, ProctorError
 from reference_client.generated.messages import Image, Tensor, Turn
 from reference_client.generated.messages import Observation as WireObservation
 
+# What numpy can hold; a tensor of a dtype that a later version has is left out.
+DTYPES = {
+    *("bool", "int8", "int16", "int32", "int64", "uint8", "uint16", "uint32", "uint64"),
+    *("float16", "float32", "float64"),
+}
 # channels → what pillow calls them, and what simplejpeg does
 _PNG_MODES = {1: "L", 2: "LA", 3: "RGB", 4: "RGBA"}
 _JPEG_COLOURS = {1: "GRAY", 3: "RGB", 4: "RGBA"}
@@ -74,7 +79,9 @@ def decode_observation(
         state={name: tuple(v) for name, v in observation.state.items()},
         images=_pictures(observation.images),
         tensors={
-            name: _array(name, tensor) for name, tensor in observation.tensors.items()
+            name: _array(name, tensor)
+            for name, tensor in observation.tensors.items()
+            if tensor.dtype in DTYPES
         },
         instruction=instruction,
         episode_id=episode_id,

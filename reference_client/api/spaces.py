@@ -14,7 +14,7 @@ import numpy.typing as npt
 from gymnasium import spaces
 from proctor_client import Benchmark, ImageChoice, VectorSpace
 
-from reference_client.api.observation import Observation
+from reference_client.api.observation import DTYPES, Observation
 
 Array: TypeAlias = npt.NDArray[Any]
 SpaceValue: TypeAlias = dict[str, dict[str, Array]]
@@ -41,8 +41,9 @@ def observation_space(benchmark: Benchmark, images: ImageChoice | None) -> space
             for name, image in has.images.items()
         },
         "tensors": {
-            name: _tensor(np.dtype(tensor.dtype.value), tuple(tensor.shape))
+            name: _tensor(np.dtype(tensor.dtype), tuple(tensor.shape))
             for name, tensor in has.tensors.items()
+            if tensor.dtype in DTYPES
         },
     }
     return spaces.Dict(

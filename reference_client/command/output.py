@@ -286,7 +286,7 @@ def benchmark_list(benchmarks: Sequence[BenchmarkSummary]) -> Table:
 
 def benchmark_tables(benchmark: Benchmark) -> list[Table]:
     sizes = ", ".join(f"{s.width}x{s.height}" for s in benchmark.image_sizes)
-    codecs = ", ".join(codec.value for codec in benchmark.image_codecs)
+    codecs = ", ".join(benchmark.image_codecs)
     head = facts(
         {
             "benchmark": f"{benchmark.benchmark_id}, version {benchmark.version}",
@@ -315,7 +315,7 @@ def benchmark_tables(benchmark: Benchmark) -> list[Table]:
         spaces.add_row(
             f"tensors.{name}",
             "x".join(map(str, tensor.shape)),
-            tensor.dtype.value,
+            tensor.dtype,
             tensor.description,
         )
     return [head, spaces]

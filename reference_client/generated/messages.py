@@ -16,20 +16,7 @@ Blob: TypeAlias = Annotated[
 ]
 
 
-Dtype: TypeAlias = Literal[
-    "bool",
-    "int8",
-    "int16",
-    "int32",
-    "int64",
-    "uint8",
-    "uint16",
-    "uint32",
-    "uint64",
-    "float16",
-    "float32",
-    "float64",
-]
+Dtype: TypeAlias = Annotated[str, Meta(pattern="^[a-z][a-z0-9_]{0,63}$")]
 
 
 class EpisodeResult(Struct):
@@ -87,7 +74,7 @@ class Image(Struct):
     data: Blob
 
 
-ImageCodec: TypeAlias = Literal["raw", "png", "jpeg"]
+ImageCodec: TypeAlias = Annotated[str, Meta(pattern="^[a-z][a-z0-9_]{0,63}$")]
 
 
 class Lease(Struct):

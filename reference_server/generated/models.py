@@ -85,7 +85,13 @@ class Benchmark(BaseModel):
     max_chunk: Annotated[int, Field(ge=1)]
     max_attempts: Annotated[int, Field(ge=1)]
     max_faults: Annotated[int, Field(ge=1)]
-    success_rule: SuccessRule
+    success_rule: Annotated[
+        str,
+        Field(
+            description="A `SuccessRule`, or one of a later version.",
+            pattern="^[a-z][a-z0-9_]{0,63}$",
+        ),
+    ]
     action_space: Annotated[
         dict[str, VectorSpace],
         Field(description="Name of an action value → what it means."),
@@ -245,23 +251,7 @@ class Comparison(BaseModel):
     ]
 
 
-Dtype = TypeAliasType(
-    "Dtype",
-    Literal[
-        "bool",
-        "int8",
-        "int16",
-        "int32",
-        "int64",
-        "uint8",
-        "uint16",
-        "uint32",
-        "uint64",
-        "float16",
-        "float32",
-        "float64",
-    ],
-)
+Dtype = TypeAliasType("Dtype", Annotated[str, Field(pattern="^[a-z][a-z0-9_]{0,63}$")])
 
 
 class Episode(BaseModel):
@@ -375,7 +365,9 @@ class ImageChoice(BaseModel):
     height: Annotated[int, Field(ge=1, le=4096)]
 
 
-ImageCodec = TypeAliasType("ImageCodec", Literal["raw", "png", "jpeg"])
+ImageCodec = TypeAliasType(
+    "ImageCodec", Annotated[str, Field(pattern="^[a-z][a-z0-9_]{0,63}$")]
+)
 
 
 class ImageSize(BaseModel):
@@ -454,7 +446,9 @@ Observe = TypeAliasType(
 )
 
 
-OutOfRange = TypeAliasType("OutOfRange", Literal["refuse", "clip", "unbounded"])
+OutOfRange = TypeAliasType(
+    "OutOfRange", Annotated[str, Field(pattern="^[a-z][a-z0-9_]{0,63}$")]
+)
 
 
 Outcome = TypeAliasType("Outcome", Literal["success", "failure", "abandoned"])
@@ -586,7 +580,13 @@ class PolicyServerView(BaseModel):
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     url: str
-    protocol: PolicyProtocol
+    protocol: Annotated[
+        str,
+        Field(
+            description="A `PolicyProtocol`, or one of a later version.",
+            pattern="^[a-z][a-z0-9_]{0,63}$",
+        ),
+    ]
     has_api_key: bool
     model: str | MISSING = MISSING
     call_timeout_s: float
@@ -613,7 +613,9 @@ class Problem(BaseModel):
     title: str
     status: Annotated[int, Field(ge=400, le=599)]
     detail: Annotated[str, Field(description="What happened and what to do about it.")]
-    code: Annotated[str, Field(description="One of x-problems.")]
+    code: Annotated[
+        str, Field(description="One of x-problems, or one of a later version.")
+    ]
     retryable: Annotated[
         bool, Field(description="Whether the same request can succeed later.")
     ]
@@ -639,8 +641,7 @@ class ProblemItem(BaseModel):
 
 
 Profile = TypeAliasType(
-    "Profile",
-    Literal["core", "msgpack", "compare", "events", "push", "ebench", "flageval"],
+    "Profile", Annotated[str, Field(pattern="^[a-z][a-z0-9_]{0,63}$")]
 )
 
 
@@ -671,15 +672,7 @@ class ResetPolicy(BaseModel):
 
 
 Rotation = TypeAliasType(
-    "Rotation",
-    Literal[
-        "none",
-        "quaternion_wxyz",
-        "quaternion_xyzw",
-        "axis_angle",
-        "euler_xyz",
-        "rot6d_columns",
-    ],
+    "Rotation", Annotated[str, Field(pattern="^[a-z][a-z0-9_]{0,63}$")]
 )
 
 
@@ -701,7 +694,13 @@ class Run(BaseModel):
     benchmark_version: str
     manifest_sha256: Sha256
     policy: PolicyInfo
-    mode: RunMode | MISSING = MISSING
+    mode: Annotated[
+        str | MISSING,
+        Field(
+            description="A `RunMode`, or one of a later version; `pull` when absent.",
+            pattern="^[a-z][a-z0-9_]{0,63}$",
+        ),
+    ] = MISSING
     policy_server: PolicyServerView | MISSING = MISSING
     max_workers: int
     idle_timeout_s: float
@@ -791,9 +790,10 @@ class Service(BaseModel):
 SessionEnd = TypeAliasType(
     "SessionEnd",
     Annotated[
-        Literal["lease_ended", "detached", "run_stopped", "run_failed", "unknown"],
+        str,
         Field(
-            description="What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended."
+            description="What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended.",
+            pattern="^[a-z][a-z0-9_]{0,63}$",
         ),
     ],
 )

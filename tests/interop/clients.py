@@ -163,9 +163,3 @@ LANGUAGES = (
         environment={"CXXFLAGS": "-O0"},
     ),
 )
-# Generated and packaged; `make interop` has no program for them.
-NOT_COMPILED = {
-    "csharp": "no interop program; generated only",
-    "kotlin": "no interop program; compiled and played by hand",
-    "swift": "no interop program; generated only",
-}

@@ -2,8 +2,8 @@
 
 It stands in front of one server, keeps a record of what passed, and can drop the first
 answer to each kind of request after the server has acted, or kill the server at one
-predict. It knows which operation a path is, and nothing of what the bodies mean, except
-that a run's `endpoint` must lead back through it.
+predict, or alter every answer. It knows which operation a path is, and nothing of what
+the bodies mean, except that a run's `endpoint` must lead back through it.
 """
 
 from __future__ import annotations
@@ -20,7 +20,9 @@ from typing import Self
 from urllib.parse import urlsplit
 
 import httpx
+import msgspec
 
+MSGPACK = "application/msgpack"
 KINDS = {
     "submit": re.compile(r"POST /v1/runs"),
     "attach": re.compile(r"PUT /v1/runs/[^/]+/workers/[^/]+"),
@@ -44,6 +46,7 @@ class Proxy:
     drop: kinds whose first answer is lost after the server gave it.
     crash_at: the number of the predict (from 1) whose answer is lost in a crash.
     crash: called then; it returns when the server is back, with its URL.
+    alter: makes another answer of each parsed one.
     """
 
     def __init__(
@@ -53,8 +56,9 @@ class Proxy:
         drop: Iterable[str] = (),
         crash_at: int = 0,
         crash: Callable[[], str] | None = None,
+        alter: Callable[[object], object] | None = None,
     ) -> None:
-        self.upstream = upstream
+        self.upstream, self._alter = upstream, alter
         self.recorded: list[RecordedRequest] = []
         self.dropped_answers: list[str] = []
         self._to_drop, self._crash_at, self._crash = set(drop), crash_at, crash
@@ -144,6 +148,10 @@ class Proxy:
             content = json.dumps(
                 self._with_proxy_endpoints(json.loads(content))
             ).encode()
+        if self._alter is not None and content:
+            media_type = answer.headers.get("Content-Type", "").partition(";")[0]
+            codec = msgspec.msgpack if media_type == MSGPACK else msgspec.json
+            content = codec.encode(self._alter(codec.decode(content)))
         request.send_response_only(answer.status_code)
         for name, value in answer.headers.items():
             if name not in HOP_BY_HOP | {"content-encoding"}:

@@ -12,6 +12,7 @@ import pytest
 from tools import generate
 
 CLIENTS = generate.ROOT / generate.CLIENTS
+LINES_MAX = 90_000  # of all clients, with what is written on top of them
 NAMES = [config.stem for config in generate.CONFIGS]
 DEBRIS = (
     "GIT_USER_ID",
@@ -30,10 +31,16 @@ def test_every_configuration_has_its_client_and_its_readme() -> None:
         assert "```" in readme, "a first request"
 
 
+def test_the_clients_are_lean() -> None:
+    built = generate.NOT_GENERATED - {"example", "interop"}
+    files = [p for p in CLIENTS.rglob("*") if p.is_file() and not built & set(p.parts)]
+    assert sum(len(p.read_bytes().splitlines()) for p in files) < LINES_MAX
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_a_client_holds_no_debris(name: str) -> None:
     files = [p for p in generate.generated(generate.ROOT) if p.parts[1] == name]
-    assert len(files) > 50
+    assert len(files) > 40
     assert not [p for p in files if p.name in (".travis.yml", "git_push.sh", "gradlew")]
     for path in files:
         text = (generate.ROOT / path).read_text()
@@ -54,6 +61,39 @@ def test_a_patch_that_finds_nothing_is_an_error(tmp_path: Path) -> None:
     assert (tmp_path / "a.rs").read_text() == "one three\n"
     with pytest.raises(generate.GenerationError, match="finds nothing"):
         generate.tidy(tmp_path, [], [patch])
+
+
+def test_a_patch_may_be_a_regular_expression(tmp_path: Path) -> None:
+    (tmp_path / "a.go").write_text('"fmt"\n"time"\n')
+    patch = {"file": "*.go", "pattern": '"(fmt|bytes)"\\n', "replace": ""}
+    generate.tidy(tmp_path, [], [patch])
+    assert (tmp_path / "a.go").read_text() == '"time"\n'
+
+
+def test_what_is_generated_refuses_no_member() -> None:
+    closed = {"type": "object", "additionalProperties": False, "properties": {"a": {}}}
+    opened = generate.with_open_messages({"schemas": [closed]})
+    assert opened == {"schemas": [{"type": "object", "properties": {"a": {}}}]}
+    kept = {"additionalProperties": {"type": "string"}}
+    assert generate.with_open_messages(kept) == kept
+
+
+@pytest.mark.parametrize("name", ["", "klingon", "../kotlin"])
+def test_an_unknown_language_leaves_everything_as_it_was(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(generate, "REQUESTED", tmp_path)
+    monkeypatch.setattr(generate, "run", lambda *_: "kotlin,php\n")
+    (tmp_path / "kept").touch()
+    with pytest.raises(generate.GenerationError, match="no client in"):
+        generate.write_requested_client(name)
+    assert [path.name for path in tmp_path.iterdir()] == ["kept"]
+
+
+def test_languages_on_request_are_not_committed() -> None:
+    requested = {path.stem for path in generate.ON_REQUEST.glob("*.yaml")}
+    assert requested == {"csharp", "kotlin", "swift"}
+    assert not requested & set(NAMES)
 
 
 def test_tidying_drops_files_and_makes_white_space_uniform(tmp_path: Path) -> None:

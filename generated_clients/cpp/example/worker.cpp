@@ -12,31 +12,27 @@ using namespace worker;
 
 static void evaluate(std::string const& url, std::string const& token, std::string run_id) {
     ControlApi control(connect(url, token));
-    CalibrationOptions options;
-    options.setTasks(std::vector<CalibrationTask>(8, "score"));
-    PolicyInfo info;
-    info.setName("scripted");
-    auto submit = std::make_shared<SubmitRun>();
-    submit->setBenchmarkId("calibration");
-    submit->setPolicy(info);
-    submit->setOptions(options);
+    SubmitRun submit;
+    submit.benchmark_id = "calibration";
+    submit.policy.name = "scripted";
+    submit.options.emplace().tasks = std::vector<CalibrationTask>(8, "score");
     auto const key = unique();
-    auto run = run_id.empty() ? ask([&] { return control.submitRun(submit, key, version); })
-                              : ask([&] { return control.resumeRun(run_id, version); });
-    run_id = run->getRunId();
-    std::cout << "run " << run_id << ": " << run->getProgress().getEpisodesTotal() << " episodes" << std::endl;
-    auto policy = [](Turn const& turn) { return std::vector<Action>(5, act(turn.getEpisode().getIndex() % 5 / 4.0)); };
+    auto const run = run_id.empty() ? ask([&] { return control.submitRun(submit, key, version); })
+                                    : ask([&] { return control.resumeRun(run_id, version); });
+    run_id = run.run_id;
+    std::cout << "run " << run_id << ": " << run.progress.episodes_total << " episodes" << std::endl;
+    auto policy = [](Turn const& turn) { return std::vector<Action>(5, act(turn.episode->index % 5 / 4.0)); };
     auto report = [](EpisodeResult const& r) {
         std::ostringstream line;
-        line << "  episode " << r.getIndex() << " (" << r.getTask() << "): " << r.getOutcome() << ", score " << r.getScore() << "\n";
+        line << "  episode " << r.index << " (" << r.task << "): " << r.outcome << ", score " << r.score << "\n";
         std::cout << line.str() << std::flush;
     };
     std::vector<std::future<void>> team;
     for (auto const name : {"worker-0", "worker-1"})
         team.push_back(std::async(std::launch::async, [&, name] { play(url, token, run_id, name, policy, report); }));
     for (auto& member : team) member.get();
-    auto score = ask([&] { return control.getScore(run_id, version); });
-    std::cout << "score " << score->getScore().value_or(-1) << std::endl;
+    auto const score = ask([&] { return control.getScore(run_id, version); });
+    std::cout << "score " << score.score.value_or(-1) << std::endl;
 }
 
 int main(int count, char** arguments) try {

@@ -9,13 +9,11 @@
 #include <iostream>
 #include <set>
 
-#include <boost/beast/core/detail/base64.hpp>
-
 #include "../example/calibration.hpp"
 #include "../example/worker.hpp"
 
 using namespace worker;
-namespace json = boost::json;
+using nlohmann::json;
 using Policy = std::function<std::vector<Action>(Turn const&)>;
 using Results = std::vector<EpisodeResult>;
 
@@ -29,10 +27,17 @@ static std::string hex(std::string const& bytes) {
     return text;
 }
 
+/// Base64 as hexadecimal digits.
 static std::string unpacked(std::string const& text) {
-    namespace base64 = boost::beast::detail::base64;
-    std::string bytes(base64::decoded_size(text.size()), '\0');
-    bytes.resize(base64::decode(bytes.data(), text.data(), text.size()).first);
+    static std::string const letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    std::uint32_t word = 0;
+    int bits = 0;
+    for (char letter : text) {
+        if (letter == '=') break;
+        word = word << 6 | static_cast<std::uint32_t>(letters.find(letter));
+        if ((bits += 6) >= 8) bytes += static_cast<char>(word >> (bits -= 8));
+    }
     return hex(bytes);
 }
 
@@ -44,58 +49,53 @@ static std::string bits(double value) {
     return hex(bytes);
 }
 
-template <typename Items, typename Function> json::array each(Items const& items, Function function) {
-    json::array made;
-    for (auto const& item : items) made.push_back(json::value_from(function(item)));
+template <typename Items, typename Function> json each(Items const& items, Function function) {
+    json made = json::array();
+    for (auto const& item : items) made.push_back(function(item));
     return made;
 }
 
 static Action with(Action action, std::string const& name, std::vector<double> const& values) {
-    auto all = action.getValues();
-    all[name] = values;
-    action.setValues(all);
+    action.values[name] = values;
     return action;
 }
 
-static std::shared_ptr<SubmitRun> calibration(std::string const& task, std::size_t count, int max_steps) {
-    CalibrationOptions options;
-    options.setTasks(std::vector<CalibrationTask>(count, task));
-    options.setMaxSteps(max_steps);
-    PolicyInfo info;
-    info.setName("interop");
-    auto body = std::make_shared<SubmitRun>();
-    body->setBenchmarkId("calibration");
-    body->setPolicy(info);
-    body->setOptions(options);
+static SubmitRun calibration(std::string const& task, std::size_t count, int max_steps) {
+    SubmitRun body;
+    body.benchmark_id = "calibration";
+    body.policy.name = "interop";
+    body.options = CalibrationOptions{std::vector<CalibrationTask>(count, task), max_steps};
     return body;
 }
 
 static std::vector<double> counts(Turn const& turn) {
     std::vector<double> all;
-    for (auto const& seen : turn.getObservations()) all.push_back(seen.getState().at("count").at(0));
+    for (auto const& seen : turn.observations.value()) all.push_back(seen.state.at("count").at(0));
     return all;
 }
 
-static json::array indices(Results const& results) {
-    return each(results, [](auto const& result) { return result.getIndex(); });
+static json indices(Results const& results) {
+    return each(results, [](auto const& result) { return result.index; });
 }
 
 static Policy by_index(std::vector<double> const& scores) {
-    return [scores](Turn const& turn) { return std::vector<Action>(2, act(scores.at(turn.getEpisode().getIndex()))); };
+    return [scores](Turn const& turn) { return std::vector<Action>(2, act(scores.at(turn.episode->index))); };
 }
 
-template <typename Request> json::object problem_of(Request request) try {
+template <typename T> json or_null(std::optional<T> const& value) {
+    return value ? json(*value) : json(nullptr);
+}
+
+template <typename Request> json problem_of(Request request) try {
     request();
     return {{"code", "accepted"}};
 } catch (Refused const& refused) {
     auto const& problem = refused.problem;
-    auto const ended_by = problem.getEndedBy();
     return {
-        {"status", refused.status}, {"code", problem.getCode()}, {"retryable", problem.isRetryable()},
-        {"side_effects", problem.getSideEffects()}, {"retry_after_s", refused.retry_after_s},
-        {"pointers", each(problem.getErrors(), [](auto const& item) { return item.getPointer(); })},
-        {"expected_seq", problem.getExpectedSeq()},
-        {"ended_by", ended_by.empty() ? json::value(nullptr) : json::value(ended_by)},
+        {"status", refused.status}, {"code", problem.code}, {"retryable", problem.retryable},
+        {"side_effects", problem.side_effects}, {"retry_after_s", refused.retry_after_s},
+        {"pointers", each(problem.errors.value_or(std::vector<ProblemItem>()), [](auto const& item) { return item.pointer; })},
+        {"expected_seq", or_null(problem.expected_seq)}, {"ended_by", or_null(problem.ended_by)},
     };
 }
 
@@ -104,32 +104,27 @@ struct Session {
     std::string url, token;
     ControlApi control{connect(url, token)};
 
-    std::shared_ptr<Run> submit(std::shared_ptr<SubmitRun> const& body, std::string const& key = unique()) {
+    Run submit(SubmitRun const& body, std::string const& key = unique()) {
         return ask([&] { return control.submitRun(body, key, version); });
     }
 
-    std::shared_ptr<DataApi> data(Run const& run) const {
-        return std::make_shared<DataApi>(connect(run.getEndpoint(), token));
+    DataApi data(Run const& run) const { return DataApi(connect(run.endpoint, token)); }
+
+    Turn attach(Run const& run) const {
+        auto api = data(run);
+        AttachWorker const key{unique()};
+        return ask([&] { return api.attachWorker(run.run_id, worker_0, key, version); });
     }
 
-    std::shared_ptr<Turn> attach(Run const& run) const {
-        auto key = std::make_shared<AttachWorker>();
-        key->setAttachKey(unique());
-        return ask([&] { return data(run)->attachWorker(run.getRunId(), worker_0, key, version); });
-    }
-
-    std::shared_ptr<Turn> predict(Run const& run, Turn const& turn, std::int64_t seq, std::vector<Action> const& actions) const {
-        auto body = std::make_shared<Predict>();
-        body->setSessionId(turn.getSessionId());
-        body->setSeq(seq);
-        body->setActions(actions);
-        body->setObserve("all");
-        return ask([&] { return data(run)->predict(run.getRunId(), worker_0, body, version); });
+    Turn predict(Run const& run, Turn const& turn, std::int64_t seq, std::vector<Action> const& actions) const {
+        auto api = data(run);
+        Predict const body{turn.session_id, seq, actions, "all"};
+        return ask([&] { return api.predict(run.run_id, worker_0, body, version); });
     }
 
     Results play(Run const& run, Policy const& policy, std::string const& name = worker_0) const {
         Results results;
-        worker::play(url, token, run.getRunId(), name, policy, [&](EpisodeResult const& r) { results.push_back(r); });
+        worker::play(url, token, run.run_id, name, policy, [&](EpisodeResult const& r) { results.push_back(r); });
         return results;
     }
 
@@ -139,197 +134,197 @@ struct Session {
         return {first, other.get()};
     }
 
-    json::object the_score(Run const& run, json::object more) {
-        auto const score = ask([&] { return control.getScore(run.getRunId(), version); });
-        more["run_id"] = run.getRunId();
-        more["score"] = json::value_from(score->getScore().value_or(-1));
-        more["complete"] = score->isComplete();
+    json the_score(Run const& run, json more) {
+        auto const score = ask([&] { return control.getScore(run.run_id, version); });
+        more["run_id"] = run.run_id;
+        more["score"] = or_null(score.score);
+        more["complete"] = score.complete;
         return more;
     }
 };
 
-static json::object submit(Session& s) {
+static json submit(Session& s) {
     auto const key = unique();
     auto const body = calibration("score", 1, 10);
-    auto const first = s.submit(body, key)->getRunId(), second = s.submit(body, key)->getRunId();
-    auto const runs = ask([&] { return s.control.listRuns({}, 1000, version); })->getRuns();
+    auto const first = s.submit(body, key).run_id, second = s.submit(body, key).run_id;
+    auto const runs = ask([&] { return s.control.listRuns({}, 1000, version); }).runs;
     auto const service = ask([&] { return s.control.describeService(version); });
     auto const benchmark = ask([&] { return s.control.getBenchmark("calibration", version); });
-    json::object sizes;
-    for (auto const& [name, space] : benchmark->getActionSpace()) sizes[name] = space.getSize();
-    auto const listed = std::count_if(runs.begin(), runs.end(), [&](auto const& run) { return run.getRunId() == first; });
-    return {{"run_ids", {first, second}}, {"listed", listed}, {"max_workers", service->getLimits().getMaxWorkers()}, {"action_sizes", sizes}};
+    json sizes;
+    for (auto const& [name, space] : benchmark.action_space) sizes[name] = space.size;
+    auto const listed = std::count_if(runs.begin(), runs.end(), [&](auto const& run) { return run.run_id == first; });
+    return {{"run_ids", {first, second}}, {"listed", listed}, {"max_workers", service.limits.max_workers}, {"action_sizes", sizes}};
 }
 
-static json::object two_workers(Session& s) {
+static json two_workers(Session& s) {
     auto const run = s.submit(calibration("delay", 8, 4));
-    auto const [first, second] = s.play_two(*run, [](Turn const& turn) {
-        return std::vector<Action>(2, with(act(turn.getEpisode().getIndex() % 2), "delay_s", {0.05}));
+    auto const [first, second] = s.play_two(run, [](Turn const& turn) {
+        return std::vector<Action>(2, with(act(turn.episode->index % 2), "delay_s", {0.05}));
     });
-    return s.the_score(*run, {{"played", {{worker_0, indices(first)}, {worker_1, indices(second)}}}});
+    return s.the_score(run, {{"played", {{worker_0, indices(first)}, {worker_1, indices(second)}}}});
 }
 
-static json::object chunks(Session& s) {
+static json chunks(Session& s) {
     auto const run = s.submit(calibration("count", 1, 10));
-    auto turn = s.attach(*run);
+    auto turn = s.attach(run);
     std::vector<Turn> turns;
     for (int i = 0; i < 3; ++i) {
-        turn = s.predict(*run, *turn, turn->getSeq() + 1, std::vector<Action>(4, act(0)));
-        turns.push_back(*turn);
+        turn = s.predict(run, turn, turn.seq + 1, std::vector<Action>(4, act(0)));
+        turns.push_back(turn);
     }
     return {
-        {"executed", each(turns, [](auto const& t) { return t.getExecutedSteps(); })},
+        {"executed", each(turns, [](auto const& t) { return t.executed_steps; })},
         {"counts", each(turns, counts)},
-        {"rewards", each(turns, [](auto const& t) { return t.getRewards().size(); })},
-        {"stopped_early", each(turns, [](auto const& t) { return t.isStoppedEarly(); })},
-        {"truncated", each(turns, [](auto const& t) { return t.isTruncated(); })},
-        {"done", turn->isDone()}, {"steps", turn->getEpisodeResult().getSteps()},
+        {"rewards", each(turns, [](auto const& t) { return t.rewards.size(); })},
+        {"stopped_early", each(turns, [](auto const& t) { return t.stopped_early; })},
+        {"truncated", each(turns, [](auto const& t) { return t.truncated; })},
+        {"done", turn.done}, {"steps", turn.episode_result->steps},
     };
 }
 
-static json::object echo(Session& s) {
-    ImageChoice choice;
-    choice.setCodec("raw");
-    choice.setWidth(64);
-    choice.setHeight(48);
-    auto const body = calibration("echo", 1, 10);
-    body->setImages(choice);
+static json echo(Session& s) {
+    auto body = calibration("echo", 1, 10);
+    body.images = ImageChoice{"raw", 64, 48};
     auto const run = s.submit(body);
-    auto const look = s.predict(*run, *s.attach(*run), 1, {with(act(0), "vector", numbers)})->getObservation();
-    auto const image = look.getImages().at("pattern");
-    json::object tensors;
-    for (auto const& [name, tensor] : look.getTensors())
-        tensors[name] = {{"dtype", tensor.getDtype()}, {"shape", json::value_from(tensor.getShape())}, {"data", unpacked(tensor.getData())}};
+    auto const look = s.predict(run, s.attach(run), 1, {with(act(0), "vector", numbers)}).observation.value();
+    auto const image = look.images.at("pattern");
+    json tensors;
+    for (auto const& [name, tensor] : look.tensors)
+        tensors[name] = {{"dtype", tensor.dtype}, {"shape", tensor.shape}, {"data", unpacked(tensor.data)}};
     return {
-        {"codec", image.getCodec()}, {"size", {image.getHeight(), image.getWidth(), image.getChannels()}},
-        {"image", unpacked(image.getData())}, {"tensors", tensors}, {"vector", each(look.getState().at("vector"), bits)},
+        {"codec", image.codec}, {"size", {image.height, image.width, image.channels}},
+        {"image", unpacked(image.data)}, {"tensors", tensors}, {"vector", each(look.state.at("vector"), bits)},
     };
 }
 
-static json::object lost_answer(Session& s) {
+static json lost_answer(Session& s) {
     auto const run = s.submit(calibration("count", 1, 6));
-    auto turn = s.attach(*run);
+    auto turn = s.attach(run);
     std::vector<double> all;
     for (int i = 0; i < 2; ++i) {
-        turn = s.predict(*run, *turn, turn->getSeq() + 1, std::vector<Action>(3, act(0)));
-        for (double count : counts(*turn)) all.push_back(count);
+        turn = s.predict(run, turn, turn.seq + 1, std::vector<Action>(3, act(0)));
+        for (double count : counts(turn)) all.push_back(count);
     }
-    return {{"run_id", run->getRunId()}, {"counts", json::value_from(all)}, {"done", turn->isDone()}};
+    return {{"run_id", run.run_id}, {"counts", all}, {"done", turn.done}};
 }
 
-static json::object lost_session(Session& s) {
-    auto const body = calibration("count", 1, 10);
-    body->setIdleTimeoutS(2);
+static json lost_session(Session& s) {
+    auto body = calibration("count", 1, 10);
+    body.idle_timeout_s = 2;
     auto const run = s.submit(body);
     int calls = 0;
     std::set<std::string> sessions;
-    auto const results = s.play(*run, [&](Turn const& turn) {
-        sessions.insert(turn.getSessionId());
+    auto const results = s.play(run, [&](Turn const& turn) {
+        sessions.insert(turn.session_id);
         ++calls;
-        while (calls == 2 && ask([&] { return s.control.getRun(run->getRunId(), "", "", version); })->getLiveWorkers() > 0)
+        while (calls == 2 && ask([&] { return s.control.getRun(run.run_id, {}, {}, version); }).live_workers > 0)
             std::this_thread::sleep_for(std::chrono::milliseconds(100)); // thinks for longer than the lease
         return std::vector<Action>(2, act(1));
     });
-    return s.the_score(*run, {{"sessions", sessions.size()}, {"attempt", results.back().getAttempt()}});
+    return s.the_score(run, {{"sessions", sessions.size()}, {"attempt", results.back().attempt}});
 }
 
-static json::object restart(Session& s) {
+static json restart(Session& s) {
     auto const run = s.submit(calibration("score", 4, 6));
-    auto const results = s.play(*run, by_index({0.25, 0.5, 0.75, 1}));
-    return s.the_score(*run, {{"attempts", each(results, [](auto const& r) { return r.getAttempt(); })}});
+    auto const results = s.play(run, by_index({0.25, 0.5, 0.75, 1}));
+    return s.the_score(run, {{"attempts", each(results, [](auto const& r) { return r.attempt; })}});
 }
 
-static json::object worker_limit(Session& s) {
-    auto const body = calibration("score", 3, 10);
-    body->setMaxWorkers(1);
-    body->setIdleTimeoutS(5);
+static json worker_limit(Session& s) {
+    auto body = calibration("score", 3, 10);
+    body.max_workers = 1;
+    body.idle_timeout_s = 5;
     auto const run = s.submit(body);
-    auto const id = run->getRunId(), session = s.attach(*run)->getSessionId();
-    auto const data = s.data(*run);
-    auto key = std::make_shared<AttachWorker>();
-    key->setAttachKey("k");
-    auto const problem = problem_of([&] { once([&] { return data->attachWorker(id, worker_1, key, version); }); });
-    ask([&] { data->detachWorker(id, worker_0, session, version); });
-    s.play_two(*run, by_index({1, 1, 1}));
-    return s.the_score(*run, {{"problem", problem}});
+    auto const session = s.attach(run).session_id;
+    auto data = s.data(run);
+    auto const problem = problem_of([&] { data.attachWorker(run.run_id, worker_1, AttachWorker{"k"}, version); });
+    ask([&] { data.detachWorker(run.run_id, worker_0, session, version); });
+    s.play_two(run, by_index({1, 1, 1}));
+    return s.the_score(run, {{"problem", problem}});
 }
 
-static json::object stop_resume(Session& s) {
+static json stop_resume(Session& s) {
     auto const run = s.submit(calibration("score", 3, 2));
     auto const policy = by_index({0.5, 0.25, 1});
-    auto turn = s.attach(*run);
-    turn = s.predict(*run, *turn, 1, policy(*turn));
-    auto abort = std::make_shared<StopRun>();
-    abort->setMode("abort");
-    auto const stopped = ask([&] { return s.control.stopRun(run->getRunId(), abort, version); });
-    auto const problem = problem_of([&] { s.predict(*run, *turn, 2, policy(*turn)); });
-    ask([&] { return s.control.resumeRun(run->getRunId(), version); });
-    auto const after = indices(s.play(*run, policy));
-    return s.the_score(*run, {{"problem", problem}, {"stopped", stopped->getState()}, {"after", after}});
+    auto turn = s.attach(run);
+    turn = s.predict(run, turn, 1, policy(turn));
+    auto const stopped = ask([&] { return s.control.stopRun(run.run_id, StopRun{"abort"}, version); });
+    auto const problem = problem_of([&] { s.predict(run, turn, 2, policy(turn)); });
+    ask([&] { return s.control.resumeRun(run.run_id, version); });
+    auto const after = indices(s.play(run, policy));
+    return s.the_score(run, {{"problem", problem}, {"stopped", stopped.state}, {"after", after}});
 }
 
-static json::object problems(Session& s) {
+static json problems(Session& s) {
     auto unknown = calibration("score", 1, 10);
-    unknown->setBenchmarkId("no_such");
+    unknown.benchmark_id = "no_such";
     ControlApi stranger(connect(s.url, "not-a-token"));
     auto const run = s.submit(calibration("count", 1, 10));
-    auto const turn = s.attach(*run);
+    auto const turn = s.attach(run);
     return {{"problems", {
-        problem_of([&] { once([&] { return s.control.submitRun(unknown, "", version); }); }),
-        problem_of([&] { once([&] { return s.control.getRun("no_such", "", "", version); }); }),
-        problem_of([&] { once([&] { return stranger.listRuns({}, {}, version); }); }),
-        problem_of([&] { s.predict(*run, *turn, 1, {with(act(0), "vector", {1})}); }),
-        problem_of([&] { s.predict(*run, *turn, 7, {act(0)}); }),
+        problem_of([&] { s.control.submitRun(unknown, {}, version); }),
+        problem_of([&] { s.control.getRun("no_such", {}, {}, version); }),
+        problem_of([&] { stranger.listRuns({}, {}, version); }),
+        problem_of([&] { s.predict(run, turn, 1, {with(act(0), "vector", {1})}); }),
+        problem_of([&] { s.predict(run, turn, 7, {act(0)}); }),
     }}};
 }
 
-static json::object score(Session& s) {
+static json later_version(Session& s) {
+    auto const service = ask([&] { return s.control.describeService(version); });
+    auto const benchmark = ask([&] { return s.control.getBenchmark("calibration", version); });
+    auto const run = s.submit(calibration("echo", 1, 10));
+    auto const look = s.attach(run).observation.value();
+    auto const& vector = benchmark.action_space.at("vector");
+    return {
+        {"profiles", service.profiles}, {"image_codecs", service.image_codecs}, {"success_rule", benchmark.success_rule},
+        {"rotation", vector.rotation}, {"out_of_range", vector.out_of_range}, {"mode", or_null(run.mode)},
+        {"policy", run.policy.name}, {"codec", look.images.at("pattern").codec}, {"dtype", look.tensors.at("float64").dtype},
+        {"problem", problem_of([&] { s.control.getRun("no_such", {}, {}, version); })},
+    };
+}
+
+static json score(Session& s) {
     auto const run = s.submit(calibration("score", 5, 2));
-    auto const id = run->getRunId();
-    s.play(*run, by_index({1, 0.5, 0.25, 0, 0.25}));
+    auto const id = run.run_id;
+    s.play(run, by_index({1, 0.5, 0.25, 0, 0.25}));
     auto const score = ask([&] { return s.control.getScore(id, version); });
-    json::array episodes;
-    boost::optional<std::string> cursor;
+    json episodes = json::array();
+    std::optional<std::string> cursor;
     int pages = 0;
     while (pages == 0 || cursor) {
         auto const page = ask([&] { return s.control.listEpisodes(id, cursor, 2, version); });
-        for (auto const& e : page->getEpisodes())
-            episodes.push_back({e.getIndex(), e.getResult().getScore(), e.getResult().getSeed()});
-        auto const next = page->getNextCursor();
-        cursor = next ? boost::optional<std::string>(*next) : boost::none;
+        for (auto const& e : page.episodes) episodes.push_back({e.index, e.result->score, e.result->seed});
+        cursor = page.next_cursor;
         ++pages;
     }
-    json::object splits;
-    for (auto const& [name, group] : score->getBySplit()) splits[name] = group.getMean().value_or(-1);
-    auto const interval = score->getSuccessInterval();
+    json splits;
+    for (auto const& [name, group] : score.by_split) splits[name] = or_null(group.mean);
+    auto const interval = score.success_interval;
     return {
-        {"run_id", id}, {"score", score->getScore().value_or(-1)}, {"success_rate", score->getSuccessRate().value_or(-1)},
-        {"interval", {interval.getLow(), interval.getHigh()}}, {"success", score->getCounts().getSuccess()},
+        {"run_id", id}, {"score", or_null(score.score)}, {"success_rate", or_null(score.success_rate)},
+        {"interval", {interval.low, interval.high}}, {"success", score.counts.success},
         {"splits", splits}, {"pages", pages}, {"episodes", episodes},
     };
 }
 
-template <typename Model> std::string again(json::value const& value) {
-    return Model(value).toJsonString();
+template <typename Message> std::string again(std::string const& body) {
+    return json(json::parse(body).get<Message>()).dump();
 }
 
 /// Each golden vector decoded by the client's models and encoded again.
-static json::object vectors(std::string const& directory) {
-    std::map<std::string, std::string (*)(json::value const&)> const models{
+static json vectors(std::string const& directory) {
+    std::map<std::string, std::string (*)(std::string const&)> const models{
         {"Action", again<Action>}, {"Image", again<Image>}, {"Predict", again<Predict>},
         {"Problem", again<Problem>}, {"Tensor", again<Tensor>}, {"Turn", again<Turn>}};
-    json::object seen;
+    json seen;
     for (auto const& entry : std::filesystem::directory_iterator(directory)) {
         if (entry.path().extension() != ".json") continue;
         std::ifstream file(entry.path());
-        std::ostringstream text;
-        text << file.rdbuf();
-        auto const document = json::parse(text.str());
-        for (auto const& vector : document.at("vectors").as_array()) {
-            if (vector.as_object().contains("refused")) continue; // for servers
-            auto const name = json::value_to<std::string>(vector.at("schema"));
-            auto const body = json::value_to<std::string>(vector.at("json"));
-            seen[vector.at("id").as_string()] = models.at(name)(json::parse(body));
+        auto const document = json::parse(file);
+        for (auto const& vector : document.at("vectors")) {
+            if (vector.contains("refused")) continue; // for servers
+            seen[vector.at("id").get<std::string>()] = models.at(vector.at("schema"))(vector.at("json"));
         }
     }
     return seen;
@@ -337,16 +332,17 @@ static json::object vectors(std::string const& directory) {
 
 int main(int, char** arguments) try {
     std::string const scenario = arguments[1], url = arguments[2], token = arguments[3];
-    std::map<std::string, json::object (*)(Session&)> const scenarios{
+    std::map<std::string, json (*)(Session&)> const scenarios{
         {"submit", submit}, {"two_workers", two_workers}, {"chunks", chunks}, {"echo", echo},
         {"lost_answer", lost_answer}, {"lost_session", lost_session}, {"restart", restart},
-        {"worker_limit", worker_limit}, {"stop_resume", stop_resume}, {"problems", problems}, {"score", score}};
+        {"worker_limit", worker_limit}, {"stop_resume", stop_resume}, {"problems", problems}, {"score", score},
+        {"later_version", later_version}};
     if (scenario == "vectors") {
-        std::cout << json::serialize(vectors(url)) << std::endl;
+        std::cout << vectors(url).dump() << std::endl;
         return 0;
     }
     Session session{url, token};
-    std::cout << json::serialize(scenarios.at(scenario)(session)) << std::endl;
+    std::cout << scenarios.at(scenario)(session).dump() << std::endl;
     return 0;
 } catch (std::exception const& error) {
     std::cerr << error.what() << std::endl;

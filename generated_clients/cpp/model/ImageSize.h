@@ -1,90 +1,25 @@
 /* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
 
-/*
- * ImageSize.h
- *
- *
- */
+#pragma once
 
-#ifndef PROCTOR_MODEL_ImageSize_MODEL_H_
-#define PROCTOR_MODEL_ImageSize_MODEL_H_
-
-#include <string>
+#include <cstdint>
 #include <map>
 #include <vector>
-#include <utility>
-#include <memory>
-#include <boost/json.hpp>
-#include "NullableField.h"
+#include "../members.h"
 
 namespace proctor {
-namespace model {
 
 
+struct ImageSize {
+    using IsMessage = void;
 
-/// <summary>
-///
-/// </summary>
-class ImageSize
-{
-public:
-    ImageSize() = default;
-    explicit ImageSize(boost::json::value const& value);
-    virtual ~ImageSize() = default;
+    std::int32_t width{};
+    std::int32_t height{};
 
-    std::string toJsonString(bool prettyJson = false) const;
-    void fromJsonString(std::string const& jsonString);
-    boost::json::value toJsonValue() const;
-    void fromJsonValue(boost::json::value const& value);
-    using ExtraJsonProperties = std::map<std::string, boost::json::value>;
-
-    ExtraJsonProperties const& getExtraJsonProperties() const noexcept
-    {
-        return m_extraJsonProperties;
+    template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
+        visitor.required("width", self.width);
+        visitor.required("height", self.height);
     }
-
-    void setExtraJsonProperties(ExtraJsonProperties extraJsonProperties)
-    {
-        m_extraJsonProperties = std::move(extraJsonProperties);
-    }
-
-    /////////////////////////////////////////////
-    /// ImageSize members
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::int32_t getWidth() const;
-    void setWidth(std::int32_t value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::int32_t getHeight() const;
-    void setHeight(std::int32_t value);
-
-protected:
-    //////////////////////////////////////
-    // Override these for customization //
-    //////////////////////////////////////
-
-    virtual boost::json::object toJsonObject_internal() const;
-    virtual void fromJsonObject_internal(boost::json::object const& object);
-    virtual bool isKnownJsonProperty(boost::json::string_view name) const;
-
-
-protected:
-    std::int32_t m_Width = 0;
-    std::int32_t m_Height = 0;
-    ExtraJsonProperties m_extraJsonProperties;
 };
 
-std::string createJsonStringFromModelVector(const std::vector<std::shared_ptr<ImageSize>>& data);
-
-void createModelVectorFromJsonString(std::vector<std::shared_ptr<ImageSize>>& vec, const std::string& json);
-
-ImageSize fromJsonValue_ImageSize(boost::json::value const& value);
-
-}
-}
-#endif /* PROCTOR_MODEL_ImageSize_MODEL_H_ */
+} // namespace proctor

@@ -1,91 +1,26 @@
 /* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
 
-/*
- * Lease.h
- *
- *
- */
+#pragma once
 
-#ifndef PROCTOR_MODEL_Lease_MODEL_H_
-#define PROCTOR_MODEL_Lease_MODEL_H_
-
+#include <cstdint>
 #include <string>
 #include <map>
 #include <vector>
-#include "AnyType.h"
-#include <utility>
-#include <memory>
-#include <boost/json.hpp>
-#include "NullableField.h"
+#include "../members.h"
 
 namespace proctor {
-namespace model {
 
 
+struct Lease {
+    using IsMessage = void;
 
-/// <summary>
-///
-/// </summary>
-class Lease
-{
-public:
-    Lease() = default;
-    explicit Lease(boost::json::value const& value);
-    virtual ~Lease() = default;
+    std::string expires_at{};
+    double idle_timeout_s{};
 
-    std::string toJsonString(bool prettyJson = false) const;
-    void fromJsonString(std::string const& jsonString);
-    boost::json::value toJsonValue() const;
-    void fromJsonValue(boost::json::value const& value);
-    using ExtraJsonProperties = std::map<std::string, boost::json::value>;
-
-    ExtraJsonProperties const& getExtraJsonProperties() const noexcept
-    {
-        return m_extraJsonProperties;
+    template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
+        visitor.required("expires_at", self.expires_at);
+        visitor.required("idle_timeout_s", self.idle_timeout_s);
     }
-
-    void setExtraJsonProperties(ExtraJsonProperties extraJsonProperties)
-    {
-        m_extraJsonProperties = std::move(extraJsonProperties);
-    }
-
-    /////////////////////////////////////////////
-    /// Lease members
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::string getExpiresAt() const;
-    void setExpiresAt(std::string value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    double getIdleTimeoutS() const;
-    void setIdleTimeoutS(double value);
-
-protected:
-    //////////////////////////////////////
-    // Override these for customization //
-    //////////////////////////////////////
-
-    virtual boost::json::object toJsonObject_internal() const;
-    virtual void fromJsonObject_internal(boost::json::object const& object);
-    virtual bool isKnownJsonProperty(boost::json::string_view name) const;
-
-
-protected:
-    std::string m_Expires_at = "";
-    double m_Idle_timeout_s = 0.0;
-    ExtraJsonProperties m_extraJsonProperties;
 };
 
-std::string createJsonStringFromModelVector(const std::vector<std::shared_ptr<Lease>>& data);
-
-void createModelVectorFromJsonString(std::vector<std::shared_ptr<Lease>>& vec, const std::string& json);
-
-Lease fromJsonValue_Lease(boost::json::value const& value);
-
-}
-}
-#endif /* PROCTOR_MODEL_Lease_MODEL_H_ */
+} // namespace proctor

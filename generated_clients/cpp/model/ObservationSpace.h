@@ -1,101 +1,30 @@
 /* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
 
-/*
- * ObservationSpace.h
- *
- *
- */
+#pragma once
 
-#ifndef PROCTOR_MODEL_ObservationSpace_MODEL_H_
-#define PROCTOR_MODEL_ObservationSpace_MODEL_H_
-
+#include <cstdint>
 #include "VectorSpace.h"
-#include <string>
 #include "ImageSpace.h"
 #include <map>
 #include "TensorSpace.h"
 #include <vector>
-#include "AnyType.h"
-#include <utility>
-#include <memory>
-#include <boost/json.hpp>
-#include "NullableField.h"
+#include "../members.h"
 
 namespace proctor {
-namespace model {
 
 
+struct ObservationSpace {
+    using IsMessage = void;
 
-/// <summary>
-///
-/// </summary>
-class ObservationSpace
-{
-public:
-    ObservationSpace() = default;
-    explicit ObservationSpace(boost::json::value const& value);
-    virtual ~ObservationSpace() = default;
+    std::map<std::string, VectorSpace> state{};
+    std::map<std::string, ImageSpace> images{};
+    std::map<std::string, TensorSpace> tensors{};
 
-    std::string toJsonString(bool prettyJson = false) const;
-    void fromJsonString(std::string const& jsonString);
-    boost::json::value toJsonValue() const;
-    void fromJsonValue(boost::json::value const& value);
-    using ExtraJsonProperties = std::map<std::string, boost::json::value>;
-
-    ExtraJsonProperties const& getExtraJsonProperties() const noexcept
-    {
-        return m_extraJsonProperties;
+    template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
+        visitor.required("state", self.state);
+        visitor.required("images", self.images);
+        visitor.required("tensors", self.tensors);
     }
-
-    void setExtraJsonProperties(ExtraJsonProperties extraJsonProperties)
-    {
-        m_extraJsonProperties = std::move(extraJsonProperties);
-    }
-
-    /////////////////////////////////////////////
-    /// ObservationSpace members
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::map<std::string, VectorSpace> getState() const;
-    void setState(std::map<std::string, VectorSpace> value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::map<std::string, ImageSpace> getImages() const;
-    void setImages(std::map<std::string, ImageSpace> value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::map<std::string, TensorSpace> getTensors() const;
-    void setTensors(std::map<std::string, TensorSpace> value);
-
-protected:
-    //////////////////////////////////////
-    // Override these for customization //
-    //////////////////////////////////////
-
-    virtual boost::json::object toJsonObject_internal() const;
-    virtual void fromJsonObject_internal(boost::json::object const& object);
-    virtual bool isKnownJsonProperty(boost::json::string_view name) const;
-
-
-protected:
-    std::map<std::string, VectorSpace> m_State;
-    std::map<std::string, ImageSpace> m_Images;
-    std::map<std::string, TensorSpace> m_Tensors;
-    ExtraJsonProperties m_extraJsonProperties;
 };
 
-std::string createJsonStringFromModelVector(const std::vector<std::shared_ptr<ObservationSpace>>& data);
-
-void createModelVectorFromJsonString(std::vector<std::shared_ptr<ObservationSpace>>& vec, const std::string& json);
-
-ObservationSpace fromJsonValue_ObservationSpace(boost::json::value const& value);
-
-}
-}
-#endif /* PROCTOR_MODEL_ObservationSpace_MODEL_H_ */
+} // namespace proctor

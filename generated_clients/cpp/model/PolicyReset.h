@@ -1,98 +1,28 @@
 /* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
 
-/*
- * PolicyReset.h
- *
- * The policy is ready for this attempt and no other.
- */
+#pragma once
 
-#ifndef PROCTOR_MODEL_PolicyReset_MODEL_H_
-#define PROCTOR_MODEL_PolicyReset_MODEL_H_
-
+#include <cstdint>
 #include <string>
 #include <map>
 #include <vector>
-#include "AnyType.h"
-#include <utility>
-#include <memory>
-#include <boost/json.hpp>
-#include "NullableField.h"
+#include "../members.h"
 
 namespace proctor {
-namespace model {
 
-
-
-/// <summary>
 /// The policy is ready for this attempt and no other.
-/// </summary>
-class PolicyReset
-{
-public:
-    PolicyReset() = default;
-    explicit PolicyReset(boost::json::value const& value);
-    virtual ~PolicyReset() = default;
+struct PolicyReset {
+    using IsMessage = void;
 
-    std::string toJsonString(bool prettyJson = false) const;
-    void fromJsonString(std::string const& jsonString);
-    boost::json::value toJsonValue() const;
-    void fromJsonValue(boost::json::value const& value);
-    using ExtraJsonProperties = std::map<std::string, boost::json::value>;
+    std::string session_id{};
+    std::string episode_id{};
+    std::int32_t attempt{};
 
-    ExtraJsonProperties const& getExtraJsonProperties() const noexcept
-    {
-        return m_extraJsonProperties;
+    template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
+        visitor.required("session_id", self.session_id);
+        visitor.required("episode_id", self.episode_id);
+        visitor.required("attempt", self.attempt);
     }
-
-    void setExtraJsonProperties(ExtraJsonProperties extraJsonProperties)
-    {
-        m_extraJsonProperties = std::move(extraJsonProperties);
-    }
-
-    /////////////////////////////////////////////
-    /// PolicyReset members
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::string getSessionId() const;
-    void setSessionId(std::string value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::string getEpisodeId() const;
-    void setEpisodeId(std::string value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::int32_t getAttempt() const;
-    void setAttempt(std::int32_t value);
-
-protected:
-    //////////////////////////////////////
-    // Override these for customization //
-    //////////////////////////////////////
-
-    virtual boost::json::object toJsonObject_internal() const;
-    virtual void fromJsonObject_internal(boost::json::object const& object);
-    virtual bool isKnownJsonProperty(boost::json::string_view name) const;
-
-
-protected:
-    std::string m_Session_id = "";
-    std::string m_Episode_id = "";
-    std::int32_t m_Attempt = 0;
-    ExtraJsonProperties m_extraJsonProperties;
 };
 
-std::string createJsonStringFromModelVector(const std::vector<std::shared_ptr<PolicyReset>>& data);
-
-void createModelVectorFromJsonString(std::vector<std::shared_ptr<PolicyReset>>& vec, const std::string& json);
-
-PolicyReset fromJsonValue_PolicyReset(boost::json::value const& value);
-
-}
-}
-#endif /* PROCTOR_MODEL_PolicyReset_MODEL_H_ */
+} // namespace proctor

@@ -1,105 +1,29 @@
 /* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
 
-/*
- * Progress.h
- *
- *
- */
+#pragma once
 
-#ifndef PROCTOR_MODEL_Progress_MODEL_H_
-#define PROCTOR_MODEL_Progress_MODEL_H_
-
-#include <string>
+#include <cstdint>
 #include <map>
 #include <vector>
-#include "AnyType.h"
-#include <utility>
-#include <memory>
-#include <boost/json.hpp>
-#include "NullableField.h"
+#include "../members.h"
 
 namespace proctor {
-namespace model {
 
 
+struct Progress {
+    using IsMessage = void;
 
-/// <summary>
-///
-/// </summary>
-class Progress
-{
-public:
-    Progress() = default;
-    explicit Progress(boost::json::value const& value);
-    virtual ~Progress() = default;
+    std::int32_t episodes_total{};
+    std::int32_t episodes_scored{}; // Abandoned ones included.
+    std::int32_t episodes_in_progress{};
+    std::int32_t episodes_pending{};
 
-    std::string toJsonString(bool prettyJson = false) const;
-    void fromJsonString(std::string const& jsonString);
-    boost::json::value toJsonValue() const;
-    void fromJsonValue(boost::json::value const& value);
-    using ExtraJsonProperties = std::map<std::string, boost::json::value>;
-
-    ExtraJsonProperties const& getExtraJsonProperties() const noexcept
-    {
-        return m_extraJsonProperties;
+    template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
+        visitor.required("episodes_total", self.episodes_total);
+        visitor.required("episodes_scored", self.episodes_scored);
+        visitor.required("episodes_in_progress", self.episodes_in_progress);
+        visitor.required("episodes_pending", self.episodes_pending);
     }
-
-    void setExtraJsonProperties(ExtraJsonProperties extraJsonProperties)
-    {
-        m_extraJsonProperties = std::move(extraJsonProperties);
-    }
-
-    /////////////////////////////////////////////
-    /// Progress members
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::int32_t getEpisodesTotal() const;
-    void setEpisodesTotal(std::int32_t value);
-
-    /// <summary>
-    /// Abandoned ones included.
-    /// </summary>
-    std::int32_t getEpisodesScored() const;
-    void setEpisodesScored(std::int32_t value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::int32_t getEpisodesInProgress() const;
-    void setEpisodesInProgress(std::int32_t value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::int32_t getEpisodesPending() const;
-    void setEpisodesPending(std::int32_t value);
-
-protected:
-    //////////////////////////////////////
-    // Override these for customization //
-    //////////////////////////////////////
-
-    virtual boost::json::object toJsonObject_internal() const;
-    virtual void fromJsonObject_internal(boost::json::object const& object);
-    virtual bool isKnownJsonProperty(boost::json::string_view name) const;
-
-
-protected:
-    std::int32_t m_Episodes_total = 0;
-    std::int32_t m_Episodes_scored = 0;
-    std::int32_t m_Episodes_in_progress = 0;
-    std::int32_t m_Episodes_pending = 0;
-    ExtraJsonProperties m_extraJsonProperties;
 };
 
-std::string createJsonStringFromModelVector(const std::vector<std::shared_ptr<Progress>>& data);
-
-void createModelVectorFromJsonString(std::vector<std::shared_ptr<Progress>>& vec, const std::string& json);
-
-Progress fromJsonValue_Progress(boost::json::value const& value);
-
-}
-}
-#endif /* PROCTOR_MODEL_Progress_MODEL_H_ */
+} // namespace proctor

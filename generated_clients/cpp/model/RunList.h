@@ -1,92 +1,27 @@
 /* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
 
-/*
- * RunList.h
- *
- *
- */
+#pragma once
 
-#ifndef PROCTOR_MODEL_RunList_MODEL_H_
-#define PROCTOR_MODEL_RunList_MODEL_H_
-
+#include <cstdint>
 #include <string>
 #include <map>
 #include "Run.h"
 #include <vector>
-#include "AnyType.h"
-#include <utility>
-#include <memory>
-#include <boost/json.hpp>
-#include "NullableField.h"
+#include "../members.h"
 
 namespace proctor {
-namespace model {
 
 
+struct RunList {
+    using IsMessage = void;
 
-/// <summary>
-///
-/// </summary>
-class RunList
-{
-public:
-    RunList() = default;
-    explicit RunList(boost::json::value const& value);
-    virtual ~RunList() = default;
+    std::vector<Run> runs{};
+    std::optional<std::string> next_cursor{};
 
-    std::string toJsonString(bool prettyJson = false) const;
-    void fromJsonString(std::string const& jsonString);
-    boost::json::value toJsonValue() const;
-    void fromJsonValue(boost::json::value const& value);
-    using ExtraJsonProperties = std::map<std::string, boost::json::value>;
-
-    ExtraJsonProperties const& getExtraJsonProperties() const noexcept
-    {
-        return m_extraJsonProperties;
+    template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
+        visitor.required("runs", self.runs);
+        visitor.required("next_cursor", self.next_cursor);
     }
-
-    void setExtraJsonProperties(ExtraJsonProperties extraJsonProperties)
-    {
-        m_extraJsonProperties = std::move(extraJsonProperties);
-    }
-
-    /////////////////////////////////////////////
-    /// RunList members
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::vector<Run> getRuns() const;
-    void setRuns(std::vector<Run> value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::optional<std::string> getNextCursor() const;
-    void setNextCursor(std::optional<std::string> value);
-
-protected:
-    //////////////////////////////////////
-    // Override these for customization //
-    //////////////////////////////////////
-
-    virtual boost::json::object toJsonObject_internal() const;
-    virtual void fromJsonObject_internal(boost::json::object const& object);
-    virtual bool isKnownJsonProperty(boost::json::string_view name) const;
-
-
-protected:
-    std::vector<Run> m_Runs;
-    std::optional<std::string> m_Next_cursor;
-    ExtraJsonProperties m_extraJsonProperties;
 };
 
-std::string createJsonStringFromModelVector(const std::vector<std::shared_ptr<RunList>>& data);
-
-void createModelVectorFromJsonString(std::vector<std::shared_ptr<RunList>>& vec, const std::string& json);
-
-RunList fromJsonValue_RunList(boost::json::value const& value);
-
-}
-}
-#endif /* PROCTOR_MODEL_RunList_MODEL_H_ */
+} // namespace proctor

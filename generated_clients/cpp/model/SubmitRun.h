@@ -1,143 +1,42 @@
 /* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
 
-/*
- * SubmitRun.h
- *
- *
- */
+#pragma once
 
-#ifndef PROCTOR_MODEL_SubmitRun_MODEL_H_
-#define PROCTOR_MODEL_SubmitRun_MODEL_H_
-
+#include <cstdint>
 #include "PolicyServer.h"
 #include "CalibrationOptions.h"
 #include "RunMode.h"
 #include <string>
-#include <map>
 #include "PolicyInfo.h"
 #include <vector>
 #include "ImageChoice.h"
-#include <utility>
-#include <memory>
-#include <boost/json.hpp>
-#include "NullableField.h"
+#include "../members.h"
 
 namespace proctor {
-namespace model {
 
 
+struct SubmitRun {
+    using IsMessage = void;
 
-/// <summary>
-///
-/// </summary>
-class SubmitRun
-{
-public:
-    SubmitRun() = default;
-    explicit SubmitRun(boost::json::value const& value);
-    virtual ~SubmitRun() = default;
+    std::string benchmark_id{};
+    PolicyInfo policy{};
+    std::optional<std::int32_t> max_workers{}; // Most live workers wanted; the server's limit when absent.
+    std::optional<double> idle_timeout_s{}; // Lease of a session; the server's maximum when absent.
+    std::optional<ImageChoice> images{};
+    std::optional<CalibrationOptions> options{};
+    std::optional<RunMode> mode{};
+    std::optional<PolicyServer> policy_server{};
 
-    std::string toJsonString(bool prettyJson = false) const;
-    void fromJsonString(std::string const& jsonString);
-    boost::json::value toJsonValue() const;
-    void fromJsonValue(boost::json::value const& value);
-    using ExtraJsonProperties = std::map<std::string, boost::json::value>;
-
-    ExtraJsonProperties const& getExtraJsonProperties() const noexcept
-    {
-        return m_extraJsonProperties;
+    template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
+        visitor.required("benchmark_id", self.benchmark_id);
+        visitor.required("policy", self.policy);
+        visitor.optional("max_workers", self.max_workers);
+        visitor.optional("idle_timeout_s", self.idle_timeout_s);
+        visitor.optional("images", self.images);
+        visitor.optional("options", self.options);
+        visitor.optional("mode", self.mode);
+        visitor.optional("policy_server", self.policy_server);
     }
-
-    void setExtraJsonProperties(ExtraJsonProperties extraJsonProperties)
-    {
-        m_extraJsonProperties = std::move(extraJsonProperties);
-    }
-
-    /////////////////////////////////////////////
-    /// SubmitRun members
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::string getBenchmarkId() const;
-    void setBenchmarkId(std::string value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    PolicyInfo getPolicy() const;
-    void setPolicy(PolicyInfo value);
-
-    /// <summary>
-    /// Most live workers wanted; the server&#39;s limit when absent.
-    /// </summary>
-    std::int32_t getMaxWorkers() const;
-    void setMaxWorkers(std::int32_t value);
-
-    /// <summary>
-    /// Lease of a session; the server&#39;s maximum when absent.
-    /// </summary>
-    double getIdleTimeoutS() const;
-    void setIdleTimeoutS(double value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    ImageChoice getImages() const;
-    void setImages(ImageChoice value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    CalibrationOptions getOptions() const;
-    void setOptions(CalibrationOptions value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    RunMode getMode() const;
-    void setMode(RunMode value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    PolicyServer getPolicyServer() const;
-    void setPolicyServer(PolicyServer value);
-
-protected:
-    //////////////////////////////////////
-    // Override these for customization //
-    //////////////////////////////////////
-
-    virtual boost::json::object toJsonObject_internal() const;
-    virtual void fromJsonObject_internal(boost::json::object const& object);
-    virtual bool isKnownJsonProperty(boost::json::string_view name) const;
-
-
-protected:
-    std::string m_Benchmark_id = "";
-    PolicyInfo m_Policy;
-    std::int32_t m_Max_workers = 0;
-    bool m_Max_workersIsSet = false;
-    double m_Idle_timeout_s = 0.0;
-    bool m_Idle_timeout_sIsSet = false;
-    ImageChoice m_Images;
-    bool m_ImagesIsSet = false;
-    CalibrationOptions m_Options;
-    bool m_OptionsIsSet = false;
-    RunMode m_Mode;
-    bool m_ModeIsSet = false;
-    PolicyServer m_Policy_server;
-    bool m_Policy_serverIsSet = false;
-    ExtraJsonProperties m_extraJsonProperties;
 };
 
-std::string createJsonStringFromModelVector(const std::vector<std::shared_ptr<SubmitRun>>& data);
-
-void createModelVectorFromJsonString(std::vector<std::shared_ptr<SubmitRun>>& vec, const std::string& json);
-
-SubmitRun fromJsonValue_SubmitRun(boost::json::value const& value);
-
-}
-}
-#endif /* PROCTOR_MODEL_SubmitRun_MODEL_H_ */
+} // namespace proctor

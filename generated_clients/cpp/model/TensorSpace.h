@@ -1,107 +1,30 @@
 /* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
 
-/*
- * TensorSpace.h
- *
- *
- */
+#pragma once
 
-#ifndef PROCTOR_MODEL_TensorSpace_MODEL_H_
-#define PROCTOR_MODEL_TensorSpace_MODEL_H_
-
-#include "Dtype.h"
+#include <cstdint>
 #include <string>
 #include <map>
 #include <vector>
-#include "AnyType.h"
-#include <utility>
-#include <memory>
-#include <boost/json.hpp>
-#include "NullableField.h"
+#include "../members.h"
 
 namespace proctor {
-namespace model {
 
 
+struct TensorSpace {
+    using IsMessage = void;
 
-/// <summary>
-///
-/// </summary>
-class TensorSpace
-{
-public:
-    TensorSpace() = default;
-    explicit TensorSpace(boost::json::value const& value);
-    virtual ~TensorSpace() = default;
+    std::string dtype{};
+    std::vector<std::int32_t> shape{};
+    std::string description{};
+    std::optional<std::vector<std::string>> tasks{};
 
-    std::string toJsonString(bool prettyJson = false) const;
-    void fromJsonString(std::string const& jsonString);
-    boost::json::value toJsonValue() const;
-    void fromJsonValue(boost::json::value const& value);
-    using ExtraJsonProperties = std::map<std::string, boost::json::value>;
-
-    ExtraJsonProperties const& getExtraJsonProperties() const noexcept
-    {
-        return m_extraJsonProperties;
+    template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
+        visitor.required("dtype", self.dtype);
+        visitor.required("shape", self.shape);
+        visitor.required("description", self.description);
+        visitor.optional("tasks", self.tasks);
     }
-
-    void setExtraJsonProperties(ExtraJsonProperties extraJsonProperties)
-    {
-        m_extraJsonProperties = std::move(extraJsonProperties);
-    }
-
-    /////////////////////////////////////////////
-    /// TensorSpace members
-
-    /// <summary>
-    ///
-    /// </summary>
-    Dtype getDtype() const;
-    void setDtype(Dtype value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::vector<std::int32_t> getShape() const;
-    void setShape(std::vector<std::int32_t> value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::string getDescription() const;
-    void setDescription(std::string value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    std::vector<std::string> getTasks() const;
-    void setTasks(std::vector<std::string> value);
-
-protected:
-    //////////////////////////////////////
-    // Override these for customization //
-    //////////////////////////////////////
-
-    virtual boost::json::object toJsonObject_internal() const;
-    virtual void fromJsonObject_internal(boost::json::object const& object);
-    virtual bool isKnownJsonProperty(boost::json::string_view name) const;
-
-
-protected:
-    Dtype m_Dtype;
-    std::vector<std::int32_t> m_Shape;
-    std::string m_Description = "";
-    std::vector<std::string> m_Tasks;
-    bool m_TasksIsSet = false;
-    ExtraJsonProperties m_extraJsonProperties;
 };
 
-std::string createJsonStringFromModelVector(const std::vector<std::shared_ptr<TensorSpace>>& data);
-
-void createModelVectorFromJsonString(std::vector<std::shared_ptr<TensorSpace>>& vec, const std::string& json);
-
-TensorSpace fromJsonValue_TensorSpace(boost::json::value const& value);
-
-}
-}
-#endif /* PROCTOR_MODEL_TensorSpace_MODEL_H_ */
+} // namespace proctor

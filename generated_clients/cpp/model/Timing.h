@@ -1,112 +1,31 @@
 /* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
 
-/*
- * Timing.h
- *
- * Server time of this turn, in seconds.
- */
+#pragma once
 
-#ifndef PROCTOR_MODEL_Timing_MODEL_H_
-#define PROCTOR_MODEL_Timing_MODEL_H_
-
-#include <string>
+#include <cstdint>
 #include <map>
 #include <vector>
-#include "AnyType.h"
-#include <utility>
-#include <memory>
-#include <boost/json.hpp>
-#include "NullableField.h"
+#include "../members.h"
 
 namespace proctor {
-namespace model {
 
-
-
-/// <summary>
 /// Server time of this turn, in seconds.
-/// </summary>
-class Timing
-{
-public:
-    Timing() = default;
-    explicit Timing(boost::json::value const& value);
-    virtual ~Timing() = default;
+struct Timing {
+    using IsMessage = void;
 
-    std::string toJsonString(bool prettyJson = false) const;
-    void fromJsonString(std::string const& jsonString);
-    boost::json::value toJsonValue() const;
-    void fromJsonValue(boost::json::value const& value);
-    using ExtraJsonProperties = std::map<std::string, boost::json::value>;
+    double total_s{};
+    double queue_s{};
+    double simulate_s{};
+    double render_s{};
+    double encode_s{}; // Encoding of images.
 
-    ExtraJsonProperties const& getExtraJsonProperties() const noexcept
-    {
-        return m_extraJsonProperties;
+    template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
+        visitor.required("total_s", self.total_s);
+        visitor.required("queue_s", self.queue_s);
+        visitor.required("simulate_s", self.simulate_s);
+        visitor.required("render_s", self.render_s);
+        visitor.required("encode_s", self.encode_s);
     }
-
-    void setExtraJsonProperties(ExtraJsonProperties extraJsonProperties)
-    {
-        m_extraJsonProperties = std::move(extraJsonProperties);
-    }
-
-    /////////////////////////////////////////////
-    /// Timing members
-
-    /// <summary>
-    ///
-    /// </summary>
-    double getTotalS() const;
-    void setTotalS(double value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    double getQueueS() const;
-    void setQueueS(double value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    double getSimulateS() const;
-    void setSimulateS(double value);
-
-    /// <summary>
-    ///
-    /// </summary>
-    double getRenderS() const;
-    void setRenderS(double value);
-
-    /// <summary>
-    /// Encoding of images.
-    /// </summary>
-    double getEncodeS() const;
-    void setEncodeS(double value);
-
-protected:
-    //////////////////////////////////////
-    // Override these for customization //
-    //////////////////////////////////////
-
-    virtual boost::json::object toJsonObject_internal() const;
-    virtual void fromJsonObject_internal(boost::json::object const& object);
-    virtual bool isKnownJsonProperty(boost::json::string_view name) const;
-
-
-protected:
-    double m_Total_s = 0.0;
-    double m_Queue_s = 0.0;
-    double m_Simulate_s = 0.0;
-    double m_Render_s = 0.0;
-    double m_Encode_s = 0.0;
-    ExtraJsonProperties m_extraJsonProperties;
 };
 
-std::string createJsonStringFromModelVector(const std::vector<std::shared_ptr<Timing>>& data);
-
-void createModelVectorFromJsonString(std::vector<std::shared_ptr<Timing>>& vec, const std::string& json);
-
-Timing fromJsonValue_Timing(boost::json::value const& value);
-
-}
-}
-#endif /* PROCTOR_MODEL_Timing_MODEL_H_ */
+} // namespace proctor

@@ -51,7 +51,7 @@ func evaluate(server *Server, runID string) error {
 	}
 	score, err := Ask(server.Control.GetScore(server.Context, run.RunId).Execute)
 	if err == nil {
-		fmt.Printf("score %g\n", score.GetScore())
+		fmt.Printf("score %g\n", *score.Score.Get())
 	}
 	return err
 }

@@ -178,7 +178,7 @@ var scenarios = map[string]func(*Server, string) seen{
 	},
 	"echo": func(s *Server, _ string) seen {
 		run := submit(s, 1, "echo", 10, Key(), func(body *proctor.SubmitRun) {
-			body.Images = &proctor.ImageChoice{Codec: proctor.IMAGECODEC_RAW, Width: 64, Height: 48}
+			body.Images = &proctor.ImageChoice{Codec: "raw", Width: 64, Height: 48}
 		})
 		turn := attach(s, run)
 		look := ask(chunk(s, run, turn, 1, with(Act(0), "vector", vector...)).Execute).Observation
@@ -256,6 +256,18 @@ var scenarios = map[string]func(*Server, string) seen{
 			problemOf(chunk(s, run, turn, 1, with(Act(0), "vector", 1)).Execute),
 			problemOf(chunk(s, run, turn, 7, Act(0)).Execute),
 		}}
+	},
+	"later_version": func(s *Server, _ string) seen {
+		service := ask(s.Control.DescribeService(s.Context).Execute)
+		benchmark := ask(s.Control.GetBenchmark(s.Context, "calibration").Execute)
+		vector, run := benchmark.ActionSpace["vector"], submit(s, 1, "echo", 10, Key(), nil)
+		look := attach(s, run).Observation
+		return seen{
+			"profiles": service.Profiles, "image_codecs": service.ImageCodecs, "success_rule": benchmark.SuccessRule,
+			"rotation": vector.Rotation, "out_of_range": vector.OutOfRange, "mode": run.Mode, "policy": run.Policy.Name,
+			"codec": look.Images["pattern"].Codec, "dtype": look.Tensors["float64"].Dtype,
+			"problem": problemOf(s.Control.GetRun(s.Context, "no_such").Execute),
+		}
 	},
 	"score": func(s *Server, _ string) seen {
 		run := submit(s, 5, "score", 2, Key(), nil)

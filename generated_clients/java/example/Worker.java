@@ -1,4 +1,3 @@
-import java.io.IOException;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
@@ -65,7 +64,7 @@ public final class Worker {
             Problem problem;
             try {
                 problem = Problem.fromJson(error.getResponseBody());
-            } catch (IOException | RuntimeException unreadable) {
+            } catch (RuntimeException unreadable) {
                 throw error; // a gateway speaks for itself
             }
             List<String> wait = error.getResponseHeaders().get("retry-after");
@@ -109,8 +108,7 @@ public final class Worker {
                 Problem why = error.problem;
                 boolean completed = why.getState() == RunState.COMPLETED;
                 if (why.getCode().equals("illegal_transition") && completed) return; // others played the rest
-                SessionEnd end = why.getEndedBy();
-                boolean over = end == SessionEnd.RUN_STOPPED || end == SessionEnd.RUN_FAILED;
+                boolean over = "run_stopped".equals(why.getEndedBy()) || "run_failed".equals(why.getEndedBy());
                 if (!why.getCode().equals("session_ended") || over) throw error;
             }
         }

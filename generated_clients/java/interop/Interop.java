@@ -135,7 +135,7 @@ public final class Interop {
                     "status", refused.status, "code", problem.getCode(), "retryable", problem.getRetryable(),
                     "side_effects", problem.getSideEffects().getValue(), "retry_after_s", refused.retryAfterS,
                     "pointers", each(items, ProblemItem::getPointer), "expected_seq", problem.getExpectedSeq(),
-                    "ended_by", problem.getEndedBy() == null ? null : problem.getEndedBy().getValue());
+                    "ended_by", problem.getEndedBy());
         }
         return seen("code", "accepted");
     }
@@ -182,15 +182,15 @@ public final class Interop {
 
     Object echo() throws Exception {
         SubmitRun body = calibration(CalibrationTask.ECHO, 1, 10);
-        body.setImages(new ImageChoice().codec(ImageCodec.RAW).width(64).height(48));
+        body.setImages(new ImageChoice().codec("raw").width(64).height(48));
         Run run = submit(body, unique());
         Turn turn = predict(run, attach(run), 1, List.of(with(Worker.act(0), "vector", VECTOR)));
         Image image = turn.getObservation().getImages().get("pattern");
         Map<String, Object> tensors = new TreeMap<>();
         turn.getObservation().getTensors().forEach((name, tensor) -> tensors.put(name, seen(
-                "dtype", tensor.getDtype().getValue(), "shape", tensor.getShape(), "data", hex(tensor.getData()))));
+                "dtype", tensor.getDtype(), "shape", tensor.getShape(), "data", hex(tensor.getData()))));
         return seen(
-                "codec", image.getCodec().getValue(), "image", hex(image.getData()), "tensors", tensors,
+                "codec", image.getCodec(), "image", hex(image.getData()), "tensors", tensors,
                 "size", List.of(image.getHeight(), image.getWidth(), image.getChannels()),
                 "vector", each(turn.getObservation().getState().get("vector"),
                         value -> String.format("%016x", Double.doubleToRawLongBits(value))));
@@ -273,6 +273,20 @@ public final class Interop {
                 problemOf(() -> predict(run, turn, 7, List.of(Worker.act(0))))));
     }
 
+    Object laterVersion() throws Exception {
+        Service service = Worker.ask(() -> server.control.describeService(null));
+        Benchmark benchmark = Worker.ask(() -> server.control.getBenchmark("calibration", null));
+        VectorSpace vector = benchmark.getActionSpace().get("vector");
+        Run run = submit(calibration(CalibrationTask.ECHO, 1, 10), unique());
+        Observation seen = attach(run).getObservation();
+        return seen(
+                "profiles", service.getProfiles(), "image_codecs", service.getImageCodecs(),
+                "success_rule", benchmark.getSuccessRule(), "rotation", vector.getRotation(),
+                "out_of_range", vector.getOutOfRange(), "mode", run.getMode(), "policy", run.getPolicy().getName(),
+                "codec", seen.getImages().get("pattern").getCodec(), "dtype", seen.getTensors().get("float64").getDtype(),
+                "problem", problemOf(() -> Worker.once(() -> server.control.getRun("no_such", null, null, null))));
+    }
+
     Object score() throws Exception {
         Run run = submit(calibration(CalibrationTask.SCORE, 5, 2), unique());
         play(run, byIndex(1, 0.5, 0.25, 0, 0.25), 1);
@@ -335,6 +349,7 @@ public final class Interop {
             case "worker_limit": return workerLimit();
             case "stop_resume": return stopResume();
             case "problems": return problems();
+            case "later_version": return laterVersion();
             case "score": return score();
             case "vectors": return vectors(url);
             default: throw new IllegalArgumentException(name);

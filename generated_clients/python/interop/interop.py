@@ -72,7 +72,7 @@ def problem_of(request: Callable[[], Any]) -> dict[str, Any]:
             "side_effects": problem.side_effects.value, "retry_after_s": error.retry_after_s,
             "pointers": [item.pointer for item in problem.errors or []],
             "expected_seq": problem.expected_seq,
-            "ended_by": problem.ended_by.value if problem.ended_by else None,
+            "ended_by": problem.ended_by,
         }
     return {"code": "accepted"}
 
@@ -121,11 +121,11 @@ def scenario_echo(server: Server, url: str) -> dict[str, Any]:
     seen = predict(server, run, "worker-0", turn, [act(0.0, vector=VECTOR)]).observation
     image = seen.images["pattern"]
     return {
-        "codec": image.codec.value, "size": [image.height, image.width, image.channels],
+        "codec": image.codec, "size": [image.height, image.width, image.channels],
         "image": base64.b64decode(image.data).hex(),
         "vector": [struct.pack(">d", x).hex() for x in seen.state["vector"]],
         "tensors": {
-            name: {"dtype": t.dtype.value, "shape": t.shape, "data": base64.b64decode(t.data).hex()}
+            name: {"dtype": t.dtype, "shape": t.shape, "data": base64.b64decode(t.data).hex()}
             for name, t in seen.tensors.items()
         },
     }
@@ -212,6 +212,21 @@ def scenario_score(server: Server, url: str) -> dict[str, Any]:
         "success": score.counts.success,
         "splits": {name: group.mean for name, group in score.by_split.items()},
         "pages": pages, "episodes": [[e.index, e.result.score, e.result.seed] for e in episodes],
+    }
+
+
+def scenario_later_version(server: Server, url: str) -> dict[str, Any]:
+    service = server.ask(server.control.describe_service)
+    benchmark = server.ask(lambda: server.control.get_benchmark("calibration"))
+    vector = benchmark.action_space["vector"]
+    run = submit(server, ["echo"])
+    seen = attach(server, run, "worker-0").observation
+    return {
+        "profiles": service.profiles, "image_codecs": service.image_codecs,
+        "success_rule": benchmark.success_rule, "rotation": vector.rotation,
+        "out_of_range": vector.out_of_range, "mode": run.mode, "policy": run.policy.name,
+        "codec": seen.images["pattern"].codec, "dtype": seen.tensors["float64"].dtype,
+        "problem": problem_of(lambda: server.once(lambda: server.control.get_run("no_such"))),
     }
 
 

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 use proctor_client::apis::configuration::Configuration;
 use proctor_client::apis::{control_api, data_api, Error};
 use proctor_client::models::{
-    Action, AttachWorker, EpisodeResult, Predict, Problem, Run, RunState, SessionEnd, Turn,
+    Action, AttachWorker, EpisodeResult, Predict, Problem, Run, RunState, Turn,
 };
 
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -99,7 +99,7 @@ pub async fn play<F: Future<Output = Vec<Action>>>(
                 if problem.code == "illegal_transition" && completed {
                     return Ok(()); // the other workers have played the rest
                 }
-                let over = matches!(problem.ended_by, Some(SessionEnd::RunStopped | SessionEnd::RunFailed));
+                let over = matches!(problem.ended_by.as_deref(), Some("run_stopped" | "run_failed"));
                 if problem.code == "session_ended" && !over {
                     continue;
                 }

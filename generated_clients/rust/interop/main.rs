@@ -176,7 +176,7 @@ async fn chunks(control: &Configuration) -> Seen {
 
 async fn echo(control: &Configuration) -> Seen {
     let mut wanted = choice(CalibrationTask::Echo, 1, 10);
-    wanted.images = Some(Box::new(ImageChoice::new(ImageCodec::Raw, 64, 48)));
+    wanted.images = Some(Box::new(ImageChoice::new("raw".to_owned(), 64, 48)));
     let run = submit(control, &wanted, &unique()).await?;
     let turn = attach(control, &run).await?;
     let turn = predict(control, &run, &turn, 1, vec![with(act(0.0), "vector", &VECTOR)]).await?;
@@ -278,6 +278,20 @@ async fn problems(control: &Configuration) -> Seen {
     ]}))
 }
 
+async fn later_version(control: &Configuration) -> Seen {
+    let service = ask(|| control_api::describe_service(control, None)).await?;
+    let benchmark = ask(|| control_api::get_benchmark(control, "calibration", None)).await?;
+    let vector = &benchmark.action_space["vector"];
+    let run = submit(control, &choice(CalibrationTask::Echo, 1, 10), &unique()).await?;
+    let seen = attach(control, &run).await?.observation.expect("an observation");
+    Ok(json!({
+        "profiles": service.profiles, "image_codecs": service.image_codecs, "success_rule": benchmark.success_rule,
+        "rotation": vector.rotation, "out_of_range": vector.out_of_range, "mode": run.mode, "policy": run.policy.name,
+        "codec": seen.images["pattern"].codec, "dtype": seen.tensors["float64"].dtype,
+        "problem": problem_of(once(control_api::get_run(control, "no_such", None, None, None).await)),
+    }))
+}
+
 async fn score(control: &Configuration) -> Seen {
     let run = submit(control, &choice(CalibrationTask::Score, 5, 2), &unique()).await?;
     one_player(control, &run, "worker-0", by_index!([1.0, 0.5, 0.25, 0.0, 0.25])).await?;
@@ -349,6 +363,7 @@ async fn main() {
         "worker_limit" => worker_limit(control).await,
         "stop_resume" => stop_resume(control).await,
         "problems" => problems(control).await,
+        "later_version" => later_version(control).await,
         "score" => score(control).await,
         "vectors" => Ok(vectors(url)),
         other => panic!("no scenario {other}"),

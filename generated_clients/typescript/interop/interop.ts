@@ -194,6 +194,20 @@ const scenarios: Record<string, (server: Server, url: string) => Promise<Seen>> 
     };
   },
 
+  async later_version(server) {
+    const service = await server.ask(() => server.control.describeService());
+    const benchmark = await server.ask(() => server.control.getBenchmark({ benchmarkId: "calibration" }));
+    const vector = benchmark.action_space["vector"];
+    const run = await submit(server, ["echo"]);
+    const seen = (await attach(server, run, "worker-0")).observation!;
+    return {
+      profiles: service.profiles, image_codecs: service.image_codecs, success_rule: benchmark.success_rule,
+      rotation: vector.rotation, out_of_range: vector.out_of_range, mode: run.mode, policy: run.policy.name,
+      codec: seen.images["pattern"].codec, dtype: seen.tensors["float64"].dtype,
+      problem: await problemOf(() => server.once(() => server.control.getRun({ runId: "no_such" }))),
+    };
+  },
+
   async score(server) {
     const run = await submit(server, repeat(5, "score"), 2), runId = run.run_id;
     await play(server, run, byIndex([1, 0.5, 0.25, 0, 0.25]));

@@ -18,7 +18,6 @@ import pytest
 from proctor_client import (
     Action,
     ImageChoice,
-    ImageCodec,
     PolicyInfo,
     Predict,
     SubmitRun,
@@ -350,9 +349,7 @@ def _first_turn(direct_client: DirectClient, benchmark: str, policy: Any) -> Any
         SubmitRun(
             benchmark_id=benchmark,
             policy=PolicyInfo(name="p"),
-            images=ImageChoice(
-                codec=ImageCodec.RAW, width=size.width, height=size.height
-            ),
+            images=ImageChoice(codec="raw", width=size.width, height=size.height),
         )
     )
     turn = direct_client.attach(run.run_id, "w")

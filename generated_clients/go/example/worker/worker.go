@@ -90,7 +90,7 @@ func (s *Server) Play(runID, workerID string, policy func(*proctor.Turn) []proct
 		if why.Code == "illegal_transition" && why.GetState() == proctor.RUNSTATE_COMPLETED {
 			return nil // the other workers have played the rest
 		}
-		if why.Code != "session_ended" || why.GetEndedBy() == proctor.SESSIONEND_RUN_STOPPED || why.GetEndedBy() == proctor.SESSIONEND_RUN_FAILED {
+		if why.Code != "session_ended" || why.GetEndedBy() == "run_stopped" || why.GetEndedBy() == "run_failed" {
 			return err
 		}
 	}

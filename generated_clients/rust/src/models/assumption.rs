@@ -10,7 +10,7 @@ pub struct Assumption {
     #[serde(rename = "unit", skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
     #[serde(rename = "rotation", skip_serializing_if = "Option::is_none")]
-    pub rotation: Option<models::Rotation>,
+    pub rotation: Option<String>,
     #[serde(rename = "frame", skip_serializing_if = "Option::is_none")]
     pub frame: Option<String>,
     #[serde(rename = "relative", skip_serializing_if = "Option::is_none")]

@@ -35,8 +35,9 @@ pub struct Benchmark {
     pub max_attempts: i32,
     #[serde(rename = "max_faults")]
     pub max_faults: i32,
+    /// A `SuccessRule`, or one of a later version.
     #[serde(rename = "success_rule")]
-    pub success_rule: models::SuccessRule,
+    pub success_rule: String,
     /// Name of an action value → what it means.
     #[serde(rename = "action_space")]
     pub action_space: std::collections::HashMap<String, models::VectorSpace>,
@@ -47,7 +48,7 @@ pub struct Benchmark {
     pub image_sizes: Vec<models::ImageSize>,
     /// Codecs that may be chosen at submit; the first is the default.
     #[serde(rename = "image_codecs")]
-    pub image_codecs: Vec<models::ImageCodec>,
+    pub image_codecs: Vec<String>,
     #[serde(rename = "simulator")]
     pub simulator: models::SimulatorInfo,
     /// Why a run cannot be submitted here now, and the cure; null when it can.
@@ -57,7 +58,7 @@ pub struct Benchmark {
 
 impl Benchmark {
     /// Everything about a benchmark that can change a score.
-    pub fn new(benchmark_id: String, version: String, title: String, description: String, manifest_sha256: String, episodes_total: i32, tasks: Vec<String>, splits: Vec<String>, control_rate_hz: f64, max_steps: i32, max_chunk: i32, max_attempts: i32, max_faults: i32, success_rule: models::SuccessRule, action_space: std::collections::HashMap<String, models::VectorSpace>, observation_space: models::ObservationSpace, image_sizes: Vec<models::ImageSize>, image_codecs: Vec<models::ImageCodec>, simulator: models::SimulatorInfo, unavailable_reason: Option<String>) -> Benchmark {
+    pub fn new(benchmark_id: String, version: String, title: String, description: String, manifest_sha256: String, episodes_total: i32, tasks: Vec<String>, splits: Vec<String>, control_rate_hz: f64, max_steps: i32, max_chunk: i32, max_attempts: i32, max_faults: i32, success_rule: String, action_space: std::collections::HashMap<String, models::VectorSpace>, observation_space: models::ObservationSpace, image_sizes: Vec<models::ImageSize>, image_codecs: Vec<String>, simulator: models::SimulatorInfo, unavailable_reason: Option<String>) -> Benchmark {
         Benchmark {
             benchmark_id,
             version,

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Default, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Image {
     #[serde(rename = "codec")]
-    pub codec: models::ImageCodec,
+    pub codec: String,
     #[serde(rename = "width")]
     pub width: i32,
     #[serde(rename = "height")]
@@ -21,7 +21,7 @@ pub struct Image {
 
 impl Image {
     /// RGB or grey, row 0 on top; raw is height × width × channels bytes.
-    pub fn new(codec: models::ImageCodec, width: i32, height: i32, channels: i32, data: String) -> Image {
+    pub fn new(codec: String, width: i32, height: i32, channels: i32, data: String) -> Image {
         Image {
             codec,
             width,

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Default, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ImageChoice {
     #[serde(rename = "codec")]
-    pub codec: models::ImageCodec,
+    pub codec: String,
     #[serde(rename = "width")]
     pub width: i32,
     #[serde(rename = "height")]
@@ -16,7 +16,7 @@ pub struct ImageChoice {
 
 impl ImageChoice {
     /// Recorded with the result, because it changes the score.
-    pub fn new(codec: models::ImageCodec, width: i32, height: i32) -> ImageChoice {
+    pub fn new(codec: String, width: i32, height: i32) -> ImageChoice {
         ImageChoice {
             codec,
             width,

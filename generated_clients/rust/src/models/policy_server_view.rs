@@ -8,8 +8,9 @@ use serde::{Deserialize, Serialize};
 pub struct PolicyServerView {
     #[serde(rename = "url")]
     pub url: String,
+    /// A `PolicyProtocol`, or one of a later version.
     #[serde(rename = "protocol")]
-    pub protocol: models::PolicyProtocol,
+    pub protocol: String,
     #[serde(rename = "has_api_key")]
     pub has_api_key: bool,
     #[serde(rename = "model", skip_serializing_if = "Option::is_none")]
@@ -26,7 +27,7 @@ pub struct PolicyServerView {
 
 impl PolicyServerView {
     /// The policy server of a run with mode `push`, with what was left open filled in, and without its key.
-    pub fn new(url: String, protocol: models::PolicyProtocol, has_api_key: bool, call_timeout_s: f64, max_concurrent: i32, max_retries: i32) -> PolicyServerView {
+    pub fn new(url: String, protocol: String, has_api_key: bool, call_timeout_s: f64, max_concurrent: i32, max_retries: i32) -> PolicyServerView {
         PolicyServerView {
             url,
             protocol,

@@ -15,7 +15,7 @@ pub struct Problem {
     /// What happened and what to do about it.
     #[serde(rename = "detail")]
     pub detail: String,
-    /// One of x-problems.
+    /// One of x-problems, or one of a later version.
     #[serde(rename = "code")]
     pub code: String,
     /// Whether the same request can succeed later.
@@ -32,8 +32,9 @@ pub struct Problem {
     pub state: Option<models::RunState>,
     #[serde(rename = "expected_seq", skip_serializing_if = "Option::is_none")]
     pub expected_seq: Option<i64>,
+    /// What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended.
     #[serde(rename = "ended_by", skip_serializing_if = "Option::is_none")]
-    pub ended_by: Option<models::SessionEnd>,
+    pub ended_by: Option<String>,
 }
 
 impl Problem {

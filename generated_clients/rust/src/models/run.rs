@@ -24,8 +24,9 @@ pub struct Run {
     pub manifest_sha256: String,
     #[serde(rename = "policy")]
     pub policy: Box<models::PolicyInfo>,
+    /// A `RunMode`, or one of a later version; `pull` when absent.
     #[serde(rename = "mode", skip_serializing_if = "Option::is_none")]
-    pub mode: Option<models::RunMode>,
+    pub mode: Option<String>,
     #[serde(rename = "policy_server", skip_serializing_if = "Option::is_none")]
     pub policy_server: Option<models::PolicyServerView>,
     #[serde(rename = "max_workers")]

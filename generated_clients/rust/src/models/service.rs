@@ -15,14 +15,14 @@ pub struct Service {
     pub protocol: models::ProtocolRange,
     /// Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.
     #[serde(rename = "profiles")]
-    pub profiles: Vec<models::Profile>,
+    pub profiles: Vec<String>,
     #[serde(rename = "limits")]
     pub limits: models::Limits,
     /// Media types of the data plane.
     #[serde(rename = "encodings")]
     pub encodings: Vec<String>,
     #[serde(rename = "image_codecs")]
-    pub image_codecs: Vec<models::ImageCodec>,
+    pub image_codecs: Vec<String>,
     /// The server's clock, UTC.
     #[serde(rename = "server_time")]
     pub server_time: chrono::DateTime<chrono::FixedOffset>,
@@ -30,7 +30,7 @@ pub struct Service {
 
 impl Service {
     /// What a server says of itself before anyone authenticates.
-    pub fn new(name: String, version: String, protocol: models::ProtocolRange, profiles: Vec<models::Profile>, limits: models::Limits, encodings: Vec<String>, image_codecs: Vec<models::ImageCodec>, server_time: chrono::DateTime<chrono::FixedOffset>) -> Service {
+    pub fn new(name: String, version: String, protocol: models::ProtocolRange, profiles: Vec<String>, limits: models::Limits, encodings: Vec<String>, image_codecs: Vec<String>, server_time: chrono::DateTime<chrono::FixedOffset>) -> Service {
         Service {
             name,
             version,

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Default, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Tensor {
     #[serde(rename = "dtype")]
-    pub dtype: models::Dtype,
+    pub dtype: String,
     #[serde(rename = "shape")]
     pub shape: Vec<i64>,
     /// Base64 with padding in JSON; `bin` in MessagePack.
@@ -17,7 +17,7 @@ pub struct Tensor {
 
 impl Tensor {
     /// C order, little-endian; a bool is one byte, 0 or 1.
-    pub fn new(dtype: models::Dtype, shape: Vec<i64>, data: String) -> Tensor {
+    pub fn new(dtype: String, shape: Vec<i64>, data: String) -> Tensor {
         Tensor {
             dtype,
             shape,

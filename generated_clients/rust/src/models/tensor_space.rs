@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Default, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TensorSpace {
     #[serde(rename = "dtype")]
-    pub dtype: models::Dtype,
+    pub dtype: String,
     #[serde(rename = "shape")]
     pub shape: Vec<i32>,
     #[serde(rename = "description")]
@@ -16,7 +16,7 @@ pub struct TensorSpace {
 }
 
 impl TensorSpace {
-    pub fn new(dtype: models::Dtype, shape: Vec<i32>, description: String) -> TensorSpace {
+    pub fn new(dtype: String, shape: Vec<i32>, description: String) -> TensorSpace {
         TensorSpace {
             dtype,
             shape,

@@ -12,7 +12,7 @@ pub struct VectorSpace {
     #[serde(rename = "unit")]
     pub unit: String,
     #[serde(rename = "rotation")]
-    pub rotation: models::Rotation,
+    pub rotation: String,
     /// `world`, `base`, `tool`, `joint`, or `none`.
     #[serde(rename = "frame")]
     pub frame: String,
@@ -27,7 +27,7 @@ pub struct VectorSpace {
     #[serde(rename = "maximum", skip_serializing_if = "Option::is_none")]
     pub maximum: Option<Vec<f64>>,
     #[serde(rename = "out_of_range")]
-    pub out_of_range: models::OutOfRange,
+    pub out_of_range: String,
     /// What the numbers are.
     #[serde(rename = "description", skip_serializing_if = "Option::is_none")]
     pub description: Option<String>,
@@ -38,7 +38,7 @@ pub struct VectorSpace {
 
 impl VectorSpace {
     /// One named vector of numbers, with every convention a policy could get wrong.
-    pub fn new(size: i32, unit: String, rotation: models::Rotation, frame: String, relative: bool, out_of_range: models::OutOfRange) -> VectorSpace {
+    pub fn new(size: i32, unit: String, rotation: String, frame: String, relative: bool, out_of_range: String) -> VectorSpace {
         VectorSpace {
             size,
             unit,

@@ -5,14 +5,6 @@
  */
 
 import { mapValues } from '../runtime';
-import type { Rotation } from './Rotation';
-import {
-    RotationFromJSON,
-    RotationFromJSONTyped,
-    RotationToJSON,
-    RotationToJSONTyped,
-} from './Rotation';
-
 /**
  *
  * @export
@@ -30,7 +22,7 @@ export interface Assumption {
     /**
      *
      */
-    rotation?: Rotation;
+    rotation?: string;
     /**
      *
      */
@@ -44,8 +36,6 @@ export interface Assumption {
      */
     gripper_open?: number;
 }
-
-
 
 /**
  * Check if a given object implements the Assumption interface.
@@ -66,7 +56,7 @@ export function AssumptionFromJSONTyped(json: any, ignoreDiscriminator: boolean)
 
         'size': json['size'] == null ? undefined : json['size'],
         'unit': json['unit'] == null ? undefined : json['unit'],
-        'rotation': json['rotation'] == null ? undefined : RotationFromJSON(json['rotation']),
+        'rotation': json['rotation'] == null ? undefined : json['rotation'],
         'frame': json['frame'] == null ? undefined : json['frame'],
         'relative': json['relative'] == null ? undefined : json['relative'],
         'gripper_open': json['gripper_open'] == null ? undefined : json['gripper_open'],
@@ -86,7 +76,7 @@ export function AssumptionToJSONTyped(value?: Assumption | null, ignoreDiscrimin
 
         'size': value['size'],
         'unit': value['unit'],
-        'rotation': RotationToJSON(value['rotation']),
+        'rotation': value['rotation'],
         'frame': value['frame'],
         'relative': value['relative'],
         'gripper_open': value['gripper_open'],

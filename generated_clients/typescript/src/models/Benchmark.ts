@@ -33,20 +33,6 @@ import {
     SimulatorInfoToJSON,
     SimulatorInfoToJSONTyped,
 } from './SimulatorInfo';
-import type { ImageCodec } from './ImageCodec';
-import {
-    ImageCodecFromJSON,
-    ImageCodecFromJSONTyped,
-    ImageCodecToJSON,
-    ImageCodecToJSONTyped,
-} from './ImageCodec';
-import type { SuccessRule } from './SuccessRule';
-import {
-    SuccessRuleFromJSON,
-    SuccessRuleFromJSONTyped,
-    SuccessRuleToJSON,
-    SuccessRuleToJSONTyped,
-} from './SuccessRule';
 
 /**
  * Everything about a benchmark that can change a score.
@@ -108,9 +94,9 @@ export interface Benchmark {
      */
     max_faults: number;
     /**
-     *
+     * A `SuccessRule`, or one of a later version.
      */
-    success_rule: SuccessRule;
+    success_rule: string;
     /**
      * Name of an action value → what it means.
      */
@@ -126,7 +112,7 @@ export interface Benchmark {
     /**
      * Codecs that may be chosen at submit; the first is the default.
      */
-    image_codecs: Array<ImageCodec>;
+    image_codecs: Array<string>;
     /**
      *
      */
@@ -136,8 +122,6 @@ export interface Benchmark {
      */
     unavailable_reason: string | null;
 }
-
-
 
 /**
  * Check if a given object implements the Benchmark interface.
@@ -190,11 +174,11 @@ export function BenchmarkFromJSONTyped(json: any, ignoreDiscriminator: boolean):
         'max_chunk': json['max_chunk'],
         'max_attempts': json['max_attempts'],
         'max_faults': json['max_faults'],
-        'success_rule': SuccessRuleFromJSON(json['success_rule']),
+        'success_rule': json['success_rule'],
         'action_space': (mapValues(json['action_space'], VectorSpaceFromJSON)),
         'observation_space': ObservationSpaceFromJSON(json['observation_space']),
         'image_sizes': ((json['image_sizes'] as Array<any>).map(ImageSizeFromJSON)),
-        'image_codecs': ((json['image_codecs'] as Array<any>).map(ImageCodecFromJSON)),
+        'image_codecs': json['image_codecs'],
         'simulator': SimulatorInfoFromJSON(json['simulator']),
         'unavailable_reason': json['unavailable_reason'],
     };
@@ -225,11 +209,11 @@ export function BenchmarkToJSONTyped(value?: Benchmark | null, ignoreDiscriminat
         'max_chunk': value['max_chunk'],
         'max_attempts': value['max_attempts'],
         'max_faults': value['max_faults'],
-        'success_rule': SuccessRuleToJSON(value['success_rule']),
+        'success_rule': value['success_rule'],
         'action_space': (mapValues(value['action_space'], VectorSpaceToJSON)),
         'observation_space': ObservationSpaceToJSON(value['observation_space']),
         'image_sizes': ((value['image_sizes'] as Array<any>).map(ImageSizeToJSON)),
-        'image_codecs': ((value['image_codecs'] as Array<any>).map(ImageCodecToJSON)),
+        'image_codecs': value['image_codecs'],
         'simulator': SimulatorInfoToJSON(value['simulator']),
         'unavailable_reason': value['unavailable_reason'],
     };

@@ -5,14 +5,6 @@
  */
 
 import { mapValues } from '../runtime';
-import type { ImageCodec } from './ImageCodec';
-import {
-    ImageCodecFromJSON,
-    ImageCodecFromJSONTyped,
-    ImageCodecToJSON,
-    ImageCodecToJSONTyped,
-} from './ImageCodec';
-
 /**
  * RGB or grey, row 0 on top; raw is height × width × channels bytes.
  * @export
@@ -23,7 +15,7 @@ export interface Image {
     /**
      *
      */
-    codec: ImageCodec;
+    codec: string;
     /**
      *
      */
@@ -41,8 +33,6 @@ export interface Image {
      */
     data: string;
 }
-
-
 
 /**
  * Check if a given object implements the Image interface.
@@ -67,7 +57,7 @@ export function ImageFromJSONTyped(json: any, ignoreDiscriminator: boolean): Ima
     return {
 
             ...json,
-        'codec': ImageCodecFromJSON(json['codec']),
+        'codec': json['codec'],
         'width': json['width'],
         'height': json['height'],
         'channels': json['channels'],
@@ -87,7 +77,7 @@ export function ImageToJSONTyped(value?: Image | null, ignoreDiscriminator: bool
     return {
 
             ...value,
-        'codec': ImageCodecToJSON(value['codec']),
+        'codec': value['codec'],
         'width': value['width'],
         'height': value['height'],
         'channels': value['channels'],

@@ -5,14 +5,6 @@
  */
 
 import { mapValues } from '../runtime';
-import type { ImageCodec } from './ImageCodec';
-import {
-    ImageCodecFromJSON,
-    ImageCodecFromJSONTyped,
-    ImageCodecToJSON,
-    ImageCodecToJSONTyped,
-} from './ImageCodec';
-
 /**
  * Recorded with the result, because it changes the score.
  * @export
@@ -22,7 +14,7 @@ export interface ImageChoice {
     /**
      *
      */
-    codec: ImageCodec;
+    codec: string;
     /**
      *
      */
@@ -32,8 +24,6 @@ export interface ImageChoice {
      */
     height: number;
 }
-
-
 
 /**
  * Check if a given object implements the ImageChoice interface.
@@ -55,7 +45,7 @@ export function ImageChoiceFromJSONTyped(json: any, ignoreDiscriminator: boolean
     }
     return {
 
-        'codec': ImageCodecFromJSON(json['codec']),
+        'codec': json['codec'],
         'width': json['width'],
         'height': json['height'],
     };
@@ -72,7 +62,7 @@ export function ImageChoiceToJSONTyped(value?: ImageChoice | null, ignoreDiscrim
 
     return {
 
-        'codec': ImageCodecToJSON(value['codec']),
+        'codec': value['codec'],
         'width': value['width'],
         'height': value['height'],
     };

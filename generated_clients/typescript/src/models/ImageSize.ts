@@ -11,6 +11,7 @@ import { mapValues } from '../runtime';
  * @interface ImageSize
  */
 export interface ImageSize {
+    [key: string]: any | any;
     /**
      *
      */
@@ -40,6 +41,7 @@ export function ImageSizeFromJSONTyped(json: any, ignoreDiscriminator: boolean):
     }
     return {
 
+            ...json,
         'width': json['width'],
         'height': json['height'],
     };
@@ -56,6 +58,7 @@ export function ImageSizeToJSONTyped(value?: ImageSize | null, ignoreDiscriminat
 
     return {
 
+            ...value,
         'width': value['width'],
         'height': value['height'],
     };

@@ -5,14 +5,6 @@
  */
 
 import { mapValues } from '../runtime';
-import type { PolicyProtocol } from './PolicyProtocol';
-import {
-    PolicyProtocolFromJSON,
-    PolicyProtocolFromJSONTyped,
-    PolicyProtocolToJSON,
-    PolicyProtocolToJSONTyped,
-} from './PolicyProtocol';
-
 /**
  * The policy server of a run with mode `push`, with what was left open filled in, and without its key.
  * @export
@@ -25,9 +17,9 @@ export interface PolicyServerView {
      */
     url: string;
     /**
-     *
+     * A `PolicyProtocol`, or one of a later version.
      */
-    protocol: PolicyProtocol;
+    protocol: string;
     /**
      *
      */
@@ -54,8 +46,6 @@ export interface PolicyServerView {
     generation?: { [key: string]: number; };
 }
 
-
-
 /**
  * Check if a given object implements the PolicyServerView interface.
  */
@@ -81,7 +71,7 @@ export function PolicyServerViewFromJSONTyped(json: any, ignoreDiscriminator: bo
 
             ...json,
         'url': json['url'],
-        'protocol': PolicyProtocolFromJSON(json['protocol']),
+        'protocol': json['protocol'],
         'has_api_key': json['has_api_key'],
         'model': json['model'] == null ? undefined : json['model'],
         'call_timeout_s': json['call_timeout_s'],
@@ -104,7 +94,7 @@ export function PolicyServerViewToJSONTyped(value?: PolicyServerView | null, ign
 
             ...value,
         'url': value['url'],
-        'protocol': PolicyProtocolToJSON(value['protocol']),
+        'protocol': value['protocol'],
         'has_api_key': value['has_api_key'],
         'model': value['model'],
         'call_timeout_s': value['call_timeout_s'],

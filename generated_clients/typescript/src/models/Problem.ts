@@ -19,13 +19,6 @@ import {
     ProblemItemToJSON,
     ProblemItemToJSONTyped,
 } from './ProblemItem';
-import type { SessionEnd } from './SessionEnd';
-import {
-    SessionEndFromJSON,
-    SessionEndFromJSONTyped,
-    SessionEndToJSON,
-    SessionEndToJSONTyped,
-} from './SessionEnd';
 import type { SideEffects } from './SideEffects';
 import {
     SideEffectsFromJSON,
@@ -58,7 +51,7 @@ export interface Problem {
      */
     detail: string;
     /**
-     * One of x-problems.
+     * One of x-problems, or one of a later version.
      */
     code: string;
     /**
@@ -86,9 +79,9 @@ export interface Problem {
      */
     expected_seq?: number;
     /**
-     *
+     * What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended.
      */
-    ended_by?: SessionEnd;
+    ended_by?: string;
 }
 
 
@@ -129,7 +122,7 @@ export function ProblemFromJSONTyped(json: any, ignoreDiscriminator: boolean): P
         'requirement': json['requirement'] == null ? undefined : json['requirement'],
         'state': json['state'] == null ? undefined : RunStateFromJSON(json['state']),
         'expected_seq': json['expected_seq'] == null ? undefined : json['expected_seq'],
-        'ended_by': json['ended_by'] == null ? undefined : SessionEndFromJSON(json['ended_by']),
+        'ended_by': json['ended_by'] == null ? undefined : json['ended_by'],
     };
 }
 
@@ -156,6 +149,6 @@ export function ProblemToJSONTyped(value?: Problem | null, ignoreDiscriminator: 
         'requirement': value['requirement'],
         'state': RunStateToJSON(value['state']),
         'expected_seq': value['expected_seq'],
-        'ended_by': SessionEndToJSON(value['ended_by']),
+        'ended_by': value['ended_by'],
     };
 }

@@ -33,13 +33,6 @@ import {
     ImageChoiceToJSON,
     ImageChoiceToJSONTyped,
 } from './ImageChoice';
-import type { RunMode } from './RunMode';
-import {
-    RunModeFromJSON,
-    RunModeFromJSONTyped,
-    RunModeToJSON,
-    RunModeToJSONTyped,
-} from './RunMode';
 import type { PolicyInfo } from './PolicyInfo';
 import {
     PolicyInfoFromJSON,
@@ -88,9 +81,9 @@ export interface Run {
      */
     policy: PolicyInfo;
     /**
-     *
+     * A `RunMode`, or one of a later version; `pull` when absent.
      */
-    mode?: RunMode;
+    mode?: string;
     /**
      *
      */
@@ -178,7 +171,7 @@ export function RunFromJSONTyped(json: any, ignoreDiscriminator: boolean): Run {
         'benchmark_version': json['benchmark_version'],
         'manifest_sha256': json['manifest_sha256'],
         'policy': PolicyInfoFromJSON(json['policy']),
-        'mode': json['mode'] == null ? undefined : RunModeFromJSON(json['mode']),
+        'mode': json['mode'] == null ? undefined : json['mode'],
         'policy_server': json['policy_server'] == null ? undefined : PolicyServerViewFromJSON(json['policy_server']),
         'max_workers': json['max_workers'],
         'idle_timeout_s': json['idle_timeout_s'],
@@ -212,7 +205,7 @@ export function RunToJSONTyped(value?: Run | null, ignoreDiscriminator: boolean 
         'benchmark_version': value['benchmark_version'],
         'manifest_sha256': value['manifest_sha256'],
         'policy': PolicyInfoToJSON(value['policy']),
-        'mode': RunModeToJSON(value['mode']),
+        'mode': value['mode'],
         'policy_server': PolicyServerViewToJSON(value['policy_server']),
         'max_workers': value['max_workers'],
         'idle_timeout_s': value['idle_timeout_s'],

@@ -19,20 +19,6 @@ import {
     ProtocolRangeToJSON,
     ProtocolRangeToJSONTyped,
 } from './ProtocolRange';
-import type { ImageCodec } from './ImageCodec';
-import {
-    ImageCodecFromJSON,
-    ImageCodecFromJSONTyped,
-    ImageCodecToJSON,
-    ImageCodecToJSONTyped,
-} from './ImageCodec';
-import type { Profile } from './Profile';
-import {
-    ProfileFromJSON,
-    ProfileFromJSONTyped,
-    ProfileToJSON,
-    ProfileToJSONTyped,
-} from './Profile';
 
 /**
  * What a server says of itself before anyone authenticates.
@@ -56,7 +42,7 @@ export interface Service {
     /**
      * Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.
      */
-    profiles: Array<Profile>;
+    profiles: Array<string>;
     /**
      *
      */
@@ -68,7 +54,7 @@ export interface Service {
     /**
      *
      */
-    image_codecs: Array<ImageCodec>;
+    image_codecs: Array<string>;
     /**
      * The server's clock, UTC.
      */
@@ -104,10 +90,10 @@ export function ServiceFromJSONTyped(json: any, ignoreDiscriminator: boolean): S
         'name': json['name'],
         'version': json['version'],
         'protocol': ProtocolRangeFromJSON(json['protocol']),
-        'profiles': ((json['profiles'] as Array<any>).map(ProfileFromJSON)),
+        'profiles': json['profiles'],
         'limits': LimitsFromJSON(json['limits']),
         'encodings': json['encodings'],
-        'image_codecs': ((json['image_codecs'] as Array<any>).map(ImageCodecFromJSON)),
+        'image_codecs': json['image_codecs'],
         'server_time': (json['server_time'] == null ? json['server_time'] : parseDateTime(json['server_time'])),
     };
 }
@@ -127,10 +113,10 @@ export function ServiceToJSONTyped(value?: Service | null, ignoreDiscriminator: 
         'name': value['name'],
         'version': value['version'],
         'protocol': ProtocolRangeToJSON(value['protocol']),
-        'profiles': ((value['profiles'] as Array<any>).map(ProfileToJSON)),
+        'profiles': value['profiles'],
         'limits': LimitsToJSON(value['limits']),
         'encodings': value['encodings'],
-        'image_codecs': ((value['image_codecs'] as Array<any>).map(ImageCodecToJSON)),
+        'image_codecs': value['image_codecs'],
         'server_time': value['server_time'] == null ? value['server_time'] : serializeDateTime(value['server_time']),
     };
 }

@@ -5,14 +5,6 @@
  */
 
 import { mapValues } from '../runtime';
-import type { Dtype } from './Dtype';
-import {
-    DtypeFromJSON,
-    DtypeFromJSONTyped,
-    DtypeToJSON,
-    DtypeToJSONTyped,
-} from './Dtype';
-
 /**
  * C order, little-endian; a bool is one byte, 0 or 1.
  * @export
@@ -23,7 +15,7 @@ export interface Tensor {
     /**
      *
      */
-    dtype: Dtype;
+    dtype: string;
     /**
      *
      */
@@ -33,8 +25,6 @@ export interface Tensor {
      */
     data: string;
 }
-
-
 
 /**
  * Check if a given object implements the Tensor interface.
@@ -57,7 +47,7 @@ export function TensorFromJSONTyped(json: any, ignoreDiscriminator: boolean): Te
     return {
 
             ...json,
-        'dtype': DtypeFromJSON(json['dtype']),
+        'dtype': json['dtype'],
         'shape': json['shape'],
         'data': json['data'],
     };
@@ -75,7 +65,7 @@ export function TensorToJSONTyped(value?: Tensor | null, ignoreDiscriminator: bo
     return {
 
             ...value,
-        'dtype': DtypeToJSON(value['dtype']),
+        'dtype': value['dtype'],
         'shape': value['shape'],
         'data': value['data'],
     };

@@ -5,14 +5,6 @@
  */
 
 import { mapValues } from '../runtime';
-import type { Dtype } from './Dtype';
-import {
-    DtypeFromJSON,
-    DtypeFromJSONTyped,
-    DtypeToJSON,
-    DtypeToJSONTyped,
-} from './Dtype';
-
 /**
  *
  * @export
@@ -23,7 +15,7 @@ export interface TensorSpace {
     /**
      *
      */
-    dtype: Dtype;
+    dtype: string;
     /**
      *
      */
@@ -37,8 +29,6 @@ export interface TensorSpace {
      */
     tasks?: Array<string>;
 }
-
-
 
 /**
  * Check if a given object implements the TensorSpace interface.
@@ -61,7 +51,7 @@ export function TensorSpaceFromJSONTyped(json: any, ignoreDiscriminator: boolean
     return {
 
             ...json,
-        'dtype': DtypeFromJSON(json['dtype']),
+        'dtype': json['dtype'],
         'shape': json['shape'],
         'description': json['description'],
         'tasks': json['tasks'] == null ? undefined : json['tasks'],
@@ -80,7 +70,7 @@ export function TensorSpaceToJSONTyped(value?: TensorSpace | null, ignoreDiscrim
     return {
 
             ...value,
-        'dtype': DtypeToJSON(value['dtype']),
+        'dtype': value['dtype'],
         'shape': value['shape'],
         'description': value['description'],
         'tasks': value['tasks'],

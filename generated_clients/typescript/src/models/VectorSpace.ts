@@ -5,21 +5,6 @@
  */
 
 import { mapValues } from '../runtime';
-import type { OutOfRange } from './OutOfRange';
-import {
-    OutOfRangeFromJSON,
-    OutOfRangeFromJSONTyped,
-    OutOfRangeToJSON,
-    OutOfRangeToJSONTyped,
-} from './OutOfRange';
-import type { Rotation } from './Rotation';
-import {
-    RotationFromJSON,
-    RotationFromJSONTyped,
-    RotationToJSON,
-    RotationToJSONTyped,
-} from './Rotation';
-
 /**
  * One named vector of numbers, with every convention a policy could get wrong.
  * @export
@@ -38,7 +23,7 @@ export interface VectorSpace {
     /**
      *
      */
-    rotation: Rotation;
+    rotation: string;
     /**
      * `world`, `base`, `tool`, `joint`, or `none`.
      */
@@ -62,7 +47,7 @@ export interface VectorSpace {
     /**
      *
      */
-    out_of_range: OutOfRange;
+    out_of_range: string;
     /**
      * What the numbers are.
      */
@@ -72,8 +57,6 @@ export interface VectorSpace {
      */
     tasks?: Array<string>;
 }
-
-
 
 /**
  * Check if a given object implements the VectorSpace interface.
@@ -101,13 +84,13 @@ export function VectorSpaceFromJSONTyped(json: any, ignoreDiscriminator: boolean
             ...json,
         'size': json['size'],
         'unit': json['unit'],
-        'rotation': RotationFromJSON(json['rotation']),
+        'rotation': json['rotation'],
         'frame': json['frame'],
         'relative': json['relative'],
         'gripper_open': json['gripper_open'] == null ? undefined : json['gripper_open'],
         'minimum': json['minimum'] == null ? undefined : json['minimum'],
         'maximum': json['maximum'] == null ? undefined : json['maximum'],
-        'out_of_range': OutOfRangeFromJSON(json['out_of_range']),
+        'out_of_range': json['out_of_range'],
         'description': json['description'] == null ? undefined : json['description'],
         'tasks': json['tasks'] == null ? undefined : json['tasks'],
     };
@@ -127,13 +110,13 @@ export function VectorSpaceToJSONTyped(value?: VectorSpace | null, ignoreDiscrim
             ...value,
         'size': value['size'],
         'unit': value['unit'],
-        'rotation': RotationToJSON(value['rotation']),
+        'rotation': value['rotation'],
         'frame': value['frame'],
         'relative': value['relative'],
         'gripper_open': value['gripper_open'],
         'minimum': value['minimum'],
         'maximum': value['maximum'],
-        'out_of_range': OutOfRangeToJSON(value['out_of_range']),
+        'out_of_range': value['out_of_range'],
         'description': value['description'],
         'tasks': value['tasks'],
     };

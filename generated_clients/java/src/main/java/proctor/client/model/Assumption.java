@@ -5,329 +5,119 @@
 
 package proctor.client.model;
 
-import java.util.Objects;
-import com.google.gson.TypeAdapter;
-import com.google.gson.annotations.JsonAdapter;
 import com.google.gson.annotations.SerializedName;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-import java.util.Arrays;
-import proctor.client.model.Rotation;
-
-import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
-import com.google.gson.JsonArray;
-import com.google.gson.JsonDeserializationContext;
-import com.google.gson.JsonDeserializer;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonNull;
-import com.google.gson.JsonParseException;
-import com.google.gson.TypeAdapterFactory;
-import com.google.gson.reflect.TypeToken;
-import com.google.gson.TypeAdapter;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-
-import java.util.HashMap;
-import java.util.HashSet;
+import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-
 import proctor.client.JSON;
 
-/**
- * Assumption
- */
-@javax.annotation.Generated(value = "org.openapitools.codegen.languages.JavaClientCodegen", comments = "Generator version: 7.26.0")
 public class Assumption {
-  public static final String SERIALIZED_NAME_SIZE = "size";
-  @SerializedName(SERIALIZED_NAME_SIZE)
-  @javax.annotation.Nullable
+  @SerializedName("size")
   private Integer size;
 
-  public static final String SERIALIZED_NAME_UNIT = "unit";
-  @SerializedName(SERIALIZED_NAME_UNIT)
-  @javax.annotation.Nullable
+  @SerializedName("unit")
   private String unit;
 
-  public static final String SERIALIZED_NAME_ROTATION = "rotation";
-  @SerializedName(SERIALIZED_NAME_ROTATION)
-  @javax.annotation.Nullable
-  private Rotation rotation;
+  @SerializedName("rotation")
+  private String rotation;
 
-  public static final String SERIALIZED_NAME_FRAME = "frame";
-  @SerializedName(SERIALIZED_NAME_FRAME)
-  @javax.annotation.Nullable
+  @SerializedName("frame")
   private String frame;
 
-  public static final String SERIALIZED_NAME_RELATIVE = "relative";
-  @SerializedName(SERIALIZED_NAME_RELATIVE)
-  @javax.annotation.Nullable
+  @SerializedName("relative")
   private Boolean relative;
 
-  public static final String SERIALIZED_NAME_GRIPPER_OPEN = "gripper_open";
-  @SerializedName(SERIALIZED_NAME_GRIPPER_OPEN)
-  @javax.annotation.Nullable
+  @SerializedName("gripper_open")
   private Double gripperOpen;
 
-  public Assumption() {
-  }
-
-  public Assumption size(@javax.annotation.Nullable Integer size) {
-    this.size = size;
-    return this;
-  }
-
-  /**
-   * Get size
-   * minimum: 1
-   * @return size
-   */
-  @javax.annotation.Nullable
   public Integer getSize() {
     return size;
   }
 
-  public void setSize(@javax.annotation.Nullable Integer size) {
+  public Assumption size(Integer size) {
     this.size = size;
-  }
-
-
-  public Assumption unit(@javax.annotation.Nullable String unit) {
-    this.unit = unit;
     return this;
   }
 
-  /**
-   * Get unit
-   * @return unit
-   */
-  @javax.annotation.Nullable
+  public void setSize(Integer size) {
+    this.size = size;
+  }
+
   public String getUnit() {
     return unit;
   }
 
-  public void setUnit(@javax.annotation.Nullable String unit) {
+  public Assumption unit(String unit) {
+    this.unit = unit;
+    return this;
+  }
+
+  public void setUnit(String unit) {
     this.unit = unit;
   }
 
-
-  public Assumption rotation(@javax.annotation.Nullable Rotation rotation) {
-    this.rotation = rotation;
-    return this;
-  }
-
-  /**
-   * Get rotation
-   * @return rotation
-   */
-  @javax.annotation.Nullable
-  public Rotation getRotation() {
+  public String getRotation() {
     return rotation;
   }
 
-  public void setRotation(@javax.annotation.Nullable Rotation rotation) {
+  public Assumption rotation(String rotation) {
     this.rotation = rotation;
-  }
-
-
-  public Assumption frame(@javax.annotation.Nullable String frame) {
-    this.frame = frame;
     return this;
   }
 
-  /**
-   * Get frame
-   * @return frame
-   */
-  @javax.annotation.Nullable
+  public void setRotation(String rotation) {
+    this.rotation = rotation;
+  }
+
   public String getFrame() {
     return frame;
   }
 
-  public void setFrame(@javax.annotation.Nullable String frame) {
+  public Assumption frame(String frame) {
     this.frame = frame;
-  }
-
-
-  public Assumption relative(@javax.annotation.Nullable Boolean relative) {
-    this.relative = relative;
     return this;
   }
 
-  /**
-   * Get relative
-   * @return relative
-   */
-  @javax.annotation.Nullable
+  public void setFrame(String frame) {
+    this.frame = frame;
+  }
+
   public Boolean getRelative() {
     return relative;
   }
 
-  public void setRelative(@javax.annotation.Nullable Boolean relative) {
+  public Assumption relative(Boolean relative) {
     this.relative = relative;
-  }
-
-
-  public Assumption gripperOpen(@javax.annotation.Nullable Double gripperOpen) {
-    this.gripperOpen = gripperOpen;
     return this;
   }
 
-  /**
-   * Get gripperOpen
-   * @return gripperOpen
-   */
-  @javax.annotation.Nullable
+  public void setRelative(Boolean relative) {
+    this.relative = relative;
+  }
+
   public Double getGripperOpen() {
     return gripperOpen;
   }
 
-  public void setGripperOpen(@javax.annotation.Nullable Double gripperOpen) {
+  public Assumption gripperOpen(Double gripperOpen) {
+    this.gripperOpen = gripperOpen;
+    return this;
+  }
+
+  public void setGripperOpen(Double gripperOpen) {
     this.gripperOpen = gripperOpen;
   }
 
-
-
-  @Override
-  public boolean equals(Object o) {
-    if (this == o) {
-      return true;
-    }
-    if (o == null || getClass() != o.getClass()) {
-      return false;
-    }
-    Assumption assumption = (Assumption) o;
-    return Objects.equals(this.size, assumption.size) &&
-        Objects.equals(this.unit, assumption.unit) &&
-        Objects.equals(this.rotation, assumption.rotation) &&
-        Objects.equals(this.frame, assumption.frame) &&
-        Objects.equals(this.relative, assumption.relative) &&
-        Objects.equals(this.gripperOpen, assumption.gripperOpen);
+  public static Assumption fromJson(String text) {
+    return JSON.getGson().fromJson(text, Assumption.class);
   }
 
-  @Override
-  public int hashCode() {
-    return Objects.hash(size, unit, rotation, frame, relative, gripperOpen);
+  public String toJson() {
+    return JSON.getGson().toJson(this);
   }
 
   @Override
   public String toString() {
-    StringBuilder sb = new StringBuilder();
-    sb.append("class Assumption {\n");
-    sb.append("    size: ").append(toIndentedString(size)).append("\n");
-    sb.append("    unit: ").append(toIndentedString(unit)).append("\n");
-    sb.append("    rotation: ").append(toIndentedString(rotation)).append("\n");
-    sb.append("    frame: ").append(toIndentedString(frame)).append("\n");
-    sb.append("    relative: ").append(toIndentedString(relative)).append("\n");
-    sb.append("    gripperOpen: ").append(toIndentedString(gripperOpen)).append("\n");
-    sb.append("}");
-    return sb.toString();
-  }
-
-  /**
-   * Convert the given object to string with each line indented by 4 spaces
-   * (except the first line).
-   */
-  private String toIndentedString(Object o) {
-    return o == null ? "null" : o.toString().replace("\n", "\n    ");
-  }
-
-
-  public static HashSet<String> openapiFields;
-  public static HashSet<String> openapiRequiredFields;
-
-  static {
-    // a set of all properties/fields (JSON key names)
-    openapiFields = new HashSet<String>(Arrays.asList("size", "unit", "rotation", "frame", "relative", "gripper_open"));
-
-    // a set of required properties/fields (JSON key names)
-    openapiRequiredFields = new HashSet<String>(0);
-  }
-
-  /**
-   * Validates the JSON Element and throws an exception if issues found
-   *
-   * @param jsonElement JSON Element
-   * @throws IOException if the JSON Element is invalid with respect to Assumption
-   */
-  public static void validateJsonElement(JsonElement jsonElement) throws IOException {
-      if (jsonElement == null) {
-        if (!Assumption.openapiRequiredFields.isEmpty()) { // has required fields but JSON element is null
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field(s) %s in Assumption is not found in the empty JSON string", Assumption.openapiRequiredFields.toString()));
-        }
-      }
-
-      Set<Map.Entry<String, JsonElement>> entries = jsonElement.getAsJsonObject().entrySet();
-      // check to see if the JSON string contains additional fields
-      for (Map.Entry<String, JsonElement> entry : entries) {
-        if (!Assumption.openapiFields.contains(entry.getKey())) {
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The field `%s` in the JSON string is not defined in the `Assumption` properties. JSON: %s", entry.getKey(), jsonElement.toString()));
-        }
-      }
-        JsonObject jsonObj = jsonElement.getAsJsonObject();
-      if ((jsonObj.get("unit") != null && !jsonObj.get("unit").isJsonNull()) && !jsonObj.get("unit").isJsonPrimitive()) {
-        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `unit` to be a primitive type in the JSON string but got `%s`", jsonObj.get("unit").toString()));
-      }
-      // validate the optional field `rotation`
-      if (jsonObj.get("rotation") != null && !jsonObj.get("rotation").isJsonNull()) {
-        Rotation.validateJsonElement(jsonObj.get("rotation"));
-      }
-      if ((jsonObj.get("frame") != null && !jsonObj.get("frame").isJsonNull()) && !jsonObj.get("frame").isJsonPrimitive()) {
-        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `frame` to be a primitive type in the JSON string but got `%s`", jsonObj.get("frame").toString()));
-      }
-  }
-
-  public static class CustomTypeAdapterFactory implements TypeAdapterFactory {
-    @SuppressWarnings("unchecked")
-    @Override
-    public <T> TypeAdapter<T> create(Gson gson, TypeToken<T> type) {
-       if (!Assumption.class.isAssignableFrom(type.getRawType())) {
-         return null; // this class only serializes 'Assumption' and its subtypes
-       }
-       final TypeAdapter<JsonElement> elementAdapter = gson.getAdapter(JsonElement.class);
-       final TypeAdapter<Assumption> thisAdapter
-                        = gson.getDelegateAdapter(this, TypeToken.get(Assumption.class));
-
-       return (TypeAdapter<T>) new TypeAdapter<Assumption>() {
-           @Override
-           public void write(JsonWriter out, Assumption value) throws IOException {
-             JsonObject obj = thisAdapter.toJsonTree(value).getAsJsonObject();
-             elementAdapter.write(out, obj);
-           }
-
-           @Override
-           public Assumption read(JsonReader in) throws IOException {
-             JsonElement jsonElement = elementAdapter.read(in);
-             validateJsonElement(jsonElement);
-             return thisAdapter.fromJsonTree(jsonElement);
-           }
-
-       }.nullSafe();
-    }
-  }
-
-  /**
-   * Create an instance of Assumption given an JSON string
-   *
-   * @param jsonString JSON string
-   * @return An instance of Assumption
-   * @throws IOException if the JSON string is invalid with respect to Assumption
-   */
-  public static Assumption fromJson(String jsonString) throws IOException {
-    return JSON.getGson().fromJson(jsonString, Assumption.class);
-  }
-
-  /**
-   * Convert an instance of Assumption to an JSON string
-   *
-   * @return JSON string
-   */
-  public String toJson() {
-    return JSON.getGson().toJson(this);
+    return toJson();
   }
 }

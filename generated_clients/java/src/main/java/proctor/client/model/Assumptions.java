@@ -5,259 +5,72 @@
 
 package proctor.client.model;
 
-import java.util.Objects;
-import com.google.gson.TypeAdapter;
-import com.google.gson.annotations.JsonAdapter;
 import com.google.gson.annotations.SerializedName;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-import java.util.Arrays;
-import java.util.HashMap;
-import java.util.Map;
-import proctor.client.model.Assumption;
-
-import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
-import com.google.gson.JsonArray;
-import com.google.gson.JsonDeserializationContext;
-import com.google.gson.JsonDeserializer;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonNull;
-import com.google.gson.JsonParseException;
-import com.google.gson.TypeAdapterFactory;
-import com.google.gson.reflect.TypeToken;
-import com.google.gson.TypeAdapter;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-
-import java.util.HashMap;
-import java.util.HashSet;
+import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-
 import proctor.client.JSON;
 
-/**
- * What the policy takes for granted; refused when the benchmark says otherwise.
- */
-@javax.annotation.Generated(value = "org.openapitools.codegen.languages.JavaClientCodegen", comments = "Generator version: 7.26.0")
+/** What the policy takes for granted; refused when the benchmark says otherwise. */
 public class Assumptions {
-  public static final String SERIALIZED_NAME_CONTROL_RATE_HZ = "control_rate_hz";
-  @SerializedName(SERIALIZED_NAME_CONTROL_RATE_HZ)
-  @javax.annotation.Nullable
+  @SerializedName("control_rate_hz")
   private Double controlRateHz;
 
-  public static final String SERIALIZED_NAME_ACTION = "action";
-  @SerializedName(SERIALIZED_NAME_ACTION)
-  @javax.annotation.Nullable
+  @SerializedName("action")
   private Map<String, Assumption> action;
 
-  public static final String SERIALIZED_NAME_STATE = "state";
-  @SerializedName(SERIALIZED_NAME_STATE)
-  @javax.annotation.Nullable
+  @SerializedName("state")
   private Map<String, Assumption> state;
 
-  public Assumptions() {
-  }
-
-  public Assumptions controlRateHz(@javax.annotation.Nullable Double controlRateHz) {
-    this.controlRateHz = controlRateHz;
-    return this;
-  }
-
-  /**
-   * Get controlRateHz
-   * minimum: 0
-   * @return controlRateHz
-   */
-  @javax.annotation.Nullable
   public Double getControlRateHz() {
     return controlRateHz;
   }
 
-  public void setControlRateHz(@javax.annotation.Nullable Double controlRateHz) {
+  public Assumptions controlRateHz(Double controlRateHz) {
+    this.controlRateHz = controlRateHz;
+    return this;
+  }
+
+  public void setControlRateHz(Double controlRateHz) {
     this.controlRateHz = controlRateHz;
   }
 
-
-  public Assumptions action(@javax.annotation.Nullable Map<String, Assumption> action) {
-    this.action = action;
-    return this;
-  }
-
-  public Assumptions putActionItem(String key, Assumption actionItem) {
-    if (this.action == null) {
-      this.action = new HashMap<>();
-    }
-    this.action.put(key, actionItem);
-    return this;
-  }
-
-  /**
-   * Get action
-   * @return action
-   */
-  @javax.annotation.Nullable
   public Map<String, Assumption> getAction() {
     return action;
   }
 
-  public void setAction(@javax.annotation.Nullable Map<String, Assumption> action) {
+  public Assumptions action(Map<String, Assumption> action) {
+    this.action = action;
+    return this;
+  }
+
+  public void setAction(Map<String, Assumption> action) {
     this.action = action;
   }
 
-
-  public Assumptions state(@javax.annotation.Nullable Map<String, Assumption> state) {
-    this.state = state;
-    return this;
-  }
-
-  public Assumptions putStateItem(String key, Assumption stateItem) {
-    if (this.state == null) {
-      this.state = new HashMap<>();
-    }
-    this.state.put(key, stateItem);
-    return this;
-  }
-
-  /**
-   * Get state
-   * @return state
-   */
-  @javax.annotation.Nullable
   public Map<String, Assumption> getState() {
     return state;
   }
 
-  public void setState(@javax.annotation.Nullable Map<String, Assumption> state) {
+  public Assumptions state(Map<String, Assumption> state) {
+    this.state = state;
+    return this;
+  }
+
+  public void setState(Map<String, Assumption> state) {
     this.state = state;
   }
 
-
-
-  @Override
-  public boolean equals(Object o) {
-    if (this == o) {
-      return true;
-    }
-    if (o == null || getClass() != o.getClass()) {
-      return false;
-    }
-    Assumptions assumptions = (Assumptions) o;
-    return Objects.equals(this.controlRateHz, assumptions.controlRateHz) &&
-        Objects.equals(this.action, assumptions.action) &&
-        Objects.equals(this.state, assumptions.state);
+  public static Assumptions fromJson(String text) {
+    return JSON.getGson().fromJson(text, Assumptions.class);
   }
 
-  @Override
-  public int hashCode() {
-    return Objects.hash(controlRateHz, action, state);
+  public String toJson() {
+    return JSON.getGson().toJson(this);
   }
 
   @Override
   public String toString() {
-    StringBuilder sb = new StringBuilder();
-    sb.append("class Assumptions {\n");
-    sb.append("    controlRateHz: ").append(toIndentedString(controlRateHz)).append("\n");
-    sb.append("    action: ").append(toIndentedString(action)).append("\n");
-    sb.append("    state: ").append(toIndentedString(state)).append("\n");
-    sb.append("}");
-    return sb.toString();
-  }
-
-  /**
-   * Convert the given object to string with each line indented by 4 spaces
-   * (except the first line).
-   */
-  private String toIndentedString(Object o) {
-    return o == null ? "null" : o.toString().replace("\n", "\n    ");
-  }
-
-
-  public static HashSet<String> openapiFields;
-  public static HashSet<String> openapiRequiredFields;
-
-  static {
-    // a set of all properties/fields (JSON key names)
-    openapiFields = new HashSet<String>(Arrays.asList("control_rate_hz", "action", "state"));
-
-    // a set of required properties/fields (JSON key names)
-    openapiRequiredFields = new HashSet<String>(0);
-  }
-
-  /**
-   * Validates the JSON Element and throws an exception if issues found
-   *
-   * @param jsonElement JSON Element
-   * @throws IOException if the JSON Element is invalid with respect to Assumptions
-   */
-  public static void validateJsonElement(JsonElement jsonElement) throws IOException {
-      if (jsonElement == null) {
-        if (!Assumptions.openapiRequiredFields.isEmpty()) { // has required fields but JSON element is null
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field(s) %s in Assumptions is not found in the empty JSON string", Assumptions.openapiRequiredFields.toString()));
-        }
-      }
-
-      Set<Map.Entry<String, JsonElement>> entries = jsonElement.getAsJsonObject().entrySet();
-      // check to see if the JSON string contains additional fields
-      for (Map.Entry<String, JsonElement> entry : entries) {
-        if (!Assumptions.openapiFields.contains(entry.getKey())) {
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The field `%s` in the JSON string is not defined in the `Assumptions` properties. JSON: %s", entry.getKey(), jsonElement.toString()));
-        }
-      }
-        JsonObject jsonObj = jsonElement.getAsJsonObject();
-  }
-
-  public static class CustomTypeAdapterFactory implements TypeAdapterFactory {
-    @SuppressWarnings("unchecked")
-    @Override
-    public <T> TypeAdapter<T> create(Gson gson, TypeToken<T> type) {
-       if (!Assumptions.class.isAssignableFrom(type.getRawType())) {
-         return null; // this class only serializes 'Assumptions' and its subtypes
-       }
-       final TypeAdapter<JsonElement> elementAdapter = gson.getAdapter(JsonElement.class);
-       final TypeAdapter<Assumptions> thisAdapter
-                        = gson.getDelegateAdapter(this, TypeToken.get(Assumptions.class));
-
-       return (TypeAdapter<T>) new TypeAdapter<Assumptions>() {
-           @Override
-           public void write(JsonWriter out, Assumptions value) throws IOException {
-             JsonObject obj = thisAdapter.toJsonTree(value).getAsJsonObject();
-             elementAdapter.write(out, obj);
-           }
-
-           @Override
-           public Assumptions read(JsonReader in) throws IOException {
-             JsonElement jsonElement = elementAdapter.read(in);
-             validateJsonElement(jsonElement);
-             return thisAdapter.fromJsonTree(jsonElement);
-           }
-
-       }.nullSafe();
-    }
-  }
-
-  /**
-   * Create an instance of Assumptions given an JSON string
-   *
-   * @param jsonString JSON string
-   * @return An instance of Assumptions
-   * @throws IOException if the JSON string is invalid with respect to Assumptions
-   */
-  public static Assumptions fromJson(String jsonString) throws IOException {
-    return JSON.getGson().fromJson(jsonString, Assumptions.class);
-  }
-
-  /**
-   * Convert an instance of Assumptions to an JSON string
-   *
-   * @return JSON string
-   */
-  public String toJson() {
-    return JSON.getGson().toJson(this);
+    return toJson();
   }
 }

@@ -5,446 +5,144 @@
 
 package proctor.client.model;
 
-import java.util.Objects;
-import com.google.gson.TypeAdapter;
-import com.google.gson.annotations.JsonAdapter;
 import com.google.gson.annotations.SerializedName;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-import java.util.Arrays;
-
-import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
-import com.google.gson.JsonArray;
-import com.google.gson.JsonDeserializationContext;
-import com.google.gson.JsonDeserializer;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonNull;
-import com.google.gson.JsonParseException;
-import com.google.gson.TypeAdapterFactory;
-import com.google.gson.reflect.TypeToken;
-import com.google.gson.TypeAdapter;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-
-import java.util.HashMap;
-import java.util.HashSet;
+import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-
 import proctor.client.JSON;
 
-/**
- * The episode that the observation belongs to.
- */
-@javax.annotation.Generated(value = "org.openapitools.codegen.languages.JavaClientCodegen", comments = "Generator version: 7.26.0")
+/** The episode that the observation belongs to. */
 public class EpisodeView {
-  public static final String SERIALIZED_NAME_EPISODE_ID = "episode_id";
-  @SerializedName(SERIALIZED_NAME_EPISODE_ID)
+  @SerializedName("episode_id")
   @javax.annotation.Nonnull
   private String episodeId;
 
-  public static final String SERIALIZED_NAME_INDEX = "index";
-  @SerializedName(SERIALIZED_NAME_INDEX)
+  @SerializedName("index")
   @javax.annotation.Nonnull
   private Integer index;
 
-  public static final String SERIALIZED_NAME_TASK = "task";
-  @SerializedName(SERIALIZED_NAME_TASK)
+  @SerializedName("task")
   @javax.annotation.Nonnull
   private String task;
 
-  public static final String SERIALIZED_NAME_INSTRUCTION = "instruction";
-  @SerializedName(SERIALIZED_NAME_INSTRUCTION)
+  @SerializedName("instruction")
   @javax.annotation.Nonnull
   private String instruction;
 
-  public static final String SERIALIZED_NAME_ATTEMPT = "attempt";
-  @SerializedName(SERIALIZED_NAME_ATTEMPT)
+  @SerializedName("attempt")
   @javax.annotation.Nonnull
   private Integer attempt;
 
-  public static final String SERIALIZED_NAME_STEP = "step";
-  @SerializedName(SERIALIZED_NAME_STEP)
+  @SerializedName("step")
   @javax.annotation.Nonnull
   private Integer step;
 
-  public static final String SERIALIZED_NAME_MAX_STEPS = "max_steps";
-  @SerializedName(SERIALIZED_NAME_MAX_STEPS)
+  @SerializedName("max_steps")
   @javax.annotation.Nonnull
   private Integer maxSteps;
 
-  public EpisodeView() {
-  }
-
-  public EpisodeView episodeId(@javax.annotation.Nonnull String episodeId) {
-    this.episodeId = episodeId;
-    return this;
-  }
-
-  /**
-   * Get episodeId
-   * @return episodeId
-   */
-  @javax.annotation.Nonnull
   public String getEpisodeId() {
     return episodeId;
   }
 
-  public void setEpisodeId(@javax.annotation.Nonnull String episodeId) {
+  public EpisodeView episodeId(String episodeId) {
     this.episodeId = episodeId;
-  }
-
-
-  public EpisodeView index(@javax.annotation.Nonnull Integer index) {
-    this.index = index;
     return this;
   }
 
-  /**
-   * Position in the manifest.
-   * minimum: 0
-   * @return index
-   */
-  @javax.annotation.Nonnull
+  public void setEpisodeId(String episodeId) {
+    this.episodeId = episodeId;
+  }
+
+  /** Position in the manifest. */
   public Integer getIndex() {
     return index;
   }
 
-  public void setIndex(@javax.annotation.Nonnull Integer index) {
+  public EpisodeView index(Integer index) {
     this.index = index;
-  }
-
-
-  public EpisodeView task(@javax.annotation.Nonnull String task) {
-    this.task = task;
     return this;
   }
 
-  /**
-   * Get task
-   * @return task
-   */
-  @javax.annotation.Nonnull
+  public void setIndex(Integer index) {
+    this.index = index;
+  }
+
   public String getTask() {
     return task;
   }
 
-  public void setTask(@javax.annotation.Nonnull String task) {
+  public EpisodeView task(String task) {
     this.task = task;
-  }
-
-
-  public EpisodeView instruction(@javax.annotation.Nonnull String instruction) {
-    this.instruction = instruction;
     return this;
   }
 
-  /**
-   * Get instruction
-   * @return instruction
-   */
-  @javax.annotation.Nonnull
+  public void setTask(String task) {
+    this.task = task;
+  }
+
   public String getInstruction() {
     return instruction;
   }
 
-  public void setInstruction(@javax.annotation.Nonnull String instruction) {
+  public EpisodeView instruction(String instruction) {
     this.instruction = instruction;
-  }
-
-
-  public EpisodeView attempt(@javax.annotation.Nonnull Integer attempt) {
-    this.attempt = attempt;
     return this;
   }
 
-  /**
-   * Get attempt
-   * minimum: 1
-   * @return attempt
-   */
-  @javax.annotation.Nonnull
+  public void setInstruction(String instruction) {
+    this.instruction = instruction;
+  }
+
   public Integer getAttempt() {
     return attempt;
   }
 
-  public void setAttempt(@javax.annotation.Nonnull Integer attempt) {
+  public EpisodeView attempt(Integer attempt) {
     this.attempt = attempt;
-  }
-
-
-  public EpisodeView step(@javax.annotation.Nonnull Integer step) {
-    this.step = step;
     return this;
   }
 
-  /**
-   * Get step
-   * minimum: 0
-   * @return step
-   */
-  @javax.annotation.Nonnull
+  public void setAttempt(Integer attempt) {
+    this.attempt = attempt;
+  }
+
   public Integer getStep() {
     return step;
   }
 
-  public void setStep(@javax.annotation.Nonnull Integer step) {
+  public EpisodeView step(Integer step) {
     this.step = step;
-  }
-
-
-  public EpisodeView maxSteps(@javax.annotation.Nonnull Integer maxSteps) {
-    this.maxSteps = maxSteps;
     return this;
   }
 
-  /**
-   * Get maxSteps
-   * minimum: 1
-   * @return maxSteps
-   */
-  @javax.annotation.Nonnull
+  public void setStep(Integer step) {
+    this.step = step;
+  }
+
   public Integer getMaxSteps() {
     return maxSteps;
   }
 
-  public void setMaxSteps(@javax.annotation.Nonnull Integer maxSteps) {
+  public EpisodeView maxSteps(Integer maxSteps) {
     this.maxSteps = maxSteps;
-  }
-
-  /**
-   * A container for additional, undeclared properties.
-   * This is a holder for any undeclared properties as specified with
-   * the 'additionalProperties' keyword in the OAS document.
-   */
-  private Map<String, Object> additionalProperties;
-
-  /**
-   * Set the additional (undeclared) property with the specified name and value.
-   * If the property does not already exist, create it otherwise replace it.
-   *
-   * @param key name of the property
-   * @param value value of the property
-   * @return the EpisodeView instance itself
-   */
-  public EpisodeView putAdditionalProperty(String key, Object value) {
-    if (this.additionalProperties == null) {
-        this.additionalProperties = new HashMap<String, Object>();
-    }
-    this.additionalProperties.put(key, value);
     return this;
   }
 
-  /**
-   * Return the additional (undeclared) property.
-   *
-   * @return a map of objects
-   */
-  public Map<String, Object> getAdditionalProperties() {
-    return additionalProperties;
+  public void setMaxSteps(Integer maxSteps) {
+    this.maxSteps = maxSteps;
   }
 
-  /**
-   * Return the additional (undeclared) property with the specified name.
-   *
-   * @param key name of the property
-   * @return an object
-   */
-  public Object getAdditionalProperty(String key) {
-    if (this.additionalProperties == null) {
-        return null;
-    }
-    return this.additionalProperties.get(key);
+  public static EpisodeView fromJson(String text) {
+    return JSON.getGson().fromJson(text, EpisodeView.class);
   }
 
-
-  @Override
-  public boolean equals(Object o) {
-    if (this == o) {
-      return true;
-    }
-    if (o == null || getClass() != o.getClass()) {
-      return false;
-    }
-    EpisodeView episodeView = (EpisodeView) o;
-    return Objects.equals(this.episodeId, episodeView.episodeId) &&
-        Objects.equals(this.index, episodeView.index) &&
-        Objects.equals(this.task, episodeView.task) &&
-        Objects.equals(this.instruction, episodeView.instruction) &&
-        Objects.equals(this.attempt, episodeView.attempt) &&
-        Objects.equals(this.step, episodeView.step) &&
-        Objects.equals(this.maxSteps, episodeView.maxSteps)&&
-        Objects.equals(this.additionalProperties, episodeView.additionalProperties);
-  }
-
-  @Override
-  public int hashCode() {
-    return Objects.hash(episodeId, index, task, instruction, attempt, step, maxSteps, additionalProperties);
+  public String toJson() {
+    return JSON.getGson().toJson(this);
   }
 
   @Override
   public String toString() {
-    StringBuilder sb = new StringBuilder();
-    sb.append("class EpisodeView {\n");
-    sb.append("    episodeId: ").append(toIndentedString(episodeId)).append("\n");
-    sb.append("    index: ").append(toIndentedString(index)).append("\n");
-    sb.append("    task: ").append(toIndentedString(task)).append("\n");
-    sb.append("    instruction: ").append(toIndentedString(instruction)).append("\n");
-    sb.append("    attempt: ").append(toIndentedString(attempt)).append("\n");
-    sb.append("    step: ").append(toIndentedString(step)).append("\n");
-    sb.append("    maxSteps: ").append(toIndentedString(maxSteps)).append("\n");
-    sb.append("    additionalProperties: ").append(toIndentedString(additionalProperties)).append("\n");
-    sb.append("}");
-    return sb.toString();
-  }
-
-  /**
-   * Convert the given object to string with each line indented by 4 spaces
-   * (except the first line).
-   */
-  private String toIndentedString(Object o) {
-    return o == null ? "null" : o.toString().replace("\n", "\n    ");
-  }
-
-
-  public static HashSet<String> openapiFields;
-  public static HashSet<String> openapiRequiredFields;
-
-  static {
-    // a set of all properties/fields (JSON key names)
-    openapiFields = new HashSet<String>(Arrays.asList("episode_id", "index", "task", "instruction", "attempt", "step", "max_steps"));
-
-    // a set of required properties/fields (JSON key names)
-    openapiRequiredFields = new HashSet<String>(Arrays.asList("episode_id", "index", "task", "instruction", "attempt", "step", "max_steps"));
-  }
-
-  /**
-   * Validates the JSON Element and throws an exception if issues found
-   *
-   * @param jsonElement JSON Element
-   * @throws IOException if the JSON Element is invalid with respect to EpisodeView
-   */
-  public static void validateJsonElement(JsonElement jsonElement) throws IOException {
-      if (jsonElement == null) {
-        if (!EpisodeView.openapiRequiredFields.isEmpty()) { // has required fields but JSON element is null
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field(s) %s in EpisodeView is not found in the empty JSON string", EpisodeView.openapiRequiredFields.toString()));
-        }
-      }
-
-      // check to make sure all required properties/fields are present in the JSON string
-      for (String requiredField : EpisodeView.openapiRequiredFields) {
-        if (jsonElement.getAsJsonObject().get(requiredField) == null) {
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field `%s` is not found in the JSON string: %s", requiredField, jsonElement.toString()));
-        }
-      }
-        JsonObject jsonObj = jsonElement.getAsJsonObject();
-      if (!jsonObj.get("episode_id").isJsonPrimitive()) {
-        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `episode_id` to be a primitive type in the JSON string but got `%s`", jsonObj.get("episode_id").toString()));
-      }
-      if (!jsonObj.get("task").isJsonPrimitive()) {
-        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `task` to be a primitive type in the JSON string but got `%s`", jsonObj.get("task").toString()));
-      }
-      if (!jsonObj.get("instruction").isJsonPrimitive()) {
-        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `instruction` to be a primitive type in the JSON string but got `%s`", jsonObj.get("instruction").toString()));
-      }
-  }
-
-  public static class CustomTypeAdapterFactory implements TypeAdapterFactory {
-    @SuppressWarnings("unchecked")
-    @Override
-    public <T> TypeAdapter<T> create(Gson gson, TypeToken<T> type) {
-       if (!EpisodeView.class.isAssignableFrom(type.getRawType())) {
-         return null; // this class only serializes 'EpisodeView' and its subtypes
-       }
-       final TypeAdapter<JsonElement> elementAdapter = gson.getAdapter(JsonElement.class);
-       final TypeAdapter<EpisodeView> thisAdapter
-                        = gson.getDelegateAdapter(this, TypeToken.get(EpisodeView.class));
-
-       return (TypeAdapter<T>) new TypeAdapter<EpisodeView>() {
-           @Override
-           public void write(JsonWriter out, EpisodeView value) throws IOException {
-             JsonObject obj = thisAdapter.toJsonTree(value).getAsJsonObject();
-             obj.remove("additionalProperties");
-             // serialize additional properties
-             if (value.getAdditionalProperties() != null) {
-               for (Map.Entry<String, Object> entry : value.getAdditionalProperties().entrySet()) {
-                 if (entry.getValue() instanceof String)
-                   obj.addProperty(entry.getKey(), (String) entry.getValue());
-                 else if (entry.getValue() instanceof Number)
-                   obj.addProperty(entry.getKey(), (Number) entry.getValue());
-                 else if (entry.getValue() instanceof Boolean)
-                   obj.addProperty(entry.getKey(), (Boolean) entry.getValue());
-                 else if (entry.getValue() instanceof Character)
-                   obj.addProperty(entry.getKey(), (Character) entry.getValue());
-                 else {
-                   JsonElement jsonElement = gson.toJsonTree(entry.getValue());
-                   if (jsonElement.isJsonNull()) {
-                     obj.add(entry.getKey(), JsonNull.INSTANCE);
-                   } else if (jsonElement.isJsonArray()) {
-                     obj.add(entry.getKey(), jsonElement.getAsJsonArray());
-                   } else {
-                     obj.add(entry.getKey(), jsonElement.getAsJsonObject());
-                   }
-                 }
-               }
-             }
-             elementAdapter.write(out, obj);
-           }
-
-           @Override
-           public EpisodeView read(JsonReader in) throws IOException {
-             JsonElement jsonElement = elementAdapter.read(in);
-             validateJsonElement(jsonElement);
-             JsonObject jsonObj = jsonElement.getAsJsonObject();
-             // store additional fields in the deserialized instance
-             EpisodeView instance = thisAdapter.fromJsonTree(jsonObj);
-             for (Map.Entry<String, JsonElement> entry : jsonObj.entrySet()) {
-               if (!openapiFields.contains(entry.getKey())) {
-                 if (entry.getValue().isJsonPrimitive()) { // primitive type
-                   if (entry.getValue().getAsJsonPrimitive().isString())
-                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsString());
-                   else if (entry.getValue().getAsJsonPrimitive().isNumber())
-                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsNumber());
-                   else if (entry.getValue().getAsJsonPrimitive().isBoolean())
-                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsBoolean());
-                   else
-                     throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The field `%s` has unknown primitive type. Value: %s", entry.getKey(), entry.getValue().toString()));
-                 } else if (entry.getValue().isJsonArray()) {
-                     instance.putAdditionalProperty(entry.getKey(), gson.fromJson(entry.getValue(), List.class));
-                 } else { // JSON object
-                     instance.putAdditionalProperty(entry.getKey(), gson.fromJson(entry.getValue(), HashMap.class));
-                 }
-               }
-             }
-             return instance;
-           }
-
-       }.nullSafe();
-    }
-  }
-
-  /**
-   * Create an instance of EpisodeView given an JSON string
-   *
-   * @param jsonString JSON string
-   * @return An instance of EpisodeView
-   * @throws IOException if the JSON string is invalid with respect to EpisodeView
-   */
-  public static EpisodeView fromJson(String jsonString) throws IOException {
-    return JSON.getGson().fromJson(jsonString, EpisodeView.class);
-  }
-
-  /**
-   * Convert an instance of EpisodeView to an JSON string
-   *
-   * @return JSON string
-   */
-  public String toJson() {
-    return JSON.getGson().toJson(this);
+    return toJson();
   }
 }

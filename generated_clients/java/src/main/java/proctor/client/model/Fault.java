@@ -5,336 +5,76 @@
 
 package proctor.client.model;
 
-import java.util.Objects;
-import com.google.gson.TypeAdapter;
-import com.google.gson.annotations.JsonAdapter;
 import com.google.gson.annotations.SerializedName;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-import java.util.Arrays;
-
-import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
-import com.google.gson.JsonArray;
-import com.google.gson.JsonDeserializationContext;
-import com.google.gson.JsonDeserializer;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonNull;
-import com.google.gson.JsonParseException;
-import com.google.gson.TypeAdapterFactory;
-import com.google.gson.reflect.TypeToken;
-import com.google.gson.TypeAdapter;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-
-import java.util.HashMap;
-import java.util.HashSet;
+import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-
 import proctor.client.JSON;
 
-/**
- * The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed.
- */
-@javax.annotation.Generated(value = "org.openapitools.codegen.languages.JavaClientCodegen", comments = "Generator version: 7.26.0")
+/** The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed. */
 public class Fault {
-  public static final String SERIALIZED_NAME_EPISODE_ID = "episode_id";
-  @SerializedName(SERIALIZED_NAME_EPISODE_ID)
+  @SerializedName("episode_id")
   @javax.annotation.Nonnull
   private String episodeId;
 
-  public static final String SERIALIZED_NAME_FAULTS = "faults";
-  @SerializedName(SERIALIZED_NAME_FAULTS)
+  @SerializedName("faults")
   @javax.annotation.Nonnull
   private Integer faults;
 
-  public static final String SERIALIZED_NAME_DETAIL = "detail";
-  @SerializedName(SERIALIZED_NAME_DETAIL)
+  @SerializedName("detail")
   @javax.annotation.Nonnull
   private String detail;
 
-  public Fault() {
-  }
-
-  public Fault episodeId(@javax.annotation.Nonnull String episodeId) {
-    this.episodeId = episodeId;
-    return this;
-  }
-
-  /**
-   * Get episodeId
-   * @return episodeId
-   */
-  @javax.annotation.Nonnull
   public String getEpisodeId() {
     return episodeId;
   }
 
-  public void setEpisodeId(@javax.annotation.Nonnull String episodeId) {
+  public Fault episodeId(String episodeId) {
     this.episodeId = episodeId;
-  }
-
-
-  public Fault faults(@javax.annotation.Nonnull Integer faults) {
-    this.faults = faults;
     return this;
   }
 
-  /**
-   * Faults of this episode so far.
-   * minimum: 1
-   * @return faults
-   */
-  @javax.annotation.Nonnull
+  public void setEpisodeId(String episodeId) {
+    this.episodeId = episodeId;
+  }
+
+  /** Faults of this episode so far. */
   public Integer getFaults() {
     return faults;
   }
 
-  public void setFaults(@javax.annotation.Nonnull Integer faults) {
+  public Fault faults(Integer faults) {
     this.faults = faults;
-  }
-
-
-  public Fault detail(@javax.annotation.Nonnull String detail) {
-    this.detail = detail;
     return this;
   }
 
-  /**
-   * Get detail
-   * @return detail
-   */
-  @javax.annotation.Nonnull
+  public void setFaults(Integer faults) {
+    this.faults = faults;
+  }
+
   public String getDetail() {
     return detail;
   }
 
-  public void setDetail(@javax.annotation.Nonnull String detail) {
+  public Fault detail(String detail) {
     this.detail = detail;
-  }
-
-  /**
-   * A container for additional, undeclared properties.
-   * This is a holder for any undeclared properties as specified with
-   * the 'additionalProperties' keyword in the OAS document.
-   */
-  private Map<String, Object> additionalProperties;
-
-  /**
-   * Set the additional (undeclared) property with the specified name and value.
-   * If the property does not already exist, create it otherwise replace it.
-   *
-   * @param key name of the property
-   * @param value value of the property
-   * @return the Fault instance itself
-   */
-  public Fault putAdditionalProperty(String key, Object value) {
-    if (this.additionalProperties == null) {
-        this.additionalProperties = new HashMap<String, Object>();
-    }
-    this.additionalProperties.put(key, value);
     return this;
   }
 
-  /**
-   * Return the additional (undeclared) property.
-   *
-   * @return a map of objects
-   */
-  public Map<String, Object> getAdditionalProperties() {
-    return additionalProperties;
+  public void setDetail(String detail) {
+    this.detail = detail;
   }
 
-  /**
-   * Return the additional (undeclared) property with the specified name.
-   *
-   * @param key name of the property
-   * @return an object
-   */
-  public Object getAdditionalProperty(String key) {
-    if (this.additionalProperties == null) {
-        return null;
-    }
-    return this.additionalProperties.get(key);
+  public static Fault fromJson(String text) {
+    return JSON.getGson().fromJson(text, Fault.class);
   }
 
-
-  @Override
-  public boolean equals(Object o) {
-    if (this == o) {
-      return true;
-    }
-    if (o == null || getClass() != o.getClass()) {
-      return false;
-    }
-    Fault fault = (Fault) o;
-    return Objects.equals(this.episodeId, fault.episodeId) &&
-        Objects.equals(this.faults, fault.faults) &&
-        Objects.equals(this.detail, fault.detail)&&
-        Objects.equals(this.additionalProperties, fault.additionalProperties);
-  }
-
-  @Override
-  public int hashCode() {
-    return Objects.hash(episodeId, faults, detail, additionalProperties);
+  public String toJson() {
+    return JSON.getGson().toJson(this);
   }
 
   @Override
   public String toString() {
-    StringBuilder sb = new StringBuilder();
-    sb.append("class Fault {\n");
-    sb.append("    episodeId: ").append(toIndentedString(episodeId)).append("\n");
-    sb.append("    faults: ").append(toIndentedString(faults)).append("\n");
-    sb.append("    detail: ").append(toIndentedString(detail)).append("\n");
-    sb.append("    additionalProperties: ").append(toIndentedString(additionalProperties)).append("\n");
-    sb.append("}");
-    return sb.toString();
-  }
-
-  /**
-   * Convert the given object to string with each line indented by 4 spaces
-   * (except the first line).
-   */
-  private String toIndentedString(Object o) {
-    return o == null ? "null" : o.toString().replace("\n", "\n    ");
-  }
-
-
-  public static HashSet<String> openapiFields;
-  public static HashSet<String> openapiRequiredFields;
-
-  static {
-    // a set of all properties/fields (JSON key names)
-    openapiFields = new HashSet<String>(Arrays.asList("episode_id", "faults", "detail"));
-
-    // a set of required properties/fields (JSON key names)
-    openapiRequiredFields = new HashSet<String>(Arrays.asList("episode_id", "faults", "detail"));
-  }
-
-  /**
-   * Validates the JSON Element and throws an exception if issues found
-   *
-   * @param jsonElement JSON Element
-   * @throws IOException if the JSON Element is invalid with respect to Fault
-   */
-  public static void validateJsonElement(JsonElement jsonElement) throws IOException {
-      if (jsonElement == null) {
-        if (!Fault.openapiRequiredFields.isEmpty()) { // has required fields but JSON element is null
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field(s) %s in Fault is not found in the empty JSON string", Fault.openapiRequiredFields.toString()));
-        }
-      }
-
-      // check to make sure all required properties/fields are present in the JSON string
-      for (String requiredField : Fault.openapiRequiredFields) {
-        if (jsonElement.getAsJsonObject().get(requiredField) == null) {
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field `%s` is not found in the JSON string: %s", requiredField, jsonElement.toString()));
-        }
-      }
-        JsonObject jsonObj = jsonElement.getAsJsonObject();
-      if (!jsonObj.get("episode_id").isJsonPrimitive()) {
-        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `episode_id` to be a primitive type in the JSON string but got `%s`", jsonObj.get("episode_id").toString()));
-      }
-      if (!jsonObj.get("detail").isJsonPrimitive()) {
-        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `detail` to be a primitive type in the JSON string but got `%s`", jsonObj.get("detail").toString()));
-      }
-  }
-
-  public static class CustomTypeAdapterFactory implements TypeAdapterFactory {
-    @SuppressWarnings("unchecked")
-    @Override
-    public <T> TypeAdapter<T> create(Gson gson, TypeToken<T> type) {
-       if (!Fault.class.isAssignableFrom(type.getRawType())) {
-         return null; // this class only serializes 'Fault' and its subtypes
-       }
-       final TypeAdapter<JsonElement> elementAdapter = gson.getAdapter(JsonElement.class);
-       final TypeAdapter<Fault> thisAdapter
-                        = gson.getDelegateAdapter(this, TypeToken.get(Fault.class));
-
-       return (TypeAdapter<T>) new TypeAdapter<Fault>() {
-           @Override
-           public void write(JsonWriter out, Fault value) throws IOException {
-             JsonObject obj = thisAdapter.toJsonTree(value).getAsJsonObject();
-             obj.remove("additionalProperties");
-             // serialize additional properties
-             if (value.getAdditionalProperties() != null) {
-               for (Map.Entry<String, Object> entry : value.getAdditionalProperties().entrySet()) {
-                 if (entry.getValue() instanceof String)
-                   obj.addProperty(entry.getKey(), (String) entry.getValue());
-                 else if (entry.getValue() instanceof Number)
-                   obj.addProperty(entry.getKey(), (Number) entry.getValue());
-                 else if (entry.getValue() instanceof Boolean)
-                   obj.addProperty(entry.getKey(), (Boolean) entry.getValue());
-                 else if (entry.getValue() instanceof Character)
-                   obj.addProperty(entry.getKey(), (Character) entry.getValue());
-                 else {
-                   JsonElement jsonElement = gson.toJsonTree(entry.getValue());
-                   if (jsonElement.isJsonNull()) {
-                     obj.add(entry.getKey(), JsonNull.INSTANCE);
-                   } else if (jsonElement.isJsonArray()) {
-                     obj.add(entry.getKey(), jsonElement.getAsJsonArray());
-                   } else {
-                     obj.add(entry.getKey(), jsonElement.getAsJsonObject());
-                   }
-                 }
-               }
-             }
-             elementAdapter.write(out, obj);
-           }
-
-           @Override
-           public Fault read(JsonReader in) throws IOException {
-             JsonElement jsonElement = elementAdapter.read(in);
-             validateJsonElement(jsonElement);
-             JsonObject jsonObj = jsonElement.getAsJsonObject();
-             // store additional fields in the deserialized instance
-             Fault instance = thisAdapter.fromJsonTree(jsonObj);
-             for (Map.Entry<String, JsonElement> entry : jsonObj.entrySet()) {
-               if (!openapiFields.contains(entry.getKey())) {
-                 if (entry.getValue().isJsonPrimitive()) { // primitive type
-                   if (entry.getValue().getAsJsonPrimitive().isString())
-                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsString());
-                   else if (entry.getValue().getAsJsonPrimitive().isNumber())
-                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsNumber());
-                   else if (entry.getValue().getAsJsonPrimitive().isBoolean())
-                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsBoolean());
-                   else
-                     throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The field `%s` has unknown primitive type. Value: %s", entry.getKey(), entry.getValue().toString()));
-                 } else if (entry.getValue().isJsonArray()) {
-                     instance.putAdditionalProperty(entry.getKey(), gson.fromJson(entry.getValue(), List.class));
-                 } else { // JSON object
-                     instance.putAdditionalProperty(entry.getKey(), gson.fromJson(entry.getValue(), HashMap.class));
-                 }
-               }
-             }
-             return instance;
-           }
-
-       }.nullSafe();
-    }
-  }
-
-  /**
-   * Create an instance of Fault given an JSON string
-   *
-   * @param jsonString JSON string
-   * @return An instance of Fault
-   * @throws IOException if the JSON string is invalid with respect to Fault
-   */
-  public static Fault fromJson(String jsonString) throws IOException {
-    return JSON.getGson().fromJson(jsonString, Fault.class);
-  }
-
-  /**
-   * Convert an instance of Fault to an JSON string
-   *
-   * @return JSON string
-   */
-  public String toJson() {
-    return JSON.getGson().toJson(this);
+    return toJson();
   }
 }

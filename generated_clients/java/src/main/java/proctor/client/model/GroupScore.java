@@ -5,330 +5,72 @@
 
 package proctor.client.model;
 
-import java.util.Objects;
-import com.google.gson.TypeAdapter;
-import com.google.gson.annotations.JsonAdapter;
 import com.google.gson.annotations.SerializedName;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-import java.util.Arrays;
-import proctor.client.model.OutcomeCounts;
-
-import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
-import com.google.gson.JsonArray;
-import com.google.gson.JsonDeserializationContext;
-import com.google.gson.JsonDeserializer;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonNull;
-import com.google.gson.JsonParseException;
-import com.google.gson.TypeAdapterFactory;
-import com.google.gson.reflect.TypeToken;
-import com.google.gson.TypeAdapter;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-
-import java.util.HashMap;
-import java.util.HashSet;
+import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-
 import proctor.client.JSON;
 
-/**
- * GroupScore
- */
-@javax.annotation.Generated(value = "org.openapitools.codegen.languages.JavaClientCodegen", comments = "Generator version: 7.26.0")
 public class GroupScore {
-  public static final String SERIALIZED_NAME_COUNTS = "counts";
-  @SerializedName(SERIALIZED_NAME_COUNTS)
+  @SerializedName("counts")
   @javax.annotation.Nonnull
   private OutcomeCounts counts;
 
-  public static final String SERIALIZED_NAME_MEAN = "mean";
-  @SerializedName(SERIALIZED_NAME_MEAN)
-  @javax.annotation.Nullable
+  @SerializedName("mean")
   private Double mean;
 
-  public static final String SERIALIZED_NAME_SUCCESS_RATE = "success_rate";
-  @SerializedName(SERIALIZED_NAME_SUCCESS_RATE)
-  @javax.annotation.Nullable
+  @SerializedName("success_rate")
   private Double successRate;
 
-  public GroupScore() {
-  }
-
-  public GroupScore counts(@javax.annotation.Nonnull OutcomeCounts counts) {
-    this.counts = counts;
-    return this;
-  }
-
-  /**
-   * Get counts
-   * @return counts
-   */
-  @javax.annotation.Nonnull
   public OutcomeCounts getCounts() {
     return counts;
   }
 
-  public void setCounts(@javax.annotation.Nonnull OutcomeCounts counts) {
+  public GroupScore counts(OutcomeCounts counts) {
     this.counts = counts;
-  }
-
-
-  public GroupScore mean(@javax.annotation.Nullable Double mean) {
-    this.mean = mean;
     return this;
   }
 
-  /**
-   * Get mean
-   * @return mean
-   */
-  @javax.annotation.Nullable
+  public void setCounts(OutcomeCounts counts) {
+    this.counts = counts;
+  }
+
   public Double getMean() {
     return mean;
   }
 
-  public void setMean(@javax.annotation.Nullable Double mean) {
+  public GroupScore mean(Double mean) {
     this.mean = mean;
-  }
-
-
-  public GroupScore successRate(@javax.annotation.Nullable Double successRate) {
-    this.successRate = successRate;
     return this;
   }
 
-  /**
-   * Get successRate
-   * @return successRate
-   */
-  @javax.annotation.Nullable
+  public void setMean(Double mean) {
+    this.mean = mean;
+  }
+
   public Double getSuccessRate() {
     return successRate;
   }
 
-  public void setSuccessRate(@javax.annotation.Nullable Double successRate) {
+  public GroupScore successRate(Double successRate) {
     this.successRate = successRate;
-  }
-
-  /**
-   * A container for additional, undeclared properties.
-   * This is a holder for any undeclared properties as specified with
-   * the 'additionalProperties' keyword in the OAS document.
-   */
-  private Map<String, Object> additionalProperties;
-
-  /**
-   * Set the additional (undeclared) property with the specified name and value.
-   * If the property does not already exist, create it otherwise replace it.
-   *
-   * @param key name of the property
-   * @param value value of the property
-   * @return the GroupScore instance itself
-   */
-  public GroupScore putAdditionalProperty(String key, Object value) {
-    if (this.additionalProperties == null) {
-        this.additionalProperties = new HashMap<String, Object>();
-    }
-    this.additionalProperties.put(key, value);
     return this;
   }
 
-  /**
-   * Return the additional (undeclared) property.
-   *
-   * @return a map of objects
-   */
-  public Map<String, Object> getAdditionalProperties() {
-    return additionalProperties;
+  public void setSuccessRate(Double successRate) {
+    this.successRate = successRate;
   }
 
-  /**
-   * Return the additional (undeclared) property with the specified name.
-   *
-   * @param key name of the property
-   * @return an object
-   */
-  public Object getAdditionalProperty(String key) {
-    if (this.additionalProperties == null) {
-        return null;
-    }
-    return this.additionalProperties.get(key);
+  public static GroupScore fromJson(String text) {
+    return JSON.getGson().fromJson(text, GroupScore.class);
   }
 
-
-  @Override
-  public boolean equals(Object o) {
-    if (this == o) {
-      return true;
-    }
-    if (o == null || getClass() != o.getClass()) {
-      return false;
-    }
-    GroupScore groupScore = (GroupScore) o;
-    return Objects.equals(this.counts, groupScore.counts) &&
-        Objects.equals(this.mean, groupScore.mean) &&
-        Objects.equals(this.successRate, groupScore.successRate)&&
-        Objects.equals(this.additionalProperties, groupScore.additionalProperties);
-  }
-
-  @Override
-  public int hashCode() {
-    return Objects.hash(counts, mean, successRate, additionalProperties);
+  public String toJson() {
+    return JSON.getGson().toJson(this);
   }
 
   @Override
   public String toString() {
-    StringBuilder sb = new StringBuilder();
-    sb.append("class GroupScore {\n");
-    sb.append("    counts: ").append(toIndentedString(counts)).append("\n");
-    sb.append("    mean: ").append(toIndentedString(mean)).append("\n");
-    sb.append("    successRate: ").append(toIndentedString(successRate)).append("\n");
-    sb.append("    additionalProperties: ").append(toIndentedString(additionalProperties)).append("\n");
-    sb.append("}");
-    return sb.toString();
-  }
-
-  /**
-   * Convert the given object to string with each line indented by 4 spaces
-   * (except the first line).
-   */
-  private String toIndentedString(Object o) {
-    return o == null ? "null" : o.toString().replace("\n", "\n    ");
-  }
-
-
-  public static HashSet<String> openapiFields;
-  public static HashSet<String> openapiRequiredFields;
-
-  static {
-    // a set of all properties/fields (JSON key names)
-    openapiFields = new HashSet<String>(Arrays.asList("counts", "mean", "success_rate"));
-
-    // a set of required properties/fields (JSON key names)
-    openapiRequiredFields = new HashSet<String>(Arrays.asList("counts", "mean", "success_rate"));
-  }
-
-  /**
-   * Validates the JSON Element and throws an exception if issues found
-   *
-   * @param jsonElement JSON Element
-   * @throws IOException if the JSON Element is invalid with respect to GroupScore
-   */
-  public static void validateJsonElement(JsonElement jsonElement) throws IOException {
-      if (jsonElement == null) {
-        if (!GroupScore.openapiRequiredFields.isEmpty()) { // has required fields but JSON element is null
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field(s) %s in GroupScore is not found in the empty JSON string", GroupScore.openapiRequiredFields.toString()));
-        }
-      }
-
-      // check to make sure all required properties/fields are present in the JSON string
-      for (String requiredField : GroupScore.openapiRequiredFields) {
-        if (jsonElement.getAsJsonObject().get(requiredField) == null) {
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field `%s` is not found in the JSON string: %s", requiredField, jsonElement.toString()));
-        }
-      }
-        JsonObject jsonObj = jsonElement.getAsJsonObject();
-  }
-
-  public static class CustomTypeAdapterFactory implements TypeAdapterFactory {
-    @SuppressWarnings("unchecked")
-    @Override
-    public <T> TypeAdapter<T> create(Gson gson, TypeToken<T> type) {
-       if (!GroupScore.class.isAssignableFrom(type.getRawType())) {
-         return null; // this class only serializes 'GroupScore' and its subtypes
-       }
-       final TypeAdapter<JsonElement> elementAdapter = gson.getAdapter(JsonElement.class);
-       final TypeAdapter<GroupScore> thisAdapter
-                        = gson.getDelegateAdapter(this, TypeToken.get(GroupScore.class));
-
-       return (TypeAdapter<T>) new TypeAdapter<GroupScore>() {
-           @Override
-           public void write(JsonWriter out, GroupScore value) throws IOException {
-             JsonObject obj = thisAdapter.toJsonTree(value).getAsJsonObject();
-             obj.remove("additionalProperties");
-             // serialize additional properties
-             if (value.getAdditionalProperties() != null) {
-               for (Map.Entry<String, Object> entry : value.getAdditionalProperties().entrySet()) {
-                 if (entry.getValue() instanceof String)
-                   obj.addProperty(entry.getKey(), (String) entry.getValue());
-                 else if (entry.getValue() instanceof Number)
-                   obj.addProperty(entry.getKey(), (Number) entry.getValue());
-                 else if (entry.getValue() instanceof Boolean)
-                   obj.addProperty(entry.getKey(), (Boolean) entry.getValue());
-                 else if (entry.getValue() instanceof Character)
-                   obj.addProperty(entry.getKey(), (Character) entry.getValue());
-                 else {
-                   JsonElement jsonElement = gson.toJsonTree(entry.getValue());
-                   if (jsonElement.isJsonNull()) {
-                     obj.add(entry.getKey(), JsonNull.INSTANCE);
-                   } else if (jsonElement.isJsonArray()) {
-                     obj.add(entry.getKey(), jsonElement.getAsJsonArray());
-                   } else {
-                     obj.add(entry.getKey(), jsonElement.getAsJsonObject());
-                   }
-                 }
-               }
-             }
-             elementAdapter.write(out, obj);
-           }
-
-           @Override
-           public GroupScore read(JsonReader in) throws IOException {
-             JsonElement jsonElement = elementAdapter.read(in);
-             validateJsonElement(jsonElement);
-             JsonObject jsonObj = jsonElement.getAsJsonObject();
-             // store additional fields in the deserialized instance
-             GroupScore instance = thisAdapter.fromJsonTree(jsonObj);
-             for (Map.Entry<String, JsonElement> entry : jsonObj.entrySet()) {
-               if (!openapiFields.contains(entry.getKey())) {
-                 if (entry.getValue().isJsonPrimitive()) { // primitive type
-                   if (entry.getValue().getAsJsonPrimitive().isString())
-                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsString());
-                   else if (entry.getValue().getAsJsonPrimitive().isNumber())
-                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsNumber());
-                   else if (entry.getValue().getAsJsonPrimitive().isBoolean())
-                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsBoolean());
-                   else
-                     throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The field `%s` has unknown primitive type. Value: %s", entry.getKey(), entry.getValue().toString()));
-                 } else if (entry.getValue().isJsonArray()) {
-                     instance.putAdditionalProperty(entry.getKey(), gson.fromJson(entry.getValue(), List.class));
-                 } else { // JSON object
-                     instance.putAdditionalProperty(entry.getKey(), gson.fromJson(entry.getValue(), HashMap.class));
-                 }
-               }
-             }
-             return instance;
-           }
-
-       }.nullSafe();
-    }
-  }
-
-  /**
-   * Create an instance of GroupScore given an JSON string
-   *
-   * @param jsonString JSON string
-   * @return An instance of GroupScore
-   * @throws IOException if the JSON string is invalid with respect to GroupScore
-   */
-  public static GroupScore fromJson(String jsonString) throws IOException {
-    return JSON.getGson().fromJson(jsonString, GroupScore.class);
-  }
-
-  /**
-   * Convert an instance of GroupScore to an JSON string
-   *
-   * @return JSON string
-   */
-  public String toJson() {
-    return JSON.getGson().toJson(this);
+    return toJson();
   }
 }

@@ -5,253 +5,75 @@
 
 package proctor.client.model;
 
-import java.util.Objects;
-import com.google.gson.TypeAdapter;
-import com.google.gson.annotations.JsonAdapter;
 import com.google.gson.annotations.SerializedName;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-import java.util.Arrays;
-import proctor.client.model.ImageCodec;
-
-import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
-import com.google.gson.JsonArray;
-import com.google.gson.JsonDeserializationContext;
-import com.google.gson.JsonDeserializer;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonNull;
-import com.google.gson.JsonParseException;
-import com.google.gson.TypeAdapterFactory;
-import com.google.gson.reflect.TypeToken;
-import com.google.gson.TypeAdapter;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-
-import java.util.HashMap;
-import java.util.HashSet;
+import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-
 import proctor.client.JSON;
 
-/**
- * Recorded with the result, because it changes the score.
- */
-@javax.annotation.Generated(value = "org.openapitools.codegen.languages.JavaClientCodegen", comments = "Generator version: 7.26.0")
+/** Recorded with the result, because it changes the score. */
 public class ImageChoice {
-  public static final String SERIALIZED_NAME_CODEC = "codec";
-  @SerializedName(SERIALIZED_NAME_CODEC)
+  @SerializedName("codec")
   @javax.annotation.Nonnull
-  private ImageCodec codec;
+  private String codec;
 
-  public static final String SERIALIZED_NAME_WIDTH = "width";
-  @SerializedName(SERIALIZED_NAME_WIDTH)
+  @SerializedName("width")
   @javax.annotation.Nonnull
   private Integer width;
 
-  public static final String SERIALIZED_NAME_HEIGHT = "height";
-  @SerializedName(SERIALIZED_NAME_HEIGHT)
+  @SerializedName("height")
   @javax.annotation.Nonnull
   private Integer height;
 
-  public ImageChoice() {
-  }
-
-  public ImageChoice codec(@javax.annotation.Nonnull ImageCodec codec) {
-    this.codec = codec;
-    return this;
-  }
-
-  /**
-   * Get codec
-   * @return codec
-   */
-  @javax.annotation.Nonnull
-  public ImageCodec getCodec() {
+  public String getCodec() {
     return codec;
   }
 
-  public void setCodec(@javax.annotation.Nonnull ImageCodec codec) {
+  public ImageChoice codec(String codec) {
     this.codec = codec;
-  }
-
-
-  public ImageChoice width(@javax.annotation.Nonnull Integer width) {
-    this.width = width;
     return this;
   }
 
-  /**
-   * Get width
-   * minimum: 1
-   * maximum: 4096
-   * @return width
-   */
-  @javax.annotation.Nonnull
+  public void setCodec(String codec) {
+    this.codec = codec;
+  }
+
   public Integer getWidth() {
     return width;
   }
 
-  public void setWidth(@javax.annotation.Nonnull Integer width) {
+  public ImageChoice width(Integer width) {
     this.width = width;
-  }
-
-
-  public ImageChoice height(@javax.annotation.Nonnull Integer height) {
-    this.height = height;
     return this;
   }
 
-  /**
-   * Get height
-   * minimum: 1
-   * maximum: 4096
-   * @return height
-   */
-  @javax.annotation.Nonnull
+  public void setWidth(Integer width) {
+    this.width = width;
+  }
+
   public Integer getHeight() {
     return height;
   }
 
-  public void setHeight(@javax.annotation.Nonnull Integer height) {
+  public ImageChoice height(Integer height) {
+    this.height = height;
+    return this;
+  }
+
+  public void setHeight(Integer height) {
     this.height = height;
   }
 
-
-
-  @Override
-  public boolean equals(Object o) {
-    if (this == o) {
-      return true;
-    }
-    if (o == null || getClass() != o.getClass()) {
-      return false;
-    }
-    ImageChoice imageChoice = (ImageChoice) o;
-    return Objects.equals(this.codec, imageChoice.codec) &&
-        Objects.equals(this.width, imageChoice.width) &&
-        Objects.equals(this.height, imageChoice.height);
+  public static ImageChoice fromJson(String text) {
+    return JSON.getGson().fromJson(text, ImageChoice.class);
   }
 
-  @Override
-  public int hashCode() {
-    return Objects.hash(codec, width, height);
+  public String toJson() {
+    return JSON.getGson().toJson(this);
   }
 
   @Override
   public String toString() {
-    StringBuilder sb = new StringBuilder();
-    sb.append("class ImageChoice {\n");
-    sb.append("    codec: ").append(toIndentedString(codec)).append("\n");
-    sb.append("    width: ").append(toIndentedString(width)).append("\n");
-    sb.append("    height: ").append(toIndentedString(height)).append("\n");
-    sb.append("}");
-    return sb.toString();
-  }
-
-  /**
-   * Convert the given object to string with each line indented by 4 spaces
-   * (except the first line).
-   */
-  private String toIndentedString(Object o) {
-    return o == null ? "null" : o.toString().replace("\n", "\n    ");
-  }
-
-
-  public static HashSet<String> openapiFields;
-  public static HashSet<String> openapiRequiredFields;
-
-  static {
-    // a set of all properties/fields (JSON key names)
-    openapiFields = new HashSet<String>(Arrays.asList("codec", "width", "height"));
-
-    // a set of required properties/fields (JSON key names)
-    openapiRequiredFields = new HashSet<String>(Arrays.asList("codec", "width", "height"));
-  }
-
-  /**
-   * Validates the JSON Element and throws an exception if issues found
-   *
-   * @param jsonElement JSON Element
-   * @throws IOException if the JSON Element is invalid with respect to ImageChoice
-   */
-  public static void validateJsonElement(JsonElement jsonElement) throws IOException {
-      if (jsonElement == null) {
-        if (!ImageChoice.openapiRequiredFields.isEmpty()) { // has required fields but JSON element is null
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field(s) %s in ImageChoice is not found in the empty JSON string", ImageChoice.openapiRequiredFields.toString()));
-        }
-      }
-
-      Set<Map.Entry<String, JsonElement>> entries = jsonElement.getAsJsonObject().entrySet();
-      // check to see if the JSON string contains additional fields
-      for (Map.Entry<String, JsonElement> entry : entries) {
-        if (!ImageChoice.openapiFields.contains(entry.getKey())) {
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The field `%s` in the JSON string is not defined in the `ImageChoice` properties. JSON: %s", entry.getKey(), jsonElement.toString()));
-        }
-      }
-
-      // check to make sure all required properties/fields are present in the JSON string
-      for (String requiredField : ImageChoice.openapiRequiredFields) {
-        if (jsonElement.getAsJsonObject().get(requiredField) == null) {
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field `%s` is not found in the JSON string: %s", requiredField, jsonElement.toString()));
-        }
-      }
-        JsonObject jsonObj = jsonElement.getAsJsonObject();
-      // validate the required field `codec`
-      ImageCodec.validateJsonElement(jsonObj.get("codec"));
-  }
-
-  public static class CustomTypeAdapterFactory implements TypeAdapterFactory {
-    @SuppressWarnings("unchecked")
-    @Override
-    public <T> TypeAdapter<T> create(Gson gson, TypeToken<T> type) {
-       if (!ImageChoice.class.isAssignableFrom(type.getRawType())) {
-         return null; // this class only serializes 'ImageChoice' and its subtypes
-       }
-       final TypeAdapter<JsonElement> elementAdapter = gson.getAdapter(JsonElement.class);
-       final TypeAdapter<ImageChoice> thisAdapter
-                        = gson.getDelegateAdapter(this, TypeToken.get(ImageChoice.class));
-
-       return (TypeAdapter<T>) new TypeAdapter<ImageChoice>() {
-           @Override
-           public void write(JsonWriter out, ImageChoice value) throws IOException {
-             JsonObject obj = thisAdapter.toJsonTree(value).getAsJsonObject();
-             elementAdapter.write(out, obj);
-           }
-
-           @Override
-           public ImageChoice read(JsonReader in) throws IOException {
-             JsonElement jsonElement = elementAdapter.read(in);
-             validateJsonElement(jsonElement);
-             return thisAdapter.fromJsonTree(jsonElement);
-           }
-
-       }.nullSafe();
-    }
-  }
-
-  /**
-   * Create an instance of ImageChoice given an JSON string
-   *
-   * @param jsonString JSON string
-   * @return An instance of ImageChoice
-   * @throws IOException if the JSON string is invalid with respect to ImageChoice
-   */
-  public static ImageChoice fromJson(String jsonString) throws IOException {
-    return JSON.getGson().fromJson(jsonString, ImageChoice.class);
-  }
-
-  /**
-   * Convert an instance of ImageChoice to an JSON string
-   *
-   * @return JSON string
-   */
-  public String toJson() {
-    return JSON.getGson().toJson(this);
+    return toJson();
   }
 }

@@ -5,358 +5,74 @@
 
 package proctor.client.model;
 
-import java.util.Objects;
-import com.google.gson.TypeAdapter;
-import com.google.gson.annotations.JsonAdapter;
 import com.google.gson.annotations.SerializedName;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-import java.util.Arrays;
-import java.util.HashMap;
+import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
-import proctor.client.model.Image;
-import proctor.client.model.Tensor;
-
-import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
-import com.google.gson.JsonArray;
-import com.google.gson.JsonDeserializationContext;
-import com.google.gson.JsonDeserializer;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonNull;
-import com.google.gson.JsonParseException;
-import com.google.gson.TypeAdapterFactory;
-import com.google.gson.reflect.TypeToken;
-import com.google.gson.TypeAdapter;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-
-import java.util.HashMap;
-import java.util.HashSet;
-import java.util.List;
-import java.util.Map;
-import java.util.Set;
-
 import proctor.client.JSON;
 
-/**
- * Observation
- */
-@javax.annotation.Generated(value = "org.openapitools.codegen.languages.JavaClientCodegen", comments = "Generator version: 7.26.0")
 public class Observation {
-  public static final String SERIALIZED_NAME_STATE = "state";
-  @SerializedName(SERIALIZED_NAME_STATE)
+  @SerializedName("state")
   @javax.annotation.Nonnull
   private Map<String, List<Double>> state;
 
-  public static final String SERIALIZED_NAME_IMAGES = "images";
-  @SerializedName(SERIALIZED_NAME_IMAGES)
+  @SerializedName("images")
   @javax.annotation.Nonnull
   private Map<String, Image> images;
 
-  public static final String SERIALIZED_NAME_TENSORS = "tensors";
-  @SerializedName(SERIALIZED_NAME_TENSORS)
+  @SerializedName("tensors")
   @javax.annotation.Nonnull
   private Map<String, Tensor> tensors;
 
-  public Observation() {
-  }
-
-  public Observation state(@javax.annotation.Nonnull Map<String, List<Double>> state) {
-    this.state = state;
-    return this;
-  }
-
-  public Observation putStateItem(String key, List<Double> stateItem) {
-    if (this.state == null) {
-      this.state = new HashMap<>();
-    }
-    this.state.put(key, stateItem);
-    return this;
-  }
-
-  /**
-   * Get state
-   * @return state
-   */
-  @javax.annotation.Nonnull
   public Map<String, List<Double>> getState() {
     return state;
   }
 
-  public void setState(@javax.annotation.Nonnull Map<String, List<Double>> state) {
+  public Observation state(Map<String, List<Double>> state) {
+    this.state = state;
+    return this;
+  }
+
+  public void setState(Map<String, List<Double>> state) {
     this.state = state;
   }
 
-
-  public Observation images(@javax.annotation.Nonnull Map<String, Image> images) {
-    this.images = images;
-    return this;
-  }
-
-  public Observation putImagesItem(String key, Image imagesItem) {
-    if (this.images == null) {
-      this.images = new HashMap<>();
-    }
-    this.images.put(key, imagesItem);
-    return this;
-  }
-
-  /**
-   * Get images
-   * @return images
-   */
-  @javax.annotation.Nonnull
   public Map<String, Image> getImages() {
     return images;
   }
 
-  public void setImages(@javax.annotation.Nonnull Map<String, Image> images) {
+  public Observation images(Map<String, Image> images) {
+    this.images = images;
+    return this;
+  }
+
+  public void setImages(Map<String, Image> images) {
     this.images = images;
   }
 
-
-  public Observation tensors(@javax.annotation.Nonnull Map<String, Tensor> tensors) {
-    this.tensors = tensors;
-    return this;
-  }
-
-  public Observation putTensorsItem(String key, Tensor tensorsItem) {
-    if (this.tensors == null) {
-      this.tensors = new HashMap<>();
-    }
-    this.tensors.put(key, tensorsItem);
-    return this;
-  }
-
-  /**
-   * Get tensors
-   * @return tensors
-   */
-  @javax.annotation.Nonnull
   public Map<String, Tensor> getTensors() {
     return tensors;
   }
 
-  public void setTensors(@javax.annotation.Nonnull Map<String, Tensor> tensors) {
+  public Observation tensors(Map<String, Tensor> tensors) {
     this.tensors = tensors;
-  }
-
-  /**
-   * A container for additional, undeclared properties.
-   * This is a holder for any undeclared properties as specified with
-   * the 'additionalProperties' keyword in the OAS document.
-   */
-  private Map<String, Object> additionalProperties;
-
-  /**
-   * Set the additional (undeclared) property with the specified name and value.
-   * If the property does not already exist, create it otherwise replace it.
-   *
-   * @param key name of the property
-   * @param value value of the property
-   * @return the Observation instance itself
-   */
-  public Observation putAdditionalProperty(String key, Object value) {
-    if (this.additionalProperties == null) {
-        this.additionalProperties = new HashMap<String, Object>();
-    }
-    this.additionalProperties.put(key, value);
     return this;
   }
 
-  /**
-   * Return the additional (undeclared) property.
-   *
-   * @return a map of objects
-   */
-  public Map<String, Object> getAdditionalProperties() {
-    return additionalProperties;
+  public void setTensors(Map<String, Tensor> tensors) {
+    this.tensors = tensors;
   }
 
-  /**
-   * Return the additional (undeclared) property with the specified name.
-   *
-   * @param key name of the property
-   * @return an object
-   */
-  public Object getAdditionalProperty(String key) {
-    if (this.additionalProperties == null) {
-        return null;
-    }
-    return this.additionalProperties.get(key);
+  public static Observation fromJson(String text) {
+    return JSON.getGson().fromJson(text, Observation.class);
   }
 
-
-  @Override
-  public boolean equals(Object o) {
-    if (this == o) {
-      return true;
-    }
-    if (o == null || getClass() != o.getClass()) {
-      return false;
-    }
-    Observation observation = (Observation) o;
-    return Objects.equals(this.state, observation.state) &&
-        Objects.equals(this.images, observation.images) &&
-        Objects.equals(this.tensors, observation.tensors)&&
-        Objects.equals(this.additionalProperties, observation.additionalProperties);
-  }
-
-  @Override
-  public int hashCode() {
-    return Objects.hash(state, images, tensors, additionalProperties);
+  public String toJson() {
+    return JSON.getGson().toJson(this);
   }
 
   @Override
   public String toString() {
-    StringBuilder sb = new StringBuilder();
-    sb.append("class Observation {\n");
-    sb.append("    state: ").append(toIndentedString(state)).append("\n");
-    sb.append("    images: ").append(toIndentedString(images)).append("\n");
-    sb.append("    tensors: ").append(toIndentedString(tensors)).append("\n");
-    sb.append("    additionalProperties: ").append(toIndentedString(additionalProperties)).append("\n");
-    sb.append("}");
-    return sb.toString();
-  }
-
-  /**
-   * Convert the given object to string with each line indented by 4 spaces
-   * (except the first line).
-   */
-  private String toIndentedString(Object o) {
-    return o == null ? "null" : o.toString().replace("\n", "\n    ");
-  }
-
-
-  public static HashSet<String> openapiFields;
-  public static HashSet<String> openapiRequiredFields;
-
-  static {
-    // a set of all properties/fields (JSON key names)
-    openapiFields = new HashSet<String>(Arrays.asList("state", "images", "tensors"));
-
-    // a set of required properties/fields (JSON key names)
-    openapiRequiredFields = new HashSet<String>(Arrays.asList("state", "images", "tensors"));
-  }
-
-  /**
-   * Validates the JSON Element and throws an exception if issues found
-   *
-   * @param jsonElement JSON Element
-   * @throws IOException if the JSON Element is invalid with respect to Observation
-   */
-  public static void validateJsonElement(JsonElement jsonElement) throws IOException {
-      if (jsonElement == null) {
-        if (!Observation.openapiRequiredFields.isEmpty()) { // has required fields but JSON element is null
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field(s) %s in Observation is not found in the empty JSON string", Observation.openapiRequiredFields.toString()));
-        }
-      }
-
-      // check to make sure all required properties/fields are present in the JSON string
-      for (String requiredField : Observation.openapiRequiredFields) {
-        if (jsonElement.getAsJsonObject().get(requiredField) == null) {
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field `%s` is not found in the JSON string: %s", requiredField, jsonElement.toString()));
-        }
-      }
-        JsonObject jsonObj = jsonElement.getAsJsonObject();
-  }
-
-  public static class CustomTypeAdapterFactory implements TypeAdapterFactory {
-    @SuppressWarnings("unchecked")
-    @Override
-    public <T> TypeAdapter<T> create(Gson gson, TypeToken<T> type) {
-       if (!Observation.class.isAssignableFrom(type.getRawType())) {
-         return null; // this class only serializes 'Observation' and its subtypes
-       }
-       final TypeAdapter<JsonElement> elementAdapter = gson.getAdapter(JsonElement.class);
-       final TypeAdapter<Observation> thisAdapter
-                        = gson.getDelegateAdapter(this, TypeToken.get(Observation.class));
-
-       return (TypeAdapter<T>) new TypeAdapter<Observation>() {
-           @Override
-           public void write(JsonWriter out, Observation value) throws IOException {
-             JsonObject obj = thisAdapter.toJsonTree(value).getAsJsonObject();
-             obj.remove("additionalProperties");
-             // serialize additional properties
-             if (value.getAdditionalProperties() != null) {
-               for (Map.Entry<String, Object> entry : value.getAdditionalProperties().entrySet()) {
-                 if (entry.getValue() instanceof String)
-                   obj.addProperty(entry.getKey(), (String) entry.getValue());
-                 else if (entry.getValue() instanceof Number)
-                   obj.addProperty(entry.getKey(), (Number) entry.getValue());
-                 else if (entry.getValue() instanceof Boolean)
-                   obj.addProperty(entry.getKey(), (Boolean) entry.getValue());
-                 else if (entry.getValue() instanceof Character)
-                   obj.addProperty(entry.getKey(), (Character) entry.getValue());
-                 else {
-                   JsonElement jsonElement = gson.toJsonTree(entry.getValue());
-                   if (jsonElement.isJsonNull()) {
-                     obj.add(entry.getKey(), JsonNull.INSTANCE);
-                   } else if (jsonElement.isJsonArray()) {
-                     obj.add(entry.getKey(), jsonElement.getAsJsonArray());
-                   } else {
-                     obj.add(entry.getKey(), jsonElement.getAsJsonObject());
-                   }
-                 }
-               }
-             }
-             elementAdapter.write(out, obj);
-           }
-
-           @Override
-           public Observation read(JsonReader in) throws IOException {
-             JsonElement jsonElement = elementAdapter.read(in);
-             validateJsonElement(jsonElement);
-             JsonObject jsonObj = jsonElement.getAsJsonObject();
-             // store additional fields in the deserialized instance
-             Observation instance = thisAdapter.fromJsonTree(jsonObj);
-             for (Map.Entry<String, JsonElement> entry : jsonObj.entrySet()) {
-               if (!openapiFields.contains(entry.getKey())) {
-                 if (entry.getValue().isJsonPrimitive()) { // primitive type
-                   if (entry.getValue().getAsJsonPrimitive().isString())
-                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsString());
-                   else if (entry.getValue().getAsJsonPrimitive().isNumber())
-                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsNumber());
-                   else if (entry.getValue().getAsJsonPrimitive().isBoolean())
-                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsBoolean());
-                   else
-                     throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The field `%s` has unknown primitive type. Value: %s", entry.getKey(), entry.getValue().toString()));
-                 } else if (entry.getValue().isJsonArray()) {
-                     instance.putAdditionalProperty(entry.getKey(), gson.fromJson(entry.getValue(), List.class));
-                 } else { // JSON object
-                     instance.putAdditionalProperty(entry.getKey(), gson.fromJson(entry.getValue(), HashMap.class));
-                 }
-               }
-             }
-             return instance;
-           }
-
-       }.nullSafe();
-    }
-  }
-
-  /**
-   * Create an instance of Observation given an JSON string
-   *
-   * @param jsonString JSON string
-   * @return An instance of Observation
-   * @throws IOException if the JSON string is invalid with respect to Observation
-   */
-  public static Observation fromJson(String jsonString) throws IOException {
-    return JSON.getGson().fromJson(jsonString, Observation.class);
-  }
-
-  /**
-   * Convert an instance of Observation to an JSON string
-   *
-   * @return JSON string
-   */
-  public String toJson() {
-    return JSON.getGson().toJson(this);
+    return toJson();
   }
 }

@@ -5,404 +5,161 @@
 
 package proctor.client.model;
 
-import java.util.Objects;
-import com.google.gson.TypeAdapter;
-import com.google.gson.annotations.JsonAdapter;
 import com.google.gson.annotations.SerializedName;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-import java.util.Arrays;
-import java.util.HashMap;
-import java.util.Map;
-import proctor.client.model.PolicyProtocol;
-
-import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
-import com.google.gson.JsonArray;
-import com.google.gson.JsonDeserializationContext;
-import com.google.gson.JsonDeserializer;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonNull;
-import com.google.gson.JsonParseException;
-import com.google.gson.TypeAdapterFactory;
-import com.google.gson.reflect.TypeToken;
-import com.google.gson.TypeAdapter;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-
-import java.util.HashMap;
-import java.util.HashSet;
+import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-
 import proctor.client.JSON;
 
-/**
- * Where the server finds the policy of a run with mode &#x60;push&#x60;, and how it calls it.
- */
-@javax.annotation.Generated(value = "org.openapitools.codegen.languages.JavaClientCodegen", comments = "Generator version: 7.26.0")
+/** Where the server finds the policy of a run with mode &#x60;push&#x60;, and how it calls it. */
 public class PolicyServer {
-  public static final String SERIALIZED_NAME_URL = "url";
-  @SerializedName(SERIALIZED_NAME_URL)
+  @SerializedName("url")
   @javax.annotation.Nonnull
   private String url;
 
-  public static final String SERIALIZED_NAME_PROTOCOL = "protocol";
-  @SerializedName(SERIALIZED_NAME_PROTOCOL)
+  @SerializedName("protocol")
   @javax.annotation.Nonnull
   private PolicyProtocol protocol;
 
-  public static final String SERIALIZED_NAME_API_KEY = "api_key";
-  @SerializedName(SERIALIZED_NAME_API_KEY)
-  @javax.annotation.Nullable
+  @SerializedName("api_key")
   private String apiKey;
 
-  public static final String SERIALIZED_NAME_MODEL = "model";
-  @SerializedName(SERIALIZED_NAME_MODEL)
-  @javax.annotation.Nullable
+  @SerializedName("model")
   private String model;
 
-  public static final String SERIALIZED_NAME_CALL_TIMEOUT_S = "call_timeout_s";
-  @SerializedName(SERIALIZED_NAME_CALL_TIMEOUT_S)
-  @javax.annotation.Nullable
+  @SerializedName("call_timeout_s")
   private Double callTimeoutS;
 
-  public static final String SERIALIZED_NAME_MAX_CONCURRENT = "max_concurrent";
-  @SerializedName(SERIALIZED_NAME_MAX_CONCURRENT)
-  @javax.annotation.Nullable
+  @SerializedName("max_concurrent")
   private Integer maxConcurrent;
 
-  public static final String SERIALIZED_NAME_MAX_RETRIES = "max_retries";
-  @SerializedName(SERIALIZED_NAME_MAX_RETRIES)
-  @javax.annotation.Nullable
+  @SerializedName("max_retries")
   private Integer maxRetries;
 
-  public static final String SERIALIZED_NAME_GENERATION = "generation";
-  @SerializedName(SERIALIZED_NAME_GENERATION)
-  @javax.annotation.Nullable
+  @SerializedName("generation")
   private Map<String, Double> generation;
 
-  public PolicyServer() {
-  }
-
-  public PolicyServer url(@javax.annotation.Nonnull String url) {
-    this.url = url;
-    return this;
-  }
-
-  /**
-   * Base URL, without user, query or fragment; the path of an operation is appended to it.
-   * @return url
-   */
-  @javax.annotation.Nonnull
+  /** Base URL, without user, query or fragment; the path of an operation is appended to it. */
   public String getUrl() {
     return url;
   }
 
-  public void setUrl(@javax.annotation.Nonnull String url) {
+  public PolicyServer url(String url) {
     this.url = url;
-  }
-
-
-  public PolicyServer protocol(@javax.annotation.Nonnull PolicyProtocol protocol) {
-    this.protocol = protocol;
     return this;
   }
 
-  /**
-   * Get protocol
-   * @return protocol
-   */
-  @javax.annotation.Nonnull
+  public void setUrl(String url) {
+    this.url = url;
+  }
+
   public PolicyProtocol getProtocol() {
     return protocol;
   }
 
-  public void setProtocol(@javax.annotation.Nonnull PolicyProtocol protocol) {
+  public PolicyServer protocol(PolicyProtocol protocol) {
     this.protocol = protocol;
-  }
-
-
-  public PolicyServer apiKey(@javax.annotation.Nullable String apiKey) {
-    this.apiKey = apiKey;
     return this;
   }
 
-  /**
-   * Sent as bearer token with every call, and shown to nobody.
-   * @return apiKey
-   */
-  @javax.annotation.Nullable
+  public void setProtocol(PolicyProtocol protocol) {
+    this.protocol = protocol;
+  }
+
+  /** Sent as bearer token with every call, and shown to nobody. */
   public String getApiKey() {
     return apiKey;
   }
 
-  public void setApiKey(@javax.annotation.Nullable String apiKey) {
+  public PolicyServer apiKey(String apiKey) {
     this.apiKey = apiKey;
-  }
-
-
-  public PolicyServer model(@javax.annotation.Nullable String model) {
-    this.model = model;
     return this;
   }
 
-  /**
-   * Which model is asked, where a protocol knows several.
-   * @return model
-   */
-  @javax.annotation.Nullable
+  public void setApiKey(String apiKey) {
+    this.apiKey = apiKey;
+  }
+
+  /** Which model is asked, where a protocol knows several. */
   public String getModel() {
     return model;
   }
 
-  public void setModel(@javax.annotation.Nullable String model) {
+  public PolicyServer model(String model) {
     this.model = model;
-  }
-
-
-  public PolicyServer callTimeoutS(@javax.annotation.Nullable Double callTimeoutS) {
-    this.callTimeoutS = callTimeoutS;
     return this;
   }
 
-  /**
-   * Time for one call, from connecting to the last byte of its answer; 30 when absent.
-   * minimum: 0.1
-   * maximum: 600
-   * @return callTimeoutS
-   */
-  @javax.annotation.Nullable
+  public void setModel(String model) {
+    this.model = model;
+  }
+
+  /** Time for one call, from connecting to the last byte of its answer; 30 when absent. */
   public Double getCallTimeoutS() {
     return callTimeoutS;
   }
 
-  public void setCallTimeoutS(@javax.annotation.Nullable Double callTimeoutS) {
+  public PolicyServer callTimeoutS(Double callTimeoutS) {
     this.callTimeoutS = callTimeoutS;
-  }
-
-
-  public PolicyServer maxConcurrent(@javax.annotation.Nullable Integer maxConcurrent) {
-    this.maxConcurrent = maxConcurrent;
     return this;
   }
 
-  /**
-   * Most episodes played and calls made at a time; as many as the policy, the run and the server allow when absent.
-   * minimum: 1
-   * maximum: 1024
-   * @return maxConcurrent
-   */
-  @javax.annotation.Nullable
+  public void setCallTimeoutS(Double callTimeoutS) {
+    this.callTimeoutS = callTimeoutS;
+  }
+
+  /** Most episodes played and calls made at a time; as many as the policy, the run and the server allow when absent. */
   public Integer getMaxConcurrent() {
     return maxConcurrent;
   }
 
-  public void setMaxConcurrent(@javax.annotation.Nullable Integer maxConcurrent) {
+  public PolicyServer maxConcurrent(Integer maxConcurrent) {
     this.maxConcurrent = maxConcurrent;
-  }
-
-
-  public PolicyServer maxRetries(@javax.annotation.Nullable Integer maxRetries) {
-    this.maxRetries = maxRetries;
     return this;
   }
 
-  /**
-   * How often a call that was not answered is repeated; 3 when absent.
-   * minimum: 0
-   * maximum: 10
-   * @return maxRetries
-   */
-  @javax.annotation.Nullable
+  public void setMaxConcurrent(Integer maxConcurrent) {
+    this.maxConcurrent = maxConcurrent;
+  }
+
+  /** How often a call that was not answered is repeated; 3 when absent. */
   public Integer getMaxRetries() {
     return maxRetries;
   }
 
-  public void setMaxRetries(@javax.annotation.Nullable Integer maxRetries) {
+  public PolicyServer maxRetries(Integer maxRetries) {
+    this.maxRetries = maxRetries;
+    return this;
+  }
+
+  public void setMaxRetries(Integer maxRetries) {
     this.maxRetries = maxRetries;
   }
 
-
-  public PolicyServer generation(@javax.annotation.Nullable Map<String, Double> generation) {
-    this.generation = generation;
-    return this;
-  }
-
-  public PolicyServer putGenerationItem(String key, Double generationItem) {
-    if (this.generation == null) {
-      this.generation = new HashMap<>();
-    }
-    this.generation.put(key, generationItem);
-    return this;
-  }
-
-  /**
-   * Numbers that a chat completion is asked with, such as &#x60;temperature&#x60; and &#x60;max_tokens&#x60;; for &#x60;openai_chat&#x60; alone.
-   * @return generation
-   */
-  @javax.annotation.Nullable
+  /** Numbers that a chat completion is asked with, such as &#x60;temperature&#x60; and &#x60;max_tokens&#x60;; for &#x60;openai_chat&#x60; alone. */
   public Map<String, Double> getGeneration() {
     return generation;
   }
 
-  public void setGeneration(@javax.annotation.Nullable Map<String, Double> generation) {
+  public PolicyServer generation(Map<String, Double> generation) {
+    this.generation = generation;
+    return this;
+  }
+
+  public void setGeneration(Map<String, Double> generation) {
     this.generation = generation;
   }
 
-
-
-  @Override
-  public boolean equals(Object o) {
-    if (this == o) {
-      return true;
-    }
-    if (o == null || getClass() != o.getClass()) {
-      return false;
-    }
-    PolicyServer policyServer = (PolicyServer) o;
-    return Objects.equals(this.url, policyServer.url) &&
-        Objects.equals(this.protocol, policyServer.protocol) &&
-        Objects.equals(this.apiKey, policyServer.apiKey) &&
-        Objects.equals(this.model, policyServer.model) &&
-        Objects.equals(this.callTimeoutS, policyServer.callTimeoutS) &&
-        Objects.equals(this.maxConcurrent, policyServer.maxConcurrent) &&
-        Objects.equals(this.maxRetries, policyServer.maxRetries) &&
-        Objects.equals(this.generation, policyServer.generation);
+  public static PolicyServer fromJson(String text) {
+    return JSON.getGson().fromJson(text, PolicyServer.class);
   }
 
-  @Override
-  public int hashCode() {
-    return Objects.hash(url, protocol, apiKey, model, callTimeoutS, maxConcurrent, maxRetries, generation);
+  public String toJson() {
+    return JSON.getGson().toJson(this);
   }
 
   @Override
   public String toString() {
-    StringBuilder sb = new StringBuilder();
-    sb.append("class PolicyServer {\n");
-    sb.append("    url: ").append(toIndentedString(url)).append("\n");
-    sb.append("    protocol: ").append(toIndentedString(protocol)).append("\n");
-    sb.append("    apiKey: ").append(toIndentedString(apiKey)).append("\n");
-    sb.append("    model: ").append(toIndentedString(model)).append("\n");
-    sb.append("    callTimeoutS: ").append(toIndentedString(callTimeoutS)).append("\n");
-    sb.append("    maxConcurrent: ").append(toIndentedString(maxConcurrent)).append("\n");
-    sb.append("    maxRetries: ").append(toIndentedString(maxRetries)).append("\n");
-    sb.append("    generation: ").append(toIndentedString(generation)).append("\n");
-    sb.append("}");
-    return sb.toString();
-  }
-
-  /**
-   * Convert the given object to string with each line indented by 4 spaces
-   * (except the first line).
-   */
-  private String toIndentedString(Object o) {
-    return o == null ? "null" : o.toString().replace("\n", "\n    ");
-  }
-
-
-  public static HashSet<String> openapiFields;
-  public static HashSet<String> openapiRequiredFields;
-
-  static {
-    // a set of all properties/fields (JSON key names)
-    openapiFields = new HashSet<String>(Arrays.asList("url", "protocol", "api_key", "model", "call_timeout_s", "max_concurrent", "max_retries", "generation"));
-
-    // a set of required properties/fields (JSON key names)
-    openapiRequiredFields = new HashSet<String>(Arrays.asList("url", "protocol"));
-  }
-
-  /**
-   * Validates the JSON Element and throws an exception if issues found
-   *
-   * @param jsonElement JSON Element
-   * @throws IOException if the JSON Element is invalid with respect to PolicyServer
-   */
-  public static void validateJsonElement(JsonElement jsonElement) throws IOException {
-      if (jsonElement == null) {
-        if (!PolicyServer.openapiRequiredFields.isEmpty()) { // has required fields but JSON element is null
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field(s) %s in PolicyServer is not found in the empty JSON string", PolicyServer.openapiRequiredFields.toString()));
-        }
-      }
-
-      Set<Map.Entry<String, JsonElement>> entries = jsonElement.getAsJsonObject().entrySet();
-      // check to see if the JSON string contains additional fields
-      for (Map.Entry<String, JsonElement> entry : entries) {
-        if (!PolicyServer.openapiFields.contains(entry.getKey())) {
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The field `%s` in the JSON string is not defined in the `PolicyServer` properties. JSON: %s", entry.getKey(), jsonElement.toString()));
-        }
-      }
-
-      // check to make sure all required properties/fields are present in the JSON string
-      for (String requiredField : PolicyServer.openapiRequiredFields) {
-        if (jsonElement.getAsJsonObject().get(requiredField) == null) {
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field `%s` is not found in the JSON string: %s", requiredField, jsonElement.toString()));
-        }
-      }
-        JsonObject jsonObj = jsonElement.getAsJsonObject();
-      if (!jsonObj.get("url").isJsonPrimitive()) {
-        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `url` to be a primitive type in the JSON string but got `%s`", jsonObj.get("url").toString()));
-      }
-      // validate the required field `protocol`
-      PolicyProtocol.validateJsonElement(jsonObj.get("protocol"));
-      if ((jsonObj.get("api_key") != null && !jsonObj.get("api_key").isJsonNull()) && !jsonObj.get("api_key").isJsonPrimitive()) {
-        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `api_key` to be a primitive type in the JSON string but got `%s`", jsonObj.get("api_key").toString()));
-      }
-      if ((jsonObj.get("model") != null && !jsonObj.get("model").isJsonNull()) && !jsonObj.get("model").isJsonPrimitive()) {
-        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `model` to be a primitive type in the JSON string but got `%s`", jsonObj.get("model").toString()));
-      }
-  }
-
-  public static class CustomTypeAdapterFactory implements TypeAdapterFactory {
-    @SuppressWarnings("unchecked")
-    @Override
-    public <T> TypeAdapter<T> create(Gson gson, TypeToken<T> type) {
-       if (!PolicyServer.class.isAssignableFrom(type.getRawType())) {
-         return null; // this class only serializes 'PolicyServer' and its subtypes
-       }
-       final TypeAdapter<JsonElement> elementAdapter = gson.getAdapter(JsonElement.class);
-       final TypeAdapter<PolicyServer> thisAdapter
-                        = gson.getDelegateAdapter(this, TypeToken.get(PolicyServer.class));
-
-       return (TypeAdapter<T>) new TypeAdapter<PolicyServer>() {
-           @Override
-           public void write(JsonWriter out, PolicyServer value) throws IOException {
-             JsonObject obj = thisAdapter.toJsonTree(value).getAsJsonObject();
-             elementAdapter.write(out, obj);
-           }
-
-           @Override
-           public PolicyServer read(JsonReader in) throws IOException {
-             JsonElement jsonElement = elementAdapter.read(in);
-             validateJsonElement(jsonElement);
-             return thisAdapter.fromJsonTree(jsonElement);
-           }
-
-       }.nullSafe();
-    }
-  }
-
-  /**
-   * Create an instance of PolicyServer given an JSON string
-   *
-   * @param jsonString JSON string
-   * @return An instance of PolicyServer
-   * @throws IOException if the JSON string is invalid with respect to PolicyServer
-   */
-  public static PolicyServer fromJson(String jsonString) throws IOException {
-    return JSON.getGson().fromJson(jsonString, PolicyServer.class);
-  }
-
-  /**
-   * Convert an instance of PolicyServer to an JSON string
-   *
-   * @return JSON string
-   */
-  public String toJson() {
-    return JSON.getGson().toJson(this);
+    return toJson();
   }
 }

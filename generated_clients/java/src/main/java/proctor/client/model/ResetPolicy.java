@@ -5,363 +5,91 @@
 
 package proctor.client.model;
 
-import java.util.Objects;
-import com.google.gson.TypeAdapter;
-import com.google.gson.annotations.JsonAdapter;
 import com.google.gson.annotations.SerializedName;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-import java.util.Arrays;
-import proctor.client.model.Benchmark;
-import proctor.client.model.EpisodeView;
-
-import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
-import com.google.gson.JsonArray;
-import com.google.gson.JsonDeserializationContext;
-import com.google.gson.JsonDeserializer;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonNull;
-import com.google.gson.JsonParseException;
-import com.google.gson.TypeAdapterFactory;
-import com.google.gson.reflect.TypeToken;
-import com.google.gson.TypeAdapter;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-
-import java.util.HashMap;
-import java.util.HashSet;
+import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-
 import proctor.client.JSON;
 
-/**
- * An attempt begins; whatever the policy remembers of this session is over.
- */
-@javax.annotation.Generated(value = "org.openapitools.codegen.languages.JavaClientCodegen", comments = "Generator version: 7.26.0")
+/** An attempt begins; whatever the policy remembers of this session is over. */
 public class ResetPolicy {
-  public static final String SERIALIZED_NAME_SESSION_ID = "session_id";
-  @SerializedName(SERIALIZED_NAME_SESSION_ID)
+  @SerializedName("session_id")
   @javax.annotation.Nonnull
   private String sessionId;
 
-  public static final String SERIALIZED_NAME_RUN_ID = "run_id";
-  @SerializedName(SERIALIZED_NAME_RUN_ID)
-  @javax.annotation.Nullable
+  @SerializedName("run_id")
   private String runId;
 
-  public static final String SERIALIZED_NAME_BENCHMARK = "benchmark";
-  @SerializedName(SERIALIZED_NAME_BENCHMARK)
+  @SerializedName("benchmark")
   @javax.annotation.Nonnull
   private Benchmark benchmark;
 
-  public static final String SERIALIZED_NAME_EPISODE = "episode";
-  @SerializedName(SERIALIZED_NAME_EPISODE)
+  @SerializedName("episode")
   @javax.annotation.Nonnull
   private EpisodeView episode;
 
-  public ResetPolicy() {
-  }
-
-  public ResetPolicy sessionId(@javax.annotation.Nonnull String sessionId) {
-    this.sessionId = sessionId;
-    return this;
-  }
-
-  /**
-   * Get sessionId
-   * @return sessionId
-   */
-  @javax.annotation.Nonnull
   public String getSessionId() {
     return sessionId;
   }
 
-  public void setSessionId(@javax.annotation.Nonnull String sessionId) {
+  public ResetPolicy sessionId(String sessionId) {
     this.sessionId = sessionId;
-  }
-
-
-  public ResetPolicy runId(@javax.annotation.Nullable String runId) {
-    this.runId = runId;
     return this;
   }
 
-  /**
-   * Get runId
-   * @return runId
-   */
-  @javax.annotation.Nullable
+  public void setSessionId(String sessionId) {
+    this.sessionId = sessionId;
+  }
+
   public String getRunId() {
     return runId;
   }
 
-  public void setRunId(@javax.annotation.Nullable String runId) {
+  public ResetPolicy runId(String runId) {
     this.runId = runId;
-  }
-
-
-  public ResetPolicy benchmark(@javax.annotation.Nonnull Benchmark benchmark) {
-    this.benchmark = benchmark;
     return this;
   }
 
-  /**
-   * Get benchmark
-   * @return benchmark
-   */
-  @javax.annotation.Nonnull
+  public void setRunId(String runId) {
+    this.runId = runId;
+  }
+
   public Benchmark getBenchmark() {
     return benchmark;
   }
 
-  public void setBenchmark(@javax.annotation.Nonnull Benchmark benchmark) {
+  public ResetPolicy benchmark(Benchmark benchmark) {
     this.benchmark = benchmark;
-  }
-
-
-  public ResetPolicy episode(@javax.annotation.Nonnull EpisodeView episode) {
-    this.episode = episode;
     return this;
   }
 
-  /**
-   * Get episode
-   * @return episode
-   */
-  @javax.annotation.Nonnull
+  public void setBenchmark(Benchmark benchmark) {
+    this.benchmark = benchmark;
+  }
+
   public EpisodeView getEpisode() {
     return episode;
   }
 
-  public void setEpisode(@javax.annotation.Nonnull EpisodeView episode) {
+  public ResetPolicy episode(EpisodeView episode) {
     this.episode = episode;
-  }
-
-  /**
-   * A container for additional, undeclared properties.
-   * This is a holder for any undeclared properties as specified with
-   * the 'additionalProperties' keyword in the OAS document.
-   */
-  private Map<String, Object> additionalProperties;
-
-  /**
-   * Set the additional (undeclared) property with the specified name and value.
-   * If the property does not already exist, create it otherwise replace it.
-   *
-   * @param key name of the property
-   * @param value value of the property
-   * @return the ResetPolicy instance itself
-   */
-  public ResetPolicy putAdditionalProperty(String key, Object value) {
-    if (this.additionalProperties == null) {
-        this.additionalProperties = new HashMap<String, Object>();
-    }
-    this.additionalProperties.put(key, value);
     return this;
   }
 
-  /**
-   * Return the additional (undeclared) property.
-   *
-   * @return a map of objects
-   */
-  public Map<String, Object> getAdditionalProperties() {
-    return additionalProperties;
+  public void setEpisode(EpisodeView episode) {
+    this.episode = episode;
   }
 
-  /**
-   * Return the additional (undeclared) property with the specified name.
-   *
-   * @param key name of the property
-   * @return an object
-   */
-  public Object getAdditionalProperty(String key) {
-    if (this.additionalProperties == null) {
-        return null;
-    }
-    return this.additionalProperties.get(key);
+  public static ResetPolicy fromJson(String text) {
+    return JSON.getGson().fromJson(text, ResetPolicy.class);
   }
 
-
-  @Override
-  public boolean equals(Object o) {
-    if (this == o) {
-      return true;
-    }
-    if (o == null || getClass() != o.getClass()) {
-      return false;
-    }
-    ResetPolicy resetPolicy = (ResetPolicy) o;
-    return Objects.equals(this.sessionId, resetPolicy.sessionId) &&
-        Objects.equals(this.runId, resetPolicy.runId) &&
-        Objects.equals(this.benchmark, resetPolicy.benchmark) &&
-        Objects.equals(this.episode, resetPolicy.episode)&&
-        Objects.equals(this.additionalProperties, resetPolicy.additionalProperties);
-  }
-
-  @Override
-  public int hashCode() {
-    return Objects.hash(sessionId, runId, benchmark, episode, additionalProperties);
+  public String toJson() {
+    return JSON.getGson().toJson(this);
   }
 
   @Override
   public String toString() {
-    StringBuilder sb = new StringBuilder();
-    sb.append("class ResetPolicy {\n");
-    sb.append("    sessionId: ").append(toIndentedString(sessionId)).append("\n");
-    sb.append("    runId: ").append(toIndentedString(runId)).append("\n");
-    sb.append("    benchmark: ").append(toIndentedString(benchmark)).append("\n");
-    sb.append("    episode: ").append(toIndentedString(episode)).append("\n");
-    sb.append("    additionalProperties: ").append(toIndentedString(additionalProperties)).append("\n");
-    sb.append("}");
-    return sb.toString();
-  }
-
-  /**
-   * Convert the given object to string with each line indented by 4 spaces
-   * (except the first line).
-   */
-  private String toIndentedString(Object o) {
-    return o == null ? "null" : o.toString().replace("\n", "\n    ");
-  }
-
-
-  public static HashSet<String> openapiFields;
-  public static HashSet<String> openapiRequiredFields;
-
-  static {
-    // a set of all properties/fields (JSON key names)
-    openapiFields = new HashSet<String>(Arrays.asList("session_id", "run_id", "benchmark", "episode"));
-
-    // a set of required properties/fields (JSON key names)
-    openapiRequiredFields = new HashSet<String>(Arrays.asList("session_id", "benchmark", "episode"));
-  }
-
-  /**
-   * Validates the JSON Element and throws an exception if issues found
-   *
-   * @param jsonElement JSON Element
-   * @throws IOException if the JSON Element is invalid with respect to ResetPolicy
-   */
-  public static void validateJsonElement(JsonElement jsonElement) throws IOException {
-      if (jsonElement == null) {
-        if (!ResetPolicy.openapiRequiredFields.isEmpty()) { // has required fields but JSON element is null
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field(s) %s in ResetPolicy is not found in the empty JSON string", ResetPolicy.openapiRequiredFields.toString()));
-        }
-      }
-
-      // check to make sure all required properties/fields are present in the JSON string
-      for (String requiredField : ResetPolicy.openapiRequiredFields) {
-        if (jsonElement.getAsJsonObject().get(requiredField) == null) {
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field `%s` is not found in the JSON string: %s", requiredField, jsonElement.toString()));
-        }
-      }
-        JsonObject jsonObj = jsonElement.getAsJsonObject();
-      if (!jsonObj.get("session_id").isJsonPrimitive()) {
-        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `session_id` to be a primitive type in the JSON string but got `%s`", jsonObj.get("session_id").toString()));
-      }
-      if ((jsonObj.get("run_id") != null && !jsonObj.get("run_id").isJsonNull()) && !jsonObj.get("run_id").isJsonPrimitive()) {
-        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `run_id` to be a primitive type in the JSON string but got `%s`", jsonObj.get("run_id").toString()));
-      }
-  }
-
-  public static class CustomTypeAdapterFactory implements TypeAdapterFactory {
-    @SuppressWarnings("unchecked")
-    @Override
-    public <T> TypeAdapter<T> create(Gson gson, TypeToken<T> type) {
-       if (!ResetPolicy.class.isAssignableFrom(type.getRawType())) {
-         return null; // this class only serializes 'ResetPolicy' and its subtypes
-       }
-       final TypeAdapter<JsonElement> elementAdapter = gson.getAdapter(JsonElement.class);
-       final TypeAdapter<ResetPolicy> thisAdapter
-                        = gson.getDelegateAdapter(this, TypeToken.get(ResetPolicy.class));
-
-       return (TypeAdapter<T>) new TypeAdapter<ResetPolicy>() {
-           @Override
-           public void write(JsonWriter out, ResetPolicy value) throws IOException {
-             JsonObject obj = thisAdapter.toJsonTree(value).getAsJsonObject();
-             obj.remove("additionalProperties");
-             // serialize additional properties
-             if (value.getAdditionalProperties() != null) {
-               for (Map.Entry<String, Object> entry : value.getAdditionalProperties().entrySet()) {
-                 if (entry.getValue() instanceof String)
-                   obj.addProperty(entry.getKey(), (String) entry.getValue());
-                 else if (entry.getValue() instanceof Number)
-                   obj.addProperty(entry.getKey(), (Number) entry.getValue());
-                 else if (entry.getValue() instanceof Boolean)
-                   obj.addProperty(entry.getKey(), (Boolean) entry.getValue());
-                 else if (entry.getValue() instanceof Character)
-                   obj.addProperty(entry.getKey(), (Character) entry.getValue());
-                 else {
-                   JsonElement jsonElement = gson.toJsonTree(entry.getValue());
-                   if (jsonElement.isJsonNull()) {
-                     obj.add(entry.getKey(), JsonNull.INSTANCE);
-                   } else if (jsonElement.isJsonArray()) {
-                     obj.add(entry.getKey(), jsonElement.getAsJsonArray());
-                   } else {
-                     obj.add(entry.getKey(), jsonElement.getAsJsonObject());
-                   }
-                 }
-               }
-             }
-             elementAdapter.write(out, obj);
-           }
-
-           @Override
-           public ResetPolicy read(JsonReader in) throws IOException {
-             JsonElement jsonElement = elementAdapter.read(in);
-             validateJsonElement(jsonElement);
-             JsonObject jsonObj = jsonElement.getAsJsonObject();
-             // store additional fields in the deserialized instance
-             ResetPolicy instance = thisAdapter.fromJsonTree(jsonObj);
-             for (Map.Entry<String, JsonElement> entry : jsonObj.entrySet()) {
-               if (!openapiFields.contains(entry.getKey())) {
-                 if (entry.getValue().isJsonPrimitive()) { // primitive type
-                   if (entry.getValue().getAsJsonPrimitive().isString())
-                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsString());
-                   else if (entry.getValue().getAsJsonPrimitive().isNumber())
-                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsNumber());
-                   else if (entry.getValue().getAsJsonPrimitive().isBoolean())
-                     instance.putAdditionalProperty(entry.getKey(), entry.getValue().getAsBoolean());
-                   else
-                     throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The field `%s` has unknown primitive type. Value: %s", entry.getKey(), entry.getValue().toString()));
-                 } else if (entry.getValue().isJsonArray()) {
-                     instance.putAdditionalProperty(entry.getKey(), gson.fromJson(entry.getValue(), List.class));
-                 } else { // JSON object
-                     instance.putAdditionalProperty(entry.getKey(), gson.fromJson(entry.getValue(), HashMap.class));
-                 }
-               }
-             }
-             return instance;
-           }
-
-       }.nullSafe();
-    }
-  }
-
-  /**
-   * Create an instance of ResetPolicy given an JSON string
-   *
-   * @param jsonString JSON string
-   * @return An instance of ResetPolicy
-   * @throws IOException if the JSON string is invalid with respect to ResetPolicy
-   */
-  public static ResetPolicy fromJson(String jsonString) throws IOException {
-    return JSON.getGson().fromJson(jsonString, ResetPolicy.class);
-  }
-
-  /**
-   * Convert an instance of ResetPolicy to an JSON string
-   *
-   * @return JSON string
-   */
-  public String toJson() {
-    return JSON.getGson().toJson(this);
+    return toJson();
   }
 }

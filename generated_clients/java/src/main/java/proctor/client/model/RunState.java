@@ -5,39 +5,25 @@
 
 package proctor.client.model;
 
-import java.util.Objects;
 import com.google.gson.annotations.SerializedName;
 
-import java.io.IOException;
-import com.google.gson.TypeAdapter;
-import com.google.gson.JsonElement;
-import com.google.gson.annotations.JsonAdapter;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-
-/**
- * Gets or Sets RunState
- */
-@JsonAdapter(RunState.Adapter.class)
 public enum RunState {
-
+  @SerializedName("queued")
   QUEUED("queued"),
-
+  @SerializedName("ready")
   READY("ready"),
-
+  @SerializedName("running")
   RUNNING("running"),
-
+  @SerializedName("stopping")
   STOPPING("stopping"),
-
+  @SerializedName("stopped")
   STOPPED("stopped"),
-
+  @SerializedName("failed")
   FAILED("failed"),
+  @SerializedName("completed")
+  COMPLETED("completed");
 
-  COMPLETED("completed"),
-
-  UNKNOWN_DEFAULT_OPEN_API("unknown_default_open_api");
-
-  private String value;
+  private final String value;
 
   RunState(String value) {
     this.value = value;
@@ -49,33 +35,6 @@ public enum RunState {
 
   @Override
   public String toString() {
-    return String.valueOf(value);
-  }
-
-  public static RunState fromValue(String value) {
-    for (RunState b : RunState.values()) {
-      if (b.value.equals(value)) {
-        return b;
-      }
-    }
-    return UNKNOWN_DEFAULT_OPEN_API;
-  }
-
-  public static class Adapter extends TypeAdapter<RunState> {
-    @Override
-    public void write(final JsonWriter jsonWriter, final RunState enumeration) throws IOException {
-      jsonWriter.value(enumeration.getValue());
-    }
-
-    @Override
-    public RunState read(final JsonReader jsonReader) throws IOException {
-      String value = jsonReader.nextString();
-      return RunState.fromValue(value);
-    }
-  }
-
-  public static void validateJsonElement(JsonElement jsonElement) throws IOException {
-    String value = jsonElement.getAsString();
-    RunState.fromValue(value);
+    return value;
   }
 }

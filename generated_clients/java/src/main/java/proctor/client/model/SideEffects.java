@@ -5,29 +5,15 @@
 
 package proctor.client.model;
 
-import java.util.Objects;
 import com.google.gson.annotations.SerializedName;
 
-import java.io.IOException;
-import com.google.gson.TypeAdapter;
-import com.google.gson.JsonElement;
-import com.google.gson.annotations.JsonAdapter;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-
-/**
- * Gets or Sets SideEffects
- */
-@JsonAdapter(SideEffects.Adapter.class)
 public enum SideEffects {
-
+  @SerializedName("none")
   NONE("none"),
+  @SerializedName("possible")
+  POSSIBLE("possible");
 
-  POSSIBLE("possible"),
-
-  UNKNOWN_DEFAULT_OPEN_API("unknown_default_open_api");
-
-  private String value;
+  private final String value;
 
   SideEffects(String value) {
     this.value = value;
@@ -39,33 +25,6 @@ public enum SideEffects {
 
   @Override
   public String toString() {
-    return String.valueOf(value);
-  }
-
-  public static SideEffects fromValue(String value) {
-    for (SideEffects b : SideEffects.values()) {
-      if (b.value.equals(value)) {
-        return b;
-      }
-    }
-    return UNKNOWN_DEFAULT_OPEN_API;
-  }
-
-  public static class Adapter extends TypeAdapter<SideEffects> {
-    @Override
-    public void write(final JsonWriter jsonWriter, final SideEffects enumeration) throws IOException {
-      jsonWriter.value(enumeration.getValue());
-    }
-
-    @Override
-    public SideEffects read(final JsonReader jsonReader) throws IOException {
-      String value = jsonReader.nextString();
-      return SideEffects.fromValue(value);
-    }
-  }
-
-  public static void validateJsonElement(JsonElement jsonElement) throws IOException {
-    String value = jsonElement.getAsString();
-    SideEffects.fromValue(value);
+    return value;
   }
 }

@@ -5,192 +5,39 @@
 
 package proctor.client.model;
 
-import java.util.Objects;
-import com.google.gson.TypeAdapter;
-import com.google.gson.annotations.JsonAdapter;
 import com.google.gson.annotations.SerializedName;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-import java.util.Arrays;
-import proctor.client.model.StopMode;
-
-import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
-import com.google.gson.JsonArray;
-import com.google.gson.JsonDeserializationContext;
-import com.google.gson.JsonDeserializer;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonNull;
-import com.google.gson.JsonParseException;
-import com.google.gson.TypeAdapterFactory;
-import com.google.gson.reflect.TypeToken;
-import com.google.gson.TypeAdapter;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-
-import java.util.HashMap;
-import java.util.HashSet;
+import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-
 import proctor.client.JSON;
 
-/**
- * StopRun
- */
-@javax.annotation.Generated(value = "org.openapitools.codegen.languages.JavaClientCodegen", comments = "Generator version: 7.26.0")
 public class StopRun {
-  public static final String SERIALIZED_NAME_MODE = "mode";
-  @SerializedName(SERIALIZED_NAME_MODE)
-  @javax.annotation.Nullable
+  @SerializedName("mode")
   private StopMode mode;
 
-  public StopRun() {
-  }
-
-  public StopRun mode(@javax.annotation.Nullable StopMode mode) {
-    this.mode = mode;
-    return this;
-  }
-
-  /**
-   * Get mode
-   * @return mode
-   */
-  @javax.annotation.Nullable
   public StopMode getMode() {
     return mode;
   }
 
-  public void setMode(@javax.annotation.Nullable StopMode mode) {
+  public StopRun mode(StopMode mode) {
+    this.mode = mode;
+    return this;
+  }
+
+  public void setMode(StopMode mode) {
     this.mode = mode;
   }
 
-
-
-  @Override
-  public boolean equals(Object o) {
-    if (this == o) {
-      return true;
-    }
-    if (o == null || getClass() != o.getClass()) {
-      return false;
-    }
-    StopRun stopRun = (StopRun) o;
-    return Objects.equals(this.mode, stopRun.mode);
+  public static StopRun fromJson(String text) {
+    return JSON.getGson().fromJson(text, StopRun.class);
   }
 
-  @Override
-  public int hashCode() {
-    return Objects.hash(mode);
+  public String toJson() {
+    return JSON.getGson().toJson(this);
   }
 
   @Override
   public String toString() {
-    StringBuilder sb = new StringBuilder();
-    sb.append("class StopRun {\n");
-    sb.append("    mode: ").append(toIndentedString(mode)).append("\n");
-    sb.append("}");
-    return sb.toString();
-  }
-
-  /**
-   * Convert the given object to string with each line indented by 4 spaces
-   * (except the first line).
-   */
-  private String toIndentedString(Object o) {
-    return o == null ? "null" : o.toString().replace("\n", "\n    ");
-  }
-
-
-  public static HashSet<String> openapiFields;
-  public static HashSet<String> openapiRequiredFields;
-
-  static {
-    // a set of all properties/fields (JSON key names)
-    openapiFields = new HashSet<String>(Arrays.asList("mode"));
-
-    // a set of required properties/fields (JSON key names)
-    openapiRequiredFields = new HashSet<String>(0);
-  }
-
-  /**
-   * Validates the JSON Element and throws an exception if issues found
-   *
-   * @param jsonElement JSON Element
-   * @throws IOException if the JSON Element is invalid with respect to StopRun
-   */
-  public static void validateJsonElement(JsonElement jsonElement) throws IOException {
-      if (jsonElement == null) {
-        if (!StopRun.openapiRequiredFields.isEmpty()) { // has required fields but JSON element is null
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field(s) %s in StopRun is not found in the empty JSON string", StopRun.openapiRequiredFields.toString()));
-        }
-      }
-
-      Set<Map.Entry<String, JsonElement>> entries = jsonElement.getAsJsonObject().entrySet();
-      // check to see if the JSON string contains additional fields
-      for (Map.Entry<String, JsonElement> entry : entries) {
-        if (!StopRun.openapiFields.contains(entry.getKey())) {
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The field `%s` in the JSON string is not defined in the `StopRun` properties. JSON: %s", entry.getKey(), jsonElement.toString()));
-        }
-      }
-        JsonObject jsonObj = jsonElement.getAsJsonObject();
-      // validate the optional field `mode`
-      if (jsonObj.get("mode") != null && !jsonObj.get("mode").isJsonNull()) {
-        StopMode.validateJsonElement(jsonObj.get("mode"));
-      }
-  }
-
-  public static class CustomTypeAdapterFactory implements TypeAdapterFactory {
-    @SuppressWarnings("unchecked")
-    @Override
-    public <T> TypeAdapter<T> create(Gson gson, TypeToken<T> type) {
-       if (!StopRun.class.isAssignableFrom(type.getRawType())) {
-         return null; // this class only serializes 'StopRun' and its subtypes
-       }
-       final TypeAdapter<JsonElement> elementAdapter = gson.getAdapter(JsonElement.class);
-       final TypeAdapter<StopRun> thisAdapter
-                        = gson.getDelegateAdapter(this, TypeToken.get(StopRun.class));
-
-       return (TypeAdapter<T>) new TypeAdapter<StopRun>() {
-           @Override
-           public void write(JsonWriter out, StopRun value) throws IOException {
-             JsonObject obj = thisAdapter.toJsonTree(value).getAsJsonObject();
-             elementAdapter.write(out, obj);
-           }
-
-           @Override
-           public StopRun read(JsonReader in) throws IOException {
-             JsonElement jsonElement = elementAdapter.read(in);
-             validateJsonElement(jsonElement);
-             return thisAdapter.fromJsonTree(jsonElement);
-           }
-
-       }.nullSafe();
-    }
-  }
-
-  /**
-   * Create an instance of StopRun given an JSON string
-   *
-   * @param jsonString JSON string
-   * @return An instance of StopRun
-   * @throws IOException if the JSON string is invalid with respect to StopRun
-   */
-  public static StopRun fromJson(String jsonString) throws IOException {
-    return JSON.getGson().fromJson(jsonString, StopRun.class);
-  }
-
-  /**
-   * Convert an instance of StopRun to an JSON string
-   *
-   * @return JSON string
-   */
-  public String toJson() {
-    return JSON.getGson().toJson(this);
+    return toJson();
   }
 }

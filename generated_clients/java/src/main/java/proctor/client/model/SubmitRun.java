@@ -5,406 +5,155 @@
 
 package proctor.client.model;
 
-import java.util.Objects;
-import com.google.gson.TypeAdapter;
-import com.google.gson.annotations.JsonAdapter;
 import com.google.gson.annotations.SerializedName;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-import java.util.Arrays;
-import proctor.client.model.CalibrationOptions;
-import proctor.client.model.ImageChoice;
-import proctor.client.model.PolicyInfo;
-import proctor.client.model.PolicyServer;
-import proctor.client.model.RunMode;
-
-import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
-import com.google.gson.JsonArray;
-import com.google.gson.JsonDeserializationContext;
-import com.google.gson.JsonDeserializer;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonNull;
-import com.google.gson.JsonParseException;
-import com.google.gson.TypeAdapterFactory;
-import com.google.gson.reflect.TypeToken;
-import com.google.gson.TypeAdapter;
-import com.google.gson.stream.JsonReader;
-import com.google.gson.stream.JsonWriter;
-import java.io.IOException;
-
-import java.util.HashMap;
-import java.util.HashSet;
+import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-
 import proctor.client.JSON;
 
-/**
- * SubmitRun
- */
-@javax.annotation.Generated(value = "org.openapitools.codegen.languages.JavaClientCodegen", comments = "Generator version: 7.26.0")
 public class SubmitRun {
-  public static final String SERIALIZED_NAME_BENCHMARK_ID = "benchmark_id";
-  @SerializedName(SERIALIZED_NAME_BENCHMARK_ID)
+  @SerializedName("benchmark_id")
   @javax.annotation.Nonnull
   private String benchmarkId;
 
-  public static final String SERIALIZED_NAME_POLICY = "policy";
-  @SerializedName(SERIALIZED_NAME_POLICY)
+  @SerializedName("policy")
   @javax.annotation.Nonnull
   private PolicyInfo policy;
 
-  public static final String SERIALIZED_NAME_MAX_WORKERS = "max_workers";
-  @SerializedName(SERIALIZED_NAME_MAX_WORKERS)
-  @javax.annotation.Nullable
+  @SerializedName("max_workers")
   private Integer maxWorkers;
 
-  public static final String SERIALIZED_NAME_IDLE_TIMEOUT_S = "idle_timeout_s";
-  @SerializedName(SERIALIZED_NAME_IDLE_TIMEOUT_S)
-  @javax.annotation.Nullable
+  @SerializedName("idle_timeout_s")
   private Double idleTimeoutS;
 
-  public static final String SERIALIZED_NAME_IMAGES = "images";
-  @SerializedName(SERIALIZED_NAME_IMAGES)
-  @javax.annotation.Nullable
+  @SerializedName("images")
   private ImageChoice images;
 
-  public static final String SERIALIZED_NAME_OPTIONS = "options";
-  @SerializedName(SERIALIZED_NAME_OPTIONS)
-  @javax.annotation.Nullable
+  @SerializedName("options")
   private CalibrationOptions options;
 
-  public static final String SERIALIZED_NAME_MODE = "mode";
-  @SerializedName(SERIALIZED_NAME_MODE)
-  @javax.annotation.Nullable
+  @SerializedName("mode")
   private RunMode mode;
 
-  public static final String SERIALIZED_NAME_POLICY_SERVER = "policy_server";
-  @SerializedName(SERIALIZED_NAME_POLICY_SERVER)
-  @javax.annotation.Nullable
+  @SerializedName("policy_server")
   private PolicyServer policyServer;
 
-  public SubmitRun() {
-  }
-
-  public SubmitRun benchmarkId(@javax.annotation.Nonnull String benchmarkId) {
-    this.benchmarkId = benchmarkId;
-    return this;
-  }
-
-  /**
-   * Get benchmarkId
-   * @return benchmarkId
-   */
-  @javax.annotation.Nonnull
   public String getBenchmarkId() {
     return benchmarkId;
   }
 
-  public void setBenchmarkId(@javax.annotation.Nonnull String benchmarkId) {
+  public SubmitRun benchmarkId(String benchmarkId) {
     this.benchmarkId = benchmarkId;
-  }
-
-
-  public SubmitRun policy(@javax.annotation.Nonnull PolicyInfo policy) {
-    this.policy = policy;
     return this;
   }
 
-  /**
-   * Get policy
-   * @return policy
-   */
-  @javax.annotation.Nonnull
+  public void setBenchmarkId(String benchmarkId) {
+    this.benchmarkId = benchmarkId;
+  }
+
   public PolicyInfo getPolicy() {
     return policy;
   }
 
-  public void setPolicy(@javax.annotation.Nonnull PolicyInfo policy) {
+  public SubmitRun policy(PolicyInfo policy) {
     this.policy = policy;
-  }
-
-
-  public SubmitRun maxWorkers(@javax.annotation.Nullable Integer maxWorkers) {
-    this.maxWorkers = maxWorkers;
     return this;
   }
 
-  /**
-   * Most live workers wanted; the server&#39;s limit when absent.
-   * minimum: 1
-   * maximum: 1024
-   * @return maxWorkers
-   */
-  @javax.annotation.Nullable
+  public void setPolicy(PolicyInfo policy) {
+    this.policy = policy;
+  }
+
+  /** Most live workers wanted; the server&#39;s limit when absent. */
   public Integer getMaxWorkers() {
     return maxWorkers;
   }
 
-  public void setMaxWorkers(@javax.annotation.Nullable Integer maxWorkers) {
+  public SubmitRun maxWorkers(Integer maxWorkers) {
     this.maxWorkers = maxWorkers;
-  }
-
-
-  public SubmitRun idleTimeoutS(@javax.annotation.Nullable Double idleTimeoutS) {
-    this.idleTimeoutS = idleTimeoutS;
     return this;
   }
 
-  /**
-   * Lease of a session; the server&#39;s maximum when absent.
-   * minimum: 1
-   * maximum: 86400
-   * @return idleTimeoutS
-   */
-  @javax.annotation.Nullable
+  public void setMaxWorkers(Integer maxWorkers) {
+    this.maxWorkers = maxWorkers;
+  }
+
+  /** Lease of a session; the server&#39;s maximum when absent. */
   public Double getIdleTimeoutS() {
     return idleTimeoutS;
   }
 
-  public void setIdleTimeoutS(@javax.annotation.Nullable Double idleTimeoutS) {
+  public SubmitRun idleTimeoutS(Double idleTimeoutS) {
     this.idleTimeoutS = idleTimeoutS;
-  }
-
-
-  public SubmitRun images(@javax.annotation.Nullable ImageChoice images) {
-    this.images = images;
     return this;
   }
 
-  /**
-   * Get images
-   * @return images
-   */
-  @javax.annotation.Nullable
+  public void setIdleTimeoutS(Double idleTimeoutS) {
+    this.idleTimeoutS = idleTimeoutS;
+  }
+
   public ImageChoice getImages() {
     return images;
   }
 
-  public void setImages(@javax.annotation.Nullable ImageChoice images) {
+  public SubmitRun images(ImageChoice images) {
     this.images = images;
-  }
-
-
-  public SubmitRun options(@javax.annotation.Nullable CalibrationOptions options) {
-    this.options = options;
     return this;
   }
 
-  /**
-   * Get options
-   * @return options
-   */
-  @javax.annotation.Nullable
+  public void setImages(ImageChoice images) {
+    this.images = images;
+  }
+
   public CalibrationOptions getOptions() {
     return options;
   }
 
-  public void setOptions(@javax.annotation.Nullable CalibrationOptions options) {
+  public SubmitRun options(CalibrationOptions options) {
     this.options = options;
-  }
-
-
-  public SubmitRun mode(@javax.annotation.Nullable RunMode mode) {
-    this.mode = mode;
     return this;
   }
 
-  /**
-   * Get mode
-   * @return mode
-   */
-  @javax.annotation.Nullable
+  public void setOptions(CalibrationOptions options) {
+    this.options = options;
+  }
+
   public RunMode getMode() {
     return mode;
   }
 
-  public void setMode(@javax.annotation.Nullable RunMode mode) {
+  public SubmitRun mode(RunMode mode) {
     this.mode = mode;
-  }
-
-
-  public SubmitRun policyServer(@javax.annotation.Nullable PolicyServer policyServer) {
-    this.policyServer = policyServer;
     return this;
   }
 
-  /**
-   * Get policyServer
-   * @return policyServer
-   */
-  @javax.annotation.Nullable
+  public void setMode(RunMode mode) {
+    this.mode = mode;
+  }
+
   public PolicyServer getPolicyServer() {
     return policyServer;
   }
 
-  public void setPolicyServer(@javax.annotation.Nullable PolicyServer policyServer) {
+  public SubmitRun policyServer(PolicyServer policyServer) {
+    this.policyServer = policyServer;
+    return this;
+  }
+
+  public void setPolicyServer(PolicyServer policyServer) {
     this.policyServer = policyServer;
   }
 
-
-
-  @Override
-  public boolean equals(Object o) {
-    if (this == o) {
-      return true;
-    }
-    if (o == null || getClass() != o.getClass()) {
-      return false;
-    }
-    SubmitRun submitRun = (SubmitRun) o;
-    return Objects.equals(this.benchmarkId, submitRun.benchmarkId) &&
-        Objects.equals(this.policy, submitRun.policy) &&
-        Objects.equals(this.maxWorkers, submitRun.maxWorkers) &&
-        Objects.equals(this.idleTimeoutS, submitRun.idleTimeoutS) &&
-        Objects.equals(this.images, submitRun.images) &&
-        Objects.equals(this.options, submitRun.options) &&
-        Objects.equals(this.mode, submitRun.mode) &&
-        Objects.equals(this.policyServer, submitRun.policyServer);
+  public static SubmitRun fromJson(String text) {
+    return JSON.getGson().fromJson(text, SubmitRun.class);
   }
 
-  @Override
-  public int hashCode() {
-    return Objects.hash(benchmarkId, policy, maxWorkers, idleTimeoutS, images, options, mode, policyServer);
+  public String toJson() {
+    return JSON.getGson().toJson(this);
   }
 
   @Override
   public String toString() {
-    StringBuilder sb = new StringBuilder();
-    sb.append("class SubmitRun {\n");
-    sb.append("    benchmarkId: ").append(toIndentedString(benchmarkId)).append("\n");
-    sb.append("    policy: ").append(toIndentedString(policy)).append("\n");
-    sb.append("    maxWorkers: ").append(toIndentedString(maxWorkers)).append("\n");
-    sb.append("    idleTimeoutS: ").append(toIndentedString(idleTimeoutS)).append("\n");
-    sb.append("    images: ").append(toIndentedString(images)).append("\n");
-    sb.append("    options: ").append(toIndentedString(options)).append("\n");
-    sb.append("    mode: ").append(toIndentedString(mode)).append("\n");
-    sb.append("    policyServer: ").append(toIndentedString(policyServer)).append("\n");
-    sb.append("}");
-    return sb.toString();
-  }
-
-  /**
-   * Convert the given object to string with each line indented by 4 spaces
-   * (except the first line).
-   */
-  private String toIndentedString(Object o) {
-    return o == null ? "null" : o.toString().replace("\n", "\n    ");
-  }
-
-
-  public static HashSet<String> openapiFields;
-  public static HashSet<String> openapiRequiredFields;
-
-  static {
-    // a set of all properties/fields (JSON key names)
-    openapiFields = new HashSet<String>(Arrays.asList("benchmark_id", "policy", "max_workers", "idle_timeout_s", "images", "options", "mode", "policy_server"));
-
-    // a set of required properties/fields (JSON key names)
-    openapiRequiredFields = new HashSet<String>(Arrays.asList("benchmark_id", "policy"));
-  }
-
-  /**
-   * Validates the JSON Element and throws an exception if issues found
-   *
-   * @param jsonElement JSON Element
-   * @throws IOException if the JSON Element is invalid with respect to SubmitRun
-   */
-  public static void validateJsonElement(JsonElement jsonElement) throws IOException {
-      if (jsonElement == null) {
-        if (!SubmitRun.openapiRequiredFields.isEmpty()) { // has required fields but JSON element is null
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field(s) %s in SubmitRun is not found in the empty JSON string", SubmitRun.openapiRequiredFields.toString()));
-        }
-      }
-
-      Set<Map.Entry<String, JsonElement>> entries = jsonElement.getAsJsonObject().entrySet();
-      // check to see if the JSON string contains additional fields
-      for (Map.Entry<String, JsonElement> entry : entries) {
-        if (!SubmitRun.openapiFields.contains(entry.getKey())) {
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The field `%s` in the JSON string is not defined in the `SubmitRun` properties. JSON: %s", entry.getKey(), jsonElement.toString()));
-        }
-      }
-
-      // check to make sure all required properties/fields are present in the JSON string
-      for (String requiredField : SubmitRun.openapiRequiredFields) {
-        if (jsonElement.getAsJsonObject().get(requiredField) == null) {
-          throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "The required field `%s` is not found in the JSON string: %s", requiredField, jsonElement.toString()));
-        }
-      }
-        JsonObject jsonObj = jsonElement.getAsJsonObject();
-      if (!jsonObj.get("benchmark_id").isJsonPrimitive()) {
-        throw new IllegalArgumentException(String.format(java.util.Locale.ROOT, "Expected the field `benchmark_id` to be a primitive type in the JSON string but got `%s`", jsonObj.get("benchmark_id").toString()));
-      }
-      // validate the required field `policy`
-      PolicyInfo.validateJsonElement(jsonObj.get("policy"));
-      // validate the optional field `images`
-      if (jsonObj.get("images") != null && !jsonObj.get("images").isJsonNull()) {
-        ImageChoice.validateJsonElement(jsonObj.get("images"));
-      }
-      // validate the optional field `options`
-      if (jsonObj.get("options") != null && !jsonObj.get("options").isJsonNull()) {
-        CalibrationOptions.validateJsonElement(jsonObj.get("options"));
-      }
-      // validate the optional field `mode`
-      if (jsonObj.get("mode") != null && !jsonObj.get("mode").isJsonNull()) {
-        RunMode.validateJsonElement(jsonObj.get("mode"));
-      }
-      // validate the optional field `policy_server`
-      if (jsonObj.get("policy_server") != null && !jsonObj.get("policy_server").isJsonNull()) {
-        PolicyServer.validateJsonElement(jsonObj.get("policy_server"));
-      }
-  }
-
-  public static class CustomTypeAdapterFactory implements TypeAdapterFactory {
-    @SuppressWarnings("unchecked")
-    @Override
-    public <T> TypeAdapter<T> create(Gson gson, TypeToken<T> type) {
-       if (!SubmitRun.class.isAssignableFrom(type.getRawType())) {
-         return null; // this class only serializes 'SubmitRun' and its subtypes
-       }
-       final TypeAdapter<JsonElement> elementAdapter = gson.getAdapter(JsonElement.class);
-       final TypeAdapter<SubmitRun> thisAdapter
-                        = gson.getDelegateAdapter(this, TypeToken.get(SubmitRun.class));
-
-       return (TypeAdapter<T>) new TypeAdapter<SubmitRun>() {
-           @Override
-           public void write(JsonWriter out, SubmitRun value) throws IOException {
-             JsonObject obj = thisAdapter.toJsonTree(value).getAsJsonObject();
-             elementAdapter.write(out, obj);
-           }
-
-           @Override
-           public SubmitRun read(JsonReader in) throws IOException {
-             JsonElement jsonElement = elementAdapter.read(in);
-             validateJsonElement(jsonElement);
-             return thisAdapter.fromJsonTree(jsonElement);
-           }
-
-       }.nullSafe();
-    }
-  }
-
-  /**
-   * Create an instance of SubmitRun given an JSON string
-   *
-   * @param jsonString JSON string
-   * @return An instance of SubmitRun
-   * @throws IOException if the JSON string is invalid with respect to SubmitRun
-   */
-  public static SubmitRun fromJson(String jsonString) throws IOException {
-    return JSON.getGson().fromJson(jsonString, SubmitRun.class);
-  }
-
-  /**
-   * Convert an instance of SubmitRun to an JSON string
-   *
-   * @return JSON string
-   */
-  public String toJson() {
-    return JSON.getGson().toJson(this);
+    return toJson();
   }
 }
