@@ -10,8 +10,8 @@ from typing import Any, Protocol, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from reference_client.api.errors import ProctorError
 from reference_client.api.observation import Observation
+from reference_client.errors import ProctorError
 
 Vector: TypeAlias = Sequence[float] | npt.NDArray[Any]
 Chunk: TypeAlias = Sequence[Mapping[str, Vector]]

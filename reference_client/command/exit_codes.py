@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 
-from reference_client.api.errors import BAD_ANSWER, UNREACHABLE, ProctorError
+from reference_client.errors import BAD_ANSWER, UNREACHABLE, ProctorError
 
 DONE, NOT_COMPLETE, WRONG_USAGE_OR_NO_SERVER, INTERRUPTED = 0, 1, 2, 130
 NOT_RELEASED = 1

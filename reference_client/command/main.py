@@ -13,7 +13,6 @@ import sys
 import traceback
 from collections.abc import Callable, Sequence
 
-from reference_client.api.errors import ProctorError
 from reference_client.command import control, running
 from reference_client.command.aliases import PASS_THROUGH_COMMANDS, translate
 from reference_client.command.arguments import build_parser
@@ -25,6 +24,7 @@ from reference_client.command.exit_codes import (
     message_of,
 )
 from reference_client.command.output import Printer
+from reference_client.errors import ProctorError
 
 COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
     "submit": control.submit,
@@ -40,7 +40,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
 PROGRAMS = {
     "serve": ("reference_server", ("reference_server", "uvicorn"), "house"),
     "serve-policy": (
-        "reference_client.policies.serve",
+        "reference_client.policies.serve_command",
         ("starlette", "uvicorn"),
         "client",
     ),

@@ -19,7 +19,6 @@ from typing import Any, Self
 
 from proctor_client import Assumptions, Benchmark, Run, Score
 
-from reference_client.api.errors import PolicyFailed, ProctorError, RunFailed
 from reference_client.api.policy import Policy
 from reference_client.command import output
 from reference_client.command.arguments import DEFAULT_URL
@@ -32,6 +31,7 @@ from reference_client.command.exit_codes import (
     message_of,
 )
 from reference_client.command.output import Printer, ProgressDisplay
+from reference_client.errors import PolicyFailed, ProctorError, RunFailed
 from reference_client.evaluation.evaluate import run_evaluation
 from reference_client.evaluation.plan import EvaluationPlan, parse_strictly
 from reference_client.evaluation.status_board import Progress, StatusBoard
@@ -39,7 +39,7 @@ from reference_client.evaluation.worker_pool import ThreadWorkerPool, WorkerPool
 from reference_client.evaluation.worker_processes import ProcessWorkerPool
 from reference_client.policies import BadMapping, BadPolicy, Mapping, load
 from reference_client.policies.error_origin import describe_policy_error
-from reference_client.policies.policy_server import PolicyServerClient
+from reference_client.policies.policy_server_client import PolicyServerClient
 from reference_client.view.server import View
 
 PATIENCE_S = 300.0

@@ -14,8 +14,8 @@ from typing import Any
 
 from proctor_client import Assumptions, PolicyInfo, Run, Score
 
-from reference_client.api.errors import RunFailed, RunStopped, how_to_resume
 from reference_client.api.policy import Policy
+from reference_client.errors import RunFailed, RunStopped, how_to_resume
 from reference_client.evaluation.plan import EvaluationPlan, parse_strictly, submission
 from reference_client.evaluation.rounds import EvaluationRounds
 from reference_client.evaluation.status_board import (
@@ -28,7 +28,7 @@ from reference_client.evaluation.worker_pool import (
     ThreadWorkerPool,
     WorkerPool,
 )
-from reference_client.policies.policy_server import PolicyServerClient
+from reference_client.policies.policy_server_client import PolicyServerClient
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import RetryPolicy

@@ -16,7 +16,7 @@ from typing import Protocol
 
 from proctor_client import Run, Score
 
-from reference_client.api.errors import WORKER_DIED, ProctorError
+from reference_client.errors import WORKER_DIED, ProctorError
 from reference_client.evaluation.status_board import Progress, StatusBoard
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import Interrupted

@@ -19,16 +19,16 @@ from typing import Any, TextIO
 
 from proctor_client import Assumptions, Run
 
-from reference_client.api.errors import ProctorError
 from reference_client.api.policy import Policy
+from reference_client.errors import ProctorError
 from reference_client.evaluation.status_board import StatusBoard, TurnSnapshot
-from reference_client.evaluation.worker_thread import Worker
+from reference_client.evaluation.turn_report import describe_turn
+from reference_client.evaluation.worker_loop import Worker
 from reference_client.policies import BadMapping, BadPolicy, Mapping, load
 from reference_client.policies.error_origin import describe_policy_error
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.retry_policy import Interrupted, RetryPolicy
 from reference_client.protocol.worker_session import WorkerSlot
-from reference_client.view.frames import describe_turn
 
 # For a request or a thought under way, after the orders have ended.
 STOP_TIMEOUT_S = 4.0

@@ -15,7 +15,7 @@ from reference_client.api.policy import Policy
 from reference_client.evaluation.plan import EvaluationPlan
 from reference_client.evaluation.rounds import RunWorker
 from reference_client.evaluation.status_board import StatusBoard
-from reference_client.evaluation.worker_thread import Worker
+from reference_client.evaluation.worker_loop import Worker
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_client.protocol.worker_session import WorkerSlot

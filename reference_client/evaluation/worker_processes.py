@@ -22,7 +22,7 @@ from typing import Any
 
 from pydantic_core import to_jsonable_python
 
-from reference_client.api.errors import WORKER_DIED, PolicyFailed, ProctorError
+from reference_client.errors import WORKER_DIED, PolicyFailed, ProctorError
 from reference_client.evaluation.rounds import RunWorker
 from reference_client.evaluation.status_board import StatusBoard
 from reference_client.evaluation.worker_pool import EvaluationContext

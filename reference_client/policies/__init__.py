@@ -5,6 +5,6 @@ another house and its answer into ours, `openpi` speaks to a policy server.
 """
 
 from reference_client.policies.mapping import BadMapping, Mapping
-from reference_client.policies.source import BadPolicy, load
+from reference_client.policies.policy_loader import BadPolicy, load
 
 __all__ = ["BadMapping", "BadPolicy", "Mapping", "load"]

@@ -21,7 +21,7 @@ from proctor_client import Benchmark
 
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
-from reference_client.policies.pictures import resize_picture
+from reference_client.policies.image_resize import resize_picture
 
 Array = npt.NDArray[Any]
 

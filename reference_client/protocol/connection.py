@@ -8,7 +8,7 @@ from urllib.parse import urlsplit
 
 from proctor_client import ApiClient, Configuration, ControlApi
 
-from reference_client.api.errors import BAD_ANSWER, ProctorError
+from reference_client.errors import BAD_ANSWER, ProctorError
 from reference_client.protocol.data_plane import DataPlane
 
 PROTOCOL_VERSION = "1.0"

@@ -22,7 +22,7 @@ from proctor_client import (
     SubmitRun,
 )
 
-from reference_client.api.errors import ProctorError, RunFailed, RunStopped
+from reference_client.errors import ProctorError, RunFailed, RunStopped
 from reference_client.protocol.connection import TIMEOUTS_S
 from reference_client.protocol.retry_policy import RetryPolicy
 

@@ -18,7 +18,7 @@ from typing import TypeVar
 import msgspec
 from proctor_client import ApiException
 
-from reference_client.api.errors import NO_ANSWER_ERRORS, ProctorError, from_failure
+from reference_client.errors import NO_ANSWER_ERRORS, ProctorError, from_failure
 
 Answer = TypeVar("Answer")
 

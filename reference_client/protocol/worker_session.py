@@ -14,8 +14,8 @@ from typing import Self
 
 from proctor_client import Assumptions, AttachWorker, Heartbeat, Observe, Run
 
-from reference_client.api.errors import ProctorError, from_failure
 from reference_client.api.policy import WireAction
+from reference_client.errors import ProctorError, from_failure
 from reference_client.generated.messages import Turn
 from reference_client.protocol.data_plane import DataPlane
 from reference_client.protocol.retry_policy import FAILURES, Interrupted, RetryPolicy

@@ -16,7 +16,7 @@ from importlib.resources import files
 from typing import Any, Self
 
 from reference_client.evaluation.status_board import Progress, StatusBoard, TurnSnapshot
-from reference_client.view.frames import describe_turn
+from reference_client.evaluation.turn_report import describe_turn
 
 LOOPBACK = "127.0.0.1"
 CONTENT_SECURITY_POLICY = (

@@ -17,9 +17,9 @@ from proctor_client import ApiException, Problem
 
 import reference_client
 from reference_client import ProctorError
-from reference_client.api.errors import from_failure
 from reference_client.api.observation import observation_of
 from reference_client.api.policy import Vector, chunk_of
+from reference_client.errors import from_failure
 from reference_client.evaluation.status_board import Progress, ProgressLine, StatusBoard
 from reference_client.generated.messages import Turn
 from reference_client.protocol.connection import Connection

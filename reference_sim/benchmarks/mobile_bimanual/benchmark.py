@@ -126,7 +126,7 @@ def make_simulator(variant: Variant, settings: Mapping[str, Any]) -> Simulator:
     another (for documents only: no choice of a submitter sets it)."""
     from reference_sim.benchmarks.mobile_bimanual.scene import MobileBimanualScene
     from reference_sim.benchmarks.mobile_bimanual.tasks import TASKS
-    from reference_sim.mujoco.physical import PhysicalSimulator
+    from reference_sim.mujoco.task_simulator import PhysicalSimulator
 
     return PhysicalSimulator(
         MobileBimanualScene(

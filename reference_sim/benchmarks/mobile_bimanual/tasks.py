@@ -16,7 +16,7 @@ from reference_sim.benchmarks.mobile_bimanual.layout import (
 )
 from reference_sim.benchmarks.mobile_bimanual.scene import MobileBimanualScene
 from reference_sim.benchmarks.mobile_bimanual.splits import EpisodeVariation
-from reference_sim.mujoco.physical import Task
+from reference_sim.mujoco.task_simulator import Task
 
 LIFTED_M = 0.10  # above where it lay
 IN_THE_AIR_M = 0.03

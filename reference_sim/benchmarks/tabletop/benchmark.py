@@ -112,7 +112,7 @@ def _make_tabletop_state(settings: Mapping[str, Any]) -> Simulator:  # noqa: ARG
 def _make(cameras: Sequence[str], size: tuple[int, int], quality: str) -> Simulator:
     from reference_sim.benchmarks.tabletop.scene import TabletopScene
     from reference_sim.benchmarks.tabletop.tasks import TASKS
-    from reference_sim.mujoco.physical import PhysicalSimulator
+    from reference_sim.mujoco.task_simulator import PhysicalSimulator
 
     return PhysicalSimulator(
         TabletopScene(quality),

@@ -13,7 +13,7 @@ import numpy as np
 from reference_sim.benchmarks.tabletop.layout import HOLE_DEPTH_M
 from reference_sim.benchmarks.tabletop.scene import TabletopScene
 from reference_sim.benchmarks.tabletop.variation import Area, Placement, draw_look
-from reference_sim.mujoco.physical import Task
+from reference_sim.mujoco.task_simulator import Task
 
 AT_THING_M = 0.03  # from the fingertips' middle to a thing that they are at
 CARRIED_M = 0.05  # a thing that high is held clear of its surroundings

@@ -29,7 +29,7 @@ from reference_client.api.observation import observation_of
 from reference_client.api.policy import chunk_of
 from reference_client.generated import messages
 from reference_client.policies import BadMapping, BadPolicy, Mapping, load
-from reference_client.policies.pictures import resize_picture
+from reference_client.policies.image_resize import resize_picture
 from tests.support.client.command import ProctorCommand, policy_folder, server
 from tests.test_reference_client_scenes import ROOT, DirectClient, RestartableServer
 
@@ -185,7 +185,7 @@ def test_an_invalid_answer_is_a_policy_failure(answer: Any, message: str) -> Non
 
 
 def _policy(ask: Callable[[dict[str, Any]], Any], made: Mapping) -> Any:
-    from reference_client.policies.source import _MappedPolicy
+    from reference_client.policies.policy_loader import _MappedPolicy
 
     return _MappedPolicy(ask, made)
 

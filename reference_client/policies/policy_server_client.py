@@ -15,9 +15,9 @@ import msgspec
 import urllib3
 from proctor_client import Benchmark
 
-from reference_client.api.errors import POLICY_FAILED, ProctorError
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
+from reference_client.errors import POLICY_FAILED, ProctorError
 
 PAUSE_S = 0.2
 FIRST_CONTACT_S = 3.0  # a mistyped URL is told before there is a run

@@ -17,9 +17,9 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from reference_client.api.errors import POLICY_FAILED, ProctorError
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk, Policy
+from reference_client.errors import POLICY_FAILED, ProctorError
 from reference_client.policies.mapping import InvalidPolicyAnswer, Mapping
 
 
@@ -45,7 +45,7 @@ def load(reference: str, mapping: Mapping | None = None) -> Callable[[], Policy]
 
 
 def _openpi(url: str, mapping: Mapping | None) -> Callable[[], Policy]:
-    from reference_client.policies.openpi import OpenpiClient
+    from reference_client.policies.openpi_client import OpenpiClient
 
     if not url.startswith(("ws://", "wss://")):
         raise BadPolicy(
@@ -60,7 +60,7 @@ def _openpi(url: str, mapping: Mapping | None) -> Callable[[], Policy]:
 
 
 def _policy_server(url: str, mapping: Mapping | None) -> Callable[[], Policy]:
-    from reference_client.policies.policy_server import PolicyServerClient
+    from reference_client.policies.policy_server_client import PolicyServerClient
 
     if not url.startswith(("http://", "https://")):
         raise BadPolicy(

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 from proctor_client import Assumptions
 
-from reference_client.api.errors import ProctorError
 from reference_client.api.observation import observation_of
 from reference_client.api.policy import Policy, chunk_of
+from reference_client.errors import ProctorError
 from reference_client.evaluation.status_board import StatusBoard, TurnSnapshot
 from reference_client.protocol.heartbeat import HeartbeatThread
 from reference_client.protocol.retry_policy import RetryPolicy

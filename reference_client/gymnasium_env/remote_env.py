@@ -1,12 +1,12 @@
 """A run as a Gymnasium environment: `reset` takes the next episode, `step` plays it.
 
-    import gymnasium
-    import reference_client.api.remote_env
+    from reference_client import RemoteEnv
 
-    env = gymnasium.make("proctor/Remote-v0", url=..., token=..., benchmark="tabletop")
+    env = RemoteEnv(url=..., token=..., benchmark="tabletop")
 
-Or `RemoteEnv(url=..., ...)`. Seeds and scores are the server's: `reset(seed=...)` seeds
-what this process draws, not the episode. Importing this file registers the id.
+Importing this module also registers the id `proctor/Remote-v0` for `gymnasium.make`.
+Seeds and scores are the server's: `reset(seed=...)` seeds what this process draws, not
+the episode.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ import msgspec
 from proctor_client import Assumptions, Observe, PolicyInfo, Run
 from pydantic_core import to_jsonable_python
 
-from reference_client.api import spaces
-from reference_client.api.errors import ProctorError
 from reference_client.api.observation import (
     Observation,
     decode_observation,
     observation_of,
 )
 from reference_client.api.policy import chunk_of
+from reference_client.errors import ProctorError
 from reference_client.evaluation.plan import parse_strictly, submission
 from reference_client.generated.messages import Turn
+from reference_client.gymnasium_env import spaces
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.data_plane import DataPlane
@@ -266,6 +266,6 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
 
 gymnasium.register(
     ENV_ID,
-    entry_point="reference_client.api.remote_env:RemoteEnv",
+    entry_point="reference_client.gymnasium_env.remote_env:RemoteEnv",
     nondeterministic=True,  # an episode is the server's choice, not the seed's
 )

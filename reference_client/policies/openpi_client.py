@@ -17,7 +17,7 @@ from typing import Any, Self, TypeVar
 from websockets.exceptions import InvalidURI, WebSocketException
 from websockets.sync.client import ClientConnection, connect
 
-from reference_client.api.errors import POLICY_FAILED, ProctorError
+from reference_client.errors import POLICY_FAILED, ProctorError
 from reference_client.policies.ndarray import BadMessage, pack, unpack
 
 PAUSE_S = 0.2

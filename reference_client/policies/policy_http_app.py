@@ -22,9 +22,9 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
-from reference_client.api.errors import ProctorError
 from reference_client.api.observation import observation_of
 from reference_client.api.policy import Policy, chunk_of
+from reference_client.errors import ProctorError
 from reference_client.generated.messages import EpisodeView, Turn
 from reference_client.policies.error_origin import describe_policy_error
 

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 import uvicorn
 
 from reference_client.policies import BadMapping, BadPolicy, Mapping, load
-from reference_client.policies.serving import PolicyApp
+from reference_client.policies.policy_http_app import PolicyApp
 
 PORT = 8470
 
