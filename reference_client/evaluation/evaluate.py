@@ -49,7 +49,7 @@ def evaluate(
     images: Mapping[str, Any] | None = None,
     idle_timeout_s: float | None = None,
     options: Mapping[str, Any] | None = None,
-    patience_s: float = 300.0,
+    retry_timeout_s: float = 300.0,
     progress: Callable[[Progress], None] | None = None,
 ) -> Score:
     """Evaluate a policy on a benchmark of the server at `url`; returns its score.
@@ -65,7 +65,7 @@ def evaluate(
     assumes: conventions that the policy takes for granted, as in schema Assumptions.
     name: of the policy; that of its class when absent.
     images, idle_timeout_s, options: of a new run, as in schema SubmitRun.
-    patience_s: how long a server is waited for that does not answer, seconds.
+    retry_timeout_s: how long a server is waited for that does not answer, seconds.
     progress: called in this thread whenever there is news. Without it there is one line
         on the standard error if that is a terminal, and nothing otherwise.
 
@@ -90,7 +90,7 @@ def evaluate(
         benchmark=benchmark,
         takeover=takeover,
         assumes=parse_strictly(Assumptions, "assumes", assumes),
-        patience_s=patience_s,
+        retry_timeout_s=retry_timeout_s,
         check_benchmark=policy.check
         if isinstance(policy, PolicyServerClient)
         else None,
@@ -144,7 +144,7 @@ def run_evaluation(
     workers = len(plan.worker_ids)
     with Connection(plan.url, plan.token, requests=2 * workers + 1) as connection:
         retry_policy = RetryPolicy(
-            connection.url, plan.patience_s, stop, board.waiting_reporter("run")
+            connection.url, plan.retry_timeout_s, stop, board.waiting_reporter("run")
         )
         control_client = ControlClient(connection.control, retry_policy)
         try:

@@ -38,7 +38,7 @@ class EvaluationPlan:
     """A run, new or known, and the workers that shall play it.
 
     submission: of a new run, or None for the run of `run_id`, which must be of
-        `benchmark` if that is given. worker_ids: one worker each. patience_s: how long
+        `benchmark` if that is given. worker_ids: one worker each. retry_timeout_s: how long
         a server is waited for that does not answer, seconds. vet: is given the
         benchmark before there is a run, and raises if the policy does not fit it.
     """
@@ -51,7 +51,7 @@ class EvaluationPlan:
     benchmark: str | None = None
     takeover: bool = False
     assumes: Assumptions | None = None
-    patience_s: float = 300.0
+    retry_timeout_s: float = 300.0
     check_benchmark: Callable[[Benchmark], None] | None = None
 
     def __post_init__(self) -> None:

@@ -157,7 +157,7 @@ def _worker(
         policy,
         RetryPolicy(
             connection.url,
-            order["patience_s"],
+            order["retry_timeout_s"],
             order_receiver.stop,
             reporter.waiting_reporter(worker_id),
         ),

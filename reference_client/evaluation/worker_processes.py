@@ -130,7 +130,7 @@ class WorkerProcess:
                 "run": context.run.to_dict(),
                 "takeover": plan.takeover,
                 "assumes": plan.assumes and plan.assumes.to_dict(),
-                "patience_s": plan.patience_s,
+                "retry_timeout_s": plan.retry_timeout_s,
             }
         )
         self.is_playing = True

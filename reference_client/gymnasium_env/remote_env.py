@@ -63,7 +63,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
     url, token: of the server; PROCTOR_URL and PROCTOR_TOKEN when absent.
     benchmark: for a new run, submitted by the first `reset`; or run_id: of a run.
     options, images, idle_timeout_s, name: of the new run, as `evaluate` has them.
-    worker_id: another for each environment of a run. takeover, assumes, patience_s: as
+    worker_id: another for each environment of a run. takeover, assumes, retry_timeout_s: as
     `evaluate` has them.
     renew: when the run is done, `reset` submits another; without it RunDone is raised.
 
@@ -85,7 +85,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         worker_id: str = "env-0",
         takeover: bool = False,
         assumes: Mapping[str, Any] | None = None,
-        patience_s: float = 300.0,
+        retry_timeout_s: float = 300.0,
         renew: bool = False,
         render_mode: None = None,
     ) -> None:
@@ -110,7 +110,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         connection = Connection(url, token, requests=3)
         self._connection = self._connection_stack.enter_context(connection)
         self._retry_policy = RetryPolicy(
-            connection.url, patience_s, threading.Event(), lambda _why: None
+            connection.url, retry_timeout_s, threading.Event(), lambda _why: None
         )
         self._control_client = ControlClient(connection.control, self._retry_policy)
         self._control_client.check_service(1)

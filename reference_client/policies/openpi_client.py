@@ -30,14 +30,14 @@ Answer = TypeVar("Answer")
 class OpenpiClient:
     """The server at `url`, ws:// or wss://; connects when it is first asked.
 
-    OPENPI_API_KEY of the environment is sent as its API key. patience_s: how long a
+    OPENPI_API_KEY of the environment is sent as its API key. retry_timeout_s: how long a
     server is waited for that is not there. The first answer may take minutes, while the
     network is compiled; that is waited for without end.
     """
 
-    def __init__(self, url: str, *, patience_s: float = 60.0) -> None:
+    def __init__(self, url: str, *, retry_timeout_s: float = 60.0) -> None:
         self._url = url
-        self._patience_s = patience_s
+        self._retry_timeout_s = retry_timeout_s
         self._socket: ClientConnection | None = None
         self._connection_stack = contextlib.ExitStack()
         self.metadata: Any = None
@@ -58,10 +58,10 @@ class OpenpiClient:
             socket.send(frame)
             return socket.recv()
 
-        return self._read(self._retry(exchange, self._patience_s))
+        return self._read(self._retry(exchange, self._retry_timeout_s))
 
-    def _retry(self, attempt: Callable[[], Answer], patience_s: float) -> Answer:
-        deadline = time.monotonic() + patience_s
+    def _retry(self, attempt: Callable[[], Answer], retry_timeout_s: float) -> Answer:
+        deadline = time.monotonic() + retry_timeout_s
         while True:
             try:
                 return attempt()

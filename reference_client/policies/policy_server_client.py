@@ -28,13 +28,13 @@ _RETRY_STATUSES = (429, 500, 502, 503, 504)
 class PolicyServerClient:
     """Makes a policy for each worker: a session with the server at `url`.
 
-    PROCTOR_POLICY_KEY of the environment is sent as its key. patience_s: how long a
+    PROCTOR_POLICY_KEY of the environment is sent as its key. retry_timeout_s: how long a
     server is waited for that is not there.
     """
 
-    def __init__(self, url: str, *, patience_s: float = 60.0) -> None:
+    def __init__(self, url: str, *, retry_timeout_s: float = 60.0) -> None:
         self._url = url.rstrip("/")
-        self._patience_s = patience_s
+        self._retry_timeout_s = retry_timeout_s
         self._pool = urllib3.PoolManager(maxsize=64, retries=False)
         self._benchmark: dict[str, Any] | None = None
 
@@ -54,13 +54,13 @@ class PolicyServerClient:
     def post(self, operation: str, body: Any) -> Any:
         """The answer to an operation. Raises ProctorError `policy_failed`."""
         content = msgspec.json.encode(body)
-        return self.call("POST", f"/{operation}", content, self._patience_s)
+        return self.call("POST", f"/{operation}", content, self._retry_timeout_s)
 
     def call(
-        self, method: str, path: str, content: bytes | None, patience_s: float
+        self, method: str, path: str, content: bytes | None, retry_timeout_s: float
     ) -> Any:
         """One call, made again while nobody answers or the server asks for that."""
-        deadline = time.monotonic() + patience_s
+        deadline = time.monotonic() + retry_timeout_s
         while True:
             try:
                 answer = self._pool.request(

@@ -196,7 +196,7 @@ def test_a_wrong_token_is_reported_with_its_flag(
 def test_an_unreachable_server_gives_exit_code_2(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    place = ["--url", "http://127.0.0.1:9", "--patience-s", "0"]
+    place = ["--url", "http://127.0.0.1:9", "--retry-timeout-s", "0"]
     for command in (
         ["status"],
         ["run", "--policy", "policies:best", *options("count")],

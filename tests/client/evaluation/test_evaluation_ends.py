@@ -265,14 +265,14 @@ def test_a_wrong_token_is_reported(
 def test_an_unreachable_server_is_reported_with_its_url() -> None:
     with FaultyProxy("http://unused") as closed:
         url = closed.url
-    error = evaluate_and_fail(url=url, benchmark="calibration", patience_s=0.5)
+    error = evaluate_and_fail(url=url, benchmark="calibration", retry_timeout_s=0.5)
     assert error.code == "unreachable"
     assert f"{url} does not answer (Connection refused)" in str(error)
 
 
 def test_a_server_that_is_not_proctor_is_reported(proxy: FaultyProxy) -> None:
     proxy.faults["/v1"] = deque(["gateway"] * 10)
-    error = evaluate_and_fail(url=proxy.url, benchmark="calibration", patience_s=0.3)
+    error = evaluate_and_fail(url=proxy.url, benchmark="calibration", retry_timeout_s=0.3)
     assert error.code == "bad_answer"
     assert f"{proxy.url} answered 502 Bad Gateway" in str(error)
 

@@ -32,7 +32,7 @@ def evaluate_policy(
     server: ReferenceServer, url: str, *tasks: str, **members: Any
 ) -> Any:
     return evaluate(
-        PolicyServerClient(url, patience_s=2.0),
+        PolicyServerClient(url, retry_timeout_s=2.0),
         url=server.url,
         token=TOKENS["alice"],
         benchmark="calibration",
