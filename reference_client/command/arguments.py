@@ -121,7 +121,7 @@ def _add_server_options(parser: argparse.ArgumentParser) -> None:
         help=f"base URL [PROCTOR_URL, or {DEFAULT_URL}]",
     )
     group.add_argument("--host", metavar="HOST", help="with --port, instead of --url")
-    group.add_argument("--port", type=int, metavar="PORT", help="(8460)")
+    group.add_argument("--port", type=int, metavar="PORT", help="with --host (8460)")
     group.add_argument(
         "--token",
         default=None,

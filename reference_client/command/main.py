@@ -72,7 +72,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def start(command: str, arguments: Sequence[str]) -> int:
-    """Replaces this process by the program. Raises UsageError if it is not installed."""
+    """Replaces this process by the program. Raises UsageError if it is missing."""
     module, needed, extra = PROGRAMS[command]
     missing = [name for name in needed if importlib.util.find_spec(name) is None]
     if missing:

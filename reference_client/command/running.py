@@ -115,7 +115,7 @@ class _EvaluationCommand:
                     plan,
                     worker_pool,
                     progress=self._on_progress,
-                    opened=self._on_opened,
+                    on_run=self._on_run,
                     say=self._printer.say,
                     board=board,
                 )
@@ -159,7 +159,7 @@ class _EvaluationCommand:
             worker_pool = ThreadWorkerPool(_attribute_errors(make))
         return board, worker_pool
 
-    def _on_opened(self, run: Run) -> None:
+    def _on_run(self, run: Run) -> None:
         self._run = run
         policy = f"{run.policy.name} on {run.benchmark_id}"
         self._printer.say(f"Run {run.run_id}: {policy}")
@@ -217,7 +217,7 @@ class _EvaluationCommand:
 
 
 class Signals:
-    """Handles SIGINT and SIGTERM: the first raises KeyboardInterrupt, the second exits.
+    """Handles SIGINT and SIGTERM: the first raises KeyboardInterrupt, another exits.
 
     before_exit: called by the handler before the exit. A context manager, for the main
     thread.

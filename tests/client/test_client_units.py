@@ -399,7 +399,7 @@ def test_the_status_board_shows_one_waiting_worker() -> None:
     assert board.waiting() == "worker-1: b"
     second(None)
     assert board.waiting() is None
-    assert not board.take_scored()
+    assert not board.pop_scored()
     board.on_scored()
-    assert board.take_scored()
-    assert not board.take_scored()
+    assert board.pop_scored()
+    assert not board.pop_scored()
