@@ -37,7 +37,7 @@ from reference_client.evaluation.plan import EvaluationPlan, parse_strictly
 from reference_client.evaluation.status_board import Progress, StatusBoard
 from reference_client.evaluation.worker_pool import ThreadWorkerPool, WorkerPool
 from reference_client.evaluation.worker_processes import ProcessWorkerPool
-from reference_client.policies import BadMapping, BadPolicy, Mapping, load
+from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.error_origin import describe_policy_error
 from reference_client.policies.policy_server_client import PolicyServerClient
 from reference_client.view.server import View
@@ -56,7 +56,7 @@ def run(args: argparse.Namespace, printer: Printer) -> int:
             "--policy is required, for example --policy my_module:MyPolicy"
         )
     try:
-        mapping = Mapping.read(args.mapping) if args.mapping else None
+        mapping = PolicyMapping.read(args.mapping) if args.mapping else None
         server = _policy_server(args, mapping)
         check_benchmark = None if mapping is None else mapping.check
         plan = _plan(args, check_benchmark if server is None else server.check)
@@ -101,7 +101,9 @@ class _EvaluationCommand:
         self._run: Run | None = None
         self._view: View | None = None
 
-    def run_evaluation(self, plan: EvaluationPlan, mapping: Mapping | None) -> int:
+    def run_evaluation(
+        self, plan: EvaluationPlan, mapping: PolicyMapping | None
+    ) -> int:
         signals = Signals()
         with contextlib.ExitStack() as stack:
             stack.enter_context(signals)
@@ -134,7 +136,7 @@ class _EvaluationCommand:
         return self._report_score(score)
 
     def _make_worker_pool(
-        self, mapping: Mapping | None, stack: contextlib.ExitStack
+        self, mapping: PolicyMapping | None, stack: contextlib.ExitStack
     ) -> tuple[StatusBoard, WorkerPool]:
         args = self._args
         board, view = StatusBoard(), None
@@ -256,7 +258,7 @@ class Signals:
 
 
 def _policy_server(
-    args: argparse.Namespace, mapping: Mapping | None
+    args: argparse.Namespace, mapping: PolicyMapping | None
 ) -> PolicyServerClient | None:
     """The client of the policy server, if the policy is `proctor:URL`."""
     if not args.policy.startswith("proctor:"):

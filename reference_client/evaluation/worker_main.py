@@ -24,7 +24,7 @@ from reference_client.errors import ProctorError
 from reference_client.evaluation.status_board import StatusBoard, TurnSnapshot
 from reference_client.evaluation.turn_report import describe_turn
 from reference_client.evaluation.worker_loop import WorkerLoop
-from reference_client.policies import BadMapping, BadPolicy, Mapping, load
+from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.error_origin import describe_policy_error
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.retry_policy import Interrupted, RetryPolicy
@@ -119,7 +119,7 @@ def main() -> int:
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
     first = json.loads(sys.stdin.readline())
     try:
-        mapping = Mapping.read(first["mapping"]) if first["mapping"] else None
+        mapping = PolicyMapping.read(first["mapping"]) if first["mapping"] else None
         policy = load(first["policy"], mapping)()
     except BaseException as error:  # noqa: BLE001 - reported to the parent
         reporter.failed(error)
