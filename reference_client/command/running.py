@@ -52,9 +52,7 @@ def run(args: argparse.Namespace, printer: Printer) -> int:
             raise UsageError("--policy and --policy-url are mutually exclusive")
         args.policy = f"proctor:{args.policy_url}"
     if args.policy is None:
-        raise UsageError(
-            "--policy is required, for example --policy my_module:MyPolicy"
-        )
+        raise UsageError("--policy is required, for example my_module:MyPolicy")
     try:
         mapping = PolicyMapping.read(args.mapping) if args.mapping else None
         server = _policy_server(args, mapping)
@@ -219,7 +217,7 @@ class _EvaluationCommand:
 
 
 class Signals:
-    """Handles SIGINT and SIGTERM: the first raises KeyboardInterrupt, another exits.
+    """Handles SIGINT and SIGTERM: first KeyboardInterrupt, then immediate exit.
 
     before_exit: called by the handler before the exit. A context manager, for the main
     thread.

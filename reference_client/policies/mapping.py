@@ -176,7 +176,7 @@ class PolicyMapping:
         )
 
     def check(self, benchmark: Benchmark) -> None:
-        """Raises BadMapping, with the benchmark's names, if the mapping does not fit."""
+        """Raises BadMapping if the mapping does not fit the benchmark."""
         space = benchmark.observation_space
         known = {
             f"{group}.{name}" for group in _GROUPS for name in getattr(space, group)
@@ -192,10 +192,10 @@ class PolicyMapping:
             for name, vector in self.vectors.items()
             if vector.relative_to is not None
         ]
-        for entry_name, source in wanted:
+        for entry, source in wanted:
             if source not in known:
                 raise BadMapping(
-                    f"{self.name}: {entry_name} is from {source}; {benchmark.benchmark_id} "
+                    f"{self.name}: {entry} is from {source}; {benchmark.benchmark_id} "
                     f"has {_listed(known)}"
                 )
         if set(self.vectors) != set(benchmark.action_space):
@@ -209,7 +209,7 @@ class PolicyMapping:
         return {key: entry.of(observation) for key, entry in self.entries.items()}
 
     def chunk(self, answer: Any, observation: Observation) -> Chunk:
-        """The policy's answer to `observation` as a chunk. Raises InvalidPolicyAnswer."""
+        """The policy's answer as a chunk. Raises InvalidPolicyAnswer."""
         columns: dict[str, Array] = {}
         for name, vector in self.vectors.items():
             if vector.value is None:
