@@ -93,7 +93,7 @@ experts: setup ## Measure the scripted experts, rewrite docs/tasks.md
 	@$(python) tools/experts.py --write $(ARGS)
 
 bench: setup .venv-bench/ready ## Measure beside the alternatives, rewrite docs/performance.md
-	@$(python) -m benchmarks $(ARGS) && $(python) -m benchmarks.growth
+	@$(python) -m benchmarks $(ARGS) && $(python) -m benchmarks.storage_growth
 
 clean: ## Remove environments, caches, reports; not data in var/
 	rm -rf .venv .venv-* .cache .hypothesis .*_cache .schemathesis .coverage* build dist report *.egg-info

@@ -11,11 +11,19 @@ import argparse
 import os
 import sys
 
-from benchmarks import line_up, page, picture, report, results, round_trips, throughput
+from benchmarks import (
+    chart,
+    contender_registry,
+    performance_page,
+    report,
+    results,
+    round_trips,
+    throughput,
+)
 from benchmarks.libraries import comparison, tables
 
 ALL_CONTENDERS = (
-    *("tcp", *line_up.PEERS),
+    *("tcp", *contender_registry.PEERS),
     *("ours msgpack", "ours msgpack small", "ours json"),
 )
 PLAN = {
@@ -30,7 +38,7 @@ BUSY = 0.25  # load of each core from which on figures are not to be trusted
 
 def main() -> int:
     options = _options()
-    if line_up.PEERS_PYTHON.exists() or _needs_no_peers(options):
+    if contender_registry.PEERS_PYTHON.exists() or _needs_no_peers(options):
         _measure(options)
         return 0
     print("the peers are not installed: python tools/setup.py bench", file=sys.stderr)
@@ -41,7 +49,9 @@ def _needs_no_peers(options: argparse.Namespace) -> bool:
     if "libraries" in options.parts:
         return False
     asked = options.only or ALL_CONTENDERS
-    return "round_trips" not in options.parts or not set(asked) & set(line_up.PEERS)
+    return "round_trips" not in options.parts or not set(asked) & set(
+        contender_registry.PEERS
+    )
 
 
 def _measure(options: argparse.Namespace) -> None:
@@ -94,12 +104,12 @@ def write() -> None:
     """The page and the picture, from whatever results.json holds."""
     sections = results.read()
     if section := sections.get("round_trips"):
-        page.put("round_trips", report.tables(section))
-        picture.FILE.write_text(picture.svg(section))
+        performance_page.put("round_trips", report.tables(section))
+        chart.FILE.write_text(chart.svg(section))
     if section := sections.get("throughput"):
-        page.put("throughput", throughput.tables(section))
+        performance_page.put("throughput", throughput.tables(section))
     if section := sections.get("libraries"):
-        page.put("libraries", tables.tables(section))
+        performance_page.put("libraries", tables.tables(section))
 
 
 def _options() -> argparse.Namespace:

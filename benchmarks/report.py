@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from benchmarks import page
+from benchmarks import performance_page
 from benchmarks.results import Json
 
 TITLES = {
@@ -117,7 +117,7 @@ def _table(played: Mapping[str, Json]) -> str:
         *("", "p50, ms", "p99, ms", "× TCP", "up", "down"),
         *("server, CPU s", "client, CPU s", "turns"),
     ]
-    return page.table(head, rows)
+    return performance_page.table(head, rows)
 
 
 def _kept(found: Sequence[Promise]) -> str:
@@ -126,7 +126,7 @@ def _kept(found: Sequence[Promise]) -> str:
         for one in found
     ]
     head = ["p50 to p50", "measured", "promised", "kept"]
-    return page.table(head, rows)
+    return performance_page.table(head, rows)
 
 
 def _where(section: Json) -> str:

@@ -16,8 +16,8 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from benchmarks import line_up, observations, rounds
-from benchmarks.relay import ByteCounts
+from benchmarks import contender_registry, observations, rounds
+from benchmarks.byte_counting_relay import ByteCounts
 from benchmarks.results import Json
 
 WARM_UP_TURNS = 30
@@ -57,7 +57,7 @@ def _scenario(scenario: str, names: Sequence[str], count: int, say: Say) -> Json
         pairs = []
         for name in names:
             say(f"{scenario}: starting {name}")
-            contender = line_up.contender(name, scenario, Path(scratch))
+            contender = contender_registry.contender(name, scenario, Path(scratch))
             pairs.append(standing.enter_context(rounds.ContenderPair(contender)))
         turns = {pair.name: _warm_up(pair) for pair in pairs}
         say(f"{scenario}: playing {count} rounds")
@@ -98,7 +98,7 @@ def _summary(played: rounds.TurnTimes, byte_counts: ByteCounts) -> Json:
 
 def peers_versions() -> dict[str, Any]:
     """Of the peers' own environment. Raises FileNotFoundError if it is not there."""
-    command = [str(line_up.PEERS_PYTHON), "-c", _VERSIONS, *PEERS_PACKAGES]
+    command = [str(contender_registry.PEERS_PYTHON), "-c", _VERSIONS, *PEERS_PACKAGES]
     told = subprocess.run(command, check=True, capture_output=True, text=True)
     versions: dict[str, Any] = json.loads(told.stdout)
     return versions

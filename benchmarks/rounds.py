@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Self
 
-from benchmarks.relay import ByteCounts, Relay
+from benchmarks.byte_counting_relay import ByteCounts, Relay
 
 ROOT = Path(__file__).resolve().parents[1]
 _CLOCK_OF_PROCESS = 2  # CPUCLOCK_SCHED, see clock_getcpuclockid(3)

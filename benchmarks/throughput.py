@@ -24,11 +24,11 @@ from pathlib import Path
 
 from proctor_client import ApiException, AttachWorker, PolicyInfo, StopRun, SubmitRun
 
-from benchmarks import page
-from benchmarks.bare import ACTIONS, Case, measure_bare, measure_over_tcp
+from benchmarks import performance_page
 from benchmarks.contenders.ours_client import TOKEN
+from benchmarks.direct_simulation import ACTIONS, Case, measure_bare, measure_over_tcp
+from benchmarks.filled_databases import running_server
 from benchmarks.results import Json
-from benchmarks.stock import running_server
 from reference_client.protocol.connection import Connection
 
 ROUNDS, SECONDS = 3, 2.0
@@ -165,7 +165,9 @@ def tables(section: Json) -> str:
         *("", "workers", "actions in a turn", "bare, steps/s"),
         *("over the protocol, steps/s", "share of raw TCP", "share", "worst share"),
     ]
-    return "\n\n".join([page.table(head, rows), _cost(section), _where(section)])
+    return "\n\n".join(
+        [performance_page.table(head, rows), _cost(section), _where(section)]
+    )
 
 
 def _cost(section: Json) -> str:

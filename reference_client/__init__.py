@@ -5,40 +5,53 @@
     score = evaluate(MyPolicy, url="http://127.0.0.1:8460", benchmark="tabletop")
     print(score.score)
 
-A policy is a class with `reset(instruction)` and `act(observation)`, see `Policy`. The
-command `proctor` is in `command`, policies that exist already are in `policies`, and a
-Gymnasium environment is in `remote_env`. All are built of `session` and `runs`.
+A policy is a class with `reset(instruction)` and `act(observation)`, see `Policy`.
+`RemoteEnv` offers a run as a Gymnasium environment instead. The packages, from the
+protocol up:
+
+    errors.py, generated/   exceptions; message structures made from the specification
+    api/                    what a policy author implements and receives
+    protocol/               HTTP connections, retries, sessions, the control plane
+    policies/               adapters for existing policies and policy servers
+    evaluation/             a run from submission to score, and its workers
+    gymnasium_env/          `RemoteEnv`
+    view/, command/         the live view and the command `proctor`
+
+A package imports only packages above it in this list.
 """
 
 import importlib
 import typing
 
 if typing.TYPE_CHECKING:
-    from reference_client.api.errors import ProctorError, RunFailed, RunStopped
     from reference_client.api.observation import Observation
     from reference_client.api.policy import Policy
+    from reference_client.errors import ProctorError, RunFailed, RunStopped
     from reference_client.evaluation.evaluate import evaluate
     from reference_client.evaluation.status_board import Progress
+    from reference_client.gymnasium_env.remote_env import RemoteEnv
 
 __all__ = [
     "Observation",
     "Policy",
     "ProctorError",
     "Progress",
+    "RemoteEnv",
     "RunFailed",
     "RunStopped",
     "evaluate",
 ]
 
-# Name → its module, imported when it is asked for: the command has to be able to say
-# what is not installed here.
+# Name → its module, imported on first use: the command reports missing dependencies
+# itself, and gymnasium is needed for RemoteEnv only.
 _MODULES = {
     "Observation": "api.observation",
     "Policy": "api.policy",
-    "ProctorError": "api.errors",
+    "ProctorError": "errors",
     "Progress": "evaluation.status_board",
-    "RunFailed": "api.errors",
-    "RunStopped": "api.errors",
+    "RemoteEnv": "gymnasium_env.remote_env",
+    "RunFailed": "errors",
+    "RunStopped": "errors",
     "evaluate": "evaluation.evaluate",
 }
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from reference_sim import calibration
+from reference_sim.benchmarks import calibration
 from reference_sim.benchmarks.mobile_bimanual import benchmark as mobile_bimanual
 from reference_sim.benchmarks.question_answering import benchmark as question_answering
 from reference_sim.benchmarks.tabletop import benchmark as tabletop

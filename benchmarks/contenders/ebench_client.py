@@ -7,7 +7,7 @@ import pickle
 import numpy as np
 import requests
 
-from benchmarks.contenders import player
+from benchmarks.contenders import turn_client
 from benchmarks.observations import SCENARIOS, STATE_SIZES
 
 HEADERS = {
@@ -17,11 +17,11 @@ HEADERS = {
 }
 
 
-def connect(address: str, scenario: str) -> player.Turn:
+def connect(address: str, scenario: str) -> turn_client.Turn:
     url = f"http://{address}/step"
     cameras = SCENARIOS[scenario].cameras
 
-    def turn(action: list[float]) -> player.ObservationParts:
+    def turn(action: list[float]) -> turn_client.ObservationParts:
         sent = {
             "0": {
                 "action": np.array(action),
@@ -44,4 +44,4 @@ def connect(address: str, scenario: str) -> player.Turn:
 
 
 if __name__ == "__main__":
-    player.main(connect)
+    turn_client.main(connect)

@@ -5,17 +5,17 @@ from __future__ import annotations
 import numpy as np
 from dm_env_rpc.v1 import connection, dm_env_adaptor
 
-from benchmarks.contenders import player
+from benchmarks.contenders import turn_client
 from benchmarks.observations import ACTION_SIZES, SCENARIOS, STATE_SIZES
 
 
-def connect(address: str, scenario: str) -> player.Turn:
+def connect(address: str, scenario: str) -> turn_client.Turn:
     stream = connection.create_secure_channel_and_connect(address)
     environment, _ = dm_env_adaptor.create_and_join_world(stream, {}, {})
     cameras = SCENARIOS[scenario].cameras
     joints = ACTION_SIZES["joint_position"]
 
-    def turn(action: list[float]) -> player.ObservationParts:
+    def turn(action: list[float]) -> turn_client.ObservationParts:
         values = np.array(action)
         step = environment.step(
             {"joint_position": values[:joints], "gripper": values[joints:]}
@@ -29,4 +29,4 @@ def connect(address: str, scenario: str) -> player.Turn:
 
 
 if __name__ == "__main__":
-    player.main(connect)
+    turn_client.main(connect)

@@ -12,7 +12,7 @@ from openenv.core import EnvClient
 from openenv.core.client_types import StepResult
 from openenv.core.env_server.types import State
 
-from benchmarks.contenders import player
+from benchmarks.contenders import turn_client
 from benchmarks.contenders.openenv_models import StillLifeAction, StillLifeObservation
 from benchmarks.observations import ACTION_SIZES, SCENARIOS
 
@@ -29,7 +29,7 @@ class Client(EnvClient):  # type: ignore[misc,unused-ignore]
         return State(**payload)
 
 
-def connect(address: str, scenario: str) -> player.Turn:
+def connect(address: str, scenario: str) -> turn_client.Turn:
     runner = asyncio.Runner()
     client = Client(f"http://{address}")
     runner.run(client.connect())
@@ -39,7 +39,7 @@ def connect(address: str, scenario: str) -> player.Turn:
     shape = (shown.height, shown.width, 3)
     joints = ACTION_SIZES["joint_position"]
 
-    def turn(action: list[float]) -> player.ObservationParts:
+    def turn(action: list[float]) -> turn_client.ObservationParts:
         asked = StillLifeAction(joint_position=action[:joints], gripper=action[joints:])
         seen = runner.run(client.step(asked)).observation
         return seen.state, {
@@ -51,4 +51,4 @@ def connect(address: str, scenario: str) -> player.Turn:
 
 
 if __name__ == "__main__":
-    player.main(connect)
+    turn_client.main(connect)

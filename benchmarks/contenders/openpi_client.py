@@ -7,16 +7,16 @@ from __future__ import annotations
 
 from openpi_client.websocket_client_policy import WebsocketClientPolicy
 
-from benchmarks.contenders import player
+from benchmarks.contenders import turn_client
 from benchmarks.observations import ScenarioPlayer
 
 
-def connect(address: str, scenario: str) -> player.Turn:
+def connect(address: str, scenario: str) -> turn_client.Turn:
     host, _, port = address.partition(":")
     policy = WebsocketClientPolicy(host, int(port))
     world = ScenarioPlayer(scenario)
 
-    def turn(action: list[float]) -> player.ObservationParts:
+    def turn(action: list[float]) -> turn_client.ObservationParts:
         state, images = world.turn(action)
         answer = policy.infer({"state": state, "images": images})
         assert answer["step"] == state["base"][0]
@@ -27,4 +27,4 @@ def connect(address: str, scenario: str) -> player.Turn:
 
 
 if __name__ == "__main__":
-    player.main(connect)
+    turn_client.main(connect)

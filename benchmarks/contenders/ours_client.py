@@ -19,7 +19,7 @@ import numpy as np
 import simplejpeg
 from numpy.typing import NDArray
 
-from benchmarks.contenders import player
+from benchmarks.contenders import turn_client
 from benchmarks.observations import SCENARIOS, by_name
 
 TOKEN = "bench"  # noqa: S105 - opens nothing but the server of the benchmark
@@ -116,7 +116,7 @@ class Connection:
         return view
 
 
-def connect(url: str, scenario: str, media: str, codec: str) -> player.Turn:
+def connect(url: str, scenario: str, media: str, codec: str) -> turn_client.Turn:
     shown = SCENARIOS[scenario]
     connection = Connection(url, media)
     submission: dict[str, Any] = {"benchmark_id": f"still_life_{scenario}"}
@@ -130,7 +130,7 @@ def connect(url: str, scenario: str, media: str, codec: str) -> player.Turn:
     body: dict[str, Any] = {"session_id": attached.session_id, "seq": attached.seq}
     unpack = {"raw": pixels, "jpeg": decompressed, "jpeg-files": as_file}[codec]
 
-    def turn(action: list[float]) -> player.ObservationParts:
+    def turn(action: list[float]) -> turn_client.ObservationParts:
         body["seq"] += 1
         body["actions"] = [{"values": by_name(action)}]
         seen = connection.turn("POST", predict, body).observation
@@ -158,7 +158,9 @@ def main() -> None:
     url, scenario, media, codec = sys.argv[1:]
     turn = connect(url, scenario, media, codec)
     unpack = decompressed if codec == "jpeg-files" else None
-    player.serve(player.TurnClient(turn, scenario, unpack=unpack, exact=codec == "raw"))
+    turn_client.serve(
+        turn_client.TurnClient(turn, scenario, unpack=unpack, exact=codec == "raw")
+    )
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ import threading
 
 from proctor_client import SubmitRun
 
-from benchmarks.contenders import player
+from benchmarks.contenders import turn_client
 from benchmarks.contenders.ours_client import TOKEN
 from benchmarks.observations import by_name
 from reference_client.api.observation import observation_of
@@ -22,7 +22,7 @@ from reference_client.protocol.retry_policy import RetryPolicy
 from reference_client.protocol.worker_session import Session, WorkerSlot
 
 
-def connect(url: str, scenario: str) -> player.Turn:
+def connect(url: str, scenario: str) -> turn_client.Turn:
     connection = Connection(url, TOKEN, requests=1)
     retry_policy = RetryPolicy(url, 30.0, threading.Event(), print)
     submission = {
@@ -37,7 +37,7 @@ def connect(url: str, scenario: str) -> player.Turn:
         WorkerSlot(connection.data(run.endpoint), run, "w"), retry_policy
     )
 
-    def turn(action: list[float]) -> player.ObservationParts:
+    def turn(action: list[float]) -> turn_client.ObservationParts:
         seen = observation_of(session.predict(chunk_of([by_name(action)])))
         return seen.state, seen.images
 
@@ -45,4 +45,4 @@ def connect(url: str, scenario: str) -> player.Turn:
 
 
 if __name__ == "__main__":
-    player.main(connect)
+    turn_client.main(connect)

@@ -7,11 +7,11 @@ from math import prod
 
 import numpy as np
 
-from benchmarks.contenders import player
+from benchmarks.contenders import turn_client
 from benchmarks.observations import SCENARIOS, STATE_SIZES
 
 
-def connect(address: str, scenario: str) -> player.Turn:
+def connect(address: str, scenario: str) -> turn_client.Turn:
     host, _, port = address.partition(":")
     connection = socket.create_connection((host, int(port)))
     connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
@@ -21,7 +21,7 @@ def connect(address: str, scenario: str) -> player.Turn:
     buffer = bytearray(state_bytes + image_bytes * len(shown.cameras))
     whole = memoryview(buffer)
 
-    def turn(action: list[float]) -> player.ObservationParts:
+    def turn(action: list[float]) -> turn_client.ObservationParts:
         connection.sendall(np.array(action).data)
         got = 0
         while got < len(buffer):
@@ -41,4 +41,4 @@ def connect(address: str, scenario: str) -> player.Turn:
 
 
 if __name__ == "__main__":
-    player.main(connect)
+    turn_client.main(connect)

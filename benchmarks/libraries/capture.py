@@ -19,7 +19,7 @@ from urllib.parse import urlsplit
 
 from proctor_client import AttachWorker
 
-from benchmarks import line_up, observations, rounds
+from benchmarks import contender_registry, observations, rounds
 from benchmarks.contenders import ours_client
 from benchmarks.libraries.samples import CAMERAS, STATE, Sample
 from reference_client.protocol.connection import Connection
@@ -49,7 +49,7 @@ def write(folder: Path) -> None:
 
 @contextlib.contextmanager
 def _server(scratch: Path) -> Iterator[str]:
-    ours = line_up.contender("ours msgpack", STATE, scratch)
+    ours = contender_registry.contender("ours msgpack", STATE, scratch)
     with subprocess.Popen(
         list(ours.server),
         cwd=rounds.ROOT,

@@ -15,7 +15,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from benchmarks import line_up, results, rounds
+from benchmarks import contender_registry, results, rounds
 from benchmarks.libraries import capture, loopback
 from benchmarks.results import Json
 
@@ -56,7 +56,7 @@ def _in_one_process(folder: Path, count: int) -> dict[str, Any]:
     """Also says which Python and which versions these are, not those of the house."""
     module = "benchmarks.libraries.one_process"
     told = subprocess.run(
-        [str(line_up.PEERS_PYTHON), "-m", module, str(folder), str(count)],
+        [str(contender_registry.PEERS_PYTHON), "-m", module, str(folder), str(count)],
         cwd=rounds.ROOT,
         check=True,
         stdout=subprocess.PIPE,

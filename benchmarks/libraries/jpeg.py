@@ -18,7 +18,7 @@ import simplejpeg
 from numpy.typing import NDArray
 from PIL import Image
 
-from benchmarks.libraries.in_turn import Contender
+from benchmarks.libraries.interleaved_timing import Contender
 
 Pixels = NDArray[np.uint8]
 Spread = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]

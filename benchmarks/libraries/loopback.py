@@ -14,8 +14,8 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from benchmarks import line_up, rounds
-from benchmarks.libraries.in_turn import UNITS_NS
+from benchmarks import contender_registry, rounds
+from benchmarks.libraries.interleaved_timing import UNITS_NS
 from benchmarks.libraries.samples import CAMERAS, COPIES, FOLDER, STATE
 
 _WARM_UP = 30
@@ -69,12 +69,12 @@ def clients(folder: Path, count: int, say: Callable[[str], None]) -> Figures:
 def contender(
     name: str, server: str, client: str, folder: Path, sample: str
 ) -> rounds.Contender:
-    python = str(line_up.PEERS_PYTHON)
+    python = str(contender_registry.PEERS_PYTHON)
     copies = {COPIES: "1"} if server == GRANIAN else {}
     return rounds.Contender(
         name,
-        [python, "-m", "benchmarks.libraries.served", *SERVERS[server]],
-        [python, "-m", "benchmarks.libraries.asked"],
+        [python, "-m", "benchmarks.libraries.asgi_servers", *SERVERS[server]],
+        [python, "-m", "benchmarks.libraries.http_clients"],
         [client, str(folder), sample],
         {FOLDER: str(folder), **copies},
     )

@@ -17,9 +17,15 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks import observations
-from benchmarks.libraries import heads, in_turn, jpeg, samples, structures
+from benchmarks.libraries import (
+    interleaved_timing,
+    jpeg,
+    response_parsing,
+    samples,
+    structures,
+)
 
-Questions = dict[str, dict[str, tuple[list[in_turn.Contender], Any]]]
+Questions = dict[str, dict[str, tuple[list[interleaved_timing.Contender], Any]]]
 PACKAGES = (
     *("aiohttp", "granian", "h11", "httptools", "httpx", "hypercorn", "msgpack"),
     *("msgspec", "numpy", "orjson", "ormsgpack", "pillow", "pybase64", "requests"),
@@ -32,7 +38,7 @@ def main() -> None:
     state = samples.read(folder, samples.STATE)
     cameras = samples.read(folder, samples.CAMERAS)
     questions: Questions = {
-        "parsing": {"answer_us": heads.contenders(state)},
+        "parsing": {"answer_us": response_parsing.contenders(state)},
         "messagepack": {
             "encode_us": structures.msgpack_encoded(state),
             "decode_us": structures.msgpack_decoded(state),
@@ -66,10 +72,13 @@ def main() -> None:
 
 
 def _measured(
-    column: str, contenders: list[in_turn.Contender], expected: Any, rounds: int
+    column: str,
+    contenders: list[interleaved_timing.Contender],
+    expected: Any,
+    rounds: int,
 ) -> dict[str, float]:
-    unit_ns = in_turn.UNITS_NS[column.rpartition("_")[2]]
-    took = in_turn.medians_ns(contenders, expected, rounds)
+    unit_ns = interleaved_timing.UNITS_NS[column.rpartition("_")[2]]
+    took = interleaved_timing.medians_ns(contenders, expected, rounds)
     return {name: round(ns / unit_ns, 4) for name, ns in took.items()}
 
 

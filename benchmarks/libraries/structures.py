@@ -18,7 +18,7 @@ import orjson
 import ormsgpack
 import pybase64
 
-from benchmarks.libraries.in_turn import Contender
+from benchmarks.libraries.interleaved_timing import Contender
 from benchmarks.libraries.samples import Sample, with_pictures
 from reference_client.generated.messages import Turn
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from benchmarks import page
+from benchmarks import performance_page
 from benchmarks.report import ms
 from benchmarks.results import Json
 
@@ -137,7 +137,7 @@ def table(question: Question, figures: Figures) -> str:
         ]
         for name in order
     ]
-    return page.table(["", *question.columns.values()], rows)
+    return performance_page.table(["", *question.columns.values()], rows)
 
 
 def _where(section: Json) -> str:

@@ -17,5 +17,5 @@ from reference_sim.process import simulator_process
 
 if __name__ == "__main__":
     benchmark_registry._BENCHMARKS.update(BENCHMARKS)  # noqa: SLF001 - see above
-    simulator_process._FORK_SERVER_MODULE = "benchmarks.still_life.nursery"  # noqa: SLF001
+    simulator_process._FORK_SERVER_MODULE = "benchmarks.still_life.fork_server"  # noqa: SLF001
     sys.exit(main())

@@ -24,7 +24,7 @@ from reference_sim.definition import (
     vector,
 )
 from reference_sim.interface import Action, Observation, StepOutcome
-from reference_sim.process.shared_frame_buffer import FRAME_BUFFER
+from reference_sim.shared_frame_buffer import FRAME_BUFFER
 
 TASK = "sit"
 MAX_STEPS = 200  # as long as one of a robot; its end is scored and stored

@@ -1,1 +1,1 @@
-"""What a policy author imports."""
+"""What a policy author implements (`Policy`) and receives (`Observation`)."""

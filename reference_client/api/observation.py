@@ -1,6 +1,6 @@
-"""What a policy sees: numbers, pictures and tensors, decoded from a turn.
+"""What a policy receives: state vectors, images and tensors, decoded from a turn.
 
-Pixels and tensors are numpy arrays over the bytes that came: nothing is copied.
+Raw images and tensors are numpy arrays over the received bytes: nothing is copied.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from reference_client.api.errors import BAD_ANSWER, ProctorError
+from reference_client.errors import BAD_ANSWER, ProctorError
 from reference_client.generated.messages import Image, Tensor, Turn
 from reference_client.generated.messages import Observation as WireObservation
 
@@ -26,23 +26,23 @@ DTYPES = {
     *("bool", "int8", "int16", "int32", "int64", "uint8", "uint16", "uint32", "uint64"),
     *("float16", "float32", "float64"),
 }
-# channels → what pillow calls them, and what simplejpeg does
+# channels → the mode of pillow, and the colour space of simplejpeg
 _PNG_MODES = {1: "L", 2: "LA", 3: "RGB", 4: "RGBA"}
 _JPEG_COLOURS = {1: "GRAY", 3: "RGB", 4: "RGBA"}
-_PIXELS_MAX = 2**26  # a small file may claim any size; pillow has its own limit
+_PIXELS_MAX = 2**26  # a small file may declare any size; pillow has its own limit
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Observation:
-    """One look at the world, in the units and frames of the benchmark's spaces.
+    """One observation, in the units and frames of the benchmark's spaces.
 
     state: name → vector of floats.
     images: name → uint8 of shape (height, width, channels), row 0 on top; read-only.
-    tensors: name → array of the dtype and shape that the benchmark names; read-only.
-    instruction: what the robot shall do in this episode.
-    episode_id: which episode this is; an id, without meaning.
+    tensors: name → array of the dtype and shape that the benchmark declares; read-only.
+    instruction: the task of this episode, in natural language.
+    episode_id: opaque id of the episode.
     step: actions executed in this attempt so far; 0 in an episode's first observation.
-    turn: all that came with it, as the wire has it; for policies that pass it on.
+    turn: the whole message as received, for policies that forward it.
     """
 
     state: Mapping[str, tuple[float, ...]]
@@ -91,7 +91,7 @@ def decode_observation(
 
 
 def _pictures(images: Mapping[str, Image]) -> dict[str, npt.NDArray[np.uint8]]:
-    """Several compressed ones at once: decoders let go of the interpreter."""
+    """Compressed images are decoded in parallel: decoders release the GIL."""
     compressed = [image for image in images.values() if image.codec != "raw"]
     spread = _threads().map if len(compressed) > 1 else map
     return dict(zip(images, spread(_pixels, images, images.values()), strict=True))
@@ -112,19 +112,19 @@ def _pixels(name: str, image: Image) -> npt.NDArray[np.uint8]:
 def _decompress(
     name: str, data: memoryview, codec: str, shape: tuple[int, int, int]
 ) -> npt.NDArray[np.uint8]:
-    """One decoder: whoever sends bytes does not choose it."""
+    """Decodes with the decoder of the declared codec only, never by content."""
     try:
         decode = {"jpeg": _from_jpeg, "png": _from_png}[codec]
         pixels = decode(data, shape)
     except (OSError, SyntaxError, LookupError, ValueError, MemoryError) as error:
-        raise _broken(name, f"is no {codec}: {error}") from error
+        raise _broken(name, f"is not a valid {codec}: {error}") from error
     pixels.flags.writeable = False
     return pixels
 
 
 def _from_jpeg(data: memoryview, shape: tuple[int, int, int]) -> npt.NDArray[np.uint8]:
-    """Twice as fast as by pillow, and the same pixels."""
-    # Only who asks for compressed images needs a decoder.
+    """Twice as fast as pillow, with the same pixels."""
+    # Imported here: needed for compressed images only.
     import simplejpeg
 
     colours = _JPEG_COLOURS[shape[2]]
@@ -132,7 +132,7 @@ def _from_jpeg(data: memoryview, shape: tuple[int, int, int]) -> npt.NDArray[np.
     if size != shape[:2]:
         raise _other_size(size, shape)
     if prod(size) > _PIXELS_MAX:
-        raise ValueError(f"{size} rows and columns are more than anybody means")
+        raise ValueError(f"{size} rows and columns exceed the limit of 2^26 pixels")
     pixels: npt.NDArray[np.uint8] = simplejpeg.decode_jpeg(data, colours)
     return pixels
 
@@ -151,8 +151,8 @@ def _from_png(data: memoryview, shape: tuple[int, int, int]) -> npt.NDArray[np.u
 
 
 def _other_size(size: tuple[int, ...], shape: tuple[int, ...]) -> ValueError:
-    """Found out before anything is decoded."""
-    return ValueError(f"has {size} rows and columns, announced as {shape[:2]}")
+    """Raised from the header, before pixels are decoded."""
+    return ValueError(f"has {size} rows and columns, declared as {shape[:2]}")
 
 
 def _array(name: str, tensor: Tensor) -> npt.NDArray[Any]:
@@ -167,7 +167,7 @@ def _view(
     try:
         array = np.frombuffer(data, dtype).reshape(shape)
     except ValueError as error:
-        raise _broken(name, f"does not have its announced size: {error}") from error
+        raise _broken(name, f"does not have its declared size: {error}") from error
     array.flags.writeable = False
     return array
 

@@ -1,4 +1,4 @@
-"""What a policy is to this client, and how its answer becomes a chunk of actions."""
+"""The interface of a policy, and the conversion of its actions to the wire format."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from typing import Any, Protocol, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from reference_client.api.errors import ProctorError
 from reference_client.api.observation import Observation
+from reference_client.errors import ProctorError
 
 Vector: TypeAlias = Sequence[float] | npt.NDArray[Any]
 Chunk: TypeAlias = Sequence[Mapping[str, Vector]]
@@ -19,24 +19,24 @@ WireAction: TypeAlias = dict[str, dict[str, list[float]]]
 
 
 class Policy(Protocol):
-    """Plays episodes, one after another; every worker has an instance of its own."""
+    """Plays episodes one after another; every worker has its own instance."""
 
     def reset(self, instruction: str) -> None:
-        """Called when an episode begins, or begins again: forget what was before."""
+        """Called when an episode begins or restarts: discard all earlier state."""
 
     def act(self, observation: Observation) -> Chunk:
         """The next actions, to be executed in order: 1 to the benchmark's `max_chunk`.
 
         An action maps every name of the benchmark's action space to its vector of
-        finite numbers. What is left of a chunk when its episode ends is not executed.
+        finite numbers. Actions after the end of the episode are not executed.
         """
 
 
 def chunk_of(actions: Chunk) -> list[WireAction]:
-    """What `act` returned, as the wire has it: schema Action.
+    """The return value of `act` as a list of schema Action.
 
-    Raises ProctorError `invalid_request`, with pointers as the server's would be, for
-    what cannot be put into JSON. Names, sizes and ranges are the server's to judge.
+    Raises ProctorError `invalid_request`, with JSON pointers as the server's, for what
+    JSON cannot represent. The server checks names, sizes and ranges.
     """
     if isinstance(actions, Mapping) or not isinstance(actions, Sequence):
         raise _invalid_action("/actions", f"is a {type(actions).__name__}, not a list")
@@ -73,11 +73,13 @@ def _numbers(at: str, vector: Vector) -> list[float]:
 
 
 def _inspect_vector(at: str, vector: Vector) -> list[float]:
-    """Of what is no plain list of finite numbers: what it is, or what is wrong."""
+    """The numbers of any other array-like vector; raises what is wrong with it."""
     try:
         numbers = np.asarray(vector, dtype=np.float64)
     except (TypeError, ValueError) as error:
-        raise _invalid_action(at, f"holds what is no number ({error})") from error
+        raise _invalid_action(
+            at, f"holds a value that is no number ({error})"
+        ) from error
     if numbers.ndim != 1:
         raise _invalid_action(at, f"has {numbers.ndim} dimensions; a vector has one")
     if not np.isfinite(numbers).all():

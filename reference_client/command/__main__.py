@@ -1,7 +1,8 @@
-"""`proctor`, and `python -m reference_client.command`: says what is not installed.
+"""Entry point of `proctor` and `python -m reference_client.command`.
 
-The kit is installed with the same wheel but without the client's dependencies; whoever
-types `proctor` there is told in one line. It must not import what may be missing.
+The kit is installed from the same wheel without the client's dependencies. There,
+`proctor` reports the missing dependency in one line. This module must not import what
+may be missing.
 """
 
 import sys
@@ -13,7 +14,7 @@ def main() -> int:
         from reference_client.command.main import main as begin
     except ModuleNotFoundError as missing:
         print(
-            f"proctor: {missing.name} is not installed here: "
+            f"proctor: {missing.name} is not installed: "
             "pip install 'proctor-eval[client]' (the kit alone is proctor-conformance)",
             file=sys.stderr,
         )

@@ -1,12 +1,12 @@
-"""What users of `gmp` type, in this command's words.
+"""Accepts the command lines of `gmp` (EBench): maps its names to those of `proctor`.
 
-Names that mean the same are exchanged before anything is parsed. What has no meaning
-here is dropped, and said; what is neither is left for the parser to refuse.
+Equivalent names are replaced before parsing. Flags without an equivalent are ignored,
+with a note; unknown flags are left for the parser to reject.
 """
 
 from __future__ import annotations
 
-# As people who know `gmp` have it in their fingers → what it is called here.
+# gmp's command → proctor's.
 COMMANDS = {
     ("online", "submit"): ["submit", "--wait"],
     ("online", "create"): ["submit"],
@@ -25,21 +25,18 @@ FLAGS = {
     "--web-view": "--view",
     "--web-view-port": "--view-port",
 }
-# Flag → whether a value follows it, and why it says nothing here.
+# Flag → whether a value follows it, and why it is ignored.
 IGNORED_FLAGS = {
-    "--is-public": (True, "a run is its submitter's; there is nothing to publish"),
-    "--user-id": (True, "the token says whose run it is"),
-    "--interval": (True, "the server is not polled but answers when there is news"),
+    "--is-public": (True, "runs are private to the account"),
+    "--user-id": (True, "the token identifies the account"),
+    "--interval": (True, "the client uses long polling"),
 }
-PASS_THROUGH_COMMANDS = (
-    "serve",
-    "serve-policy",
-    "conformance",
-)  # their flags are their own
+# Programs with a command line of their own.
+PASS_THROUGH_COMMANDS = ("serve", "serve-policy", "conformance")
 
 
 def translate(arguments: list[str]) -> tuple[list[str], list[str]]:
-    """The arguments in this command's words, and lines about what was dropped."""
+    """The arguments with proctor's names, and a note for each ignored flag."""
     for words, here in COMMANDS.items():
         if tuple(arguments[: len(words)]) == words:
             arguments = here + arguments[len(words) :]
@@ -61,7 +58,7 @@ def translate(arguments: list[str]) -> tuple[list[str], list[str]]:
             takes_value, why = IGNORED_FLAGS[flag]
             if takes_value and not equals:
                 next(rest, None)
-            notes.append(f"{flag} says nothing here: {why}")
+            notes.append(f"{flag} is ignored: {why}")
         else:
             out.append(FLAGS.get(flag, flag) + equals + value)
     return out, notes

@@ -1,7 +1,10 @@
-"""The command line of `proctor`, described once: its help and docs/command.md say it.
+"""The command line of `proctor`: every command, flag and help text.
 
-Flags win over the environment. Values are checked here as far as they can be without a
-server.
+Flags take precedence over environment variables. Values are checked here as far as that
+is possible without a server. docs/command.md names every flag.
+
+Why argparse: it is part of Python, so the client needs no further dependency. The flags
+are declarations in any library; another one would not make this module shorter.
 """
 
 from __future__ import annotations
@@ -17,32 +20,32 @@ from reference_client.command.exit_codes import UsageError
 
 DEFAULT_URL = "http://127.0.0.1:8460"  # where `proctor serve` serves
 EXIT_CODES_HELP = (
-    "exit codes: 0 done; 1 the run failed, is not complete or not to be released; "
-    "2 wrong usage or no server; 130 Ctrl-C"
+    "exit codes: 0 success; 1 the run failed, is incomplete, or fails the release "
+    "check; 2 usage error, or the server is unreachable or refuses; 130 interrupted"
 )
-# command → what it does; the last three are programs of their own.
+# Command → what it does; the last three are programs of their own.
 COMMANDS = {
-    "submit": "ask for a new run, or take up an old one",
+    "submit": "submit a new run, or resume an existing one",
     "run": "evaluate a policy: submit, play, score",
-    "status": "how far a run is; without one, your latest runs",
-    "stop": "stop a run; what is scored is kept",
-    "resume": "let a stopped or failed run go on",
-    "results": "the score of a run, by task and split",
-    "compare": "runs beside a baseline, and whether they may be released",
-    "benchmarks": "what can be evaluated; with a name, its spaces",
-    "serve": "run the reference server (its own flags)",
-    "serve-policy": "serve a policy for a server to call (its own flags)",
-    "conformance": "judge a server (the kit's own flags)",
+    "status": "show the state of a run; without RUN, list the latest runs",
+    "stop": "stop a run; scored episodes are kept",
+    "resume": "resume a stopped or failed run",
+    "results": "show the score of a run, by task and split",
+    "compare": "compare runs with a baseline, with the release decision",
+    "benchmarks": "list benchmarks; with NAME, show its action and observation spaces",
+    "serve": "start the reference server (own flags)",
+    "serve-policy": "serve a policy over HTTP, for push mode (own flags)",
+    "conformance": "run the conformance kit against a server (own flags)",
 }
 
 
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
-        raise UsageError(f"{message}; {self.prog} --help lists what can be said")
+        raise UsageError(f"{message}; see {self.prog} --help")
 
 
 def build_parser() -> argparse.ArgumentParser:
-    """Every command with its flags."""
+    """The parser of all commands."""
     parser = _Parser(
         prog="proctor",
         description="Evaluate robot policies on any Proctor server.",
@@ -52,7 +55,8 @@ def build_parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
     made = {
         name: commands.add_parser(
-            name, help=text, description=f"{name}: {text}.", epilog=EXIT_CODES_HELP,
+            name, help=text, description=f"{text[:1].upper()}{text[1:]}.",
+            epilog=EXIT_CODES_HELP,
             allow_abbrev=False, add_help=name not in PASS_THROUGH_COMMANDS,
         )
         for name, text in COMMANDS.items()
@@ -60,40 +64,49 @@ def build_parser() -> argparse.ArgumentParser:
     for name, command in made.items():
         if name not in PASS_THROUGH_COMMANDS:
             _add_server_options(command)
-    _add_run_id(made["status"], "the run; your latest runs without it")
+    _add_run_id(made["status"], "id of the run; without it, the latest runs are listed")
     made["status"].add_argument(
-        "--watch", action="store_true", help="stay until the run is over"
+        "--watch", action="store_true", help="wait until the run has ended"
     )
     for name in ("stop", "resume", "results"):
-        _add_run_id(made[name], "the run")
+        _add_run_id(made[name], "id of the run")
     made["stop"].add_argument(
         "--drain",
         action="store_true",
-        help="let episodes under way be played to the end",
+        help="finish the episodes in progress first",
     )
     made["results"].add_argument(
-        "--episodes", action="store_true", help="every episode as well"
+        "--episodes", action="store_true", help="also list every episode"
     )
     compare = made["compare"]
-    compare.add_argument("baseline", metavar="BASELINE", help="the run to equal")
-    compare.add_argument("runs", nargs="+", metavar="RUN", help="run beside it")
+    compare.add_argument("baseline", metavar="BASELINE", help="id of the baseline run")
+    compare.add_argument(
+        "runs", nargs="+", metavar="RUN", help="id of a run to compare"
+    )
     compare.add_argument(
         "--tolerance", type=_fraction, metavar="X",
-        help="largest difference of scores, from 0 to 1, that is released (0.05)",
+        help="maximum score difference for release, 0 to 1 (0.05)",
     )  # fmt: skip
-    made["benchmarks"].add_argument("benchmark", nargs="?", help="show this one")
+    made["benchmarks"].add_argument(
+        "benchmark", nargs="?", metavar="NAME", help="id of the benchmark to show"
+    )
     _add_submission_options(made["submit"])
     made["submit"].add_argument(
         "--push", metavar="URL",
-        help="have the server call the policy server there [key: PROCTOR_POLICY_KEY]",
+        help="push mode: the server calls the policy server at URL "
+        "[bearer token: PROCTOR_POLICY_KEY]",
     )  # fmt: skip
     submit = made["submit"].add_argument_group("waiting")
-    submit.add_argument("--wait", action="store_true", help="until it can be played")
     submit.add_argument(
-        "--timeout", type=_seconds, metavar="S", help="the longest wait (no limit)"
+        "--wait", action="store_true", help="wait until the run accepts workers"
     )
     submit.add_argument(
-        "--print-endpoint", action="store_true", help="print the endpoint alone"
+        "--timeout", type=_seconds, metavar="S", help="maximum wait (default: none)"
+    )
+    submit.add_argument(
+        "--print-endpoint",
+        action="store_true",
+        help="print only the endpoint of the data plane",
     )
     _add_submission_options(made["run"])
     _add_policy_options(made["run"])
@@ -101,98 +114,116 @@ def build_parser() -> argparse.ArgumentParser:
 
 
 def _add_server_options(parser: argparse.ArgumentParser) -> None:
-    group = parser.add_argument_group("the server")
+    group = parser.add_argument_group("server")
     group.add_argument(
         "--url",
         default=os.environ.get("PROCTOR_URL") or DEFAULT_URL,
         help=f"base URL [PROCTOR_URL, or {DEFAULT_URL}]",
     )
-    group.add_argument("--host", metavar="HOST", help="instead of --url, with --port")
-    group.add_argument("--port", type=int, metavar="PORT", help="8460 without it")
+    group.add_argument("--host", metavar="HOST", help="with --port, instead of --url")
+    group.add_argument("--port", type=int, metavar="PORT", help="with --host (8460)")
     group.add_argument(
-        "--token", default=None, help="bearer token [better: PROCTOR_TOKEN]"
+        "--token",
+        default=None,
+        help="bearer token; prefer PROCTOR_TOKEN, which other users cannot read",
     )
     group.add_argument(
-        "--patience-s", type=_seconds, metavar="S", help="wait for a lost server "
-        "this long (10; run: 300)",
+        "--retry-timeout-s", type=_seconds, metavar="S",
+        help="retry an unreachable server for S seconds (10; run: 300)",
     )  # fmt: skip
-    shape = parser.add_argument_group("what is printed")
+    shape = parser.add_argument_group("output")
     shape.add_argument(
-        "--json", action="store_true", help="one JSON value, for scripts"
+        "--json", action="store_true", help="print one JSON value, for scripts"
     )
-    shape.add_argument("--debug", action="store_true", help="tracebacks of errors")
+    shape.add_argument(
+        "--debug", action="store_true", help="print the tracebacks of errors"
+    )
 
 
 def _add_run_id(parser: argparse.ArgumentParser, text: str) -> None:
     parser.add_argument("run", nargs="?", metavar="RUN", help=text)
-    parser.add_argument("--run-id", metavar="RUN", help="the same, as a flag")
+    parser.add_argument("--run-id", metavar="RUN", help="the same as RUN")
 
 
 def _add_submission_options(parser: argparse.ArgumentParser) -> None:
-    group = parser.add_argument_group("the run")
-    group.add_argument("--benchmark", metavar="NAME", help="for a new run")
-    group.add_argument("--run-id", metavar="RUN", help="go on with this run instead")
-    group.add_argument("--name", help="of the policy")
-    group.add_argument("--type", help="of the policy, shown behind its name")
-    group.add_argument("--policy-version", metavar="V", help="of the policy")
-    group.add_argument("--submitter", metavar="WHO", help="whose policy it is")
-    group.add_argument("--homepage", metavar="URL", help="the submitter's")
+    group = parser.add_argument_group("run")
+    group.add_argument("--benchmark", metavar="NAME", help="benchmark of a new run")
     group.add_argument(
-        "--max-workers", type=_count, metavar="N", help="most workers at a time"
+        "--run-id", metavar="RUN", help="continue this run instead of a new one"
+    )
+    group.add_argument("--name", help="name of the policy")
+    group.add_argument("--type", help="type of the policy, appended to its name")
+    group.add_argument("--policy-version", metavar="V", help="version of the policy")
+    group.add_argument("--submitter", metavar="NAME", help="name of the submitter")
+    group.add_argument("--homepage", metavar="URL", help="homepage of the submitter")
+    group.add_argument(
+        "--max-workers", type=_count, metavar="N", help="maximum simultaneous workers"
     )
     group.add_argument(
-        "--idle-timeout-s", type=_seconds, metavar="S", help="lease of a session"
+        "--idle-timeout-s",
+        type=_seconds,
+        metavar="S",
+        help="lease of a session: seconds without a request until it ends",
     )
     group.add_argument(
         "--images", type=_images, metavar="CODEC:WxH",
-        help="such as jpeg:224x224, chosen from the benchmark's",
+        help="image format, one that the benchmark offers: jpeg:224x224",
     )  # fmt: skip
     group.add_argument(
-        "--options", type=_json, metavar="JSON", help="of the benchmark calibration"
-    )
+        "--options", type=_json, metavar="JSON",
+        help="options of the benchmark `calibration`",
+    )  # fmt: skip
 
 
 def _add_policy_options(parser: argparse.ArgumentParser) -> None:
-    group = parser.add_argument_group("the policy")
+    group = parser.add_argument_group("policy")
     group.add_argument(
-        "--policy", metavar="WHAT",
+        "--policy", metavar="POLICY",
         help="module:Class, file.py:Class, module:function, openpi:ws://host:8000, or "
         "proctor:http://host:8470",
     )  # fmt: skip
     group.add_argument(
-        "--policy-url", metavar="URL", help="the last one, without its prefix"
+        "--policy-url", metavar="URL", help="the same as --policy proctor:URL"
     )
-    group.add_argument("--mapping", metavar="FILE", help="its names for ours (TOML)")
     group.add_argument(
-        "--assumes", type=_json, metavar="JSON", help="conventions it takes for granted"
-    )
+        "--mapping", metavar="FILE",
+        help="TOML file that maps observation and action names",
+    )  # fmt: skip
+    group.add_argument(
+        "--assumes", type=_json, metavar="JSON",
+        help="conventions that the policy assumes (schema Assumptions)",
+    )  # fmt: skip
     workers = parser.add_argument_group("workers")
-    workers.add_argument("--workers", type=_count, metavar="N", help="how many (1)")
+    workers.add_argument(
+        "--workers", type=_count, metavar="N", help="number of workers (1)"
+    )
     workers.add_argument(
         "--worker-prefix", default="worker", metavar="NAME",
-        help="their name; another for each program that shares a run",
+        help="prefix of the worker ids; MUST differ between programs that share a run",
     )  # fmt: skip
-    workers.add_argument("--worker-ids", metavar="A,B", help="their names, instead")
     workers.add_argument(
-        "--processes", action="store_true", help="a process for each, not a thread"
+        "--worker-ids", metavar="A,B", help="explicit worker ids, instead of --workers"
+    )
+    workers.add_argument(
+        "--processes", action="store_true", help="run each worker in its own process"
     )
     workers.add_argument(
         "--takeover",
         action="store_true",
-        help="of a crashed program's workers, at once",
+        help="take over the sessions of a crashed program immediately",
     )
     view = parser.add_argument_group("live view")
     view.add_argument(
-        "--view", action="store_true", help="serve a page to look on, on this machine"
+        "--view", action="store_true", help="serve a live view on localhost"
     )
     view.add_argument("--view-port", type=int, default=0, metavar="PORT",
-        help="of that page (a free one)",
+        help="port of the live view (default: a free port)",
     )  # fmt: skip
 
 
 def _count(text: str) -> int:
     if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"{text} is no number from 1")
+        raise argparse.ArgumentTypeError(f"{text}: expected an integer >= 1")
     return int(text)
 
 
@@ -202,7 +233,7 @@ def _seconds(text: str) -> float:
     except ValueError:
         number = -1.0
     if not 0 <= number < 1e9:
-        raise argparse.ArgumentTypeError(f"{text} is no number of seconds")
+        raise argparse.ArgumentTypeError(f"{text}: expected seconds >= 0")
     return number
 
 
@@ -212,7 +243,7 @@ def _fraction(text: str) -> float:
     except ValueError:
         number = -1.0
     if not 0 <= number <= 1:
-        raise argparse.ArgumentTypeError(f"{text} is no number from 0 to 1")
+        raise argparse.ArgumentTypeError(f"{text}: expected a number from 0 to 1")
     return number
 
 
@@ -220,15 +251,17 @@ def _json(text: str) -> dict[str, Any]:
     try:
         value = json.loads(text)
     except json.JSONDecodeError as error:
-        raise argparse.ArgumentTypeError(f"no JSON: {error}") from error
+        raise argparse.ArgumentTypeError(f"invalid JSON: {error}") from error
     if not isinstance(value, dict):
-        raise argparse.ArgumentTypeError("must be a JSON object")
+        raise argparse.ArgumentTypeError("expected a JSON object")
     return value
 
 
 def _images(text: str) -> dict[str, Any]:
     found = re.fullmatch(r"([a-z]+):(\d{1,4})x(\d{1,4})", text)
     if found is None:
-        raise argparse.ArgumentTypeError(f"{text} is not like jpeg:224x224")
+        raise argparse.ArgumentTypeError(
+            f"{text}: expected CODEC:WIDTHxHEIGHT, for example jpeg:224x224"
+        )
     codec, width, height = found.groups()
     return {"codec": codec, "width": int(width), "height": int(height)}

@@ -1,6 +1,7 @@
-"""The commands that ask: submit, status, stop, resume, results, compare, benchmarks.
+"""The commands submit, status, stop, resume, results, compare and benchmarks.
 
-Each returns its exit code, and raises ProctorError for what the server refuses.
+Each sends requests to the control plane, prints the answer and returns its exit code.
+Raises ProctorError for refusals.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import RetryPolicy
 
-PATIENCE_S = 10.0
+RETRY_TIMEOUT_S = 10.0
 LATEST = 20
 ENDED_STATES = frozenset({"completed", "failed", "stopped"})
 
@@ -38,14 +39,16 @@ ENDED_STATES = frozenset({"completed", "failed", "stopped"})
 def open_control_client(
     args: argparse.Namespace, printer: Printer
 ) -> Iterator[ControlClient]:
-    """The server that the flags name."""
-    patience_s = PATIENCE_S if args.patience_s is None else args.patience_s
+    """A client of the server that the flags name."""
+    retry_timeout_s = (
+        RETRY_TIMEOUT_S if args.retry_timeout_s is None else args.retry_timeout_s
+    )
     with Connection(args.url, args.token, requests=2) as connection:
         yield ControlClient(
             connection.control,
             RetryPolicy(
                 connection.url,
-                patience_s,
+                retry_timeout_s,
                 threading.Event(),
                 _waiting_reporter(printer),
             ),
@@ -111,8 +114,8 @@ def results(args: argparse.Namespace, printer: Printer) -> int:
     value: dict[str, Any] = score.to_dict()
     tables = [
         output.score_facts(score),
-        output.groups("task", score.by_task),
-        output.groups("split", score.by_split),
+        output.group_table("task", score.by_task),
+        output.group_table("split", score.by_split),
     ]
     if episodes is not None:
         value["episodes"] = [episode.to_dict() for episode in episodes]
@@ -144,11 +147,11 @@ def benchmarks(args: argparse.Namespace, printer: Printer) -> int:
 
 
 def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRun:
-    """What the flags ask for. Raises CannotMean."""
+    """The submission that the flags describe. Raises UsageError."""
     if args.benchmark is None:
         raise UsageError(
-            "say what to evaluate on: --benchmark NAME (`proctor benchmarks` lists "
-            "them), or --run-id RUN to go on with a run"
+            "--benchmark NAME (`proctor benchmarks` lists names) or --run-id RUN is "
+            "required"
         )
     name = args.name or name or "unnamed"
     try:
@@ -171,7 +174,7 @@ def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRu
 
 
 def _policy_server(url: str | None) -> dict[str, str] | None:
-    """What the server is told of the policy that it shall call."""
+    """Schema PolicyServer, for push mode."""
     if url is None:
         return None
     key = os.environ.get("PROCTOR_POLICY_KEY")
@@ -181,7 +184,7 @@ def _policy_server(url: str | None) -> dict[str, str] | None:
 
 def run_id_of(args: argparse.Namespace) -> str | None:
     if args.run and args.run_id and args.run != args.run_id:
-        raise UsageError(f"two runs are named: {args.run} and {args.run_id}")
+        raise UsageError(f"conflicting run ids: {args.run} and {args.run_id}")
     run_id: str | None = args.run or args.run_id
     return run_id
 
@@ -189,14 +192,14 @@ def run_id_of(args: argparse.Namespace) -> str | None:
 def _required_run_id(args: argparse.Namespace) -> str:
     run_id = run_id_of(args)
     if run_id is None:
-        raise UsageError("name the run; `proctor status` lists your latest")
+        raise UsageError("a run id is required; `proctor status` lists the latest runs")
     return run_id
 
 
 def _wait_until_ready(
     control_client: ControlClient, run: Run, timeout_s: float | None
 ) -> Run:
-    """The run when it is not queued any more, or when the time is up."""
+    """The run as soon as it is no longer queued, or after the timeout."""
     deadline = None if timeout_s is None else time.monotonic() + timeout_s
     for changed in control_client.changes(run.run_id):
         run = changed

@@ -1,20 +1,20 @@
-"""How the command ends: its exit codes, and every error as one line.
+"""The exit codes of `proctor`, and the text of an error in one line.
 
-0 it is done; 1 the run failed, was stopped, is not complete, or is not to be released;
-2 it was asked for what cannot be, or the server cannot be reached; 128 + n signal n, as
-shells have it.
+0: success. 1: the run failed, was stopped, is incomplete, or fails the release check.
+2: usage error, or the server is unreachable or refuses the request. 128 + n: ended by
+signal n, as in shells.
 """
 
 from __future__ import annotations
 
 import re
 
-from reference_client.api.errors import BAD_ANSWER, UNREACHABLE, ProctorError
+from reference_client.errors import BAD_ANSWER, UNREACHABLE, ProctorError
 
 DONE, NOT_COMPLETE, WRONG_USAGE_OR_NO_SERVER, INTERRUPTED = 0, 1, 2, 130
 NOT_RELEASED = 1
 
-# What says nothing about the run: neither that it failed nor that it did not.
+# Errors that imply nothing about the state of the run.
 _CANNOT = frozenset(
     {
         UNREACHABLE,
@@ -38,26 +38,29 @@ _ARGUMENTS = {
 
 
 class UsageError(Exception):
-    """The command line makes no sense; the message says why and what would."""
+    """The command line is invalid; the message says why and what to use instead."""
 
 
 def exit_code_of(error: ProctorError, *, has_run: bool) -> int:
-    """has_run: whether there is a run that the error leaves incomplete."""
+    """The exit code for an error.
+
+    has_run: whether a run exists that the error leaves incomplete.
+    """
     if error.code in _CANNOT or not has_run:
         return WRONG_USAGE_OR_NO_SERVER
     return NOT_COMPLETE
 
 
 def message_of(error: ProctorError) -> str:
-    """What happened and what to do, with flags in the place of arguments."""
+    """What happened and what to do, with flags in place of Python arguments."""
     parts = [with_flag_names(error.detail)]
     parts += [f"{pointer} {text}" for pointer, text in error.errors]
     return f"{' – '.join(parts)} [{error.code}]"
 
 
 def with_flag_names(text: str) -> str:
-    """What the library says of its arguments, said of the command's flags."""
-    text = re.sub(r'; evaluate\(\.\.\., run_id="[^"]*"\) goes on with it', "", text)
+    """Replaces the library's argument names by the command's flags."""
+    text = re.sub(r'; evaluate\(\.\.\., run_id="[^"]*"\) continues it', "", text)
     for argument, flag in _ARGUMENTS.items():
         text = text.replace(argument, flag)
     return " ".join(text.split())

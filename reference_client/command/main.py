@@ -1,7 +1,6 @@
-"""`proctor COMMAND …`: finds what is meant, does it, and ends with an exit code.
+"""`proctor COMMAND …`: parses the command line, runs the command, returns an exit code.
 
-Every error is one line on the standard error; with --json it is on the standard output
-as well.
+Every error is one line on stderr; with --json it is a JSON value on stdout as well.
 """
 
 from __future__ import annotations
@@ -13,7 +12,6 @@ import sys
 import traceback
 from collections.abc import Callable, Sequence
 
-from reference_client.api.errors import ProctorError
 from reference_client.command import control, running
 from reference_client.command.aliases import PASS_THROUGH_COMMANDS, translate
 from reference_client.command.arguments import build_parser
@@ -25,6 +23,7 @@ from reference_client.command.exit_codes import (
     message_of,
 )
 from reference_client.command.output import Printer
+from reference_client.errors import ProctorError
 
 COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
     "submit": control.submit,
@@ -36,11 +35,11 @@ COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
     "compare": control.compare,
     "benchmarks": control.benchmarks,
 }
-# Command → the module that it starts, what that needs, which extra brings both.
+# Command → module to start, modules that it needs, and the extra that installs them.
 PROGRAMS = {
     "serve": ("reference_server", ("reference_server", "uvicorn"), "house"),
     "serve-policy": (
-        "reference_client.policies.serve",
+        "reference_client.policies.serve_command",
         ("starlette", "uvicorn"),
         "client",
     ),
@@ -73,12 +72,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def start(command: str, arguments: Sequence[str]) -> int:
-    """Becomes the program; returns only if it is not installed."""
+    """Replaces this process by the program. Raises UsageError if it is missing."""
     module, needed, extra = PROGRAMS[command]
     missing = [name for name in needed if importlib.util.find_spec(name) is None]
     if missing:
         raise UsageError(
-            f"{command} needs {missing[0]}, which is not installed here: "
+            f"{command} needs {missing[0]}, which is not installed: "
             f"pip install 'proctor-eval[{extra}]'"
         )
     os.execv(sys.executable, [sys.executable, "-m", module, *arguments])  # noqa: S606
@@ -96,7 +95,7 @@ def _run_command(args: argparse.Namespace, printer: Printer) -> int:
         if args.debug:
             traceback.print_exc()
         raise
-    except ValueError as error:  # a URL, an id: what could not be sent
+    except ValueError as error:  # an invalid URL or id, noticed before sending
         raise UsageError(" ".join(str(error).split())) from error
 
 

@@ -1,7 +1,6 @@
-"""What the command prints: tables for people at 80 columns, one JSON value for scripts.
+"""The output of the command: tables at 80 columns, or one JSON value for scripts.
 
-Answers go to the standard output; what is going on, and what went wrong, to the
-standard error.
+Results go to stdout; progress, notes and errors go to stderr.
 """
 
 from __future__ import annotations
@@ -31,15 +30,15 @@ from rich.table import Table
 from reference_client.command.exit_codes import with_flag_names
 from reference_client.evaluation.status_board import Progress
 
-LOG_S = 10.0  # between two lines of progress where nobody watches a terminal
+LOG_S = 10.0  # between two lines of progress where stderr is no terminal
 
 
 class Printer:
-    """Where the command speaks; as_json: a program listens to its standard output."""
+    """Prints results and messages; as_json: results are one JSON value on stdout."""
 
     def __init__(self, *, as_json: bool) -> None:
         self.as_json = as_json
-        # As it is now: an evaluation lends it to nobody, but a policy may print.
+        # Kept from now: during an evaluation, sys.stdout is redirected to stderr.
         self._stdout = sys.stdout
         self._out = Console(
             file=self._stdout, highlight=False, markup=False, emoji=False
@@ -47,11 +46,11 @@ class Printer:
         self.err = Console(stderr=True, highlight=False, markup=False, emoji=False)
 
     def say(self, line: str) -> None:
-        """A line about what is going on."""
+        """Print a message to stderr."""
         self.err.print(line, soft_wrap=True)
 
     def answer(self, value: Any, *tables: Table | str) -> None:
-        """The answer: `value` for a program, the tables for people."""
+        """Print the result to stdout: `value` as JSON, or the tables."""
         if self.as_json:
             self._stdout.write(json.dumps(to_jsonable_python(value)) + "\n")
             self._stdout.flush()
@@ -63,9 +62,9 @@ class Printer:
 
 
 class ProgressDisplay:
-    """Shows how an evaluation is getting on: a bar on a terminal, else a line at times.
+    """Shows progress: a bar on a terminal, otherwise a line every LOG_S seconds.
 
-    A context that ends the bar.
+    A context manager that ends the bar.
     """
 
     def __init__(self, printer: Printer) -> None:
@@ -105,7 +104,10 @@ class ProgressDisplay:
         if self._bars is None:
             self._log(progress)
             return
-        fields: dict[str, Any] = {"done": done(progress), "mean": mean_of(progress)}
+        fields: dict[str, Any] = {
+            "done": episodes_text(progress),
+            "mean": mean_of(progress),
+        }
         if self._task is None:
             self._bars.start()
             self._task = self._bars.add_task("", total=None, **fields)
@@ -121,10 +123,10 @@ class ProgressDisplay:
         if progress.episodes_scored == self._logged or now < self._logged_at + LOG_S:
             return
         self._logged_at, self._logged = now, progress.episodes_scored
-        self._printer.say(f"{done(progress)}  {mean_of(progress)}")
+        self._printer.say(f"{episodes_text(progress)}  {mean_of(progress)}")
 
 
-def done(progress: Progress) -> str:
+def episodes_text(progress: Progress) -> str:
     return f"{progress.episodes_scored}/{progress.episodes_total} episodes"
 
 
@@ -132,8 +134,8 @@ def mean_of(progress: Progress) -> str:
     return "no score yet" if progress.mean is None else f"mean {progress.mean:.3f}"
 
 
-def facts(rows: Mapping[str, object]) -> Table:
-    """Names and values, without lines."""
+def fact_table(rows: Mapping[str, object]) -> Table:
+    """A table of names and values, without borders; None values are omitted."""
     table = Table(box=None, show_header=False, pad_edge=False)
     table.add_column(no_wrap=True)
     table.add_column(overflow="fold")
@@ -145,7 +147,7 @@ def facts(rows: Mapping[str, object]) -> Table:
 
 def run_facts(run: Run) -> Table:
     progress = run.progress
-    return facts(
+    return fact_table(
         {
             "run": run.run_id,
             "state": run.state.value,
@@ -164,7 +166,7 @@ def run_facts(run: Run) -> Table:
 
 def run_list(runs: Sequence[Run]) -> Table | str:
     if not runs:
-        return "You have no runs here yet."
+        return "No runs."
     table = _table("run", "state", "benchmark", "policy", "scored")
     for run in runs:
         scored, total = run.progress.episodes_scored, run.progress.episodes_total
@@ -182,7 +184,7 @@ def score_facts(score: Score) -> Table:
     counts = score.counts
     mean, rate = score.mean_interval, score.success_interval
     scored = counts.total - counts.unscored
-    return facts(
+    return fact_table(
         {
             "run": score.run_id,
             "state": score.state.value,
@@ -204,7 +206,7 @@ def score_facts(score: Score) -> Table:
     )
 
 
-def groups(title: str, by_name: Mapping[str, GroupScore]) -> Table:
+def group_table(title: str, by_name: Mapping[str, GroupScore]) -> Table:
     table = _table(title, ">scored", ">success", ">mean")
     for name, group in by_name.items():
         counts = group.counts
@@ -218,15 +220,15 @@ def groups(title: str, by_name: Mapping[str, GroupScore]) -> Table:
 
 
 def comparison_tables(comparison: Comparison, run: ComparedRun) -> list[Table]:
-    """One run beside the baseline: the facts, and a row for each task."""
+    """One run compared with the baseline: a summary, and a row for each task."""
     alone = f"{run.wins} wins, {run.losses} losses, {run.ties} ties"
-    head = facts(
+    head = fact_table(
         {
             "run": run.run_id,
             "baseline": comparison.baseline,
             "benchmark": comparison.benchmark_id,
             "pairs": f"{run.paired} episodes are scored in both"
-            + ("" if run.complete else "; not complete"),
+            + ("" if run.complete else "; incomplete"),
             "difference": None
             if run.difference is None
             else f"{run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "
@@ -249,16 +251,16 @@ def comparison_tables(comparison: Comparison, run: ComparedRun) -> list[Table]:
 
 def _release(comparison: Comparison, run: ComparedRun) -> str:
     if run.release:
-        return f"yes: no difference beyond {comparison.tolerance:g}"
+        return f"yes: no difference exceeds {comparison.tolerance:g}"
     if not run.complete:
         return "no: not every episode is scored in both"
-    groups = {"the whole": run.difference}
+    groups = {"overall": run.difference}
     groups |= {task: group.difference for task, group in run.by_task.items()}
-    # The server decides; this only says where to look.
+    # The server decides; this only names the groups that exceed the tolerance.
     far = [
         n for n, d in groups.items() if d is not None and abs(d) > comparison.tolerance
     ]
-    return f"no: beyond {comparison.tolerance:g} in {', '.join(far)}"
+    return f"no: difference exceeds {comparison.tolerance:g} in {', '.join(far)}"
 
 
 def episode_list(episodes: Sequence[Episode]) -> Table:
@@ -287,23 +289,23 @@ def benchmark_list(benchmarks: Sequence[BenchmarkSummary]) -> Table:
 def benchmark_tables(benchmark: Benchmark) -> list[Table]:
     sizes = ", ".join(f"{s.width}x{s.height}" for s in benchmark.image_sizes)
     codecs = ", ".join(benchmark.image_codecs)
-    head = facts(
+    head = fact_table(
         {
             "benchmark": f"{benchmark.benchmark_id}, version {benchmark.version}",
             "title": benchmark.title,
-            "about": benchmark.description,
-            "not now": benchmark.unavailable_reason,
-            "episodes": f"{benchmark.episodes_total}, {benchmark.max_steps} steps at "
-            f"most, {benchmark.control_rate_hz:g} steps a second",
+            "description": benchmark.description,
+            "unavailable": benchmark.unavailable_reason,
+            "episodes": f"{benchmark.episodes_total}, at most {benchmark.max_steps} "
+            f"steps each, {benchmark.control_rate_hz:g} steps per second",
             "tasks": ", ".join(benchmark.tasks),
             "splits": ", ".join(benchmark.splits),
-            "chunk": f"{benchmark.max_chunk} actions at most",
+            "chunk": f"at most {benchmark.max_chunk} actions",
             "images": f"{codecs}; {sizes}",
             "manifest": benchmark.manifest_sha256,
         }
     )
     space = benchmark.observation_space
-    spaces = _table("name", ">size", "unit", "what it is")
+    spaces = _table("name", ">size", "unit", "description")
     for group, vectors in (("action", benchmark.action_space), ("state", space.state)):
         for name, vector in vectors.items():
             spaces.add_row(
@@ -322,7 +324,7 @@ def benchmark_tables(benchmark: Benchmark) -> list[Table]:
 
 
 def _table(*columns: str) -> Table:
-    """Columns that begin with > stand at the right."""
+    """A table; columns whose name begins with > are right-aligned."""
     table = Table(box=None, pad_edge=False)
     for number, name in enumerate(columns):
         table.add_column(

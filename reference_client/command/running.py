@@ -1,6 +1,6 @@
-"""`proctor run`: from a policy's name to its score, or to the command that goes on.
+"""`proctor run`: evaluates a policy and prints its score, or how to continue the run.
 
-The first Ctrl-C has the workers detach, the second ends at once.
+The first Ctrl-C detaches the workers, the second terminates immediately.
 """
 
 from __future__ import annotations
@@ -19,7 +19,6 @@ from typing import Any, Self
 
 from proctor_client import Assumptions, Benchmark, Run, Score
 
-from reference_client.api.errors import PolicyFailed, ProctorError, RunFailed
 from reference_client.api.policy import Policy
 from reference_client.command import output
 from reference_client.command.arguments import DEFAULT_URL
@@ -32,29 +31,30 @@ from reference_client.command.exit_codes import (
     message_of,
 )
 from reference_client.command.output import Printer, ProgressDisplay
+from reference_client.errors import PolicyFailed, ProctorError, RunFailed
 from reference_client.evaluation.evaluate import run_evaluation
 from reference_client.evaluation.plan import EvaluationPlan, parse_strictly
 from reference_client.evaluation.status_board import Progress, StatusBoard
 from reference_client.evaluation.worker_pool import ThreadWorkerPool, WorkerPool
 from reference_client.evaluation.worker_processes import ProcessWorkerPool
-from reference_client.policies import BadMapping, BadPolicy, Mapping, load
+from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.error_origin import describe_policy_error
-from reference_client.policies.policy_server import PolicyServerClient
+from reference_client.policies.policy_server_client import PolicyServerClient
 from reference_client.view.server import View
 
-PATIENCE_S = 300.0
+RETRY_TIMEOUT_S = 300.0
 
 
 def run(args: argparse.Namespace, printer: Printer) -> int:
-    """Returns the exit code; the answer and every error have been printed."""
+    """Returns the exit code, after printing the result or the error."""
     if args.policy_url is not None:
         if args.policy is not None:
-            raise UsageError("--policy and --policy-url say both which policy")
+            raise UsageError("--policy and --policy-url are mutually exclusive")
         args.policy = f"proctor:{args.policy_url}"
     if args.policy is None:
-        raise UsageError("say which policy: --policy my_module:MyPolicy")
+        raise UsageError("--policy is required, for example my_module:MyPolicy")
     try:
-        mapping = Mapping.read(args.mapping) if args.mapping else None
+        mapping = PolicyMapping.read(args.mapping) if args.mapping else None
         server = _policy_server(args, mapping)
         check_benchmark = None if mapping is None else mapping.check
         plan = _plan(args, check_benchmark if server is None else server.check)
@@ -64,14 +64,14 @@ def run(args: argparse.Namespace, printer: Printer) -> int:
 
 
 def resume_command(args: argparse.Namespace, run_id: str) -> str:
-    """What goes on with the run; the token, a secret, is not in it."""
+    """The command that continues the run, without the token, which is secret."""
     command = ["proctor", "run", "--run-id", run_id, "--policy", args.policy]
     flags: list[tuple[str, Any, Any]] = [
         ("--mapping", args.mapping, None),
         ("--workers", args.workers, None),
         ("--worker-ids", args.worker_ids, None),
         ("--worker-prefix", args.worker_prefix, "worker"),
-        ("--patience-s", args.patience_s, None),
+        ("--retry-timeout-s", args.retry_timeout_s, None),
         ("--url", args.url, os.environ.get("PROCTOR_URL") or DEFAULT_URL),
     ]
     for flag, value, default in flags:
@@ -84,7 +84,7 @@ def resume_command(args: argparse.Namespace, run_id: str) -> str:
 
 
 class _EvaluationCommand:
-    """One evaluation, and how it ends."""
+    """One evaluation and the report of its end."""
 
     def __init__(
         self,
@@ -99,12 +99,14 @@ class _EvaluationCommand:
         self._run: Run | None = None
         self._view: View | None = None
 
-    def run_evaluation(self, plan: EvaluationPlan, mapping: Mapping | None) -> int:
+    def run_evaluation(
+        self, plan: EvaluationPlan, mapping: PolicyMapping | None
+    ) -> int:
         signals = Signals()
         with contextlib.ExitStack() as stack:
             stack.enter_context(signals)
             stack.enter_context(self._progress_display)
-            # A program reads our standard output: what a policy prints is not for it.
+            # stdout carries only the result: what a policy prints goes to stderr.
             stack.enter_context(contextlib.redirect_stdout(sys.stderr))
             try:
                 board, worker_pool = self._make_worker_pool(mapping, stack)
@@ -113,7 +115,7 @@ class _EvaluationCommand:
                     plan,
                     worker_pool,
                     progress=self._on_progress,
-                    opened=self._on_opened,
+                    on_run=self._on_run,
                     say=self._printer.say,
                     board=board,
                 )
@@ -132,13 +134,13 @@ class _EvaluationCommand:
         return self._report_score(score)
 
     def _make_worker_pool(
-        self, mapping: Mapping | None, stack: contextlib.ExitStack
+        self, mapping: PolicyMapping | None, stack: contextlib.ExitStack
     ) -> tuple[StatusBoard, WorkerPool]:
         args = self._args
         board, view = StatusBoard(), None
         if args.view:
             view = self._view = stack.enter_context(_open_view(args.view_port))
-            self._printer.say(f"Look on at {view.url}")
+            self._printer.say(f"Live view: {view.url}")
             board = view.board
         worker_pool: WorkerPool
         if args.processes:
@@ -157,7 +159,7 @@ class _EvaluationCommand:
             worker_pool = ThreadWorkerPool(_attribute_errors(make))
         return board, worker_pool
 
-    def _on_opened(self, run: Run) -> None:
+    def _on_run(self, run: Run) -> None:
         self._run = run
         policy = f"{run.policy.name} on {run.benchmark_id}"
         self._printer.say(f"Run {run.run_id}: {policy}")
@@ -173,7 +175,7 @@ class _EvaluationCommand:
         self._printer.answer(
             score.to_dict(),
             output.score_facts(score),
-            output.groups("task", score.by_task),
+            output.group_table("task", score.by_task),
         )
         return DONE if score.complete else NOT_COMPLETE
 
@@ -194,7 +196,7 @@ class _EvaluationCommand:
     def _report_end(
         self, code: int, kind: str, line: str, *, can_resume: bool = True
     ) -> int:
-        """Tells why it ends, and how it goes on."""
+        """Print why the evaluation ended and how to continue it."""
         self._progress_display.end()
         say = self._printer.say
         say(f"proctor: {line}")
@@ -203,19 +205,22 @@ class _EvaluationCommand:
             run_id, latest = self._run.run_id, self._progress_display.latest
             value["run_id"] = run_id
             if latest is not None:
-                say(f"Run {run_id} keeps its scores: {output.done(latest)} are scored.")
+                say(
+                    f"Run {run_id}: {output.episodes_text(latest)} scored; scores are kept."
+                )
             if can_resume:
                 value["resume"] = resume_command(self._args, run_id)
-                say(f"To go on with it:\n  {value['resume']}")
+                say(f"To continue:\n  {value['resume']}")
         if self._printer.as_json:
             self._printer.answer(value)
         return code
 
 
 class Signals:
-    """SIGINT and SIGTERM: the first is KeyboardInterrupt, the second ends at once.
+    """Handles SIGINT and SIGTERM: first KeyboardInterrupt, then immediate exit.
 
-    at_once: is called before that end. A context, for the main thread.
+    before_exit: called by the handler before the exit. A context manager, for the main
+    thread.
     """
 
     def __init__(self) -> None:
@@ -238,22 +243,26 @@ class Signals:
         if self._signals_received > 1:
             if os.isatty(2):
                 os.write(2, b"\x1b[?25h")  # the bar has hidden the cursor
-            os.write(2, b"proctor: ended at once; sessions end with their leases\n")
+            os.write(2, b"proctor: terminated; sessions end when leases expire\n")
             self.before_exit()
             os._exit(128 + number)
         self.number = number
-        os.write(2, b"\nLeaving: the workers detach. Again ends at once.\n")
+        os.write(
+            2,
+            b"\nStopping: detaching workers. "
+            b"Press Ctrl-C again to terminate immediately.\n",
+        )
         raise KeyboardInterrupt
 
 
 def _policy_server(
-    args: argparse.Namespace, mapping: Mapping | None
+    args: argparse.Namespace, mapping: PolicyMapping | None
 ) -> PolicyServerClient | None:
-    """What asks the policy server of `proctor:URL`, if that is the policy."""
+    """The client of the policy server, if the policy is `proctor:URL`."""
     if not args.policy.startswith("proctor:"):
         return None
     if args.processes:
-        raise UsageError("a policy server keeps no Python busy: leave --processes away")
+        raise UsageError("--processes cannot be combined with a policy server")
     made = load(args.policy, mapping)
     assert isinstance(made, PolicyServerClient)
     return made
@@ -264,7 +273,7 @@ def _plan(
 ) -> EvaluationPlan:
     if args.worker_ids:
         if args.workers is not None:
-            raise UsageError("--worker-ids and --workers say both how many there are")
+            raise UsageError("--worker-ids and --workers are mutually exclusive")
         worker_ids = tuple(filter(None, map(str.strip, args.worker_ids.split(","))))
     else:
         worker_ids = tuple(
@@ -280,7 +289,9 @@ def _plan(
         benchmark=args.benchmark,
         takeover=args.takeover,
         assumes=parse_strictly(Assumptions, "--assumes", args.assumes),
-        patience_s=PATIENCE_S if args.patience_s is None else args.patience_s,
+        retry_timeout_s=RETRY_TIMEOUT_S
+        if args.retry_timeout_s is None
+        else args.retry_timeout_s,
         check_benchmark=check_benchmark,
     )
 
@@ -292,7 +303,7 @@ def _policy_name(reference: str) -> str:
 
 
 def _attribute_errors(make: Callable[[], Policy]) -> Callable[[], Policy]:
-    """What a policy raises while it is made is its own fault, told as that."""
+    """Wraps what a policy's constructor raises in PolicyFailed."""
 
     def make_policy() -> Policy:
         try:
@@ -309,7 +320,7 @@ def _open_view(port: int) -> View:
     try:
         return View(port)
     except (OSError, OverflowError) as error:
-        raise UsageError(f"--view-port {port} cannot be had: {error}") from error
+        raise UsageError(f"cannot bind --view-port {port}: {error}") from error
 
 
 def _policy_failure(error: Exception) -> PolicyFailed:
@@ -319,4 +330,4 @@ def _policy_failure(error: Exception) -> PolicyFailed:
 
 
 def _do_nothing() -> None:
-    """For threads there is nothing to kill."""
+    """Threads need no kill."""

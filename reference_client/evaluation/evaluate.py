@@ -1,7 +1,7 @@
-"""An evaluation from submit to score: a run, its workers, and what becomes of both.
+"""An evaluation from submission to score.
 
-`evaluate` is what a Python program calls; the command `proctor run` calls `run_evaluation`,
-with a staff and words of its own.
+`evaluate` is the Python function; the command `proctor run` calls `run_evaluation` with
+its own worker pool and messages. rounds.py plays the run once it is submitted.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ from typing import Any
 
 from proctor_client import Assumptions, PolicyInfo, Run, Score
 
-from reference_client.api.errors import RunFailed, RunStopped, how_to_resume
 from reference_client.api.policy import Policy
+from reference_client.errors import RunFailed, RunStopped, how_to_resume
 from reference_client.evaluation.plan import EvaluationPlan, parse_strictly, submission
 from reference_client.evaluation.rounds import EvaluationRounds
 from reference_client.evaluation.status_board import (
@@ -28,7 +28,7 @@ from reference_client.evaluation.worker_pool import (
     ThreadWorkerPool,
     WorkerPool,
 )
-from reference_client.policies.policy_server import PolicyServerClient
+from reference_client.policies.policy_server_client import PolicyServerClient
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import RetryPolicy
@@ -49,7 +49,7 @@ def evaluate(
     images: Mapping[str, Any] | None = None,
     idle_timeout_s: float | None = None,
     options: Mapping[str, Any] | None = None,
-    patience_s: float = 300.0,
+    retry_timeout_s: float = 300.0,
     progress: Callable[[Progress], None] | None = None,
 ) -> Score:
     """Evaluate a policy on a benchmark of the server at `url`; returns its score.
@@ -57,21 +57,22 @@ def evaluate(
     policy: makes a policy, usually its class; called once per worker, in this thread.
     token: a bearer token of the server; PROCTOR_TOKEN of the environment when absent.
     benchmark: id of the benchmark, for a new run.
-    run_id: go on with this run instead. It is resumed if it was stopped or has failed.
-    workers: how many episodes are played at a time, each in a thread.
-    worker_prefix: names the workers; another for each program that shares a run.
-    takeover: take the workers of a crashed program over at once, with their episodes,
-        instead of waiting until their leases end.
-    assumes: conventions that the policy takes for granted, as in schema Assumptions.
-    name: of the policy; that of its class when absent.
+    run_id: continue this run instead. It is resumed if it is stopped or failed.
+    workers: number of episodes played at a time, each in a thread.
+    worker_prefix: prefix of the worker ids; must differ between programs that share a
+        run.
+    takeover: take over the sessions of a crashed program's workers immediately, with
+        their episodes, instead of waiting until their leases expire.
+    assumes: conventions that the policy assumes, as in schema Assumptions.
+    name: name of the policy; that of its class when absent.
     images, idle_timeout_s, options: of a new run, as in schema SubmitRun.
-    patience_s: how long a server is waited for that does not answer, seconds.
-    progress: called in this thread whenever there is news. Without it there is one line
-        on the standard error if that is a terminal, and nothing otherwise.
+    retry_timeout_s: how long an unreachable server is retried, seconds.
+    progress: called in this thread at every change. Without it, progress is one line
+        on stderr if that is a terminal.
 
-    Raises ProctorError, of it RunFailed and RunStopped when the run ends without score,
-    ValueError for arguments that cannot be meant, and whatever the policy raises.
-    Workers detach first, also on Ctrl-C; the run stays, and `run_id` goes on with it.
+    Raises ProctorError (RunFailed and RunStopped when the run ends without a score),
+    ValueError for invalid arguments, and whatever the policy raises. Workers detach
+    first, also on Ctrl-C; the run remains on the server, and `run_id` continues it.
     """
     plan = EvaluationPlan(
         url=url,
@@ -90,7 +91,7 @@ def evaluate(
         benchmark=benchmark,
         takeover=takeover,
         assumes=parse_strictly(Assumptions, "assumes", assumes),
-        patience_s=patience_s,
+        retry_timeout_s=retry_timeout_s,
         check_benchmark=policy.check
         if isinstance(policy, PolicyServerClient)
         else None,
@@ -103,25 +104,25 @@ def _evaluate_plan(
     worker_pool: WorkerPool,
     progress: Callable[[Progress], None] | None,
 ) -> Score:
-    """`run_evaluation` for a Python program: what is left behind is told in its words."""
+    """`run_evaluation` with a progress line, and a note on how to continue the run."""
     line = terminal_progress_line() if progress is None else None
-    opened: list[Run] = []
+    runs: list[Run] = []
     try:
         return run_evaluation(
-            plan, worker_pool, progress=progress or line, opened=opened.append
+            plan, worker_pool, progress=progress or line, on_run=runs.append
         )
     except KeyboardInterrupt:
-        if opened:
-            sys.stderr.write(f"\n{_how_to_continue(opened[0])}\n")
+        if runs:
+            sys.stderr.write(f"\n{_how_to_continue(runs[0])}\n")
         raise
     except (RunFailed, RunStopped):
         raise
     except BaseException as error:
-        if opened:
-            error.add_note(_how_to_continue(opened[0]))
+        if runs:
+            error.add_note(_how_to_continue(runs[0]))
         raise
     finally:
-        if line is not None and opened:
+        if line is not None and runs:
             line.end()
 
 
@@ -130,21 +131,21 @@ def run_evaluation(
     worker_pool: WorkerPool,
     *,
     progress: Callable[[Progress], None] | None = None,
-    opened: Callable[[Run], object] = lambda _run: None,
+    on_run: Callable[[Run], object] = lambda _run: None,
     say: Callable[[str], None] = lambda _line: None,
     board: StatusBoard | None = None,
 ) -> Score:
-    """Open the run of `plan`, have `worker_pool` play it, and return its score.
+    """Submit or resume the run of `plan`, play it with `worker_pool`, return its score.
 
-    opened: is given the run as soon as there is one. say: takes lines about workers
-    that have ended. board: what the workers tell, for who wants to see more of it.
-    Raises as `evaluate`.
+    on_run: called with the run as soon as it exists. say: called with a line about each
+    worker that ended early. board: receives the reports of the workers. Raises as
+    `evaluate`.
     """
     board, stop = board or StatusBoard(), threading.Event()
     workers = len(plan.worker_ids)
     with Connection(plan.url, plan.token, requests=2 * workers + 1) as connection:
         retry_policy = RetryPolicy(
-            connection.url, plan.patience_s, stop, board.waiting_reporter("run")
+            connection.url, plan.retry_timeout_s, stop, board.waiting_reporter("run")
         )
         control_client = ControlClient(connection.control, retry_policy)
         try:
@@ -152,7 +153,7 @@ def run_evaluation(
             run = plan.open(
                 control_client, lambda: worker_pool.prepare(plan.worker_ids)
             )
-            opened(run)
+            on_run(run)
             run_workers = worker_pool.make_workers(
                 EvaluationContext(plan, run, connection, retry_policy, board)
             )
@@ -165,13 +166,13 @@ def run_evaluation(
                 plan.takeover,
                 progress,
                 say,
-            ).score()
+            ).play_to_score()
         finally:
             worker_pool.close()
 
 
 def _how_to_continue(run: Run) -> str:
-    return f"Run {run.run_id} is left; {how_to_resume(run.run_id)}."
+    return f"Run {run.run_id} remains on the server; {how_to_resume(run.run_id)}."
 
 
 def _name_of(policy: Callable[[], Policy]) -> str:

@@ -1,7 +1,7 @@
-"""What an evaluation is asked to do, before anything has been sent.
+"""The parameters of an evaluation, checked before anything is sent.
 
-Made by `evaluate` and by the command alike. What the protocol would drop or refuse is
-noticed here, where no run has to be left behind.
+Used by `evaluate` and by the command. Values that the protocol would drop or refuse are
+rejected here, before a run is created.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from pydantic import ValidationError
 
 from reference_client.protocol.control_client import ControlClient
 
-# Of the parameter WorkerId: what the server refuses would leave a run behind.
+# The pattern of the parameter WorkerId: a refusal would leave an unused run behind.
 WORKER_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")
 
 Model = TypeVar("Model", Assumptions, CalibrationOptions, ImageChoice, PolicyServer)
@@ -35,12 +35,14 @@ Model = TypeVar("Model", Assumptions, CalibrationOptions, ImageChoice, PolicySer
 
 @dataclass(frozen=True, slots=True)
 class EvaluationPlan:
-    """A run, new or known, and the workers that shall play it.
+    """A run, new or existing, and the workers that play it.
 
-    submission: of a new run, or None for the run of `run_id`, which must be of
-        `benchmark` if that is given. worker_ids: one worker each. patience_s: how long
-        a server is waited for that does not answer, seconds. vet: is given the
-        benchmark before there is a run, and raises if the policy does not fit it.
+    submission: of a new run, or None for the run `run_id`, which must be of `benchmark`
+        if that is given.
+    worker_ids: one worker each.
+    retry_timeout_s: how long an unreachable server is retried, seconds.
+    check_benchmark: called with the benchmark before the run is created; raises if the
+        policy does not fit it.
     """
 
     url: str
@@ -51,25 +53,30 @@ class EvaluationPlan:
     benchmark: str | None = None
     takeover: bool = False
     assumes: Assumptions | None = None
-    patience_s: float = 300.0
+    retry_timeout_s: float = 300.0
     check_benchmark: Callable[[Benchmark], None] | None = None
 
     def __post_init__(self) -> None:
         if self.submission is None and self.run_id is None:
-            raise ValueError("give benchmark=... for a new run, or run_id=... to go on")
+            raise ValueError(
+                "give benchmark=... for a new run, or run_id=... to continue a run"
+            )
         if not self.worker_ids:
             raise ValueError("workers must be at least 1")
         if len(set(self.worker_ids)) < len(self.worker_ids):
-            raise ValueError("every worker needs an id of its own")
+            raise ValueError("worker ids must differ")
         for worker_id in self.worker_ids:
             if not WORKER_ID.fullmatch(worker_id):
-                raise ValueError(f"{worker_id!r} is no worker's id: A-Z a-z 0-9 _ -")
+                raise ValueError(
+                    f"{worker_id!r} is not a valid worker id "
+                    "(1 to 64 of A-Z a-z 0-9 _ -)"
+                )
 
     def open(self, control_client: ControlClient, prepare: Callable[[], None]) -> Run:
-        """The run, in which episodes can be played; `prepare` is called before it.
+        """Submit or resume the run; `prepare`, which loads the policies, comes before.
 
-        So a policy that cannot be made leaves no run behind, and a server that would
-        refuse the run does not wait for the policies to load.
+        So a policy that fails to load leaves no run behind. What the server would
+        refuse is checked before policies are loaded.
         """
         if self.run_id is None:
             assert self.submission is not None
@@ -100,8 +107,7 @@ def submission(
     max_workers: int | None = None,
     policy_server: Mapping[str, Any] | None = None,
 ) -> SubmitRun:
-    """A new run, with mode `push` for a policy server; ValueError for what cannot be
-    meant."""
+    """A new run, in mode `push` if `policy_server` is given; ValueError if invalid."""
     try:
         return SubmitRun(
             benchmark_id=benchmark,
@@ -122,11 +128,13 @@ def submission(
 def parse_strictly(
     model: type[Model], name: str, members: Mapping[str, Any] | None
 ) -> Model | None:
-    """The model of what was given; ValueError for what the model would drop."""
+    """The model with these members; ValueError for members that it would drop."""
     if members is None:
         return None
     given = json.loads(json.dumps(members))
     made = model.from_dict(given)
     if made is None or made.to_dict() != given:
-        raise ValueError(f"{name} has members that the protocol does not know: {given}")
+        raise ValueError(
+            f"{name} has members that the protocol does not define: {given}"
+        )
     return made

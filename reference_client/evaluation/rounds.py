@@ -1,9 +1,9 @@
-"""A run that is there, until it has its score.
+"""Plays an existing run to its score, in rounds.
 
-The thread that calls watches; each player plays in a thread of its own. A round lasts
-until every player has found nothing more to play. Then the run says whether it is
-completed, or whether there is something again: what a dead session has left. This file
-does not know what a player is: a worker here, or a process that plays elsewhere.
+The calling thread watches; each worker runs in its own thread. A round ends when no
+worker finds an episode to play. Then either the run is completed, or episodes have been
+requeued by a session that ended, and another round begins. This module does not know
+whether a worker plays in this process or in another.
 """
 
 from __future__ import annotations
@@ -16,40 +16,41 @@ from typing import Protocol
 
 from proctor_client import Run, Score
 
-from reference_client.api.errors import WORKER_DIED, ProctorError
+from reference_client.errors import WORKER_DIED, ProctorError
 from reference_client.evaluation.status_board import Progress, StatusBoard
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import Interrupted
 
 POLL_INTERVAL_S = 0.5
-# Players get this long to finish a request or a thought when the evaluation ends early.
+# Time for workers to finish a request or `act` when the evaluation ends early.
 STOP_TIMEOUT_S = 5.0
 
-# One player's end, which leaves the others playing.
+# Errors that end one worker while the others continue.
 _WORKER_ENDING_CODES = frozenset({"session_superseded", WORKER_DIED})
 
 
 class RunWorker(Protocol):
-    """One worker of the run, wherever it plays."""
+    """One worker of the run, in this process or in another."""
 
     worker_id: str
 
     def play(self) -> None:
-        """Returns when no episode is left for it; may be called again."""
+        """Play until no episode is left; may be called again."""
 
     def request_stop(self) -> None:
-        """The evaluation is ending: `play` should return soon. Does not wait."""
+        """Make `play` return soon. Does not wait."""
 
     def force_detach(self) -> None:
-        """Leave no session behind, whatever `play` still does."""
+        """End the session, even while `play` is still running."""
 
 
 @dataclass
 class EvaluationRounds:
     """Plays `run` with `run_workers` to its score.
 
-    stop: set when it ends early. takeover: episodes that sessions hold are to be had.
-    progress: hears of the score. say: takes a line about what has gone wrong.
+    stop: set when the evaluation ends early. takeover: episodes held by sessions count
+    as available. progress: called at every change. say: called with a line about each
+    worker that ended early.
     """
 
     run: Run
@@ -64,8 +65,8 @@ class EvaluationRounds:
     _ended_workers: dict[str, ProctorError] = field(default_factory=dict)
     _so_far: Progress = field(init=False)
 
-    def score(self) -> Score:
-        """Raises RunFailed, RunStopped, ProctorError, and what a player fails with."""
+    def play_to_score(self) -> Score:
+        """Raises RunFailed, RunStopped, ProctorError, and the failure of a worker."""
         self._so_far = Progress(
             self.run.run_id, self.run.progress.episodes_total, 0, None, None
         )
@@ -79,9 +80,9 @@ class EvaluationRounds:
         return score
 
     def _play_round(self) -> None:
-        """Every player plays until it finds nothing more.
+        """Every worker plays until no episode is left.
 
-        Raises what the first of them failed with.
+        Raises the first failure of a worker.
         """
         threads = {
             threading.Thread(
@@ -97,7 +98,7 @@ class EvaluationRounds:
                 thread.start()
             while any(thread.is_alive() for thread in threads):
                 if self.board.wait(POLL_INTERVAL_S):
-                    self._report(scored=self.board.take_scored())
+                    self._report(scored=self.board.pop_scored())
         finally:
             self._stop_workers(threads)
         if self._failures:
@@ -115,7 +116,7 @@ class EvaluationRounds:
             pass
         except BaseException as error:  # noqa: BLE001 - raised again by the watcher
             if isinstance(error, ProctorError) and error.code in _WORKER_ENDING_CODES:
-                # What it leaves is for the others.
+                # Its episode returns to the queue, and another worker plays it.
                 self._ended_workers[worker.worker_id] = error
                 self.say(error.detail)
             else:
@@ -127,7 +128,7 @@ class EvaluationRounds:
             self.board.wake()
 
     def _stop_workers(self, threads: Mapping[threading.Thread, RunWorker]) -> None:
-        """After this no player has a session, whatever its thread still does."""
+        """After this no worker has a session, even if its thread still runs."""
         if not any(thread.is_alive() for thread in threads):
             return
         self.stop.set()
@@ -147,7 +148,7 @@ class EvaluationRounds:
             try:
                 self._show(self.control_client.try_score(self.run.run_id))
             except (ProctorError, Interrupted):
-                pass  # it is told next time; workers know better what to bear
+                pass  # reported next time; the workers decide which errors are fatal
             else:
                 return
         self._so_far = replace(self._so_far, waiting=self.board.waiting())

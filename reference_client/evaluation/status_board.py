@@ -1,4 +1,4 @@
-"""How far an evaluation is, and the line that shows it to a person."""
+"""The state of an evaluation as workers report it, and the progress line of it."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from reference_client.generated.messages import Turn
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """What an evaluation has come to so far.
+    """The progress of an evaluation.
 
-    episodes_scored: by every client of the run, abandoned ones included.
-    mean: of their scores, in [0, 1]; None while there is none.
-    waiting: what is waited for and what to do about it; None when all goes well.
+    episodes_scored: by all clients of the run, including abandoned episodes.
+    mean: of their scores, in [0, 1]; None before the first score.
+    waiting: what a worker waits for, and what to do about it; None if none waits.
     """
 
     run_id: str
@@ -32,10 +32,11 @@ class Progress:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class TurnSnapshot:
-    """One turn of a worker, for who looks on.
+    """One turn of a worker, for the live view.
 
-    observation: what the policy saw. turn: what came of its actions. think_s: how long
-    the policy took; turn_s: how long the answer took, of it the server `turn.timing`.
+    observation: input of the policy. turn: the response to its actions. think_s: time
+    of the policy, seconds. turn_s: time of the request; `turn.timing` is the server's
+    share of it.
     """
 
     worker_id: str
@@ -46,7 +47,7 @@ class TurnSnapshot:
 
 
 class StatusBoard:
-    """What workers tell the thread that watches them."""
+    """Collects the reports of worker threads for the thread that watches them."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -55,7 +56,7 @@ class StatusBoard:
         self._scored = False
 
     def waiting_reporter(self, source: str) -> Callable[[str | None], None]:
-        """A function that notes what `source` waits for; None for nothing any more."""
+        """A function that records what `source` waits for; None when it continues."""
 
         def report_waiting(what: str | None) -> None:
             with self._lock:
@@ -73,29 +74,29 @@ class StatusBoard:
         self._changed.set()
 
     def on_attached(self, session_id: str) -> None:
-        """A session is open; for who wants to know, which the watcher does not."""
+        """A session has begun. A hook for subclasses."""
 
     def on_turn(self, snapshot: TurnSnapshot) -> None:
-        """A turn was answered; the same."""
+        """A turn was answered. A hook for subclasses."""
 
     def wake(self) -> None:
-        """Something else has happened: the watcher should look."""
+        """Make `wait` return."""
         self._changed.set()
 
     def wait(self, timeout_s: float) -> bool:
-        """Wait for news; returns whether there was any."""
+        """Wait for a change; returns False after the timeout."""
         if not self._changed.wait(timeout_s):
             return False
         self._changed.clear()
         return True
 
-    def take_scored(self) -> bool:
-        """Whether an episode was scored since this was last asked."""
-        on_scored, self._scored = self._scored, False
-        return on_scored
+    def pop_scored(self) -> bool:
+        """Whether an episode was scored since the last call."""
+        was_scored, self._scored = self._scored, False
+        return was_scored
 
     def waiting(self) -> str | None:
-        """One line, for one of those who wait."""
+        """What one of the waiting sources waits for."""
         with self._lock:
             return next(
                 (f"{source}: {what}" for source, what in self._waiting.items()), None
@@ -103,7 +104,7 @@ class StatusBoard:
 
 
 class ProgressLine:
-    """One line on a terminal, written anew at every report; a context that ends it."""
+    """One line on a terminal, rewritten at every report."""
 
     def __init__(self, stream: TextIO) -> None:
         self._stream = stream
@@ -131,5 +132,5 @@ class ProgressLine:
 
 
 def terminal_progress_line() -> ProgressLine | None:
-    """A line on the standard error if somebody looks at it."""
+    """A progress line on stderr, if that is a terminal."""
     return ProgressLine(sys.stderr) if sys.stderr.isatty() else None

@@ -1,8 +1,8 @@
-"""The main program of a worker in a process of its own.
+"""The main program of a worker in its own process.
 
-Started by `worker_processes.py`, never by hand. Its standard input is commands, one
-JSON object a line, and its standard output reports; what the policy prints goes to the
-standard error. At the end of the input it detaches and exits.
+Started by `worker_processes.py`, never by hand. It reads orders from stdin and writes
+reports to stdout, one JSON object per line; what the policy prints goes to stderr. At
+the end of stdin it detaches and exits.
 """
 
 from __future__ import annotations
@@ -19,23 +19,23 @@ from typing import Any, TextIO
 
 from proctor_client import Assumptions, Run
 
-from reference_client.api.errors import ProctorError
 from reference_client.api.policy import Policy
+from reference_client.errors import ProctorError
 from reference_client.evaluation.status_board import StatusBoard, TurnSnapshot
-from reference_client.evaluation.worker_thread import Worker
-from reference_client.policies import BadMapping, BadPolicy, Mapping, load
+from reference_client.evaluation.turn_report import describe_turn
+from reference_client.evaluation.worker_loop import WorkerLoop
+from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.error_origin import describe_policy_error
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.retry_policy import Interrupted, RetryPolicy
 from reference_client.protocol.worker_session import WorkerSlot
-from reference_client.view.frames import describe_turn
 
-# For a request or a thought under way, after the orders have ended.
+# Time for a request or `act` in progress, after the end of the orders.
 STOP_TIMEOUT_S = 4.0
 
 
 class ReportingBoard(StatusBoard):
-    """What a worker tells, written to the parent."""
+    """Writes the worker's reports to the parent process."""
 
     def __init__(self, stream: TextIO) -> None:
         super().__init__()
@@ -83,14 +83,14 @@ class ReportingBoard(StatusBoard):
 
 
 class OrderReceiver:
-    """Takes the orders; `next_order` is the next run to play, or None to leave."""
+    """Reads the orders; `next_order` is the next `play` order, or None to exit."""
 
     def __init__(self, orders: TextIO, reporter: ReportingBoard) -> None:
         self._orders = orders
         self._reporter = reporter
         self._queue: queue.Queue[dict[str, Any] | None] = queue.Queue()
         self.stop = threading.Event()
-        self.worker: Worker | None = None
+        self.worker: WorkerLoop | None = None
         threading.Thread(target=self._listen, daemon=True).start()
 
     def next_order(self) -> dict[str, Any] | None:
@@ -105,7 +105,7 @@ class OrderReceiver:
                 self._reporter.report("frames", **describe_turn(self._reporter.latest))
         self.stop.set()
         self._queue.put(None)
-        # The policy may think for minutes: its session ends now all the same.
+        # `act` may take minutes: the session ends now nevertheless.
         threading.Event().wait(STOP_TIMEOUT_S)
         if self.worker is not None:
             self.worker.force_detach()
@@ -113,15 +113,15 @@ class OrderReceiver:
 
 
 def main() -> int:
-    """Returns the exit code; whatever goes wrong has been reported then."""
+    """Returns the exit code, after reporting any error to the parent."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     reporter = ReportingBoard(os.fdopen(os.dup(sys.stdout.fileno()), "w"))
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
     first = json.loads(sys.stdin.readline())
     try:
-        mapping = Mapping.read(first["mapping"]) if first["mapping"] else None
+        mapping = PolicyMapping.read(first["mapping"]) if first["mapping"] else None
         policy = load(first["policy"], mapping)()
-    except BaseException as error:  # noqa: BLE001 - told to who can tell the user
+    except BaseException as error:  # noqa: BLE001 - reported to the parent
         reporter.failed(error)
         return 1
     reporter.report("ready")
@@ -148,16 +148,16 @@ def _worker(
     policy: Policy,
     order_receiver: OrderReceiver,
     reporter: ReportingBoard,
-) -> Worker:
+) -> WorkerLoop:
     run = Run.from_dict(order["run"])
     assert run is not None
     connection = Connection(order["url"], order["token"], requests=3)
-    return Worker(
+    return WorkerLoop(
         WorkerSlot(connection.data(run.endpoint), run, worker_id),
         policy,
         RetryPolicy(
             connection.url,
-            order["patience_s"],
+            order["retry_timeout_s"],
             order_receiver.stop,
             reporter.waiting_reporter(worker_id),
         ),

@@ -15,7 +15,7 @@ from reference_client.api.policy import Policy
 from reference_client.evaluation.plan import EvaluationPlan
 from reference_client.evaluation.rounds import RunWorker
 from reference_client.evaluation.status_board import StatusBoard
-from reference_client.evaluation.worker_thread import Worker
+from reference_client.evaluation.worker_loop import WorkerLoop
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_client.protocol.worker_session import WorkerSlot
@@ -23,7 +23,7 @@ from reference_client.protocol.worker_session import WorkerSlot
 
 @dataclass(frozen=True, slots=True)
 class EvaluationContext:
-    """The run that is to be played, and what its players need."""
+    """The run to play, and what its workers need."""
 
     plan: EvaluationPlan
     run: Run
@@ -36,20 +36,20 @@ class EvaluationContext:
 
 
 class WorkerPool(Protocol):
-    """Makes one player for each worker; `close` is called whatever happens."""
+    """Makes the workers of an evaluation; `close` is always called."""
 
     def prepare(self, worker_ids: Sequence[str]) -> None:
-        """Load the policies, before there is a run. Raises what they raise."""
+        """Load the policies, before the run is created. Raises what they raise."""
 
     def make_workers(self, context: EvaluationContext) -> list[RunWorker]:
-        """One for each worker that was prepared."""
+        """One for each id given to `prepare`."""
 
     def close(self) -> None:
-        """Free what is left of them."""
+        """Release the resources of the workers."""
 
 
 class ThreadWorkerPool:
-    """Each worker has an instance of the policy, all of them in this process."""
+    """Each worker has its own instance of the policy, all in this process."""
 
     def __init__(self, make: Callable[[], Policy]) -> None:
         self._make = make
@@ -63,7 +63,7 @@ class ThreadWorkerPool:
     def make_workers(self, context: EvaluationContext) -> list[RunWorker]:
         plan = context.plan
         return [
-            Worker(
+            WorkerLoop(
                 context.slot(worker_id),
                 policy,
                 context.retry_policy,

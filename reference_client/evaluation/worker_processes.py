@@ -1,9 +1,9 @@
 """The workers of a run as processes, one each; `worker_main.py` is their program.
 
-The parent sends commands as lines of JSON to the standard input of each, and receives
-reports from its standard output. The end of the input means exit, so the processes exit
-also when the parent is killed. When a process dies, that is reported, its session ends
-at once, and its episode is played by another worker.
+The parent writes orders to the stdin of each process and reads reports from its stdout,
+one JSON object per line. The end of stdin means exit, so the processes exit also when
+the parent is killed. When a process dies, that is reported, its session ends
+immediately, and another worker plays its episode.
 """
 
 from __future__ import annotations
@@ -22,24 +22,24 @@ from typing import Any
 
 from pydantic_core import to_jsonable_python
 
-from reference_client.api.errors import WORKER_DIED, PolicyFailed, ProctorError
+from reference_client.errors import WORKER_DIED, PolicyFailed, ProctorError
 from reference_client.evaluation.rounds import RunWorker
 from reference_client.evaluation.status_board import StatusBoard
 from reference_client.evaluation.worker_pool import EvaluationContext
 from reference_client.protocol.retry_policy import Interrupted
 from reference_client.protocol.worker_session import detach
 
-# After its order to leave, a process detaches within this time or is killed.
+# After the end of its orders, a process detaches within this time or is killed.
 EXIT_TIMEOUT_S = 6.0
 
 Report = dict[str, Any]
 
 
 class ProcessWorkerPool:
-    """Each worker has a process, and in it the policy that `reference` names.
+    """Each worker has its own process, which loads the policy named by `reference`.
 
-    mapping: path of the mapping file, if any. frames: takes (worker id, report) of what
-    a process shows of itself when it is asked.
+    mapping: path of the mapping file, if any. frames: called with (worker id, report)
+    for every answer to `request_frames`.
     """
 
     def __init__(
@@ -48,15 +48,15 @@ class ProcessWorkerPool:
         mapping: str | None = None,
         frames: Callable[[str, Report], None] | None = None,
     ) -> None:
-        self._first = {"policy": reference, "mapping": mapping}
+        self._configuration = {"policy": reference, "mapping": mapping}
         self._frames = frames
         self._workers: list[WorkerProcess] = []
 
     def prepare(self, worker_ids: Sequence[str]) -> None:
-        """Starts all, then waits until each has loaded its policy."""
+        """Start all processes, then wait until each has loaded its policy."""
         for worker_id in worker_ids:
             self._workers.append(WorkerProcess(worker_id, self._frames))
-            self._workers[-1].order(self._first | {"worker_id": worker_id})
+            self._workers[-1].send_order(self._configuration | {"worker_id": worker_id})
         for worker in self._workers:
             worker.wait_for("ready")
 
@@ -69,32 +69,32 @@ class ProcessWorkerPool:
         for worker in self._workers:
             worker.request_stop()
             if not worker.has_context:
-                worker.process.kill()  # it loads its policy, and has no session
+                worker.process.kill()  # still loading its policy: there is no session
         deadline = time.monotonic() + EXIT_TIMEOUT_S
         for worker in self._workers:
             worker.end(deadline)
 
     def kill(self) -> None:
-        """All at once, by a signal's handler; their sessions end with their leases."""
+        """Kill all processes, from a signal handler; sessions end with their leases."""
         for worker in self._workers:
             worker.process.kill()
 
     def request_frames(self) -> None:
-        """Have every process show what it sees; the answers come to `frames`."""
+        """Request the latest turn of every process; the answers go to `frames`."""
         for worker in self._workers:
-            if worker.is_playing:  # else nobody reads what it answers
-                worker.order({"order": "look"})
+            if worker.is_playing:  # otherwise no thread reads its reports
+                worker.send_order({"order": "look"})
 
 
 class WorkerProcess:
-    """A player whose worker plays in `process`."""
+    """A RunWorker that plays in `process`."""
 
     def __init__(
         self, worker_id: str, frames: Callable[[str, Report], None] | None = None
     ) -> None:
         self.worker_id = worker_id
         self._frames = frames
-        self._lock = threading.Lock()  # of the pipe of orders
+        self._lock = threading.Lock()  # for writing orders
         self._session_id: str | None = None
         self._context: EvaluationContext | None = None
         self._is_stopping = False
@@ -105,7 +105,7 @@ class WorkerProcess:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,
-            # A terminal sends Ctrl-C to its whole group; who leaves when is said here.
+            # A terminal sends Ctrl-C to its process group; the parent decides instead.
             start_new_session=True,
             env=os.environ | {"PYTHONPATH": os.pathsep.join([root, *_python_path()])},
         )
@@ -118,11 +118,11 @@ class WorkerProcess:
         self._context = context
 
     def play(self) -> None:
-        """Raises as Worker.play; PolicyFailed; and `worker_died` if the process has."""
+        """Raises as WorkerLoop.play, PolicyFailed, and `worker_died` if it died."""
         context = self._context
         assert context is not None
         plan = context.plan
-        self.order(
+        self.send_order(
             {
                 "order": "play",
                 "url": plan.url,
@@ -130,7 +130,7 @@ class WorkerProcess:
                 "run": context.run.to_dict(),
                 "takeover": plan.takeover,
                 "assumes": plan.assumes and plan.assumes.to_dict(),
-                "patience_s": plan.patience_s,
+                "retry_timeout_s": plan.retry_timeout_s,
             }
         )
         self.is_playing = True
@@ -140,7 +140,7 @@ class WorkerProcess:
             self.is_playing = False
 
     def wait_for(self, wanted: str) -> Report:
-        """Reads reports until the wanted one; raises what they say."""
+        """Reads reports until the wanted one; raises a reported failure."""
         for report in self._reports():
             kind = report["report"]
             if kind == wanted:
@@ -163,17 +163,17 @@ class WorkerProcess:
         self._detach()
 
     def end(self, deadline: float) -> None:
-        """Wait for it until the deadline of the monotonic clock, then kill it."""
+        """Wait for the process until `deadline` (monotonic clock), then kill it."""
         try:
             self.process.wait(max(0.0, deadline - time.monotonic()))
         except subprocess.TimeoutExpired:
             self.force_detach()
             self.process.wait()
         assert self.process.stdout is not None
-        with contextlib.suppress(ValueError, OSError):  # its thread may read it still
+        with contextlib.suppress(ValueError, OSError):  # a thread may still read it
             self.process.stdout.close()
 
-    def order(self, order: Report) -> None:
+    def send_order(self, order: Report) -> None:
         with self._lock, contextlib.suppress(OSError, ValueError):  # it may have died
             assert self.process.stdin is not None
             self.process.stdin.write(json.dumps(to_jsonable_python(order)) + "\n")
@@ -205,8 +205,8 @@ class WorkerProcess:
             how = signal.Signals(-code).name
         return ProctorError(
             WORKER_DIED,
-            f"The process of {self.worker_id} has died ({how}); its episode goes "
-            "back to the queue.",
+            f"Worker process {self.worker_id} exited ({how}); its episode returns to "
+            "the queue.",
             retryable=True,
         )
 

@@ -1,10 +1,11 @@
-"""Policies that exist already: how one is named, loaded, and spoken to.
+"""Adapters for existing policies.
 
-`source` loads what a reference names, `mapping` puts an observation into the words of
-another house and its answer into ours, `openpi` speaks to a policy server.
+`policy_loader` loads the policy of a reference, `mapping` converts observations and
+actions to a policy's names and shapes, `openpi_client` and `policy_server_client` call
+policy servers, `policy_http_app` is a policy server.
 """
 
-from reference_client.policies.mapping import BadMapping, Mapping
-from reference_client.policies.source import BadPolicy, load
+from reference_client.policies.mapping import BadMapping, PolicyMapping
+from reference_client.policies.policy_loader import BadPolicy, load
 
-__all__ = ["BadMapping", "BadPolicy", "Mapping", "load"]
+__all__ = ["BadMapping", "BadPolicy", "PolicyMapping", "load"]

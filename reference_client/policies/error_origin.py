@@ -1,4 +1,4 @@
-"""Where a policy went wrong, in one line: the author's own, not ours."""
+"""Describes an exception of a policy in one line, with the place in the user's code."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _CLIENT_ROOT = Path(__file__).resolve().parent.parent
 
 
 def describe_policy_error(error: BaseException) -> str:
-    """The error, and the innermost line that is neither ours nor a library's."""
+    """The error, and the innermost line outside this client and installed packages."""
     frames = traceback.extract_tb(error.__traceback__)
     policy_frames = [
         frame

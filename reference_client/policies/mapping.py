@@ -1,16 +1,15 @@
-"""Our names to another house's, and its answer to our actions: a declared mapping.
+"""A declarative mapping between the benchmark's names and those of a policy.
 
-A TOML file with two tables. `[observation]` has an entry for each key of the request,
-`[action]` says where in the answer the numbers stand, and `[action.values]` which of
-them are which of our vectors. docs/policies.md explains every member. Nothing in such a
-file is executed.
+A TOML file with two tables. `[observation]` has an entry for each key of the policy's
+request, `[action]` locates the numbers in its answer, and `[action.values]` assigns
+them to the vectors of the action space. docs/policies.md explains every member. Nothing
+in such a file is executed.
 """
 
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Callable
-from collections.abc import Mapping as Lookup
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, Self, TypeVar
@@ -21,11 +20,11 @@ from proctor_client import Benchmark
 
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
-from reference_client.policies.pictures import resize_picture
+from reference_client.policies.image_resize import resize_picture
 
 Array = npt.NDArray[Any]
 
-_WORDS: Lookup[str, Callable[[Observation], Any]] = {
+_WORDS: Mapping[str, Callable[[Observation], Any]] = {
     "instruction": lambda observation: observation.instruction,
     "episode_id": lambda observation: observation.episode_id,
     "step": lambda observation: observation.step,
@@ -36,20 +35,20 @@ Row = TypeVar("Row", "RequestEntry", "ActionVector")
 
 
 class BadMapping(ValueError):
-    """The file is no mapping, or not one for this benchmark; the message says why."""
+    """The mapping is invalid, or does not fit the benchmark; the message says why."""
 
 
 class InvalidPolicyAnswer(ValueError):
-    """The policy's answer is not what the mapping says."""
+    """The policy's answer does not fit the mapping."""
 
 
 @dataclass(frozen=True, slots=True)
 class RequestEntry:
-    """One key of the request: where its value comes from, and what is done to it.
+    """One key of the request: the source of its value, and how that is converted.
 
-    source: `state.NAME`, `images.NAME`, `tensors.NAME`, or a word; several states are
-    joined. Then, in this order: take, scale, offset for vectors; resize, layout, unit
-    for images; dtype, leading for both.
+    source: `state.NAME`, `images.NAME`, `tensors.NAME`, or a key of _WORDS; several
+    states are concatenated. Then, in this order: take, scale, offset for vectors;
+    resize, layout, unit for images; dtype, leading for both.
     """
 
     source: tuple[str, ...] = ()
@@ -99,12 +98,12 @@ class RequestEntry:
 
 @dataclass(frozen=True, slots=True)
 class ActionVector:
-    """One vector of our action: what of the answer it is.
+    """One vector of the action, and the part of the answer that it is made of.
 
-    source: key of the answer, where it is not the table's. Then, in this order:
+    source: key of the answer, if different from the table's. Then, in this order:
     columns, threshold, scale, offset, cumulate, relative_to, clip; or `value`, a
-    constant. cumulate: each row adds to those before, as with velocities. relative_to:
-    `state.NAME`, to whose value before the chunk the rows are added.
+    constant. cumulate: cumulative sum of the rows, as for velocities. relative_to:
+    `state.NAME`, whose value before the chunk is added to every row.
     """
 
     source: str | None = None
@@ -131,15 +130,15 @@ class ActionVector:
 
 
 @dataclass(frozen=True, slots=True)
-class Mapping:
-    """What `request` and `chunk` do is what the file says."""
+class PolicyMapping:
+    """A mapping, as read from a file."""
 
     name: str
-    entries: Lookup[str, RequestEntry]
+    entries: Mapping[str, RequestEntry]
     source: str | None
     execute: int | None
     leading: int
-    vectors: Lookup[str, ActionVector]
+    vectors: Mapping[str, ActionVector]
 
     @classmethod
     def read(cls, path: str | Path) -> Self:
@@ -149,12 +148,12 @@ class Mapping:
         except OSError as error:
             raise BadMapping(f"cannot read {path}: {error.strerror}") from error
         except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-            raise BadMapping(f"{path} is no TOML: {error}") from error
+            raise BadMapping(f"{path} is not valid TOML: {error}") from error
         return cls.of(document, str(path))
 
     @classmethod
-    def of(cls, document: Lookup[str, Any], name: str = "mapping") -> Self:
-        """From what such a file holds. Raises BadMapping."""
+    def of(cls, document: Mapping[str, Any], name: str = "mapping") -> Self:
+        """The mapping of a parsed TOML document. Raises BadMapping."""
         _check_known(name, document, {"observation", "action"})
         action = _table(f"{name}: action", document.get("action"))
         at = f"{name}: action"
@@ -177,7 +176,7 @@ class Mapping:
         )
 
     def check(self, benchmark: Benchmark) -> None:
-        """Raises BadMapping if this is not for the benchmark, saying what it has."""
+        """Raises BadMapping if the mapping does not fit the benchmark."""
         space = benchmark.observation_space
         known = {
             f"{group}.{name}" for group in _GROUPS for name in getattr(space, group)
@@ -193,10 +192,10 @@ class Mapping:
             for name, vector in self.vectors.items()
             if vector.relative_to is not None
         ]
-        for who, source in wanted:
+        for entry, source in wanted:
             if source not in known:
                 raise BadMapping(
-                    f"{self.name}: {who} is from {source}; {benchmark.benchmark_id} "
+                    f"{self.name}: {entry} is from {source}; {benchmark.benchmark_id} "
                     f"has {_listed(known)}"
                 )
         if set(self.vectors) != set(benchmark.action_space):
@@ -206,11 +205,11 @@ class Mapping:
             )
 
     def request(self, observation: Observation) -> dict[str, Any]:
-        """The observation under their keys."""
+        """The policy's request for an observation."""
         return {key: entry.of(observation) for key, entry in self.entries.items()}
 
     def chunk(self, answer: Any, observation: Observation) -> Chunk:
-        """Their answer to `observation` as a chunk of our actions. Raises MisfitAnswer."""
+        """The policy's answer as a chunk. Raises InvalidPolicyAnswer."""
         columns: dict[str, Array] = {}
         for name, vector in self.vectors.items():
             if vector.value is None:
@@ -241,7 +240,7 @@ class Mapping:
         """(actions, numbers) at `source` of the answer."""
         found = answer
         if source is not None:
-            # Some answer a chunk as a list of actions instead of an action of lists.
+            # Some policies return a list of actions instead of an action of lists.
             many = isinstance(answer, list)
             found = [self._at(one, source) for one in (answer if many else [answer])]
             found = found if many else found[0]
@@ -262,9 +261,9 @@ class Mapping:
         return rows
 
     def _at(self, answer: Any, source: str) -> Any:
-        if isinstance(answer, Lookup) and source in answer:
+        if isinstance(answer, Mapping) and source in answer:
             return answer[source]
-        has = _listed(answer) if isinstance(answer, Lookup) else type(answer).__name__
+        has = _listed(answer) if isinstance(answer, Mapping) else type(answer).__name__
         raise InvalidPolicyAnswer(
             f"{self.name}: the policy's answer has no {source}, but {has}"
         )
@@ -301,7 +300,7 @@ def _entry(at: str, table: Any) -> RequestEntry:
     if len(entry.source) > 1 and not all(s.startswith("state.") for s in entry.source):
         raise BadMapping(f"{at}: only states can be joined")
     if entry.dtype is not None and not _is_of_numbers(entry.dtype):
-        raise BadMapping(f"{at}: dtype {entry.dtype} is none of numbers")
+        raise BadMapping(f"{at}: dtype {entry.dtype} is not numeric")
     return entry
 
 
@@ -329,13 +328,13 @@ def _read(row: type[Row], at: str, table: Any) -> Row:
     return row(**members)
 
 
-def _table(at: str, table: Any, *, may_be_empty: bool = False) -> Lookup[str, Any]:
-    if not isinstance(table, Lookup) or not (table or may_be_empty):
-        raise BadMapping(f"{at} is missing or no table")
+def _table(at: str, table: Any, *, may_be_empty: bool = False) -> Mapping[str, Any]:
+    if not isinstance(table, Mapping) or not (table or may_be_empty):
+        raise BadMapping(f"{at} is missing or not a table")
     return table
 
 
-def _check_known(at: str, table: Lookup[str, Any], names: set[str]) -> None:
+def _check_known(at: str, table: Mapping[str, Any], names: set[str]) -> None:
     unknown = set(table) - names
     if unknown:
         raise BadMapping(f"{at}: unknown {_listed(unknown)}; known {_listed(names)}")

@@ -2,8 +2,8 @@
 
 An array is a map with binary keys, {b"__ndarray__": true, b"data": bytes, b"dtype":
 str, b"shape": [int]}; a numpy number is {b"__npgeneric__": true, b"data": …, b"dtype":
-…}. Other houses have dialects with the same names as strings; they are not read here.
-What is decoded is numbers, text and lists: no dtype that could hold an object.
+…}. Dialects with string keys of the same names are not supported. Only dtypes of
+numbers and text are decoded, none that could hold an object.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ class BadMessage(ValueError):
 
 
 def pack(value: Any) -> bytes:
-    """Raises TypeError for what has no place in it."""
+    """Raises TypeError for unsupported types."""
     return msgspec.msgpack.encode(value, enc_hook=_packed)
 
 
@@ -44,7 +44,7 @@ def _packed(value: Any) -> Any:
     if isinstance(value, np.generic):
         dtype = _checked(value.dtype).str
         return {b"__npgeneric__": True, b"data": value.item(), b"dtype": dtype}
-    raise TypeError(f"{type(value).__name__} has no place in a request")
+    raise TypeError(f"{type(value).__name__} is not supported in a request")
 
 
 def _unpacked(value: Any) -> Any:
@@ -62,5 +62,5 @@ def _unpacked(value: Any) -> Any:
 
 def _checked(dtype: np.dtype[Any]) -> np.dtype[Any]:
     if dtype.kind not in "biufSU":
-        raise ValueError(f"dtype {dtype} is not sent")
+        raise ValueError(f"dtype {dtype} is not supported")
     return dtype

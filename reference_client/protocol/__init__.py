@@ -1,1 +1,1 @@
-"""The protocol as a client speaks it: sessions, turns, retries, connections."""
+"""The client side of the protocol: connections, retries, runs, sessions, turns."""

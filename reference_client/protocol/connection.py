@@ -1,4 +1,4 @@
-"""One server as this client reaches it: its control plane, and the data planes."""
+"""The connections to one server: its control plane, and the data planes of runs."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ from urllib.parse import urlsplit
 
 from proctor_client import ApiClient, Configuration, ControlApi
 
-from reference_client.api.errors import BAD_ANSWER, ProctorError
+from reference_client.errors import BAD_ANSWER, ProctorError
 from reference_client.protocol.data_plane import DataPlane
 
 PROTOCOL_VERSION = "1.0"
 USER_AGENT = "proctor-reference-client/0.1.0"
-# (connect, read). A turn may take longer than this: its repeat waits for it (PRED-005).
+# (connect, read). A turn may take longer: the repeated request waits for it (PRED-005).
 TIMEOUTS_S = (5.0, 60.0)
 
 
 class Connection:
-    """The control plane at `url`, and the data planes that runs name.
+    """The control plane at `url`, and the data planes at the endpoints of runs.
 
-    token: sent as the bearer token to both. requests: how many are sent at once.
-    Raises ValueError if `url` is no http or https URL. Nothing is sent yet.
+    token: bearer token, sent to both. requests: maximum of simultaneous requests.
+    Raises ValueError if `url` is not an http or https URL. Nothing is sent yet.
     """
 
     def __init__(self, url: str, token: str | None, *, requests: int) -> None:
@@ -38,13 +38,13 @@ class Connection:
     def data(self, endpoint: str) -> DataPlane:
         """The data plane at a run's `endpoint`, for one worker.
 
-        Raises ProctorError `bad_answer` if the token would travel there in clear.
+        Raises ProctorError `bad_answer` if the token would be sent unencrypted.
         """
         if self.url.startswith("https:") and not endpoint.startswith("https:"):
             raise ProctorError(
                 BAD_ANSWER,
-                f"{self.url} sends workers to {endpoint}, where the token would travel "
-                "in clear. Ask the operator to set the server's public URL.",
+                f"The data endpoint {endpoint} of {self.url} is not HTTPS; refusing to "
+                "send the token. Ask the operator to set the server's public URL.",
             )
         headers = {"User-Agent": USER_AGENT, "Proctor-Version": PROTOCOL_VERSION}
         if self._token is not None:
@@ -77,7 +77,7 @@ class Connection:
                 host=host,
                 access_token=self._token,
                 connection_pool_maxsize=self._requests,
-                # One place decides on repeats, and it is not urllib3: `patience`.
+                # Retries are decided in retry_policy.py only.
                 retries=False,
             )
             client = ApiClient(configuration)

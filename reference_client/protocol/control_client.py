@@ -1,4 +1,4 @@
-"""A run on the control plane: asked for, taken up again, waited for."""
+"""The control plane: benchmarks, submission, state, stop, resume and score of runs."""
 
 from __future__ import annotations
 
@@ -22,24 +22,24 @@ from proctor_client import (
     SubmitRun,
 )
 
-from reference_client.api.errors import ProctorError, RunFailed, RunStopped
+from reference_client.errors import ProctorError, RunFailed, RunStopped
 from reference_client.protocol.connection import TIMEOUTS_S
 from reference_client.protocol.retry_policy import RetryPolicy
 
-FIRST_CONTACT_S = 3.0  # a mistyped URL is told at once, a server just starting is met
+FIRST_CONTACT_S = 3.0  # short for a mistyped URL, long enough for a starting server
 LONG_POLL_S = 10  # below the read timeout of TIMEOUTS_S
-UNCHANGED_S = 0.2  # between polls, for servers that do not hold an answer back
+UNCHANGED_S = 0.2  # between polls, for servers without long polling
 
 
 class ControlClient:
-    """Where runs are asked for and asked about; raises ProctorError and Interrupted."""
+    """The operations on runs; every method raises ProctorError and Interrupted."""
 
     def __init__(self, control: ControlApi, retry_policy: RetryPolicy) -> None:
         self._control = control
         self._retry_policy = retry_policy
 
     def check_service(self, workers: int) -> None:
-        """First contact: whether a server is there, and gives so many workers."""
+        """Check that the server is reachable and allows this number of workers."""
         first = replace(
             self._retry_policy, total_s=min(FIRST_CONTACT_S, self._retry_policy.total_s)
         )
@@ -49,8 +49,8 @@ class ControlClient:
         if workers > service.limits.max_workers:
             raise ProctorError(
                 "invalid_request",
-                f"{workers} workers are wanted; {self._retry_policy.url} allows a run "
-                f"{service.limits.max_workers}. Ask for fewer.",
+                f"{workers} workers requested; {self._retry_policy.url} allows "
+                f"{service.limits.max_workers} per run.",
             )
 
     def benchmarks(self) -> list[BenchmarkSummary]:
@@ -66,14 +66,14 @@ class ControlClient:
         )
 
     def check(self, benchmark_id: str) -> Benchmark:
-        """The benchmark, if a run of it can be asked for at all."""
+        """The benchmark. Raises `benchmark_unavailable` if it cannot be run."""
         benchmark = self.benchmark(benchmark_id)
         if benchmark.unavailable_reason is not None:
             raise ProctorError("benchmark_unavailable", benchmark.unavailable_reason)
         return benchmark
 
     def submit(self, submission: SubmitRun) -> Run:
-        """Makes one run, however often the request has to be repeated."""
+        """Submit exactly one run: repeated requests carry the same Idempotency-Key."""
         key = uuid.uuid4().hex
         return self._retry_policy.call(
             lambda: self._control.submit_run(
@@ -87,7 +87,7 @@ class ControlClient:
         )
 
     def latest(self, most: int) -> list[Run]:
-        """The account's newest runs."""
+        """The newest runs of the account."""
         return self._retry_policy.call(
             lambda: self._control.list_runs(limit=most, _request_timeout=TIMEOUTS_S)
         ).runs
@@ -105,9 +105,9 @@ class ControlClient:
         )
 
     def resume_if_needed(self, run_id: str) -> Run:
-        """Resume the run if it is stopped or failed, after it has drained if it must.
+        """Resume the run if it is stopped or failed; waits while it is stopping.
 
-        Raises RunFailed if it can never go on.
+        Raises RunFailed if it cannot be resumed.
         """
         for run in self.changes(run_id):
             state = run.state.value
@@ -125,17 +125,17 @@ class ControlClient:
         raise AssertionError("changes never end")
 
     def wait_for_work(self, run_id: str, *, held: bool = False) -> bool:
-        """Waits until episodes can be played (True), or the run is completed (False).
+        """Wait until episodes can be played (True) or the run is completed (False).
 
-        held: episodes that a session holds count, because it is to be taken over.
-        Raises RunFailed, RunStopped.
+        held: episodes held by a session count, because it will be taken over. Raises
+        RunFailed, RunStopped.
         """
         for run in self.changes(run_id):
             state = run.state.value
             if state == "queued":
                 place = run.queue_position
                 self._retry_policy.report_waiting(
-                    f"the run is number {place} in the queue"
+                    f"the run is queued at position {place}"
                 )
                 continue
             self._retry_policy.report_waiting(None)
@@ -148,11 +148,11 @@ class ControlClient:
             playable = held or run.progress.episodes_pending > 0
             if playable and state != "stopping":
                 return True
-            # Should one of them die, its episode is for us.
+            # If one of these sessions ends early, its episode is played here.
             others = run.progress.episodes_in_progress
             self._retry_policy.report_waiting(
-                f"other sessions play the last {others}; takeover=True takes over "
-                "those that have our workers' names"
+                f"the last {others} episodes are in progress in other sessions; "
+                "takeover=True takes over those with the same worker ids"
             )
         raise AssertionError("changes never end")
 
@@ -164,7 +164,7 @@ class ControlClient:
     def compare(
         self, baseline: str, runs: Sequence[str], tolerance: float | None
     ) -> Comparison:
-        """Runs beside a baseline; tolerance None is the server's own."""
+        """Compare runs with a baseline; tolerance None is the server's default."""
         return self._retry_policy.call(
             lambda: self._control.compare_runs(
                 baseline, ",".join(runs), tolerance, _request_timeout=TIMEOUTS_S
@@ -172,7 +172,7 @@ class ControlClient:
         )
 
     def episodes(self, run_id: str) -> list[Episode]:
-        """All of them, however many pages the server makes of it."""
+        """All episodes, from all pages of the list."""
         found: list[Episode] = []
         cursor: str | None = None
         while True:
@@ -190,14 +190,14 @@ class ControlClient:
                 return found
 
     def try_score(self, run_id: str) -> Score:
-        """The score if it is to be had at once; nobody is told that it was not."""
+        """The score, without retries and without reporting a wait."""
         once = replace(
             self._retry_policy, total_s=0.0, report_waiting=lambda _why: None
         )
         return ControlClient(self._control, once).score(run_id)
 
     def changes(self, run_id: str) -> Iterator[Run]:
-        """The run as it is, and again whenever it has changed; without end."""
+        """The run now, and again after every change; endless."""
         etag: str | None = None
         while True:
             answer = self._retry_policy.call(partial(self._poll, run_id, etag))
@@ -210,7 +210,7 @@ class ControlClient:
                 self._retry_policy.pause(UNCHANGED_S)
 
     def _poll(self, run_id: str, etag: str | None) -> ApiResponse[Run] | None:
-        """The run, or None if it is unchanged since the etag."""
+        """The run, or None if it has not changed since the etag."""
         try:
             return self._control.get_run_with_http_info(
                 run_id,

@@ -1,4 +1,4 @@
-"""Keeping a lease alive while a policy thinks."""
+"""Extends the lease of a session while a policy computes."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from typing import Self
 
 
 class HeartbeatThread:
-    """Calls `send_heartbeat` while thinking goes on for longer than a third of the lease.
+    """Calls `send_heartbeat` whenever a third of the lease passed without a request.
 
-    lease_s: idle_timeout_s of the session. beat: extends the lease; returns whether
-    there is one to extend. It is called in a thread that lives as long as the context.
+    lease_s: idle_timeout_s of the session. send_heartbeat: extends the lease; returns
+    False if the session has ended. Called in a thread of this context manager.
     """
 
     def __init__(self, lease_s: float, send_heartbeat: Callable[[], bool]) -> None:
         self._send_heartbeat = send_heartbeat
-        # A look every sixth: a beat comes before a third has passed without one.
+        # Checking every sixth sends a heartbeat before a third has passed.
         self._check_interval_s = lease_s / 6
-        self._answered_at: float | None = None  # None: the server has the word
+        self._answered_at: float | None = None  # None: a request is in progress
         self._closed = threading.Event()
         self._thread = threading.Thread(
             target=self._run, name="proctor-heartbeat", daemon=True
@@ -29,7 +29,7 @@ class HeartbeatThread:
 
     @contextlib.contextmanager
     def keep_alive(self) -> Iterator[None]:
-        """Around what the policy does between an answer and the next request."""
+        """Send heartbeats during this context: between a response and a request."""
         self._answered_at = time.monotonic()
         try:
             yield
@@ -46,7 +46,7 @@ class HeartbeatThread:
         error: BaseException | None,
         traceback: TracebackType | None,
     ) -> None:
-        # Not joined: a beat under way may take its time, and does no harm.
+        # Not joined: a heartbeat in progress may take long, and is harmless.
         self._closed.set()
 
     def _run(self) -> None:

@@ -1,8 +1,12 @@
-"""One kept HTTP/1.1 connection: a request out in one piece, its answer in.
+"""One persistent HTTP/1.1 connection: sends a request, receives the response.
 
-The parser is llhttp, which httptools binds. Connecting, sending and receiving are here,
-because an answer may be megabytes, which are received into the memory that they are
-used in. It knows neither paths nor encodings, and repeats nothing.
+Why no HTTP client library: on loopback, a request for 670 bytes takes 123 µs with this
+module, 281 µs with http.client, 329 µs with aiohttp, 471 µs with urllib3 and 913 µs
+with requests (docs/performance.md, "An HTTP client"). Images are megabytes; they are
+received directly into the memory in which the policy reads them. Parsing is left to a
+library: httptools, the binding of llhttp.
+
+Knows neither paths nor encodings, and repeats nothing.
 """
 
 from __future__ import annotations
@@ -17,20 +21,20 @@ from urllib.parse import urlsplit
 import httptools
 from urllib3.util.wait import wait_for_read
 
-# What is received at once until the size of an answer is known: most answers whole.
+# Received at once until the size of a response is known: most responses fit.
 _PIECE_BYTES = 2**16
 _HEAD_BYTES_MAX = 2**17
 ANSWER_BYTES_MAX = 2**30
-_BREAKS_OFF = "the connection ended before the answer did"
+_INCOMPLETE = "connection closed before the response was complete"
 
 
 class BrokenAnswer(OSError):
-    """What came is no HTTP, breaks off, or is larger than anybody can mean."""
+    """The response is not HTTP, is incomplete, or exceeds the size limit."""
 
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """A whole answer. headers: names in lower case."""
+    """A complete response. headers: names in lower case."""
 
     status: int
     reason: str
@@ -39,29 +43,29 @@ class Answer:
 
 
 class HttpConnection:
-    """A connection to the place of `url`, made when it is needed; for one thread.
+    """A connection to the host of `url`, opened when needed; for one thread.
 
-    timeouts_s: to connect, and between two pieces of an answer.
-    room: gives writable memory of a size for a large body.
+    timeouts_s: to connect, and between two reads of a response.
+    make_buffer: size → writable memory for a body of known size.
     """
 
     def __init__(
         self,
         url: str,
         timeouts_s: tuple[float, float],
-        buffer: Callable[[int], memoryview],
+        make_buffer: Callable[[int], memoryview],
     ) -> None:
         parts = urlsplit(url)
         self._is_secure = parts.scheme == "https"
         self._host = parts.hostname or ""
         self._port = parts.port or (443 if self._is_secure else 80)
         self._timeouts_s = timeouts_s
-        self._make_buffer = buffer
+        self._make_buffer = make_buffer
         self._piece = memoryview(bytearray(_PIECE_BYTES))
         self.sock: socket.socket | None = None
 
     def send_request(self, request: bytes) -> Answer:
-        """Raises OSError when no answer comes, BrokenAnswer for one that is none."""
+        """Raises OSError without a response, BrokenAnswer for an invalid one."""
         if self._has_unexpected_data():
             self.close()
         try:
@@ -70,7 +74,7 @@ class HttpConnection:
             self.sock.sendall(request)
             return self._read_answer(self.sock)
         except BaseException:
-            self.close()  # what comes on it next would answer no question
+            self.close()  # later bytes on it would belong to this request
             raise
 
     def close(self) -> None:
@@ -79,10 +83,10 @@ class HttpConnection:
             self.sock = None
 
     def _has_unexpected_data(self) -> bool:
-        """Nothing was asked: what can be read is the end, or no answer to anything."""
+        """Whether it was closed by the peer, or holds bytes that no request caused."""
         if self.sock is None:
             return False
-        # TLS may have read ahead of what the system knows.
+        # TLS may have buffered bytes that the socket no longer shows.
         if isinstance(self.sock, ssl.SSLSocket) and self.sock.pending():
             return True
         return wait_for_read(self.sock, 0.0)
@@ -122,22 +126,22 @@ class HttpConnection:
         parser.feed(self._piece[:count])
 
     def _receive_body(self, sock: socket.socket, begun: bytes, size: int) -> memoryview:
-        """A body of known size: past the parser to where it will be used."""
+        """A body of known size: received directly into the buffer, not parsed."""
         buffer = self._make_buffer(size)
         filled = len(begun)
         buffer[:filled] = begun
         while filled < size:
             count = sock.recv_into(buffer[filled:])
             if not count:
-                raise BrokenAnswer(_BREAKS_OFF)
+                raise BrokenAnswer(_INCOMPLETE)
             filled += count
         return buffer
 
 
 class _ResponseParser:
-    """An answer while it comes: what the parser calls, and what is known of it.
+    """Collects one response from the callbacks of the parser.
 
-    status: 0 until its head is complete.
+    status: 0 until the head is complete.
     """
 
     def __init__(self) -> None:
@@ -149,38 +153,38 @@ class _ResponseParser:
         self.on_message_begin()
 
     def feed(self, piece: memoryview) -> None:
-        """An empty piece is the end of the connection."""
+        """An empty piece means the end of the connection."""
         if not piece:
             if self.status < 200 or "transfer-encoding" in self.headers:
-                raise BrokenAnswer(_BREAKS_OFF)
-            self.is_complete = True  # the body has no other end
+                raise BrokenAnswer(_INCOMPLETE)
+            self.is_complete = True  # the end of the connection ends the body
             return
         self._fed += len(piece)
         try:
             self._parser.feed_data(piece)
         except (httptools.HttpParserError, httptools.HttpParserUpgrade) as error:
-            raise BrokenAnswer(f"what came is no answer in HTTP: {error}") from error
+            raise BrokenAnswer(f"invalid HTTP response: {error}") from error
         if self._fed > (ANSWER_BYTES_MAX if self.status >= 200 else _HEAD_BYTES_MAX):
-            raise BrokenAnswer("the answer has no end")
+            raise BrokenAnswer("response exceeds the size limit")
 
     def body(self) -> bytes:
-        """What came of it so far."""
+        """The body received so far."""
         return b"".join(self._parts)
 
     @property
     def size(self) -> int | None:
-        """Of the body, if its head says so."""
-        if self.status in (204, 304):  # they may name the size of another one's
+        """The size of the body, if the head declares it."""
+        if self.status in (204, 304):  # their Content-Length is that of another body
             return None
         size = int(self.headers.get("content-length", -1))
         if size > ANSWER_BYTES_MAX:
-            raise BrokenAnswer(f"the answer has {size} bytes")
+            raise BrokenAnswer(f"response of {size} bytes exceeds the size limit")
         return None if size < 0 else size
 
     def on_message_begin(self) -> None:
-        """Also of the answer behind an interim one (1xx), which says nothing to us."""
+        """Called also for the response after an interim one (1xx), which is ignored."""
         if self.status >= 200:
-            raise BrokenAnswer("two answers came to one request")
+            raise BrokenAnswer("unexpected second response")
         self.reason = ""
         self.headers: dict[str, str] = {}
         self._parts: list[bytes] = []
@@ -194,8 +198,8 @@ class _ResponseParser:
     def on_headers_complete(self) -> None:
         self.status = self._parser.get_status_code()
         if self.status < 100:
-            raise BrokenAnswer(f"there is no status {self.status}")
-        # Here only: at the end of the answer the parser has forgotten it.
+            raise BrokenAnswer(f"invalid status {self.status}")
+        # Read here: the parser resets it at the end of the response.
         self.keeps_connection = self._parser.should_keep_alive()
 
     def on_body(self, part: bytes) -> None:

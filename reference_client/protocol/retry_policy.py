@@ -1,8 +1,10 @@
-"""Sending a request until it is answered.
+"""The retry policy: the only place that decides whether a request is repeated.
 
-Every request of this client may be repeated: what must not happen twice carries a seq,
-an attach_key or an Idempotency-Key. So whether to repeat is decided here, for all of
-them alike, by the answer alone.
+All requests to a Proctor server, of both planes, go through RetryPolicy.call; urllib3's
+retries are off. Every request may be repeated, because operations that must not be
+executed twice carry a seq, an attach_key or an Idempotency-Key. So the response alone
+decides. Requests to policy servers are not of this protocol: their two clients
+(policies/) repeat at a fixed interval until a deadline.
 """
 
 from __future__ import annotations
@@ -18,33 +20,33 @@ from typing import TypeVar
 import msgspec
 from proctor_client import ApiException
 
-from reference_client.api.errors import NO_ANSWER_ERRORS, ProctorError, from_failure
+from reference_client.errors import NO_ANSWER_ERRORS, ProctorError, from_failure
 
 Answer = TypeVar("Answer")
 
 FIRST_PAUSE_S = 0.1
 LONGEST_PAUSE_S = 5.0
 
-# Refusals, silence, answers that break the schema.
+# Refusals, missing responses, responses that violate the schema.
 FAILURES = (ApiException, *NO_ANSWER_ERRORS, msgspec.MsgspecError, ValueError)
 
-# Answers of a healthy server that is full: waiting is right, however long it takes.
+# Refusals of a healthy server at its capacity: retried without a limit of time.
 _FULL = frozenset({"worker_limit", "no_capacity"})
-_DEFECT_S = 10.0  # a defect of the server seldom goes away by itself
+_DEFECT_S = 10.0  # a defect of the server seldom disappears by itself
 
 _NO_LIMITS: Mapping[str, float] = {}
 
 
 class Interrupted(Exception):
-    """The evaluation is ending: whoever waits stops waiting."""
+    """The evaluation is ending; raised by every wait."""
 
 
 @dataclass(frozen=True, slots=True)
 class RetryPolicy:
-    """How long failing requests to `url` are repeated, and who hears of it.
+    """How long failing requests to `url` are repeated.
 
-    total_s: how long one kind of failure is borne. stop: ends every wait at once.
-    tell: takes what is waited for, in words; None when it is over.
+    total_s: limit for failures with the same code. stop: ends every wait immediately.
+    report_waiting: called with the reason of a wait, and with None when it is over.
     """
 
     url: str
@@ -55,10 +57,10 @@ class RetryPolicy:
     def call(
         self, send: Callable[[], Answer], *, limits_s: Mapping[str, float] = _NO_LIMITS
     ) -> Answer:
-        """The answer to `send`, which is called until there is one.
+        """The result of `send`, which is called until it succeeds.
 
-        limits_s: code → how long this refusal is borne, where it is not the usual.
-        Raises ProctorError for what no repeat can cure or none did in time, and
+        limits_s: code → limit for this refusal, instead of the default. Raises
+        ProctorError for failures that are not retryable or exceed their limit, and
         Interrupted.
         """
         last_error: ProctorError | None = None
@@ -75,7 +77,7 @@ class RetryPolicy:
                 left_s = since + self._limit_s(error, limits_s) - time.monotonic()
                 if not error.retryable or wait_s > left_s:
                     self._report_end(last_error)
-                    # What was borne before may be what explains the last word.
+                    # An earlier failure may explain the last one.
                     raise error from (last_error or failure)
             else:
                 self._report_end(last_error)
@@ -87,7 +89,7 @@ class RetryPolicy:
         raise Interrupted
 
     def pause(self, wait_s: float) -> None:
-        """Raises Interrupted when the evaluation ends meanwhile."""
+        """Wait; raises Interrupted if the evaluation ends meanwhile."""
         if self.stop.wait(wait_s):
             raise Interrupted
 
@@ -106,7 +108,7 @@ class RetryPolicy:
 
 
 def _wait_s(error: ProctorError, pause_s: float) -> float:
-    """With jitter, so that workers that failed together do not come back together."""
+    """With jitter, so that workers that failed together do not retry together."""
     if error.retry_after_s:
         return error.retry_after_s + random.uniform(0, FIRST_PAUSE_S)
     return pause_s * random.uniform(0.5, 1.0)

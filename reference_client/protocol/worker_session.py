@@ -1,7 +1,7 @@
-"""One attachment of a worker to a run, from attach to detach.
+"""A session of a worker: from attach to detach.
 
-Here stands what makes a lost answer harmless: a request is repeated as it was, under
-its attach_key or seq, and the server answers it once more without doing it once more.
+A lost response is harmless: the request is repeated unchanged, with its attach_key or
+seq, and the server repeats the response without executing the request again.
 """
 
 from __future__ import annotations
@@ -14,23 +14,23 @@ from typing import Self
 
 from proctor_client import Assumptions, AttachWorker, Heartbeat, Observe, Run
 
-from reference_client.api.errors import ProctorError, from_failure
 from reference_client.api.policy import WireAction
+from reference_client.errors import ProctorError, from_failure
 from reference_client.generated.messages import Turn
 from reference_client.protocol.data_plane import DataPlane
 from reference_client.protocol.retry_policy import FAILURES, Interrupted, RetryPolicy
 
-# How much longer than its lease a busy worker is waited for, and how long a detach is
-# tried: a lease ends what no detach reaches.
+# Added to the lease when waiting for a busy worker; limit of the retries of a detach,
+# after which the lease ends the session.
 MARGIN_S = 3.0
 
-# A session that is over, whoever ended it.
+# The codes that mean that the session has ended.
 SESSION_END_CODES = frozenset({"session_ended", "session_superseded"})
 
 
 @dataclass(frozen=True, slots=True)
 class WorkerSlot:
-    """Which worker of which run plays, and where."""
+    """A worker of a run, and the data plane to use."""
 
     data: DataPlane
     run: Run
@@ -38,9 +38,9 @@ class WorkerSlot:
 
 
 class Session:
-    """A live session; `turn` is its latest.
+    """A live session; `turn` is its latest turn.
 
-    Every method raises ProctorError as the spec's operation refuses, and Interrupted.
+    Methods raise ProctorError for refusals, and Interrupted.
     """
 
     def __init__(self, slot: WorkerSlot, retry_policy: RetryPolicy, turn: Turn) -> None:
@@ -58,7 +58,7 @@ class Session:
         takeover: bool = False,
         assumes: Assumptions | None = None,
     ) -> Self:
-        """Waits while the run has all its workers, and while a former session lives."""
+        """Waits while the run is at its worker limit, or an earlier session lives."""
         request = AttachWorker(
             attach_key=uuid.uuid4().hex, takeover=takeover, assumes=assumes
         )
@@ -72,9 +72,9 @@ class Session:
     def predict(
         self, actions: Sequence[WireAction], *, observe: Observe | None = None
     ) -> Turn:
-        """Has a chunk executed, exactly once; returns the turn.
+        """Execute a chunk exactly once; returns the turn.
 
-        observe: `all` for an observation after each step, the last of an episode too.
+        observe: `all` for an observation after each step, including the last.
         """
         slot, before = self._slot, self.turn
         try:
@@ -94,9 +94,9 @@ class Session:
         return self.turn
 
     def send_heartbeat(self) -> bool:
-        """Extend the lease; returns whether the session lives, as far as is known.
+        """Extend the lease; returns False if the session is known to have ended.
 
-        Sent once: when it is lost, the next beat comes in time.
+        Not repeated: if it is lost, the next heartbeat is early enough.
         """
         slot = self._slot
         try:
@@ -114,9 +114,9 @@ class Session:
         return True
 
     def detach(self) -> None:
-        """Free the worker's slot at once. Never raises; does nothing when it is over.
+        """End the session. Never raises; does nothing if the session has ended.
 
-        May be called by any thread, and also when the evaluation is interrupted.
+        May be called by any thread, and when the evaluation is interrupted.
         """
         if self._ended:
             return
@@ -125,7 +125,7 @@ class Session:
 
 
 def detach(slot: WorkerSlot, url: str, session_id: str) -> None:
-    """End a session, whoever opened it; never raises. `url` is the server's."""
+    """End a session by its id; never raises. url: of the server."""
     short_retry_policy = RetryPolicy(
         url, MARGIN_S, threading.Event(), lambda _why: None
     )

@@ -1,1 +1,1 @@
-"""A page for who looks on: what each worker sees, how it scores, how long it takes."""
+"""The live view: a page with each worker's images, score and times."""

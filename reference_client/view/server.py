@@ -1,9 +1,9 @@
-"""Serves the live view, on this machine only.
+"""Serves the live view, on localhost only.
 
-Nothing is computed for it until somebody looks: workers leave a reference to their
-latest turn, and pictures are made when the page asks. A page of another site cannot ask
-(the Host header is checked, for a name may lead here), and the page loads nothing from
-anywhere.
+Nothing is computed until the page requests it: workers store a reference to their
+latest turn, and images are encoded on request. Pages of other sites cannot read it (the
+Host header is checked, against DNS rebinding), and the page loads no external
+resources.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from importlib.resources import files
 from typing import Any, Self
 
 from reference_client.evaluation.status_board import Progress, StatusBoard, TurnSnapshot
-from reference_client.view.frames import describe_turn
+from reference_client.evaluation.turn_report import describe_turn
 
 LOOPBACK = "127.0.0.1"
 CONTENT_SECURITY_POLICY = (
@@ -26,7 +26,7 @@ CONTENT_SECURITY_POLICY = (
 
 
 class SnapshotBoard(StatusBoard):
-    """A board that keeps each worker's latest turn: an assignment, no more."""
+    """Stores each worker's latest turn."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -37,16 +37,16 @@ class SnapshotBoard(StatusBoard):
 
 
 class View:
-    """The page at `url`, while the context lasts.
+    """The page at `url`; a context manager that serves it.
 
-    port: 0 takes a free one. Raises OSError if it cannot be had.
+    port: 0 for a free one. Raises OSError if it cannot be bound.
     """
 
     def __init__(self, port: int) -> None:
         self.board = SnapshotBoard()
         self.title = ""
         self.progress: Progress | None = None
-        # For workers in processes of their own: has them send what they see.
+        # For workers in their own processes: requests their latest turns.
         self.request_frames: Callable[[], object] | None = None
         self._reports: dict[str, Any] = {}
         self._server = _Server((LOOPBACK, port), _PageHandler)
@@ -64,13 +64,13 @@ class View:
         self._server.server_close()
 
     def store_report(self, worker_id: str, report: dict[str, Any]) -> None:
-        """What a worker's process shows of itself."""
+        """Store the latest turn of a worker process."""
         self._reports[worker_id] = report
 
     def state(self) -> dict[str, Any]:
-        """What the page shows, JSON-able."""
+        """The content of the page, as JSON-able values."""
         if self.request_frames is not None:
-            self.request_frames()  # for the next time
+            self.request_frames()  # for the next call
         snapshots = dict(self.board.latest)
         progress = self.progress
         return {
@@ -99,7 +99,7 @@ class _PageHandler(BaseHTTPRequestHandler):
     def do_GET(self) -> None:
         port = self.server.server_address[1]
         if self.headers.get("Host") not in (f"{LOOPBACK}:{port}", f"localhost:{port}"):
-            self._answer(403, "text/plain", b"this page is for this machine alone")
+            self._answer(403, "text/plain", b"only localhost is allowed")
         elif self.path == "/":
             page = files("reference_client.view").joinpath("page.html").read_bytes()
             self._answer(200, "text/html; charset=utf-8", page)
@@ -107,10 +107,10 @@ class _PageHandler(BaseHTTPRequestHandler):
             state = json.dumps(self.server.view.state()).encode()
             self._answer(200, "application/json", state)
         else:
-            self._answer(404, "text/plain", b"nothing here")
+            self._answer(404, "text/plain", b"not found")
 
     def log_message(self, *_: object) -> None:
-        """The terminal is the command's."""
+        """No log: it would disturb the progress bar."""
 
     def _answer(self, status: int, kind: str, body: bytes) -> None:
         self.send_response(status)

@@ -47,10 +47,9 @@ def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinit
             others = len(found["faults"]) - 1
             more = f" (and {others} more: {_COMMAND} {reference})" if others else ""
             name = f"{benchmark.benchmark_id} ({reference})"
-            cure = f"; try: make serve BENCHMARK={reference}"
-            raise BadBenchmark(
-                f"{name}: {found['faults'][0]}{more}{cure * (reference in BUNDLED_BENCHMARKS)}"
-            )
+            is_bundled = reference in BUNDLED_BENCHMARKS
+            cure = f"; try: make serve BENCHMARK={reference}" if is_bundled else ""
+            raise BadBenchmark(f"{name}: {found['faults'][0]}{more}{cure}")
         for warning in found["warnings"]:
             say(f"{benchmark.benchmark_id}: {warning}")
         yield benchmark.benchmark_id, _definition(found["plan"], found["manifest"])

@@ -29,7 +29,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from reference_sim.mujoco import rendering
-from reference_sim.process.shared_frame_buffer import FRAME_BUFFER
+from reference_sim.shared_frame_buffer import FRAME_BUFFER
 
 Vector = NDArray[np.float64]
 

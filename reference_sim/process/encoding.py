@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from PIL import Image, PngImagePlugin
 
 from reference_sim.interface import Observation
-from reference_sim.process.shared_frame_buffer import SharedFrameBuffer
+from reference_sim.shared_frame_buffer import SharedFrameBuffer
 
 CODECS = ("raw", "png", "jpeg")
 JPEG_QUALITY = 90

@@ -29,7 +29,7 @@ from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
 from reference_sim.interface import Simulator, TaskUnplayable
 from reference_sim.process.encoding import EncodedObservation, encode
-from reference_sim.process.shared_frame_buffer import FRAME_BUFFER, SharedFrameBuffer
+from reference_sim.shared_frame_buffer import FRAME_BUFFER, SharedFrameBuffer
 
 HEADER = struct.Struct(">I")
 BUSY_INTERVAL_S = 1.0

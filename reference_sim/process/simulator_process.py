@@ -28,7 +28,7 @@ from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.interface import TaskUnplayable
 from reference_sim.process import simulator_main
 from reference_sim.process.encoding import EncodedObservation
-from reference_sim.process.shared_frame_buffer import SharedMemoryRegion, map_memory
+from reference_sim.shared_frame_buffer import SharedMemoryRegion, map_memory
 
 # Found out by the server (which backend draws), possibly after the nursery started.
 _LATE_ENVIRONMENT = ("MUJOCO_GL", "PROCTOR_GL")

@@ -17,9 +17,9 @@ from proctor_client import ApiException, Problem
 
 import reference_client
 from reference_client import ProctorError
-from reference_client.api.errors import from_failure
 from reference_client.api.observation import observation_of
 from reference_client.api.policy import Vector, chunk_of
+from reference_client.errors import from_failure
 from reference_client.evaluation.status_board import Progress, ProgressLine, StatusBoard
 from reference_client.generated.messages import Turn
 from reference_client.protocol.connection import Connection
@@ -399,7 +399,7 @@ def test_the_status_board_shows_one_waiting_worker() -> None:
     assert board.waiting() == "worker-1: b"
     second(None)
     assert board.waiting() is None
-    assert not board.take_scored()
+    assert not board.pop_scored()
     board.on_scored()
-    assert board.take_scored()
-    assert not board.take_scored()
+    assert board.pop_scored()
+    assert not board.pop_scored()

@@ -22,8 +22,8 @@ from starlette.requests import Request
 from conformance.policy.turns import calibration
 from conformance.specification.document import load_policy_spec, load_spec
 from conformance.specification.ledger import POLICY, load_ledger
-from reference_client.policies import serving
-from reference_client.policies.serving import PolicyApp, Refusal
+from reference_client.policies import policy_http_app
+from reference_client.policies.policy_http_app import PolicyApp, Refusal
 from tests.support.client import policy_apps
 from tests.support.client.policy_apps import ACTION, KEY, CountingPolicy, make_app
 from tests.support.paths import ROOT
@@ -94,7 +94,7 @@ def plays_without_a_reset(app: PolicyApp) -> None:
 
     async def wrong(request: Request) -> dict[str, Any]:
         session_id = await session_of(request)
-        app._sessions.setdefault(session_id, serving._ServedSession(Ready()))
+        app._sessions.setdefault(session_id, policy_http_app._ServedSession(Ready()))
         return await right(request)
 
     app.predict = wrong  # type: ignore[method-assign]
@@ -321,11 +321,11 @@ def test_policy_problems_match_openapi_yaml() -> None:
     ours = {
         code: (entry["status"], entry["retryable"], entry["side_effects"] == "possible")
         for code, entry in load_policy_spec().problems.items()
-        if code in serving.PROBLEMS
+        if code in policy_http_app.PROBLEMS
     }
     assert ours == {
         code: (status, again, again)
-        for code, (status, again, _) in serving.PROBLEMS.items()
+        for code, (status, again, _) in policy_http_app.PROBLEMS.items()
     }
 
 

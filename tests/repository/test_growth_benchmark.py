@@ -4,8 +4,8 @@ import asyncio
 from collections.abc import Sequence
 from pathlib import Path
 
-from benchmarks.growth import DATABASE_CASES, report
-from benchmarks.stock import READY_RUNS, DatabaseCase, fill
+from benchmarks.filled_databases import READY_RUNS, DatabaseCase, fill
+from benchmarks.storage_growth import DATABASE_CASES, report
 from reference_server.http import views
 from reference_server.rules.run import Episode, RunHead
 from reference_server.runs.registry import RunRegistry

@@ -19,13 +19,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from benchmarks import page, results, rounds
+from benchmarks import performance_page, results, rounds
 from benchmarks.libraries import (
     capture,
-    heads,
-    in_turn,
+    interleaved_timing,
     jpeg,
     loopback,
+    response_parsing,
     samples,
     tables,
 )
@@ -102,9 +102,10 @@ def test_libraries_are_measured_in_the_locked_versions() -> None:
 def test_all_are_measured_in_turn_and_begin_in_turn() -> None:
     worked: list[str] = []
     contenders = [
-        in_turn.Contender(name, worked.append, partial(str, name)) for name in "ab"
+        interleaved_timing.Contender(name, worked.append, partial(str, name))
+        for name in "ab"
     ]
-    took = in_turn.medians_ns(contenders, None, FEW)
+    took = interleaved_timing.medians_ns(contenders, None, FEW)
     assert took.keys() == {"a", "b"}
     assert min(took.values()) > 0
     # Checked, tried out; then a and b, then b and a.
@@ -119,33 +120,33 @@ def test_only_the_work_is_timed() -> None:
         return prepared[-1]
 
     worked: list[int] = []
-    one = in_turn.Contender("one", worked.append, prepare)
-    in_turn.medians_ns([one], None, 1)
+    one = interleaved_timing.Contender("one", worked.append, prepare)
+    interleaved_timing.medians_ns([one], None, 1)
     assert worked == prepared  # each call has an argument of its own
 
 
 def test_a_wrong_result_is_not_measured() -> None:
-    correct = in_turn.Contender("correct", len, lambda: "ab")
-    other = in_turn.Contender("other", len, lambda: "abc")
-    with pytest.raises(in_turn.WrongResult, match="other made 3 where 2"):
-        in_turn.medians_ns([correct, other], 2, FEW)
+    correct = interleaved_timing.Contender("correct", len, lambda: "ab")
+    other = interleaved_timing.Contender("other", len, lambda: "abc")
+    with pytest.raises(interleaved_timing.WrongResult, match="other made 3 where 2"):
+        interleaved_timing.medians_ns([correct, other], 2, FEW)
 
 
 def test_every_parser_finds_the_same(state: samples.Sample) -> None:
-    contenders, expected = heads.contenders(state)
+    contenders, expected = response_parsing.contenders(state)
     assert expected[1]["proctor-version"] == "1.0"
-    took = in_turn.medians_ns(contenders, expected, FEW)
+    took = interleaved_timing.medians_ns(contenders, expected, FEW)
     assert took.keys() == {"httptools", "h11", "http.client"}
 
 
 @pytest.mark.parametrize("question", [jpeg.encoded, jpeg.decoded])
 def test_every_codec_makes_the_same_pictures(
-    question: Callable[..., tuple[list[in_turn.Contender], Any]],
+    question: Callable[..., tuple[list[interleaved_timing.Contender], Any]],
 ) -> None:
     row, column = np.mgrid[:48, :64]
     picture = np.stack([row * 4, column * 3, row + column], axis=2).astype(np.uint8)
     contenders, expected = question([picture], map)
-    took = in_turn.medians_ns(contenders, expected, FEW)
+    took = interleaved_timing.medians_ns(contenders, expected, FEW)
     assert took.keys() == {"simplejpeg", "Pillow"} == set(jpeg.sizes_kb([picture]))
 
 
@@ -156,8 +157,8 @@ def test_an_encoder_with_wrong_output_is_not_measured(
     correct = jpeg.ENCODERS["Pillow"]
     monkeypatch.setitem(jpeg.ENCODERS, "Pillow", lambda pixels: correct(pixels + 9))
     contenders, expected = jpeg.encoded([black], map)
-    with pytest.raises(in_turn.WrongResult, match="Pillow made"):
-        in_turn.medians_ns(contenders, expected, FEW)
+    with pytest.raises(interleaved_timing.WrongResult, match="Pillow made"):
+        interleaved_timing.medians_ns(contenders, expected, FEW)
 
 
 # --- on loopback ---
@@ -258,7 +259,7 @@ def test_the_chosen_library_is_first_and_the_reference() -> None:
 
 
 def test_library_results_are_on_the_performance_page() -> None:
-    shown = page.FILE.read_text()
+    shown = performance_page.FILE.read_text()
     assert "<!-- libraries -->\n" in shown
     if section := results.read().get("libraries"):
         assert tables.tables(section) in shown

@@ -7,6 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from reference_sim import benchmark_registry
 from tests.conftest import TOKENS, ReferenceServer
 from tests.support.paths import ROOT
 
@@ -54,4 +55,5 @@ def test_program_evaluates_a_policy(server: ReferenceServer, tmp_path: Path) -> 
         check=False,
     )
     assert done.returncode == 0, done.stderr
-    assert "score 1.0 of 64 episodes" in done.stdout
+    count = benchmark_registry.resolve("tabletop_state").manifest["episodes_total"]
+    assert f"score 1.0 of {count} episodes" in done.stdout

@@ -17,16 +17,16 @@ import numpy as np
 import pytest
 
 from benchmarks import (
-    line_up,
+    chart,
+    contender_registry,
     observations,
-    page,
-    picture,
+    performance_page,
     report,
     results,
     round_trips,
     throughput,
 )
-from benchmarks.contenders.player import TurnClient
+from benchmarks.contenders.turn_client import TurnClient
 from benchmarks.rounds import ContenderFailed, ContenderPair, cpu_s
 
 NAMES = ("tcp", "ours msgpack", "ours json")
@@ -79,12 +79,12 @@ def test_the_page_and_the_picture_show_every_contender(
     page_file.write_text(
         "before\n<!-- round_trips -->\nold\n<!-- /round_trips -->\nafter\n"
     )
-    page.put("round_trips", report.tables(section), page_file)
+    performance_page.put("round_trips", report.tables(section), page_file)
     text = page_file.read_text()
     assert text.startswith("before\n")
     assert text.endswith("<!-- /round_trips -->\nafter\n")
     assert "\nold\n" not in text
-    words = "".join(ET.fromstring(picture.svg(section)).itertext())  # noqa: S314 - ours
+    words = "".join(ET.fromstring(chart.svg(section)).itertext())  # noqa: S314 - ours
     for name in NAMES:
         assert report.NAMES[name] in text
         assert report.NAMES[name].replace("*", "").replace("`", "") in words
@@ -94,7 +94,7 @@ def test_a_page_without_marks_is_not_written(tmp_path: Path) -> None:
     page_file = tmp_path / "page.md"
     page_file.write_text("nothing here\n")
     with pytest.raises(ValueError, match="0 places"):
-        page.put("round_trips", "new", page_file)
+        performance_page.put("round_trips", "new", page_file)
     assert page_file.read_text() == "nothing here\n"
 
 
@@ -151,19 +151,19 @@ def test_an_ended_process_has_no_cpu_time() -> None:
 def test_results_are_on_the_performance_page() -> None:
     """What is in results.json is what docs/performance.md shows."""
     sections = results.read()
-    shown = page.FILE.read_text()
+    shown = performance_page.FILE.read_text()
     for part in ("round_trips", "throughput"):
         assert f"<!-- {part} -->\n" in shown
     if "round_trips" in sections:
         assert report.tables(sections["round_trips"]) in shown
-        assert picture.FILE.read_text() == picture.svg(sections["round_trips"])
+        assert chart.FILE.read_text() == chart.svg(sections["round_trips"])
     if "throughput" in sections:
         assert throughput.tables(sections["throughput"]) in shown
 
 
 def test_a_contender_that_breaks_is_named(tmp_path: Path) -> None:
     """And nothing waits for it, nor is left behind."""
-    sound = line_up.contender("tcp", "state", tmp_path)
+    sound = contender_registry.contender("tcp", "state", tmp_path)
     broken = dataclasses.replace(sound, client=[sys.executable, "-c", ""])
     with pytest.raises(ContenderFailed, match="tcp: "), ContenderPair(broken):
         raise AssertionError("it cannot have begun")

@@ -10,7 +10,7 @@ import pytest
 from PIL import Image
 
 from reference_sim import benchmark_registry
-from reference_sim.calibration import DEATH_EXIT_CODE, TASKS, Calibration
+from reference_sim.benchmarks.calibration import DEATH_EXIT_CODE, TASKS, Calibration
 from reference_sim.interface import Action, TaskUnplayable
 from reference_sim.process.encoding import encode, encode_image, encode_tensor
 

@@ -1,7 +1,8 @@
-"""The manifests of the mobile bimanual benchmarks: one table, and what it says.
+"""The manifests of the mobile bimanual benchmarks, one for each row of VARIANTS.
 
-A track is a choice of tasks; a control mode is a benchmark of its own, because every
-action of a run has the same names in it. Importing this file imports no simulator.
+A track is a selection of tasks (tasks.py). A control mode is a benchmark of its own,
+because every action of a run has the same names in it. Importing this module imports no
+simulator.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from reference_sim.benchmarks.mobile_bimanual.layout import (
     SUBSTEPS,
     THING_CHANNELS,
 )
+from reference_sim.benchmarks.mobile_bimanual.tasks import TASKS, TRACKS
 from reference_sim.definition import (
     BenchmarkDefinition,
     Json,
@@ -34,17 +36,14 @@ QUALITY = "fast"
 FIRST_SEEDS = {"val_train": 5000, "val_unseen": 6000, "test": 7000}
 EPISODES_PER_TASK = {"val_train": 5, "val_unseen": 5, "test": 10}
 
-TRACKS = {
-    "mobile_manip": ("fetch_and_place",),
-    "table_top_manip": ("two_handed_lift", "handover"),
-    "generalist": ("fetch_and_place", "two_handed_lift", "handover"),
-}
-
 
 @dataclass(frozen=True, slots=True)
 class Variant:
-    """track: a key of TRACKS. control: a key of ACTION_CHANNELS. cameras: without them,
-    the state says where the things are; with them, a policy has to look."""
+    """One benchmark.
+
+    track: a key of TRACKS. control: a key of ACTION_CHANNELS. cameras: False replaces
+    the images by the poses of the objects, as part of the state.
+    """
 
     title: str
     track: str
@@ -80,7 +79,7 @@ def _describe(
         {"task": task, "split": split, "seed": first_seed + number}
         for split, first_seed in FIRST_SEEDS.items()
         for number in range(EPISODES_PER_TASK[split])
-        for task in tasks  # each comes early: a run's first episodes are telling
+        for task in tasks  # alternate, so that a run's first episodes cover all
     ]
     state = STATE_CHANNELS if variant.cameras else STATE_CHANNELS + THING_CHANNELS
     cameras = CAMERAS if variant.cameras else {}
@@ -122,11 +121,13 @@ def _describe(
 
 
 def make_simulator(variant: Variant, settings: Mapping[str, Any]) -> Simulator:
-    """settings: width and height of a picture in pixels; its quality, if it is to be
-    another (for documents only: no choice of a submitter sets it)."""
+    """The simulator of a variant.
+
+    settings: width and height of an image in pixels, and optionally its quality (for
+    the documentation's pictures; no choice of a submitter sets it).
+    """
     from reference_sim.benchmarks.mobile_bimanual.scene import MobileBimanualScene
-    from reference_sim.benchmarks.mobile_bimanual.tasks import TASKS
-    from reference_sim.mujoco.physical import PhysicalSimulator
+    from reference_sim.mujoco.task_simulator import PhysicalSimulator
 
     return PhysicalSimulator(
         MobileBimanualScene(

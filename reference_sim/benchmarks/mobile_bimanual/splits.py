@@ -8,11 +8,14 @@ and undone by the next.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from reference_sim.benchmarks.mobile_bimanual.layout import CAMERA_POSITIONS_M
-from reference_sim.benchmarks.mobile_bimanual.scene import MobileBimanualScene
+
+if TYPE_CHECKING:
+    from reference_sim.benchmarks.mobile_bimanual.scene import MobileBimanualScene
 
 Rgb = tuple[float, float, float]
 

@@ -1,8 +1,15 @@
-"""The tasks of the mobile bimanual world. A new one is one class, named in TASKS."""
+"""The tasks of mobile_bimanual. A new task is one class, listed in _CLASSES.
+
+A task defines how an episode begins, which stages lead to its goal, the goal as one
+predicate of the scene, and the track that it belongs to. The manifests list the tasks
+from here, so this module imports MuJoCo for types only. The expert needs a plan for
+each task (plans.py).
+"""
 
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,16 +21,19 @@ from reference_sim.benchmarks.mobile_bimanual.layout import (
     TABLE_TOP_M,
     TRAY_HALF_M,
 )
-from reference_sim.benchmarks.mobile_bimanual.scene import MobileBimanualScene
 from reference_sim.benchmarks.mobile_bimanual.splits import EpisodeVariation
-from reference_sim.mujoco.physical import Task
 
-LIFTED_M = 0.10  # above where it lay
+if TYPE_CHECKING:
+    from reference_sim.benchmarks.mobile_bimanual.scene import MobileBimanualScene
+    from reference_sim.mujoco.task_simulator import Task
+
+LIFTED_M = 0.10  # above its initial height
 IN_THE_AIR_M = 0.03
 
 
 class FetchAndPlace:
     name = "fetch_and_place"
+    track = "mobile_manip"
     instruction = (
         "Drive to the side table, fetch the box and put it on the mat on the work "
         "table."
@@ -81,6 +91,7 @@ class FetchAndPlace:
 
 class TwoHandedLift:
     name = "two_handed_lift"
+    track = "table_top_manip"
     instruction = (
         "Lift the tray with both hands at least 10 cm above the table. Keep it level, "
         "so that the box stays on it."
@@ -134,6 +145,7 @@ class TwoHandedLift:
 
 class Handover:
     name = "handover"
+    track = "table_top_manip"
     instruction = (
         "Pick up the bar with the left hand, hand it over to the right hand, and hold "
         "it at least 10 cm above the table with the right hand alone."
@@ -182,6 +194,12 @@ def _dock(scene: MobileBimanualScene, variation: EpisodeVariation) -> None:
     )
 
 
+_CLASSES = (FetchAndPlace, TwoHandedLift, Handover)
 TASKS: dict[str, type[Task[MobileBimanualScene]]] = {
-    task.name: task for task in (FetchAndPlace, TwoHandedLift, Handover)
+    task.name: task for task in _CLASSES
 }
+# Track → its tasks; `generalist` has all of them.
+TRACKS: dict[str, tuple[str, ...]] = {
+    track: tuple(task.name for task in _CLASSES if task.track == track)
+    for track in sorted({task.track for task in _CLASSES})
+} | {"generalist": tuple(TASKS)}

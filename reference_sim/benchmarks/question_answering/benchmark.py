@@ -9,6 +9,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from reference_sim.benchmarks.question_answering.items import (
+    BLOCK,
+    CAMERA,
+    FIRST_SEEDS,
+    LETTERS,
+    NO_ANSWER,
+    NUMBER_MAX,
+    QUALITY,
+    TASKS,
+)
 from reference_sim.definition import (
     BenchmarkDefinition,
     Json,
@@ -18,24 +28,6 @@ from reference_sim.definition import (
     without_pictures,
 )
 from reference_sim.interface import Simulator
-
-# Task → the share of items that the best constant answer gets right, at most.
-CHANCES = {
-    "count": 1 / 6,
-    "colour": 1 / 4,
-    "side": 1 / 2,
-    "nearest": 1 / 3,
-    "reachable": 1 / 2,
-    "point": 1 / 12,
-}
-TASKS = tuple(CHANCES)
-FIRST_SEEDS = {"val": 6000, "test": 7200}  # whole blocks of BLOCK seeds
-BLOCK = 12  # a multiple of the number of answers that each task has
-CAMERA = "view"
-QUALITY = "standard"
-NO_ANSWER = -1.0
-NUMBER_MAX = 999_999
-LETTERS = "ABCD"
 
 
 def _episodes() -> list[Json]:

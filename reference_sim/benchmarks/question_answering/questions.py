@@ -21,7 +21,7 @@ from reference_sim.benchmarks.question_answering.arrangement import (
     Arrangement,
     arrange,
 )
-from reference_sim.benchmarks.question_answering.benchmark import (
+from reference_sim.benchmarks.question_answering.items import (
     BLOCK,
     LETTERS,
     NO_ANSWER,
@@ -161,8 +161,8 @@ def _side(draft: ItemDraft) -> Question | None:
         return None
     subject, other = (left, right) if draft.rank == 0 else (right, left)
     text = (
-        f"In the picture, is {arrangement.name(subject)} to the left or to the right of "
-        f"{arrangement.name(other)}? A) left B) right. {_BY_LETTER}"
+        f"In the picture, is {arrangement.name(subject)} to the left or to the right "
+        f"of {arrangement.name(other)}? A) left B) right. {_BY_LETTER}"
     )
     return Question(text, action(choice=float(draft.rank)))
 
@@ -179,7 +179,8 @@ def _nearest(draft: ItemDraft) -> Question | None:
     options = draft.lettered(
         arrangement.name(others[0]), [arrangement.name(t) for t in wrong]
     )
-    text = f"Which of these is nearest to {arrangement.name(subject)}? {options}. {_BY_LETTER}"
+    name = arrangement.name(subject)
+    text = f"Which of these is nearest to {name}? {options}. {_BY_LETTER}"
     return Question(text, action(choice=float(draft.rank)))
 
 

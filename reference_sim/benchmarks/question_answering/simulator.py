@@ -6,7 +6,7 @@ It must not know how an answer came to be: text, parsers and models are other pe
 from __future__ import annotations
 
 from reference_sim.benchmarks.question_answering.arrangement import Arrangement
-from reference_sim.benchmarks.question_answering.benchmark import CAMERA, QUALITY, TASKS
+from reference_sim.benchmarks.question_answering.items import CAMERA, QUALITY, TASKS
 from reference_sim.benchmarks.question_answering.questions import Question, draw
 from reference_sim.benchmarks.tabletop.scene import TabletopScene
 from reference_sim.interface import Action, Observation, StepOutcome, TaskUnplayable

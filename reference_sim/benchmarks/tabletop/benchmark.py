@@ -1,4 +1,7 @@
-"""The manifests of the benchmarks `tabletop` and `tabletop_state`."""
+"""The manifests of the benchmarks `tabletop` and `tabletop_state`.
+
+Tasks are defined in tasks.py. Importing this module imports no simulator.
+"""
 
 from __future__ import annotations
 
@@ -12,6 +15,7 @@ from reference_sim.benchmarks.tabletop.layout import (
     STATE_CHANNELS,
     SUBSTEPS,
 )
+from reference_sim.benchmarks.tabletop.tasks import TASKS
 from reference_sim.definition import (
     BenchmarkDefinition,
     Json,
@@ -22,16 +26,6 @@ from reference_sim.definition import (
 )
 from reference_sim.interface import Simulator
 
-TASKS = (
-    "reach",
-    "push",
-    "lift_cube",
-    "pick_and_place",
-    "stack",
-    "open_drawer",
-    "press_button",
-    "insert_peg",
-)
 FIRST_SEEDS = {"val_train": 2000, "val_unseen": 3000, "test": 4000}
 EPISODES_PER_TASK = {"val_train": 2, "val_unseen": 2, "test": 4}
 MAX_STEPS = 200
@@ -39,11 +33,11 @@ QUALITY = "fast"
 
 
 def _episodes() -> list[Json]:
-    """Each task comes early: the first episodes of a run are telling already."""
+    """Tasks alternate, so that the first episodes of a run cover all of them."""
     return [
         {"task": task, "split": split, "seed": first_seed + index}
         for split, first_seed in FIRST_SEEDS.items()
-        for index, task in enumerate(TASKS * EPISODES_PER_TASK[split])
+        for index, task in enumerate([*TASKS] * EPISODES_PER_TASK[split])
     ]
 
 
@@ -111,8 +105,7 @@ def _make_tabletop_state(settings: Mapping[str, Any]) -> Simulator:  # noqa: ARG
 
 def _make(cameras: Sequence[str], size: tuple[int, int], quality: str) -> Simulator:
     from reference_sim.benchmarks.tabletop.scene import TabletopScene
-    from reference_sim.benchmarks.tabletop.tasks import TASKS
-    from reference_sim.mujoco.physical import PhysicalSimulator
+    from reference_sim.mujoco.task_simulator import PhysicalSimulator
 
     return PhysicalSimulator(
         TabletopScene(quality),

@@ -1,26 +1,31 @@
-"""The tasks of the tabletop world. A new one is one class, and its name in TASKS.
+"""The tasks of the tabletop benchmark. A new task is one class, listed in TASKS.
 
-Each says how an episode begins, which stages lead to its goal, and the goal: one
-predicate of the scene. A class's docstring is the goal in words, for docs/tasks.md.
+A task defines how an episode begins, which stages lead to its goal, and the goal: one
+predicate of the scene. The docstring of a class is its goal in words, for
+docs/tasks.md. The manifest lists the tasks from here, so this module imports MuJoCo for
+types only. The expert needs a plan for each task (plans.py).
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from reference_sim.benchmarks.tabletop.layout import HOLE_DEPTH_M
-from reference_sim.benchmarks.tabletop.scene import TabletopScene
 from reference_sim.benchmarks.tabletop.variation import Area, Placement, draw_look
-from reference_sim.mujoco.physical import Task
 
-AT_THING_M = 0.03  # from the fingertips' middle to a thing that they are at
-CARRIED_M = 0.05  # a thing that high is held clear of its surroundings
+if TYPE_CHECKING:
+    from reference_sim.benchmarks.tabletop.scene import TabletopScene
+    from reference_sim.mujoco.task_simulator import Task
+
+AT_THING_M = 0.03  # between the point midway between the fingertips and an object
+CARRIED_M = 0.05  # an object at this height is clear of its surroundings
 
 
 class TabletopTask:
-    """What the tasks share: a look is drawn, named in the instruction and put on."""
+    """Base class: draws the look of an episode, applies it and names its colours."""
 
     name: str
     wording: str  # of the instruction; {thing} stands for the thing's colour
@@ -280,14 +285,16 @@ class InsertPeg(TabletopTask):
         )
 
 
-_ALL: tuple[type[Task[TabletopScene]], ...] = (
-    Reach,
-    Push,
-    LiftCube,
-    PickAndPlace,
-    Stack,
-    OpenDrawer,
-    PressButton,
-    InsertPeg,
-)
-TASKS: dict[str, type[Task[TabletopScene]]] = {task.name: task for task in _ALL}
+TASKS: dict[str, type[Task[TabletopScene]]] = {
+    task.name: task
+    for task in (
+        Reach,
+        Push,
+        LiftCube,
+        PickAndPlace,
+        Stack,
+        OpenDrawer,
+        PressButton,
+        InsertPeg,
+    )
+}

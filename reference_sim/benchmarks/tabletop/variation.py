@@ -11,11 +11,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from reference_sim.benchmarks.tabletop.layout import CAMERA_POSITION_M
-from reference_sim.mujoco.world import Vector
+
+if TYPE_CHECKING:
+    from reference_sim.mujoco.world import Vector
 
 SPLITS = ("val_train", "val_unseen", "test")
 

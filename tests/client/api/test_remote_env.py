@@ -14,7 +14,7 @@ from gymnasium import spaces
 from gymnasium.utils.env_checker import check_env
 
 from reference_client import ProctorError
-from reference_client.api.remote_env import ENV_ID, RemoteEnv, RunDone
+from reference_client.gymnasium_env.remote_env import ENV_ID, RemoteEnv, RunDone
 from tests.support.client.command import server
 from tests.test_reference_client_scenes import (
     ROOT,

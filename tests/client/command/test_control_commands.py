@@ -18,6 +18,7 @@ import yaml
 from reference_client.command import aliases
 from reference_client.command.main import main
 from reference_client.evaluation.plan import WORKER_ID
+from reference_sim import benchmark_registry
 from tests.support.client.command import ProctorCommand, options, policy_folder, server
 from tests.test_reference_client_scenes import ROOT, RestartableServer
 
@@ -118,7 +119,9 @@ def test_aliases_do_not_apply_to_passed_through_arguments() -> None:
 
 def test_benchmarks_are_listed_and_described(proctor: ProctorCommand) -> None:
     assert proctor("benchmarks") == 0
-    assert re.search(r"^tabletop_state +\S+ +64 +Tabletop", proctor.out, re.MULTILINE)
+    count = benchmark_registry.resolve("tabletop_state").manifest["episodes_total"]
+    row = rf"^tabletop_state +\S+ +{count} +Tabletop"
+    assert re.search(row, proctor.out, re.MULTILINE)
     assert proctor("benchmarks", "tabletop_state") == 0
     assert re.search(r"action\.joint_position +7 +rad", proctor.out)
     assert max(map(len, proctor.out.splitlines())) <= 80
@@ -193,7 +196,7 @@ def test_a_wrong_token_is_reported_with_its_flag(
 def test_an_unreachable_server_gives_exit_code_2(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    place = ["--url", "http://127.0.0.1:9", "--patience-s", "0"]
+    place = ["--url", "http://127.0.0.1:9", "--retry-timeout-s", "0"]
     for command in (
         ["status"],
         ["run", "--policy", "policies:best", *options("count")],

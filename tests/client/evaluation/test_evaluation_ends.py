@@ -222,7 +222,7 @@ def test_ctrl_c_detaches_and_prints_how_to_resume(
         run_id = direct_client.latest().run_id
         program.send_signal(signal.SIGINT)
         _, stderr_text = program.communicate(timeout=DEADLINE_S)
-    assert f'evaluate(..., run_id="{run_id}") goes on with it' in stderr_text
+    assert f'evaluate(..., run_id="{run_id}") continues it' in stderr_text
     run = direct_client.control.get_run(run_id)
     assert (run.state.value, run.live_workers) == ("ready", 0)
     assert evaluate(
@@ -265,14 +265,16 @@ def test_a_wrong_token_is_reported(
 def test_an_unreachable_server_is_reported_with_its_url() -> None:
     with FaultyProxy("http://unused") as closed:
         url = closed.url
-    error = evaluate_and_fail(url=url, benchmark="calibration", patience_s=0.5)
+    error = evaluate_and_fail(url=url, benchmark="calibration", retry_timeout_s=0.5)
     assert error.code == "unreachable"
     assert f"{url} does not answer (Connection refused)" in str(error)
 
 
 def test_a_server_that_is_not_proctor_is_reported(proxy: FaultyProxy) -> None:
     proxy.faults["/v1"] = deque(["gateway"] * 10)
-    error = evaluate_and_fail(url=proxy.url, benchmark="calibration", patience_s=0.3)
+    error = evaluate_and_fail(
+        url=proxy.url, benchmark="calibration", retry_timeout_s=0.3
+    )
     assert error.code == "bad_answer"
     assert f"{proxy.url} answered 502 Bad Gateway" in str(error)
 

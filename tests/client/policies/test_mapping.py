@@ -27,8 +27,8 @@ from reference_client import Observation, ProctorError
 from reference_client.api.observation import observation_of
 from reference_client.api.policy import chunk_of
 from reference_client.generated import messages
-from reference_client.policies import BadMapping, BadPolicy, Mapping, load
-from reference_client.policies.pictures import resize_picture
+from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
+from reference_client.policies.image_resize import resize_picture
 from tests.support.client.command import ProctorCommand, policy_folder, server
 from tests.test_reference_client_scenes import ROOT, DirectClient, RestartableServer
 
@@ -54,9 +54,11 @@ def direct_client(server: RestartableServer) -> Iterator[DirectClient]:
         yield direct_client
 
 
-def mapping(values: str = "a = {}", observation: str = "k = { value = 1 }") -> Mapping:
+def mapping(
+    values: str = "a = {}", observation: str = "k = { value = 1 }"
+) -> PolicyMapping:
     text = f"[observation]\n{observation}\n[action]\nfrom = 'out'\n[action.values]\n"
-    return Mapping.of(tomllib.loads(text + values))
+    return PolicyMapping.of(tomllib.loads(text + values))
 
 
 def request(entry: str) -> Any:
@@ -154,7 +156,7 @@ def test_a_chunk_may_be_a_list_of_dicts() -> None:
 
 def test_execute_cuts_a_chunk_and_leading_a_batch() -> None:
     table = {"leading": 1, "execute": 2, "values": {"a": {"columns": "0:1"}}}
-    made = Mapping.of({"observation": {"k": {"value": 1}}, "action": table})
+    made = PolicyMapping.of({"observation": {"k": {"value": 1}}, "action": table})
     answer = np.arange(8.0).reshape(1, 4, 2)
     assert [a["a"] for a in made.chunk(answer, SEEN)] == [[0.0], [2.0]]
 
@@ -183,8 +185,8 @@ def test_an_invalid_answer_is_a_policy_failure(answer: Any, message: str) -> Non
     assert caught.value.code == "policy_failed"
 
 
-def _policy(ask: Callable[[dict[str, Any]], Any], made: Mapping) -> Any:
-    from reference_client.policies.source import _MappedPolicy
+def _policy(ask: Callable[[dict[str, Any]], Any], made: PolicyMapping) -> Any:
+    from reference_client.policies.policy_loader import _MappedPolicy
 
     return _MappedPolicy(ask, made)
 
@@ -212,7 +214,7 @@ def test_an_invalid_entry_is_reported_with_its_place(
     file = tmp_path / "m.toml"
     file.write_text(f"[observation]\nk = {entry}\n[action.values]\na = {{}}")
     with pytest.raises(BadMapping, match=message) as caught:
-        Mapping.read(file)
+        PolicyMapping.read(file)
     assert f'{file}: observation."k"' in str(caught.value)
 
 
@@ -231,7 +233,7 @@ def test_an_invalid_file_is_reported_with_its_name(
     file = tmp_path / "m.toml"
     file.write_text(text)
     with pytest.raises(BadMapping, match=message) as caught:
-        Mapping.read(file)
+        PolicyMapping.read(file)
     assert "m.toml" in str(caught.value)
 
 
@@ -244,7 +246,7 @@ def test_an_invalid_file_is_reported_with_its_name(
     ],
 )
 def test_a_mapping_for_another_benchmark_is_refused(
-    direct_client: DirectClient, made: Mapping, message: str
+    direct_client: DirectClient, made: PolicyMapping, message: str
 ) -> None:
     with pytest.raises(BadMapping, match=message):
         made.check(direct_client.control.get_benchmark("calibration"))
@@ -323,7 +325,7 @@ def test_a_documented_mapping_plays_a_turn(
     """One turn of the real benchmark by a policy of that house, which checks its
     request. Expect that the actions are accepted and executed."""
     (policy_folder / f"{name}.py").write_text(source)
-    made = Mapping.of(READY[name], name)
+    made = PolicyMapping.of(READY[name], name)
     benchmark = "mobile_bimanual" if name == "ebench" else "tabletop"
     made.check(direct_client.control.get_benchmark(benchmark))
     policy = load(reference, made)()

@@ -18,7 +18,7 @@ from websockets.sync.server import Server, ServerConnection, serve
 
 from reference_client import ProctorError
 from reference_client.policies.ndarray import BadMessage, pack, unpack
-from reference_client.policies.openpi import OpenpiClient
+from reference_client.policies.openpi_client import OpenpiClient
 from tests.support.client.command import ProctorCommand, options, policy_folder, server
 from tests.test_reference_client_scenes import RestartableServer
 
@@ -226,7 +226,7 @@ def test_an_answer_that_cannot_be_read_ends_it(
 def test_an_unreachable_policy_server_leaves_no_run(
     proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("reference_client.policies.openpi.FIRST_CONTACT_S", 0.0)
+    monkeypatch.setattr("reference_client.policies.openpi_client.FIRST_CONTACT_S", 0.0)
     before = proctor.json("status")
     answer_json = proctor.json(*run("ws://127.0.0.1:9", "score"))
     assert proctor.code == 2

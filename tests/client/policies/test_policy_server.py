@@ -13,7 +13,7 @@ from conformance.policy.scripted import (
     busy_reply,
 )
 from reference_client import ProctorError, evaluate
-from reference_client.policies.policy_server import PolicyServerClient
+from reference_client.policies.policy_server_client import PolicyServerClient
 from tests.conftest import TOKENS, ReferenceServer
 from tests.support.client.policy_apps import (
     free_port,
@@ -32,7 +32,7 @@ def evaluate_policy(
     server: ReferenceServer, url: str, *tasks: str, **members: Any
 ) -> Any:
     return evaluate(
-        PolicyServerClient(url, patience_s=2.0),
+        PolicyServerClient(url, retry_timeout_s=2.0),
         url=server.url,
         token=TOKENS["alice"],
         benchmark="calibration",

@@ -18,8 +18,8 @@ import pytest
 
 from conformance.policy import turns
 from reference_client import Observation
-from reference_client.policies import serving
-from reference_client.policies.serving import PolicyApp
+from reference_client.policies import policy_http_app
+from reference_client.policies.policy_http_app import PolicyApp
 from tests.conftest import TIMEOUT_S, ReferenceServer
 from tests.support.client.policy_apps import (
     KEY,
@@ -150,7 +150,7 @@ def test_errors_of_a_policy_are_reported(
 
 
 def test_unknown_operations_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(serving, "BODY_BYTES_MAX", 1000)
+    monkeypatch.setattr(policy_http_app, "BODY_BYTES_MAX", 1000)
     with call_app(make_app()) as client:
         assert client.get("/v1/elsewhere").json()["code"] == "not_found"
         wrong = client.get("/v1/policy/reset")
@@ -257,7 +257,13 @@ def test_the_command_serves_an_expert_to_a_real_benchmark(
 @pytest.mark.parametrize("policy", ["nowhere.py:X", "json:nothing"])
 def test_an_invalid_policy_reference_is_reported(policy: str, tmp_path: Path) -> None:
     done = subprocess.run(
-        [sys.executable, "-m", "reference_client.policies.serve", "--policy", policy],
+        [
+            sys.executable,
+            "-m",
+            "reference_client.policies.serve_command",
+            "--policy",
+            policy,
+        ],
         cwd=tmp_path,
         capture_output=True,
         text=True,

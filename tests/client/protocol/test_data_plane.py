@@ -13,8 +13,8 @@ import pytest
 from proctor_client import AttachWorker
 from urllib3.util.wait import wait_for_read
 
-from reference_client.api.errors import ProctorError, from_failure
 from reference_client.api.observation import observation_of
+from reference_client.errors import ProctorError, from_failure
 from reference_client.generated.messages import Turn
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.data_plane import JSON, MSGPACK, DataPlane

@@ -40,7 +40,7 @@ from reference_sim.benchmarks.mobile_bimanual.tasks import (
     TwoHandedLift,
 )
 from reference_sim.interface import Action, Observation, Simulator
-from reference_sim.mujoco.physical import PhysicalSimulator
+from reference_sim.mujoco.task_simulator import PhysicalSimulator
 from tests.support.sim.physical_play import Policy, observation_digest, play
 
 WIDTH, HEIGHT = 64, 48

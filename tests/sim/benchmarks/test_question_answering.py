@@ -14,17 +14,17 @@ import pytest
 
 from reference_server.rules.action_space import action_errors
 from reference_sim import benchmark_registry
-from reference_sim.benchmarks.question_answering import benchmark
 from reference_sim.benchmarks.question_answering.arrangement import (
     ASPECT,
     NOUNS,
     PALETTE,
     REACH_M,
 )
-from reference_sim.benchmarks.question_answering.benchmark import (
+from reference_sim.benchmarks.question_answering.items import (
     BLOCK,
     CAMERA,
     CHANCES,
+    FIRST_SEEDS,
     LETTERS,
 )
 from reference_sim.benchmarks.question_answering.questions import action
@@ -157,7 +157,7 @@ def test_the_picture_matches_the_arrangement(simulator: QuestionSimulator) -> No
     """The pixel at each thing's middle has the hue of its colour, in both splits."""
     seen: Counter[str] = Counter()
     for task, split in (("count", "val"), ("count", "test"), ("point", "test")):
-        simulator.reset(task, benchmark.FIRST_SEEDS[split] + 3, split)
+        simulator.reset(task, FIRST_SEEDS[split] + 3, split)
         picture = simulator.observe().images[CAMERA]
         assert picture.shape == (SMALL[1], SMALL[0], 3)
         assert simulator._item is not None

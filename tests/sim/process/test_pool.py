@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from reference_sim import benchmark_registry
-from reference_sim.calibration import Calibration
+from reference_sim.benchmarks.calibration import Calibration
 from reference_sim.interface import Action
 from reference_sim.process.encoding import encode
 from reference_sim.process.pool import (

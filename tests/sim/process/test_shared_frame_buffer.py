@@ -21,12 +21,12 @@ from reference_server.http.codec import (
 from reference_sim import benchmark_registry
 from reference_sim.process.encoding import EncodedObservation, encode_image
 from reference_sim.process.pool import SimulatorPool
-from reference_sim.process.shared_frame_buffer import (
+from reference_sim.process.simulator_process import SimulatorProcess
+from reference_sim.shared_frame_buffer import (
     SharedFrameBuffer,
     SharedMemoryRegion,
     map_memory,
 )
-from reference_sim.process.simulator_process import SimulatorProcess
 from tests.sim.process.test_pool import action
 
 HEIGHT, WIDTH = 30, 40

@@ -17,7 +17,7 @@ import uvicorn
 from starlette.types import ASGIApp
 
 from reference_client import Observation
-from reference_client.policies.serving import PolicyApp
+from reference_client.policies.policy_http_app import PolicyApp
 from tests.conftest import TOKENS, ReferenceServer
 from tests.support.push_runs import ALLOW_LOOPBACK
 

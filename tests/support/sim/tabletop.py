@@ -13,7 +13,7 @@ from reference_sim.benchmarks.tabletop.scene import TabletopScene, scene_mjcf
 from reference_sim.benchmarks.tabletop.tasks import TASKS
 from reference_sim.benchmarks.tabletop.variation import SPLITS
 from reference_sim.interface import Action, Observation, Simulator
-from reference_sim.mujoco.physical import PhysicalSimulator
+from reference_sim.mujoco.task_simulator import PhysicalSimulator
 from tests.support.sim.physical_play import Policy, observation_digest, play
 
 WIDTH, HEIGHT = 64, 48

@@ -1,9 +1,9 @@
-"""A policy behind HTTP, as policy.yaml says: for servers that call the policy.
+"""The operations of policy.yaml as an ASGI application: a policy served over HTTP.
 
-Any policy that `proctor run` can play is served: one instance for each session, asked
-in a thread, one turn at a time. An answer is kept until the next turn, so that a call
-that was repeated is not played twice. This file knows HTTP and the bodies; what
-a policy is and how its answer becomes actions is said elsewhere.
+Serves any policy that `proctor run` accepts: one instance per session, called in a
+thread, one turn at a time. The last response of a session is stored, so that a repeated
+request is not executed twice. This module knows HTTP and the messages, not how
+observations and actions are converted.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
-from reference_client.api.errors import ProctorError
 from reference_client.api.observation import observation_of
 from reference_client.api.policy import Policy, chunk_of
+from reference_client.errors import ProctorError
 from reference_client.generated.messages import EpisodeView, Turn
 from reference_client.policies.error_origin import describe_policy_error
 
 VERSION = "1.0"
 # A turn may carry several raw images in Base64.
 BODY_BYTES_MAX = 64 * 2**20
-# code → status, whether to come again, title; as in x-problems of openapi.yaml.
+# Code → status, retryable, title; as in x-problems of openapi.yaml.
 PROBLEMS = {
     "malformed_body": (400, False, "The body cannot be parsed"),
     "unauthenticated": (401, False, "No valid bearer token"),
@@ -45,7 +45,7 @@ PROBLEMS = {
 
 
 class ResetPolicy(msgspec.Struct):
-    """As in openapi.yaml."""
+    """Schema ResetPolicy of openapi.yaml."""
 
     session_id: str
     benchmark: dict[str, Any]
@@ -56,7 +56,7 @@ Body = TypeVar("Body", ResetPolicy, Turn)
 
 
 class Refusal(Exception):
-    """A call that is answered with a problem."""
+    """A request that is answered with a problem document."""
 
     def __init__(self, code: str, detail: str) -> None:
         super().__init__(detail)
@@ -65,7 +65,7 @@ class Refusal(Exception):
 
 @dataclass(slots=True)
 class _ServedSession:
-    """A session: its policy, and the last turn with its answer."""
+    """A session: its policy, and the last turn with the response to it."""
 
     policy: Policy
     payload: bytes = b""
@@ -74,11 +74,11 @@ class _ServedSession:
 
 
 class PolicyApp:
-    """The operations of policy.yaml; `app` is to be served by an ASGI server.
+    """The operations of policy.yaml; `app` is the ASGI application.
 
-    make: makes a policy, for one session at a time. name: told by describe_policy.
-    max_sessions: how many are kept; the one idle for longest makes room. key: the
-    bearer token that calls must carry, if any. assumes: schema Assumptions.
+    make: makes a policy for one session at a time. name: reported by describe_policy.
+    max_sessions: limit; beyond it, the session idle for longest is evicted. key: bearer
+    token that requests must carry, if any. assumes: schema Assumptions.
     """
 
     def __init__(
@@ -137,11 +137,12 @@ class PolicyApp:
         turn = _read(body, Turn)
         session = self._sessions.get(turn.session_id)
         if session is None:
-            raise Refusal("session_ended", "This session was not reset here.")
+            raise Refusal("session_ended", "Unknown session: call reset first.")
         self._sessions.move_to_end(turn.session_id)
         async with session.turn:
             if self._sessions.get(turn.session_id) is not session:
-                raise Refusal("session_ended", "The session had to make room.")
+                text = "The session was evicted: max_sessions reached."
+                raise Refusal("session_ended", text)
             if session.answer is None or session.payload != body:
                 session.answer = await self._act(session.policy, turn)
                 session.payload = body
@@ -160,9 +161,9 @@ class PolicyApp:
         }
 
     async def _open_session(self, session_id: str) -> _ServedSession:
-        """The session's; a new one takes the policy of the one idle for longest.
+        """The session; at the limit, a new one takes the policy of an evicted one.
 
-        With the policy goes its lock: a turn that still lasts is waited for.
+        The lock moves with the policy: a turn in progress is completed first.
         """
         async with self._sessions_lock:
             session = self._sessions.pop(session_id, None)
@@ -193,7 +194,7 @@ class PolicyApp:
         if self._key is not None and not hmac.compare_digest(
             sent.encode(), f"Bearer {self._key}".encode()
         ):
-            raise Refusal("unauthenticated", "This policy server wants its key.")
+            raise Refusal("unauthenticated", "Missing or wrong bearer token.")
 
 
 async def _body(request: Request) -> bytes:
@@ -203,23 +204,23 @@ async def _body(request: Request) -> bytes:
         async for part in request.stream():
             size += len(part)
             if size > BODY_BYTES_MAX:
-                text = f"More than {BODY_BYTES_MAX} bytes are not read here."
+                text = f"The body exceeds {BODY_BYTES_MAX} bytes."
                 raise Refusal("body_too_large", text)
             parts.append(part)
     except ClientDisconnect as error:
-        raise Refusal("malformed_body", "The body breaks off.") from error
+        raise Refusal("malformed_body", "The body is truncated.") from error
     return b"".join(parts)
 
 
 def _read(body: bytes, message: type[Body]) -> Body:
-    """What a body says; members that the schema does not have are passed over."""
+    """The message of a body; unknown members are ignored."""
     try:
         return msgspec.json.decode(body, type=message)
     except msgspec.ValidationError as error:
-        text = f"The body is not as policy.yaml says: {error}."
+        text = f"The body violates the schema in policy.yaml: {error}."
         raise Refusal("invalid_request", text) from error
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise Refusal("malformed_body", f"The body is no JSON: {error}.") from error
+        raise Refusal("malformed_body", f"The body is not JSON: {error}.") from error
 
 
 def _problem(refusal: Refusal, **headers: str) -> Response:
@@ -242,5 +243,5 @@ async def _not_found(_request: Request, _error: Exception) -> Response:
 
 async def _not_allowed(_request: Request, error: Exception) -> Response:
     headers = error.headers if isinstance(error, HTTPException) else None
-    text = "The path has other methods."
+    text = "The path does not support this method."
     return _problem(Refusal("method_not_allowed", text), **dict(headers or {}))

@@ -1,9 +1,10 @@
-"""Which policy a reference means: `module:name`, `file.py:name`, `openpi:ws://host:8000`,
-`proctor:http://host:8470`.
+"""Loads the policy of a reference.
 
-A name is a class or a function without arguments, which makes a policy for each worker;
-or a function of the observation, which is one. Modules are found as `python -m` finds
-them: in the current folder first. This file runs the user's code and nobody else's.
+References are `module:name`, `file.py:name`, `openpi:ws://host:8000` and
+`proctor:http://host:8470`. A name is a class or a function without arguments, called
+once per worker to make a policy, or a function of the observation, which is the policy.
+Modules are found as by `python -m`: in the current folder first. Only code that the
+user names is executed.
 """
 
 from __future__ import annotations
@@ -17,21 +18,21 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from reference_client.api.errors import POLICY_FAILED, ProctorError
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk, Policy
-from reference_client.policies.mapping import InvalidPolicyAnswer, Mapping
+from reference_client.errors import POLICY_FAILED, ProctorError
+from reference_client.policies.mapping import InvalidPolicyAnswer, PolicyMapping
 
 
 class BadPolicy(ValueError):
-    """The reference names nothing that can be a policy; the message says why."""
+    """The reference does not name a policy; the message says why."""
 
 
-def load(reference: str, mapping: Mapping | None = None) -> Callable[[], Policy]:
-    """What makes a policy for each worker.
+def load(reference: str, mapping: PolicyMapping | None = None) -> Callable[[], Policy]:
+    """A factory, called once per worker to make its policy.
 
-    mapping: the policy is given what it says, instead of an Observation. Raises
-    BadPolicy; what the user's own module raises while it is imported passes through.
+    mapping: converts observations and actions for the policy. Raises BadPolicy; errors
+    raised by the import of the user's module pass through.
     """
     kind, _, rest = reference.partition(":")
     if kind == "openpi":
@@ -44,8 +45,8 @@ def load(reference: str, mapping: Mapping | None = None) -> Callable[[], Policy]
     return lambda: _MappedPolicy(_answer_function(made, reference), mapping)
 
 
-def _openpi(url: str, mapping: Mapping | None) -> Callable[[], Policy]:
-    from reference_client.policies.openpi import OpenpiClient
+def _openpi(url: str, mapping: PolicyMapping | None) -> Callable[[], Policy]:
+    from reference_client.policies.openpi_client import OpenpiClient
 
     if not url.startswith(("ws://", "wss://")):
         raise BadPolicy(
@@ -53,28 +54,30 @@ def _openpi(url: str, mapping: Mapping | None) -> Callable[[], Policy]:
         )
     if mapping is None:
         raise BadPolicy(
-            "openpi: needs --mapping FILE, which says under what names its policy "
-            "wants the observation; docs/policies.md has ready ones"
+            "openpi: needs --mapping FILE, which maps observation and action names; "
+            "docs/policies.md lists mapping files"
         )
     return lambda: _MappedPolicy(OpenpiClient.connect_to(url).infer, mapping)
 
 
-def _policy_server(url: str, mapping: Mapping | None) -> Callable[[], Policy]:
-    from reference_client.policies.policy_server import PolicyServerClient
+def _policy_server(url: str, mapping: PolicyMapping | None) -> Callable[[], Policy]:
+    from reference_client.policies.policy_server_client import PolicyServerClient
 
     if not url.startswith(("http://", "https://")):
         raise BadPolicy(
             f"proctor: takes a URL like proctor:http://127.0.0.1:8470, not {url!r}"
         )
     if mapping is not None:
-        raise BadPolicy("proctor: speaks our names already; leave --mapping away")
+        raise BadPolicy("--mapping is not supported with proctor: policies")
     return PolicyServerClient(url)
 
 
 def _load_named(reference: str) -> Any:
     place, _, name = reference.rpartition(":")
     if not place or not name:
-        raise BadPolicy(f"a policy is given as my_module:MyPolicy, not {reference!r}")
+        raise BadPolicy(
+            f"--policy takes a name like my_module:MyPolicy, not {reference!r}"
+        )
     module = _module(place)
     found: Any = module
     for part in name.split("."):
@@ -82,7 +85,7 @@ def _load_named(reference: str) -> Any:
             raise BadPolicy(f"{place} has no {name}")
         found = getattr(found, part)
     if not callable(found):
-        raise BadPolicy(f"{reference} is no class or function, but {found!r:.60}")
+        raise BadPolicy(f"{reference} is not callable: {found!r:.60}")
     return found
 
 
@@ -91,7 +94,7 @@ def _module(place: str) -> ModuleType:
         path = Path(place)
         if not path.is_file():
             raise BadPolicy(f"there is no file {place}")
-        # What stands beside it can be imported by it, as when it is run.
+        # Modules in the same folder can be imported, as when the file is run.
         _add_to_path(path.resolve().parent)
         spec = importlib.util.spec_from_file_location(path.stem, path)
         assert spec is not None
@@ -105,8 +108,8 @@ def _module(place: str) -> ModuleType:
         return importlib.import_module(place)
     except ModuleNotFoundError as error:
         if error.name is None or not f"{place}.".startswith(f"{error.name}."):
-            raise  # of what the module itself imports
-        raise BadPolicy(f"there is no module {error.name} here") from error
+            raise  # a module that the policy's module imports
+        raise BadPolicy(f"there is no module {error.name}") from error
 
 
 def _add_to_path(folder: Path) -> None:
@@ -134,7 +137,7 @@ def _policy_factory(made: Any, reference: str) -> Callable[[], Policy]:
 
 
 def _answer_function(made: Any, reference: str) -> Any:
-    """The function of one request, with `reset` beside it if the policy has that."""
+    """The function that answers a request; bound, if the policy is an object."""
     if not inspect.isclass(made) and _arguments(made) > 0:
         return made
     policy = made()
@@ -145,7 +148,7 @@ def _answer_function(made: Any, reference: str) -> Any:
 
 
 def _arguments(function: Callable[..., object]) -> int:
-    """How many it needs."""
+    """The number of required positional arguments."""
     return sum(
         parameter.default is parameter.empty
         and parameter.kind
@@ -155,13 +158,13 @@ def _arguments(function: Callable[..., object]) -> int:
 
 
 class _FunctionPolicy:
-    """A function of the observation that answers with an action or a chunk."""
+    """A policy that is a function: observation → action or chunk."""
 
     def __init__(self, function: Callable[[Observation], Any]) -> None:
         self._function = function
 
     def reset(self, instruction: str) -> None:
-        """A function has no memory."""
+        """A function has no state."""
 
     def act(self, observation: Observation) -> Chunk:
         answer = self._function(observation)
@@ -169,9 +172,9 @@ class _FunctionPolicy:
 
 
 class _MappedPolicy:
-    """What is asked in the words of its mapping."""
+    """A policy behind a mapping of names."""
 
-    def __init__(self, infer: Any, mapping: Mapping) -> None:
+    def __init__(self, infer: Any, mapping: PolicyMapping) -> None:
         self._infer = infer
         self._mapping = mapping
         self._reset = getattr(getattr(infer, "__self__", None), "reset", None)

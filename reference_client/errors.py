@@ -1,7 +1,7 @@
-"""What can go wrong, as exceptions whose message says what happened and what to do.
+"""The exceptions of this client; every message says what happened and what to do.
 
-A server's refusal and a mistake noticed here are told alike: one class, with the
-members of the spec's schema Problem. This file knows no socket and sends nothing.
+A refusal of the server and an error detected by this client have the same class and the
+members of the specification's schema Problem. This module sends nothing.
 """
 
 from __future__ import annotations
@@ -11,35 +11,35 @@ from collections.abc import Sequence
 import urllib3.exceptions
 from proctor_client import ApiException, Problem, Run
 
-# Nothing answered, or what answered does not speak the protocol: two codes of this
-# client beside those of x-problems.
+# Two codes of this client beside those of x-problems: no response, and a response that
+# violates the protocol.
 UNREACHABLE = "unreachable"
 BAD_ANSWER = "bad_answer"
-# What ends in a process of its own: the process, or the policy in it.
+# Two more, of workers in their own processes: the process exited, or the policy raised.
 WORKER_DIED = "worker_died"
 POLICY_FAILED = "policy_failed"
 
-# What the generated client and the data plane raise when no answer comes.
+# Raised by the generated client and the data plane when no response arrives.
 NO_ANSWER_ERRORS = (urllib3.exceptions.HTTPError, OSError)
 
 _CLIENT_HINTS = {
-    "unauthenticated": "Here that is the argument `token`, or PROCTOR_TOKEN.",
-    "worker_busy": "Here that is `takeover=True`.",
-    "session_superseded": "Here that is `takeover=True` with the run's `run_id`.",
+    "unauthenticated": "In this client: the argument `token`, or PROCTOR_TOKEN.",
+    "worker_busy": "In this client: `takeover=True`.",
+    "session_superseded": "In this client: `takeover=True` with the run's `run_id`.",
 }
 
 
 class ProctorError(Exception):
     """A request was refused, could not be sent, or would be refused if it were sent.
 
-    code: one of x-problems; or `unreachable` (no answer), `bad_answer` (an answer that
-        does not follow the protocol), or what a subclass names.
-    detail: what happened and what to do about it, for people.
+    code: one of x-problems; or `unreachable` (no response), `bad_answer` (a response
+        that violates the protocol), or the code of a subclass.
+    detail: what happened and what to do about it.
     retryable: whether the same request can succeed later.
     side_effects: `none`, or `possible` when the request may have been carried out.
     errors: (JSON pointer into the request, text) pairs.
-    problem: the whole answer, when the server gave one.
-    retry_after_s: how long the server wants to be left alone, seconds.
+    problem: the problem document, when the server sent one.
+    retry_after_s: the server's Retry-After, seconds.
     """
 
     def __init__(
@@ -83,7 +83,7 @@ class RunFailed(ProctorError):
 
 
 class RunStopped(ProctorError):
-    """Somebody stopped the run while it was evaluated: `code` is `run_stopped`."""
+    """The run was stopped during the evaluation: `code` is `run_stopped`."""
 
     def __init__(self, run: Run) -> None:
         detail = (
@@ -97,7 +97,7 @@ class RunStopped(ProctorError):
 class PolicyFailed(ProctorError):
     """The policy of a worker process raised: `code` is `policy_failed`.
 
-    detail: what and where. traceback: the whole of it, as Python prints it.
+    detail: the error and where it was raised. traceback: as Python prints it.
     """
 
     def __init__(self, detail: str, traceback: str) -> None:
@@ -106,17 +106,17 @@ class PolicyFailed(ProctorError):
 
 
 def how_to_resume(run_id: str) -> str:
-    return f'evaluate(..., run_id="{run_id}") goes on with it'
+    return f'evaluate(..., run_id="{run_id}") continues it'
 
 
 def from_failure(error: Exception, url: str) -> ProctorError:
-    """What was raised while the server at `url` was called."""
+    """The ProctorError for what a request to the server at `url` raised."""
     if isinstance(error, ApiException) and error.status:
         return _from_answer(error, url)
     if _is_no_answer(error):
         return ProctorError(
             UNREACHABLE,
-            f"{url} does not answer ({_cause(error)}). "
+            f"{url} is unreachable ({_cause(error)}). "
             "Check the URL, and that the server runs.",
             retryable=True,
             side_effects="possible",
@@ -124,8 +124,8 @@ def from_failure(error: Exception, url: str) -> ProctorError:
     why = error.reason if isinstance(error, ApiException) else error
     return ProctorError(
         BAD_ANSWER,
-        f"{url} answered what the protocol does not allow ({why}). "
-        "Check that a Proctor server answers at this URL.",
+        f"{url} sent an invalid response ({why}). "
+        "Check that the URL is that of a Proctor server.",
         side_effects="possible",
     )
 
@@ -140,11 +140,11 @@ def _from_answer(error: ApiException, url: str) -> ProctorError:
     problem, status = error.data, error.status
     wait_s = _retry_after_s(error)
     if not isinstance(problem, Problem):
-        # A gateway in front of the server speaks for itself.
+        # Sent by a gateway in front of the server, not by the server itself.
         return ProctorError(
             BAD_ANSWER,
-            f"{url} answered {status} {error.reason} and does not explain it. "
-            "Check that a Proctor server answers at this URL.",
+            f"{url} answered {status} {error.reason} without a problem document. "
+            "Check that the URL is that of a Proctor server.",
             retryable=status == 429 or status >= 500,
             side_effects="possible",
             retry_after_s=wait_s,
@@ -162,13 +162,13 @@ def _from_answer(error: ApiException, url: str) -> ProctorError:
 
 
 def _retry_after_s(error: ApiException) -> float | None:
-    """Seconds, as the spec has it; a date, which others may send, is not read."""
+    """Retry-After in seconds, as the specification requires; a date is ignored."""
     text = (error.headers or {}).get("Retry-After", "")
     return float(text) if text.isdecimal() else None
 
 
 def _cause(error: BaseException) -> str:
-    """The innermost reason, in the words of the operating system where it has any."""
+    """The innermost reason; the operating system's text if there is one."""
     inner = error
     while (deeper := inner.__cause__ or inner.__context__) is not None:
         inner = deeper

@@ -1,8 +1,8 @@
-"""A policy server of policy.yaml, asked by this client: `proctor:http://host:8470`.
+"""A client of policy.yaml, for policies given as `proctor:http://host:8470`.
 
-The turns of the evaluation server go to it as they came, and its actions go back: the
-same bodies in both directions. A call that was not answered is made again with the same
-body, which such a server answers as before.
+Turns of the evaluation server are forwarded unchanged, and the actions are returned. A
+request without a response is repeated with the same body, which the policy server
+answers as before, without executing it again.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ import msgspec
 import urllib3
 from proctor_client import Benchmark
 
-from reference_client.api.errors import POLICY_FAILED, ProctorError
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
+from reference_client.errors import POLICY_FAILED, ProctorError
 
 PAUSE_S = 0.2
-FIRST_CONTACT_S = 3.0  # a mistyped URL is told before there is a run
+FIRST_CONTACT_S = 3.0  # a mistyped URL is reported before the run is created
 CALL_S = 600.0  # the first answer may take minutes, while a network is compiled
 _RETRY_STATUSES = (429, 500, 502, 503, 504)
 
@@ -28,39 +28,39 @@ _RETRY_STATUSES = (429, 500, 502, 503, 504)
 class PolicyServerClient:
     """Makes a policy for each worker: a session with the server at `url`.
 
-    PROCTOR_POLICY_KEY of the environment is sent as its key. patience_s: how long a
-    server is waited for that is not there.
+    PROCTOR_POLICY_KEY of the environment is sent as bearer token. retry_timeout_s: how
+    long an unreachable server is retried.
     """
 
-    def __init__(self, url: str, *, patience_s: float = 60.0) -> None:
+    def __init__(self, url: str, *, retry_timeout_s: float = 60.0) -> None:
         self._url = url.rstrip("/")
-        self._patience_s = patience_s
+        self._retry_timeout_s = retry_timeout_s
         self._pool = urllib3.PoolManager(maxsize=64, retries=False)
         self._benchmark: dict[str, Any] | None = None
 
     def check(self, benchmark: Benchmark) -> None:
-        """Take note of what is played. Raises ProctorError if no server is there."""
+        """Set the benchmark. Raises ProctorError if the server is unreachable."""
         self._benchmark = benchmark.to_dict()
         reported = self.call("GET", "", None, FIRST_CONTACT_S)
         session_limit = reported.get("max_sessions")
         if not isinstance(session_limit, int) or session_limit < 1:
-            raise self.failed("does not describe itself as policy.yaml says")
+            raise self.failed("violates the schema of describe_policy in policy.yaml")
 
     def __call__(self) -> PolicySession:
         if self._benchmark is None:
-            raise self.failed("was not told which benchmark is played")
+            raise self.failed("has no benchmark yet")
         return PolicySession(self, self._benchmark)
 
     def post(self, operation: str, body: Any) -> Any:
-        """The answer to an operation. Raises ProctorError `policy_failed`."""
+        """The response of an operation. Raises ProctorError `policy_failed`."""
         content = msgspec.json.encode(body)
-        return self.call("POST", f"/{operation}", content, self._patience_s)
+        return self.call("POST", f"/{operation}", content, self._retry_timeout_s)
 
     def call(
-        self, method: str, path: str, content: bytes | None, patience_s: float
+        self, method: str, path: str, content: bytes | None, retry_timeout_s: float
     ) -> Any:
-        """One call, made again while nobody answers or the server asks for that."""
-        deadline = time.monotonic() + patience_s
+        """One request, repeated without a response and on retryable statuses."""
+        deadline = time.monotonic() + retry_timeout_s
         while True:
             try:
                 answer = self._pool.request(
@@ -72,7 +72,7 @@ class PolicyServerClient:
                     redirect=False,
                 )
             except urllib3.exceptions.HTTPError as error:
-                last = f"does not answer ({error})"
+                last = f"is unreachable ({error})"
             else:
                 if answer.status == 200:
                     return self._read(answer.data)
@@ -87,9 +87,9 @@ class PolicyServerClient:
         try:
             value = msgspec.json.decode(data)
         except (msgspec.DecodeError, UnicodeDecodeError) as error:
-            raise self.failed(f"answered what is no JSON ({error})") from error
+            raise self.failed(f"sent invalid JSON ({error})") from error
         if not isinstance(value, dict):
-            raise self.failed("answered what is no object")
+            raise self.failed("sent JSON that is not an object")
         return value
 
     def failed(self, what: str) -> ProctorError:
@@ -97,7 +97,7 @@ class PolicyServerClient:
 
 
 class PolicySession:
-    """The policy of one worker; its sessions are those of the evaluation server."""
+    """The policy of one worker; sessions have the ids of the evaluation server."""
 
     def __init__(self, server: PolicyServerClient, benchmark: dict[str, Any]) -> None:
         self._server = server
@@ -105,18 +105,18 @@ class PolicySession:
         self._is_new = True
 
     def reset(self, instruction: str) -> None:
-        self._is_new = True  # its turn tells more than its instruction
+        self._is_new = True  # reset needs the turn, which `act` receives
 
     def act(self, observation: Observation) -> Chunk:
         turn = observation.turn
-        assert turn is not None, "what a worker plays came in a turn"
+        assert turn is not None, "observations of a worker have a turn"
         if self._is_new:
             self._reset(turn)
             self._is_new = False
         answer = self._server.post("predict", turn)
         reported = (answer.get("session_id"), answer.get("seq"))
         if reported != (turn.session_id, turn.seq + 1):
-            raise self._server.failed("answered another turn than it was asked for")
+            raise self._server.failed("answered with a wrong session_id or seq")
         try:
             return [action["values"] for action in answer["actions"]]
         except (KeyError, TypeError) as error:
@@ -132,7 +132,7 @@ class PolicySession:
         reported = tuple(ready.get(n) for n in ("session_id", "episode_id", "attempt"))
         episode = turn.episode
         if reported != (turn.session_id, episode.episode_id, episode.attempt):
-            raise self._server.failed("acknowledged another reset than it was sent")
+            raise self._server.failed("acknowledged a wrong reset")
 
 
 def _headers(content: bytes | None) -> dict[str, str]:
@@ -144,7 +144,7 @@ def _headers(content: bytes | None) -> dict[str, str]:
 
 
 def _detail(data: bytes) -> str:
-    """What a problem says, for the policy's author."""
+    """The detail of a problem document, for the policy's author."""
     try:
         problem = msgspec.json.decode(data[:65536])
     except (msgspec.DecodeError, UnicodeDecodeError):

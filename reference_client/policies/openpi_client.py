@@ -1,9 +1,8 @@
-"""A policy server that speaks openpi's protocol: a WebSocket, one frame each way.
+"""A client of openpi's protocol: a WebSocket, one frame per request and response.
 
-The server's first frame is metadata. Then each request is a frame, and so is its
-answer; a frame of text is the traceback of an error. The protocol has no reset, no
-number and no session: a request is the whole of what the server knows, so one that was
-lost is sent again on a new connection.
+The server's first frame is metadata. A text frame is the traceback of an error. The
+protocol has no reset, sequence number or session: a request contains all state, so a
+lost one is sent again on a new connection.
 """
 
 from __future__ import annotations
@@ -17,27 +16,27 @@ from typing import Any, Self, TypeVar
 from websockets.exceptions import InvalidURI, WebSocketException
 from websockets.sync.client import ClientConnection, connect
 
-from reference_client.api.errors import POLICY_FAILED, ProctorError
+from reference_client.errors import POLICY_FAILED, ProctorError
 from reference_client.policies.ndarray import BadMessage, pack, unpack
 
 PAUSE_S = 0.2
 OPEN_S = 5.0
-FIRST_CONTACT_S = 3.0  # a mistyped URL is told before there is a run
+FIRST_CONTACT_S = 3.0  # a mistyped URL is reported before the run is created
 
 Answer = TypeVar("Answer")
 
 
 class OpenpiClient:
-    """The server at `url`, ws:// or wss://; connects when it is first asked.
+    """The server at `url`, ws:// or wss://; connects at the first request.
 
-    OPENPI_API_KEY of the environment is sent as its API key. patience_s: how long a
-    server is waited for that is not there. The first answer may take minutes, while the
-    network is compiled; that is waited for without end.
+    OPENPI_API_KEY of the environment is sent as its API key. retry_timeout_s: how long
+    an unreachable server is retried. There is no timeout for a response: the first may
+    take minutes, while the network is compiled.
     """
 
-    def __init__(self, url: str, *, patience_s: float = 60.0) -> None:
+    def __init__(self, url: str, *, retry_timeout_s: float = 60.0) -> None:
         self._url = url
-        self._patience_s = patience_s
+        self._retry_timeout_s = retry_timeout_s
         self._socket: ClientConnection | None = None
         self._connection_stack = contextlib.ExitStack()
         self.metadata: Any = None
@@ -58,19 +57,19 @@ class OpenpiClient:
             socket.send(frame)
             return socket.recv()
 
-        return self._read(self._retry(exchange, self._patience_s))
+        return self._read(self._retry(exchange, self._retry_timeout_s))
 
-    def _retry(self, attempt: Callable[[], Answer], patience_s: float) -> Answer:
-        deadline = time.monotonic() + patience_s
+    def _retry(self, attempt: Callable[[], Answer], retry_timeout_s: float) -> Answer:
+        deadline = time.monotonic() + retry_timeout_s
         while True:
             try:
                 return attempt()
             except InvalidURI as error:
-                raise self._failed(f"has no URL of a WebSocket: {error}") from error
+                raise self._failed(f"has an invalid WebSocket URL: {error}") from error
             except (OSError, WebSocketException) as error:
                 self._drop()
                 if time.monotonic() > deadline:
-                    raise self._failed(f"does not answer ({error})") from error
+                    raise self._failed(f"is unreachable ({error})") from error
                 time.sleep(PAUSE_S)
 
     def _ensure_connected(self) -> ClientConnection:
@@ -81,7 +80,7 @@ class OpenpiClient:
                 compression=None,
                 max_size=None,
                 open_timeout=OPEN_S,
-                # Its server thinks in the loop that would answer a ping.
+                # openpi's server computes in the event loop that would answer pings.
                 ping_interval=None,
                 additional_headers={"Authorization": f"Api-Key {key}"} if key else None,
                 proxy=None,
@@ -92,14 +91,14 @@ class OpenpiClient:
 
     def _read(self, frame: str | bytes) -> Any:
         if isinstance(frame, str):
-            self._drop()  # its server closes after an error
+            self._drop()  # the server closes the connection after an error
             last = frame.strip().rpartition("\n")[2]
             raise self._failed(f"failed: {last}")
         try:
             return unpack(frame)
         except BadMessage as error:
             self._drop()
-            raise self._failed(f"answered what {error}") from error
+            raise self._failed(f"sent a frame that {error}") from error
 
     def _drop(self) -> None:
         self._socket = None

@@ -16,7 +16,7 @@ from pathlib import Path
 from time import perf_counter_ns, process_time_ns
 from urllib.parse import urlsplit
 
-from benchmarks.contenders import player
+from benchmarks.contenders import turn_client
 from benchmarks.libraries import samples
 from reference_client.protocol.http_connection import HttpConnection
 
@@ -24,7 +24,7 @@ Answer = tuple[int, bytes | memoryview]
 Ask = Callable[[], Answer]
 
 
-class RequestClient(player.TurnClient):
+class RequestClient(turn_client.TurnClient):
     """Plays requests where others play turns."""
 
     def __init__(self, send_request: Ask, expected: bytes) -> None:
@@ -168,7 +168,7 @@ CLIENTS = {
 def main() -> None:
     url, client, folder, name = sys.argv[1:]
     sample = samples.read(Path(folder), name)
-    player.serve(
+    turn_client.serve(
         RequestClient(CLIENTS[client](url, sample.sample_request), sample.body)
     )
 

@@ -33,7 +33,7 @@ ACTIONS: dict[str, dict[str, list[float]]] = {
 }
 # Forked by a server that has imported what is slow, and touched no GL.
 _FORKS = multiprocessing.get_context("forkserver")
-_FORKS.set_forkserver_preload(["benchmarks.bare"])
+_FORKS.set_forkserver_preload(["benchmarks.direct_simulation"])
 _COUNT_BYTES = 8  # executed steps, before the observation
 
 

@@ -1,6 +1,6 @@
-"""What a worker's latest turn looks like: small pictures and a few numbers.
+"""A worker's latest turn for the live view: small images, texts and times.
 
-Made only when somebody asks, from what the worker keeps anyway.
+Made on request only, from the snapshot that the worker stores.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Does the server slow down or grow with what it has stored?
 
-`python -m benchmarks.growth` fills databases with finished runs, starts a real server
+`python -m benchmarks.storage_growth` fills databases with finished runs, starts a real server
 on each and asks them in turn, over one kept connection each: what a request costs is
 compared inside one run of this program, never with an earlier one. It also weighs the
 server before and after thousands of runs were looked at, played and left waiting, and
@@ -27,9 +27,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from benchmarks import page, results
+from benchmarks import performance_page, results
 from benchmarks.contenders.ours_client import TOKEN
-from benchmarks.stock import (
+from benchmarks.filled_databases import (
     FIRST_FINISHED,
     READY_RUNS,
     TASKS,
@@ -326,7 +326,7 @@ def report(body: dict[str, Any]) -> str:
         ]
         for name, cost in body["requests"].items()
     ]
-    table = page.table(["p50 in ms (ratio)", *database_cases], rows)
+    table = performance_page.table(["p50 in ms (ratio)", *database_cases], rows)
     return "\n".join([table, "", *sentences(body)])
 
 
@@ -403,7 +403,7 @@ def main() -> int:
     results.update("growth", {"measured_on": machine, **body})
     text = report(body)
     print(text)
-    page.put("growth", text)
+    performance_page.put("growth", text)
     return 0
 
 

@@ -1,4 +1,8 @@
-"""The worker loop: attach, observe, act, and again, until no episode is left."""
+"""The loop of one worker: attach, observe, act, until no episode is left.
+
+Runs in a thread of the evaluation (worker_pool.py) or in a process of its own
+(worker_main.py).
+"""
 
 from __future__ import annotations
 
@@ -7,24 +11,24 @@ from dataclasses import replace
 
 from proctor_client import Assumptions
 
-from reference_client.api.errors import ProctorError
 from reference_client.api.observation import observation_of
 from reference_client.api.policy import Policy, chunk_of
+from reference_client.errors import ProctorError
 from reference_client.evaluation.status_board import StatusBoard, TurnSnapshot
 from reference_client.protocol.heartbeat import HeartbeatThread
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_client.protocol.worker_session import Session, WorkerSlot
 
-# Sessions in a row that ended before their first turn: then something is wrong that
-# attaching again does not cure.
+# Limit of consecutive sessions that end before their first turn: attaching again does
+# not help then.
 EMPTY_SESSIONS_MAX = 8
 
 
-class Worker:
-    """Plays episodes of a run with a policy of its own.
+class WorkerLoop:
+    """Plays episodes of a run with its own instance of the policy.
 
-    board: hears of what the worker waits for, and of every episode it has ended.
-    takeover: fence out a session that the worker has already, once.
+    board: receives what the worker waits for, its turns, and every scored episode.
+    takeover: the first attach supersedes an existing session of this worker.
     """
 
     def __init__(
@@ -49,9 +53,9 @@ class Worker:
         self._session: Session | None = None
 
     def play(self) -> None:
-        """Returns when no episode is left for it, or the run lets nobody attach.
+        """Returns when no episode is left, or the state of the run forbids attaching.
 
-        A session that ends under it (its lease, a restart of the server) is followed by
+        A session that ends early (lease expired, server restarted) is replaced by
         another. Raises ProctorError, Interrupted, and whatever the policy raises.
         """
         empty_sessions = 0
@@ -60,7 +64,7 @@ class Worker:
                 session = self._attach()
             except ProctorError as error:
                 if error.code == "illegal_transition":
-                    return  # queued, over or stopped: the evaluation reads which
+                    return  # queued, ended or stopped: rounds.py reads the state
                 raise
             try:
                 self._play(session)
@@ -78,10 +82,10 @@ class Worker:
             self._retry_policy.pause(0.05 * (2**empty_sessions - 1))
 
     def request_stop(self) -> None:
-        """Nothing to do: what it waits for ends with `stop` of its patience."""
+        """Nothing to do: every wait ends with the event `stop` of the retry policy."""
 
     def force_detach(self) -> None:
-        """Detach whatever it does; for the thread that does not wait for it longer."""
+        """End the session; called by the thread that no longer waits for `play`."""
         if self._session is not None:
             self._session.detach()
 
@@ -92,14 +96,16 @@ class Worker:
             takeover=self._takeover,
             assumes=self._assumes,
         )
-        # Once: two clients that both insisted would fence each other out for ever.
+        # Once only: two clients that both take over would supersede each other forever.
         self._takeover = False
         self._board.on_attached(self._session.turn.session_id)
         return self._session
 
     def _play(self, session: Session) -> None:
         turn = session.turn
-        is_new = True  # after a takeover an episode goes on, but for another policy
+        is_new = (
+            True  # after a takeover, the episode continues with a new policy object
+        )
         with HeartbeatThread(
             turn.lease.idle_timeout_s, session.send_heartbeat
         ) as heartbeat:

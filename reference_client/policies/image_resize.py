@@ -1,7 +1,7 @@
-"""Pictures as other houses want them: resized without distortion, the rest black.
+"""Image resizing for policies: bilinear, with black padding to keep proportions.
 
-The same arithmetic as openpi's `resize_with_pad`, which its policies were fed with; a
-half pixel elsewhere is another picture to a network.
+The same arithmetic as openpi's `resize_with_pad`, with which its policies are trained:
+a shift of half a pixel changes the input of a network.
 """
 
 from __future__ import annotations

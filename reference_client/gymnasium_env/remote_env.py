@@ -1,12 +1,12 @@
 """A run as a Gymnasium environment: `reset` takes the next episode, `step` plays it.
 
-    import gymnasium
-    import reference_client.api.remote_env
+    from reference_client import RemoteEnv
 
-    env = gymnasium.make("proctor/Remote-v0", url=..., token=..., benchmark="tabletop")
+    env = RemoteEnv(url=..., token=..., benchmark="tabletop")
 
-Or `RemoteEnv(url=..., ...)`. Seeds and scores are the server's: `reset(seed=...)` seeds
-what this process draws, not the episode. Importing this file registers the id.
+Importing this module also registers the id `proctor/Remote-v0` for `gymnasium.make`.
+Seeds and scores are the server's: `reset(seed=...)` seeds what this process draws, not
+the episode.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ import msgspec
 from proctor_client import Assumptions, Observe, PolicyInfo, Run
 from pydantic_core import to_jsonable_python
 
-from reference_client.api import spaces
-from reference_client.api.errors import ProctorError
 from reference_client.api.observation import (
     Observation,
     decode_observation,
     observation_of,
 )
 from reference_client.api.policy import chunk_of
+from reference_client.errors import ProctorError
 from reference_client.evaluation.plan import parse_strictly, submission
 from reference_client.generated.messages import Turn
+from reference_client.gymnasium_env import spaces
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.data_plane import DataPlane
@@ -62,13 +62,13 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
 
     url, token: of the server; PROCTOR_URL and PROCTOR_TOKEN when absent.
     benchmark: for a new run, submitted by the first `reset`; or run_id: of a run.
-    options, images, idle_timeout_s, name: of the new run, as `evaluate` has them.
-    worker_id: another for each environment of a run. takeover, assumes, patience_s: as
-    `evaluate` has them.
-    renew: when the run is done, `reset` submits another; without it RunDone is raised.
+    options, images, idle_timeout_s, name: of the new run, as of `evaluate`.
+    worker_id: must differ between environments of one run.
+    takeover, assumes, retry_timeout_s: as of `evaluate`.
+    renew: when the run is done, `reset` submits another; otherwise it raises RunDone.
 
-    The last observation of an episode costs a second one in every answer: for cameras
-    at full speed, write a policy for `evaluate` instead.
+    Every response carries a second observation, because the last one of an episode is
+    needed: for cameras at full speed, write a policy for `evaluate` instead.
     """
 
     def __init__(
@@ -85,11 +85,11 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         worker_id: str = "env-0",
         takeover: bool = False,
         assumes: Mapping[str, Any] | None = None,
-        patience_s: float = 300.0,
+        retry_timeout_s: float = 300.0,
         renew: bool = False,
         render_mode: None = None,
     ) -> None:
-        """Raises ProctorError, also for a server that is not there; ValueError."""
+        """Raises ProctorError, also if the server is unreachable; ValueError."""
         url = url or os.environ.get("PROCTOR_URL")
         if url is None or (benchmark is None) == (run_id is None):
             raise ValueError("RemoteEnv needs url=…, and benchmark=… or run_id=…")
@@ -100,7 +100,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         self._assumes = parse_strictly(Assumptions, "assumes", assumes)
         self._renew = renew
         self._connection_stack = contextlib.ExitStack()
-        self._session_stack = contextlib.ExitStack()  # the session and its heart
+        self._session_stack = contextlib.ExitStack()  # the session and its heartbeat
         self._session: Session | None = None
         self._planes: dict[str, DataPlane] = {}  # by endpoint
         self._run: Run | None = None
@@ -110,7 +110,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         connection = Connection(url, token, requests=3)
         self._connection = self._connection_stack.enter_context(connection)
         self._retry_policy = RetryPolicy(
-            connection.url, patience_s, threading.Event(), lambda _why: None
+            connection.url, retry_timeout_s, threading.Event(), lambda _why: None
         )
         self._control_client = ControlClient(connection.control, self._retry_policy)
         self._control_client.check_service(1)
@@ -132,7 +132,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
 
     @property
     def run_id(self) -> str | None:
-        """Of the run; None before the first `reset` of a new one."""
+        """The id of the run; None before the first `reset` of a new one."""
         return None if self._run is None else self._run.run_id
 
     def score(self) -> dict[str, Any]:
@@ -149,14 +149,14 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
     ) -> tuple[spaces.SpaceValue, dict[str, Any]]:
         """The first observation of the next episode.
 
-        An episode that has begun and not ended is given up: its attempt counts, it goes
-        back to the queue, and is often the next again. Raises RunDone, ProctorError.
+        An episode in progress is aborted: its attempt counts, it returns to the queue,
+        and is often the next again. Raises RunDone, ProctorError.
         """
         super().reset(seed=seed)
         if self._in_episode:
-            self._leave()
+            self._detach()
         turn = self._next_turn()
-        self._in_episode = False  # given up without cost as long as nothing is played
+        self._in_episode = False  # until the first step, no attempt is lost by a reset
         self._observation = observation_of(turn)
         return spaces.space_value(self._observation, self._space), self._info(turn)
 
@@ -165,9 +165,9 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
     ) -> tuple[spaces.SpaceValue, SupportsFloat, bool, bool, dict[str, Any]]:
         """Executes one action, exactly once.
 
-        `info["episode_result"]` is the server's when the episode ends. Where the
-        attempt is lost (the server restarted, the simulator failed) the episode is
-        `truncated` and `info["lost"]` says why; it is played again later.
+        `info["episode_result"]` is the server's result when the episode ends. If the
+        attempt is lost (server restarted, simulator failed) the episode is `truncated`
+        and `info["lost"]` says why; it is played again later.
         """
         session, before = self._session, self._observation
         if session is None or before is None:
@@ -178,7 +178,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         except ProctorError as error:
             if error.code not in SESSION_END_CODES:
                 raise
-            self._leave()
+            self._detach()
             return self._lost_step(before, error.detail)
         if turn.fault:
             self._in_episode = False
@@ -204,8 +204,8 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         return space_value, sum(turn.rewards), turn.terminated, turn.truncated, info
 
     def close(self) -> None:
-        """Detaches; the run stays. May be called again."""
-        self._leave()
+        """Detach; the run remains on the server. May be called again."""
+        self._detach()
         self._connection_stack.close()
 
     def _lost_step(
@@ -223,11 +223,11 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         }
 
     def _next_turn(self) -> Turn:
-        """A turn with an observation at the beginning of an episode."""
+        """The turn with the first observation of an episode."""
         while True:
             if self._session is not None and not self._session.turn.done:
                 return self._session.turn
-            self._leave()
+            self._detach()
             if self._run is None:
                 self._control_client.check(self._submission.benchmark_id)
                 self._run = self._control_client.submit(self._submission)
@@ -241,7 +241,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
                 raise RunDone(self._run.run_id)
 
     def _attach(self, run: Run) -> None:
-        if run.endpoint not in self._planes:  # one for all sessions and runs there
+        if run.endpoint not in self._planes:  # shared by all sessions and runs
             self._planes[run.endpoint] = self._connection.data(run.endpoint)
         slot = WorkerSlot(self._planes[run.endpoint], run, self._worker_id)
         session = Session.attach(
@@ -254,10 +254,10 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         heartbeat = self._session_stack.enter_context(
             HeartbeatThread(lease_s, session.send_heartbeat)
         )
-        # Whoever calls step() may take as long as it likes in between.
+        # The time between two calls of step() is unlimited.
         self._session_stack.enter_context(heartbeat.keep_alive())
 
-    def _leave(self) -> None:
+    def _detach(self) -> None:
         self._session = None
         self._observation = None
         self._in_episode = False
@@ -266,6 +266,6 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
 
 gymnasium.register(
     ENV_ID,
-    entry_point="reference_client.api.remote_env:RemoteEnv",
-    nondeterministic=True,  # an episode is the server's choice, not the seed's
+    entry_point="reference_client.gymnasium_env.remote_env:RemoteEnv",
+    nondeterministic=True,  # the server chooses the episode, not the seed
 )

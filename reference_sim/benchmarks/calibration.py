@@ -24,7 +24,7 @@ from reference_sim.interface import (
     StepOutcome,
     TaskUnplayable,
 )
-from reference_sim.process.shared_frame_buffer import FRAME_BUFFER
+from reference_sim.shared_frame_buffer import FRAME_BUFFER
 
 TASKS = ("score", "count", "echo", "delay", "fault")
 VECTOR_SIZE = 8

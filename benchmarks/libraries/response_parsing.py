@@ -13,7 +13,7 @@ from typing import Any
 
 import h11
 
-from benchmarks.libraries.in_turn import Contender
+from benchmarks.libraries.interleaved_timing import Contender
 from benchmarks.libraries.samples import Sample
 from reference_client.protocol.http_connection import _ResponseParser
 

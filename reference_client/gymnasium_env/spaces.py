@@ -1,8 +1,8 @@
-"""The spaces of a benchmark, as Gymnasium has them, and observations put into them.
+"""The spaces of a benchmark as Gymnasium spaces, and observations as their elements.
 
-An observation is a dict of the groups that the benchmark has, `state`, `images` and
-`tensors`, each a dict by name; an action is a dict by name. What a task does not show
-(some entries are of some tasks only) is zeros, for a space is the same at every step.
+An observation is a dict of the benchmark's groups `state`, `images` and `tensors`, each
+a dict by name; an action is a dict by name. Entries that a task does not have are
+zeros, because a space is the same at every step.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def action_space(benchmark: Benchmark) -> spaces.Dict:
 
 
 def observation_space(benchmark: Benchmark, images: ImageChoice | None) -> spaces.Dict:
-    """images: as chosen for the run; the benchmark's first when absent."""
+    """images: the choice of the run; the benchmark's first when absent."""
     has = benchmark.observation_space
     if images is None:
         size = benchmark.image_sizes[0]
@@ -52,7 +52,7 @@ def observation_space(benchmark: Benchmark, images: ImageChoice | None) -> space
 
 
 def space_value(observation: Observation, space: spaces.Dict) -> SpaceValue:
-    """The observation as an element of the space, of arrays of its own."""
+    """The observation as an element of the space; the arrays are copies."""
     out: SpaceValue = {}
     for group, entries in space.items():
         assert isinstance(entries, spaces.Dict)
@@ -67,7 +67,7 @@ def space_value(observation: Observation, space: spaces.Dict) -> SpaceValue:
 
 
 def _box(vector: VectorSpace) -> spaces.Box:
-    """Bounds as declared, for they are what the server holds actions to."""
+    """The declared bounds, which the server enforces."""
     shape = (vector.size,)
     low = np.array(vector.minimum or [-np.inf] * vector.size, np.float64)
     high = np.array(vector.maximum or [np.inf] * vector.size, np.float64)

@@ -1,6 +1,6 @@
-"""`proctor serve-policy`: puts a policy behind HTTP, for servers that call it.
+"""`proctor serve-policy`: serves a policy over HTTP, for runs in push mode.
 
-The policy is what `proctor run --policy` takes; docs/push.md has an example.
+Accepts the policies of `proctor run --policy`; docs/push.md has an example.
 """
 
 from __future__ import annotations
@@ -12,30 +12,34 @@ from collections.abc import Sequence
 
 import uvicorn
 
-from reference_client.policies import BadMapping, BadPolicy, Mapping, load
-from reference_client.policies.serving import PolicyApp
+from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
+from reference_client.policies.policy_http_app import PolicyApp
 
 PORT = 8470
 
 
 def build_parser() -> argparse.ArgumentParser:
-    """Its flags."""
+    """The parser of the command line."""
     parser = argparse.ArgumentParser(
         prog="proctor serve-policy",
-        description="Serve a policy for runs in which the server calls it. With "
-        "PROCTOR_POLICY_KEY in the environment, callers must show that key.",
+        description="Serve a policy over HTTP, for runs in push mode. If "
+        "PROCTOR_POLICY_KEY is set, requests MUST carry it as bearer token.",
         allow_abbrev=False,
     )
     parser.add_argument(
-        "--policy", required=True, metavar="WHAT", help="as of proctor run"
+        "--policy", required=True, metavar="POLICY", help="see proctor run --help"
     )
-    parser.add_argument("--mapping", metavar="FILE", help="its names for ours (TOML)")
-    parser.add_argument("--name", help="of the policy, told to callers")
+    parser.add_argument(
+        "--mapping",
+        metavar="FILE",
+        help="TOML file that maps observation and action names",
+    )
+    parser.add_argument("--name", help="name of the policy (default: POLICY)")
     parser.add_argument("--host", default="127.0.0.1", help="address to listen on")
     parser.add_argument("--port", type=int, default=PORT, help=f"port ({PORT})")
     parser.add_argument(
         "--max-sessions", type=int, default=16, metavar="N",
-        help="episodes played at a time, each with an instance of the policy (16)",
+        help="maximum simultaneous sessions, each with its own policy instance (16)",
     )  # fmt: skip
     return parser
 
@@ -44,9 +48,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Returns the exit code."""
     args = build_parser().parse_args(arguments)
     try:
-        mapping = Mapping.read(args.mapping) if args.mapping else None
+        mapping = PolicyMapping.read(args.mapping) if args.mapping else None
         make = load(args.policy, mapping)
-        # What cannot be made is told now, and not to a caller.
+        # A policy that fails to load is reported here, not to a client.
         first = [make()]
     except (BadPolicy, BadMapping) as error:
         sys.stderr.write(f"proctor: {error}\n")
@@ -58,7 +62,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         max_sessions=args.max_sessions,
         key=key,
     )
-    sys.stderr.write(f"Policy serves at http://{args.host}:{args.port}\n")
+    sys.stderr.write(f"Serving policy at http://{args.host}:{args.port}\n")
     uvicorn.run(
         served.app,
         host=args.host,

@@ -1,0 +1,1 @@
+"""A Proctor server as a Gymnasium environment."""
