@@ -3,7 +3,7 @@
 
 .DELETE_ON_ERROR:
 .PHONY: help setup conformance conformance-policy serve test lint generate generate-check
-.PHONY: lock kill-matrix experts bench clean metaworld metaworld-check metaworld-table interop
+.PHONY: docs lock kill-matrix experts bench clean metaworld metaworld-check metaworld-table interop
 # Robot middleware likes to set it, and its plugins break our pytest.
 unexport PYTHONPATH
 
@@ -78,6 +78,9 @@ generate: .venv-generate/ready ## Rewrite models and clients from spec/
 
 generate-check: .venv-generate/ready ## Fail if generated files differ from spec/
 	@.venv-generate/bin/python tools/generate.py --check
+
+docs: setup ## Rewrite the pages that follow from spec/ and the code
+	@$(python) -m tools.traceability && $(python) -m tools.diagrams
 
 interop: setup ## Play every scenario through each language's client
 #                   URL=... TOKEN=... RESTART_CMD='...' LANGUAGES=go,rust ONLY=echo

@@ -345,7 +345,7 @@ def main() -> int:
     parser.add_argument("benchmarks", nargs="*", help="all that have an expert if none")
     parser.add_argument("--seeds", type=int, default=100, help="per task and split")
     parser.add_argument("--processes", type=int, default=2)
-    parser.add_argument("--write", action="store_true", help="the page and its pictures")
+    parser.add_argument("--write", action="store_true", help="page and pictures")
     options = parser.parse_args()
     # The processes are the parallelism; threads on top make it twice as slow.
     os.environ["OPENBLAS_NUM_THREADS"] = "1"

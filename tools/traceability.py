@@ -1,13 +1,15 @@
 """Every rule of the specification, from its sentence to the code that decides it.
 
-`make docs` writes docs/contribute/traceability.md: one row for each rule, with the line
-that states it in spec/, the functions of the server and the simulators that cite its id,
-the check that judges it and the mutants that break it. `gaps()` lists what is missing in
-either direction; a test fails while there is one. `python -m tools.traceability --gaps`
-prints them.
+`make docs` writes docs/contribute/traceability.md: one row for each rule, with the file
+that states it in spec/, the functions of the server and the simulators that cite its
+id, the check that judges it and the mutants that break it. `gaps()` lists what is
+missing in either direction; a test fails while there is one.
+
+`python -m tools.traceability PRED-002` prints the places of one rule with their lines,
+which the page leaves out because they change with every commit; `--gaps` prints gaps.
 
 Python files are read as text and never imported, except the lifecycle table and the
-mutants, which are data. The checks are listed by the kit itself, in a process of its own.
+mutants, which are data. The kit lists its checks itself, in a process of its own.
 """
 
 from __future__ import annotations
@@ -74,9 +76,10 @@ class Place:
 
     file: str
     name: str
+    line: int = field(default=0, compare=False)
 
     def __str__(self) -> str:
-        return f"{self.file}: {self.name or '(header)'}"
+        return f"{self.file}:{self.line} {self.name or '(header)'}"
 
 
 @dataclass
@@ -112,7 +115,7 @@ def citations(source: str, file: str) -> dict[str, list[Place]]:
     found: dict[str, list[Place]] = defaultdict(list)
     for number, line in enumerate(source.splitlines(), 1):
         for id_ in ID.findall(line):
-            place = Place(file, names.get(number, ""))
+            place = Place(file, names.get(number, ""), number)
             if id_ not in NOT_RULES and place not in found[id_]:
                 found[id_].append(place)
     return dict(found)
@@ -181,14 +184,22 @@ def checks() -> dict[str, Place]:
         text=True,
         check=True,
     )
-    files = {
-        node.name: path.relative_to(ROOT).as_posix()
+    places = {
+        node.name: Place(path.relative_to(ROOT).as_posix(), node.name, node.lineno)
         for path in python_files("conformance/checks")
         for node in ast.parse(path.read_text()).body
         if isinstance(node, ast.FunctionDef)
     }
     names = {id_: name.partition("[")[0] for id_, name, _ in json.loads(listed.stdout)}
-    return {id_: Place(files[name], name) for id_, name in names.items()}
+    return {id_: places[name] for id_, name in names.items()}
+
+
+@cache
+def _table() -> Place:
+    for number, line in enumerate((ROOT / TABLE).read_text().splitlines(), 1):
+        if line.startswith("TRANSITIONS"):
+            return Place(TABLE, "TRANSITIONS", number)
+    raise LookupError(f"{TABLE} has no TRANSITIONS")
 
 
 @cache
@@ -209,7 +220,7 @@ def traces() -> dict[str, Trace]:
         if ((row["from"], row["event"]) in TRANSITIONS) == (row["to"] != "refused") or (
             row.get("when")
         ):
-            found[row["id"]].deciding.insert(0, Place(TABLE, "TRANSITIONS"))
+            found[row["id"]].deciding.insert(0, _table())
     for mutant in load_mutants().values():
         for id_ in mutant.kills:
             found[id_].mutants.append(mutant.name)
@@ -274,9 +285,10 @@ HEADER = """\
 Written by `make docs`; a test fails when this page is out of date or a row has a gap.
 
 Each rule is *stated* in `spec/`, *decided* in `reference_server/` or `reference_sim/`,
-*judged* by one check of the kit, and *broken on purpose* by mutants. `git grep ID` finds
-the same places. A cell of the lifecycle is decided by its key in `TRANSITIONS`, or by
-that key's absence. *Italics* say why a place is missing.
+*judged* by one check of the kit, and *broken on purpose* by mutants. `git grep ID`
+shows these places, and `python -m tools.traceability ID` prints their lines. A cell of
+the lifecycle is decided by its key in `TRANSITIONS`, or by that key's absence.
+*Italics* say why a place is missing.
 """
 
 
@@ -299,7 +311,7 @@ def page() -> str:
 def _row(trace: Trace) -> str:
     rule = trace.rule
     name = trace.spec_file.removeprefix("spec/")
-    link = f"[{name}](../../{trace.spec_file}#L{trace.spec_line})"
+    link = f"[{name}](../../{trace.spec_file})"
     decided = [_linked(place) for place in trace.deciding] or [_why(trace.no_line)]
     judged = _linked(trace.check) if trace.check else _why(rule.why)
     broken = [f"`{name}`" for name in sorted(trace.mutants)]
@@ -330,11 +342,33 @@ def _shorten(text: str) -> str:
     return f"{cut} …"
 
 
+def describe(trace: Trace) -> str:
+    """The places of one rule, with their lines."""
+    rule = trace.rule
+    return "\n".join(
+        [
+            f"{rule.id} ({rule.level}, {rule.profile}): {rule.text}",
+            f"stated   {trace.spec_file}:{trace.spec_line}",
+            *(f"decided  {place}" for place in trace.deciding),
+            *([f"decided  {trace.no_line}"] if trace.no_line else []),
+            f"judged   {trace.check or rule.why}",
+            *(f"broken   by {name}" for name in sorted(trace.mutants)),
+        ]
+    )
+
+
 def main() -> int:
-    """Write the page, or print the gaps."""
+    """Write the page, or print the places of rules, or the gaps."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("ids", nargs="*", metavar="ID", help="print its places")
     parser.add_argument("--gaps", action="store_true", help="print gaps, write nothing")
-    if parser.parse_args().gaps:
+    arguments = parser.parse_args()
+    if unknown := set(arguments.ids) - set(traces()):
+        parser.error(f"no rule has the id {', '.join(sorted(unknown))}")
+    if arguments.ids:
+        print("\n\n".join(describe(traces()[id_]) for id_ in arguments.ids))
+        return 0
+    if arguments.gaps:
         found = gaps()
         print("\n".join(found))
         print(f"{len(found)} gaps in {len(traces())} rules", file=sys.stderr)

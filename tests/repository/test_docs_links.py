@@ -23,6 +23,10 @@ CODE = re.compile(r"`[^`\n]*`")
 HEADING = re.compile(r"^#{1,6} +(.+?) *#*$", re.MULTILINE)
 LINE = re.compile(r"L(\d+)")
 MENTION = re.compile(r"(?<![\w/.])docs/[\w./-]+\.(?:md|svg|png)")
+MENTIONING = (
+    *("*.py", "*.md", "*.toml", "*.yaml", "*.mustache", "Makefile"),
+    *("generated_clients/*/example", "generated_clients/*/interop"),
+)
 ENTRY_LIMIT = 13  # a dozen pages in a folder, and its index
 
 
@@ -84,8 +88,7 @@ def test_every_page_is_reached_from_the_index() -> None:
 
 def test_paths_of_pages_in_other_files_exist() -> None:
     tracked = subprocess.run(
-        ["git", "ls-files", "-z", "--", "*.py", "*.md", "*.toml", "*.yaml", "Makefile"]
-        + ["*.mustache", "generated_clients/*/example", "generated_clients/*/interop"],
+        ["git", "ls-files", "-z", "--", *MENTIONING],
         cwd=ROOT,
         capture_output=True,
         text=True,

@@ -7,6 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from reference_sim.benchmarks.tabletop.benchmark import BENCHMARKS
 from tests.conftest import TOKENS, ReferenceServer
 from tests.support.paths import ROOT
 
@@ -54,4 +55,18 @@ def test_program_evaluates_a_policy(server: ReferenceServer, tmp_path: Path) -> 
         check=False,
     )
     assert done.returncode == 0, done.stderr
-    assert "score 1.0 of 64 episodes" in done.stdout
+    episodes = BENCHMARKS["tabletop"].describe({}, 1)["episodes"]
+    assert f"score 1.0 of {len(episodes)} episodes" in done.stdout
+
+
+def test_the_example_rule_stands_in_all_four_places() -> None:
+    """`git grep PRED-002`, as README says it."""
+    found = subprocess.run(
+        ["git", "grep", "--name-only", "PRED-002"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout.split()
+    for place in ("spec/", "reference_server/", "conformance/", "tests/mutants/"):
+        assert any(name.startswith(place) for name in found), place

@@ -1,7 +1,7 @@
 """Mappings and references: what a policy of another house is given, what is read back.
 
-The ready mappings are those of docs/evaluate/policies.md, each played through a real server by a
-policy that holds still in its own words and checks what it is given.
+The ready mappings are those of docs/evaluate/policies.md, each played through a real
+server by a policy that holds still in its own words and checks what it is given.
 """
 
 from __future__ import annotations
