@@ -115,3 +115,35 @@ def test_dead_links_are_found(tmp_path: Path) -> None:
     assert fault_of(page, "../README.md#no-such-heading") == "there is no such heading"
     assert fault_of(page, "../README.md#L9999")
     assert fault_of(page, str(tmp_path)) == "there is no such file"
+
+
+PATH = re.compile(
+    r"`((?:spec|conformance|tests|docs|tools|examples|reference_\w+|generated_clients)"
+    r"/[\w./-]*)`"
+)
+NO_FILES = {"tools/generators/dart.yaml"}  # of a language that is an example
+TEST_FILE = re.compile(r"`(?:tests/(?:\w+/)*)?(test_\w+\.py)`")
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
+def test_paths_in_the_text_exist(page: Path) -> None:
+    """Parts in capitals stand for a name of the reader's own."""
+    text = page.read_text()
+    paths = {path for path in PATH.findall(text) if not re.search("[A-Z]{4}", path)}
+    dead = {path for path in paths if not (ROOT / path).exists()}
+    assert dead - NO_FILES == set()
+    files = {path.name for path in (ROOT / "tests").rglob("test_*.py")}
+    assert set(TEST_FILE.findall(text)) - files == set()
+
+
+@pytest.mark.parametrize("page", sorted(DOCS.glob("contribute/add-*.md")), ids=name_of)
+def test_constants_that_a_guide_names_exist(page: Path) -> None:
+    names = set(re.findall(r"`([A-Z]+_[A-Z_]+|[A-Z]{5,})`", page.read_text()))
+    sources = "\n".join(
+        path.read_text()
+        for folder in ("reference_server", "reference_sim", "conformance", "tests")
+        for path in (ROOT / folder).rglob("*.py")
+    )
+    assert {
+        n for n in names if not re.search(rf"^{n}\b", sources, re.MULTILINE)
+    } == set()
