@@ -20,7 +20,7 @@ def test_mutant_is_killed_by_exactly_what_it_breaks(name: str) -> None:
 
 
 def test_matrix_shows_every_mutant() -> None:
-    """docs/contribute/kill-matrix.md is rewritten by `make kill-matrix` when a mutant changes."""
+    """The kill matrix is rewritten by `make kill-matrix` when a mutant changes."""
     rows = {
         line.split("|")[1].strip(" `"): set(line.split("|")[3].split())
         for line in MATRIX.read_text().splitlines()

@@ -7,9 +7,9 @@ import re
 
 import pytest
 
+from tests.support.paths import ROOT
 from tools import diagrams
 
-ROOT = diagrams.ROOT
 PAGE = diagrams.PAGE.read_text()
 STEPS = re.findall(r"^\| \d+ \| `([\w/.]+)` \| `([\w.]+)` \|", PAGE, re.MULTILINE)
 

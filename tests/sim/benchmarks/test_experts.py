@@ -1,4 +1,4 @@
-"""The measurement of experts: it judges rightly, and docs/evaluate/tasks.md is what it wrote."""
+"""The measurement of experts: it judges rightly, and its page is what it wrote."""
 
 from __future__ import annotations
 
