@@ -3,7 +3,7 @@
 
 .DELETE_ON_ERROR:
 .PHONY: help setup conformance conformance-policy serve test lint generate generate-check
-.PHONY: client lock kill-matrix experts bench clean metaworld metaworld-check metaworld-table interop
+.PHONY: client docs lock kill-matrix experts bench clean metaworld metaworld-check metaworld-table interop
 # Robot middleware likes to set it, and its plugins break our pytest.
 unexport PYTHONPATH
 
@@ -51,7 +51,7 @@ conformance-policy: setup ## Judge a policy server at URL; PROCTOR_POLICY_KEY, A
 apart := $(findstring metaworld,$(BENCHMARK))$(findstring gymnasium_robotics,$(BENCHMARK))
 
 serve: $(if $(apart),metaworld,setup) ## Run the reference server
-#                   BENCHMARK=gymnasium:CartPole-v1 or as in docs/benchmarks.md
+#                   BENCHMARK=gymnasium:CartPole-v1 or as in docs/host/benchmarks.md
 #                   PROFILE=ebench,flageval; ARGS='...' for its options
 	@$(if $(apart),.venv-metaworld/bin/python,$(python)) -m reference_server \
 		$${BENCHMARK:+--benchmarks "$$BENCHMARK"} $${PROFILE:+--profiles "$$PROFILE"} $(ARGS)
@@ -62,7 +62,7 @@ metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics ap
 metaworld-check: metaworld ## Run the tests that need Meta-World
 	@.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py
 
-metaworld-table: metaworld ## Play its experts both ways, rewrite docs/metaworld.md
+metaworld-table: metaworld ## Play its experts both ways, rewrite their page
 	@OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python tools/metaworld_table.py $(ARGS)
 
 test: setup lint generate-check ## Lint, check generated files, run our own tests
@@ -79,6 +79,8 @@ generate-check: .venv-generate/ready ## Fail if generated files differ from spec
 	@.venv-generate/bin/python tools/generate.py --check
 client: .venv-generate/ready ## Write a client in LANGUAGE=kotlin or any other
 	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)"
+docs: setup ## Rewrite the pages that follow from spec/ and the code
+	@$(python) -m tools.traceability && $(python) -m tools.diagrams
 interop: setup ## Play every scenario through each language's client
 #                   URL=... TOKEN=... RESTART_CMD='...' LANGUAGES=go,rust ONLY=echo
 	@$(python) -m tools.interop
@@ -89,10 +91,10 @@ lock: .venv-generate/ready ## Resolve requirements/*.in into hashed locks
 kill-matrix: setup ## Judge the kit on broken servers, rewrite its page
 	@$(python) -m tests.mutants.kill --write
 
-experts: setup ## Measure the scripted experts, rewrite docs/tasks.md
+experts: setup ## Measure the scripted experts, rewrite their page
 	@$(python) tools/experts.py --write $(ARGS)
 
-bench: setup .venv-bench/ready ## Measure beside the alternatives, rewrite docs/performance.md
+bench: setup .venv-bench/ready ## Measure beside the alternatives, rewrite their page
 	@$(python) -m benchmarks $(ARGS) && $(python) -m benchmarks.storage_growth
 
 clean: ## Remove environments, caches, reports; not data in var/

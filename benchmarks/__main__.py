@@ -1,4 +1,4 @@
-"""`python -m benchmarks`: measures, writes results.json and docs/performance.md.
+"""`python -m benchmarks`: measures, writes results.json and docs/host/performance.md.
 
 `make bench` runs all of it, on a machine that should have nothing else to do. With
 `--try` few rounds are played and nothing is written; `page` measures nothing and writes

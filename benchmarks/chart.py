@@ -1,4 +1,4 @@
-"""docs/round_trips.svg: p50 and p99 of every contender, a panel for each scenario.
+"""docs/host/round_trips.svg: p50 and p99 of every contender, a panel for each scenario.
 
 One logarithmic axis for all panels; a bar ends at p50, a thin line at p99. Written as
 text: the shapes are rectangles, lines and words. Knows results.json's section only.
@@ -14,7 +14,7 @@ from pathlib import Path
 from benchmarks import report
 from benchmarks.results import Json
 
-FILE = Path(__file__).resolve().parents[1] / "docs" / "round_trips.svg"
+FILE = Path(__file__).resolve().parents[1] / "docs" / "host" / "round_trips.svg"
 WIDTH, NAMES_WIDTH, MARGIN = 900, 330, 90
 ROW, HEAD, AXIS = 24, 34, 30
 OURS, PEER, LIMIT = "#1f6f50", "#8a93a0", "#c4a24a"

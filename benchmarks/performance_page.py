@@ -1,4 +1,4 @@
-"""docs/performance.md: what stands between two marks there is written by tools.
+"""docs/host/performance.md: what stands between two marks there is written by tools.
 
     <!-- round_trips -->
     …
@@ -13,7 +13,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-FILE = Path(__file__).resolve().parents[1] / "docs" / "performance.md"
+FILE = Path(__file__).resolve().parents[1] / "docs" / "host" / "performance.md"
 
 
 def put(part: str, text: str, file: Path = FILE) -> None:

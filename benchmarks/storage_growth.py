@@ -7,7 +7,7 @@ server before and after thousands of runs were looked at, played and left waitin
 under a thousand idle long-polls and event streams, and counts what a turn writes to
 disk.
 
-It writes the section `growth` of results.json and its part of docs/performance.md.
+It writes the section `growth` of results.json and its part of docs/host/performance.md.
 """
 
 from __future__ import annotations
@@ -314,7 +314,7 @@ async def measure_waiting(
 
 
 def report(body: dict[str, Any]) -> str:
-    """The part of docs/performance.md."""
+    """The part of docs/host/performance.md."""
     database_cases = [database_case.name for database_case in DATABASE_CASES]
     rows = [
         [

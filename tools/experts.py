@@ -8,8 +8,8 @@ docstring of a task's `goal_holds`, or else its own, is the goal in words. `expe
 say where pictures are taken: PICTURE_CAMERA, and PICTURE_MOMENTS, task → share of the
 expert's episode.
 
-Ends 1 if a criterion is missed. With --write the figures become docs/tasks.md, and each
-task gets its picture. Nothing here knows of a scene or of MuJoCo.
+Ends 1 if a criterion is missed. With --write the figures become docs/evaluate/tasks.md,
+and each task gets its picture. Nothing here knows of a scene or of MuJoCo.
 """
 
 from __future__ import annotations
@@ -45,8 +45,8 @@ FIRST_SEED = 0
 DRAWN_SIZE = (640, 480)  # drawn large and shrunk: smooth edges
 PICTURE_SIZE = (320, 240)
 DEFAULT_MOMENT = 0.7
-PAGE = ROOT / "docs" / "tasks.md"
-PICTURES = ROOT / "docs" / "tasks"
+PAGE = ROOT / "docs" / "evaluate" / "tasks.md"
+PICTURES = ROOT / "docs" / "evaluate" / "tasks"
 
 
 class Expert(Protocol):
@@ -345,7 +345,7 @@ def main() -> int:
     parser.add_argument("benchmarks", nargs="*", help="all that have an expert if none")
     parser.add_argument("--seeds", type=int, default=100, help="per task and split")
     parser.add_argument("--processes", type=int, default=2)
-    parser.add_argument("--write", action="store_true", help="docs/tasks.md, pictures")
+    parser.add_argument("--write", action="store_true", help="page and pictures")
     options = parser.parse_args()
     # The processes are the parallelism; threads on top make it twice as slow.
     os.environ["OPENBLAS_NUM_THREADS"] = "1"

@@ -2,8 +2,9 @@
 
 Runs from the repository's root as `python -m tools.interop`. Without --url it judges
 the clients at a reference server of its own. The matrix goes to the console, as JUnit
-to report/interop.xml and, of a whole run, to docs/interop.md. What was not run is never
-green. Ends with 1 if something failed, 2 if something was not run, else with 0.
+to report/interop.xml and, of a whole run, to docs/implement/interop.md. What was not
+run is never green. Ends with 1 if something failed, 2 if something was not run, else
+with 0.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ from tests.interop.scenarios import (
     UnexpectedResult,
 )
 
-PAGE = ROOT / "docs" / "interop.md"
+PAGE = ROOT / "docs" / "implement" / "interop.md"
 JUNIT = ROOT / "report" / "interop.xml"
 PASSED, FAILED, NOT_RUN = "passed", "failed", "not run"
 MARKS = {PASSED: "✔", FAILED: "**failed**", NOT_RUN: "not run"}

@@ -1,4 +1,6 @@
-"""Meta-World's scripted experts, directly and through the protocol: docs/metaworld.md.
+"""Meta-World's scripted experts, directly and through the protocol.
+
+It writes docs/evaluate/metaworld.md.
 
 Run by `make metaworld-table` in .venv-metaworld. Each of the 500 episodes is played
 twice: by a loop around Meta-World itself, in an environment made for it alone, and by
@@ -28,7 +30,7 @@ from reference_client import Observation, evaluate
 from reference_client.protocol.connection import Connection
 
 ROOT = Path(__file__).resolve().parent.parent
-PAGE = ROOT / "docs" / "metaworld.md"
+PAGE = ROOT / "docs" / "evaluate" / "metaworld.md"
 BENCHMARK = tomllib.loads(
     (ROOT / "reference_sim" / "benchmarks" / "metaworld" / "benchmark.toml").read_text()
 )

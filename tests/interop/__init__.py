@@ -1,1 +1,4 @@
-"""Every client against a server: proxy, scenarios and programs; see docs/interop.md."""
+"""Every client against a server: its proxy, scenarios and programs.
+
+docs/implement/interop.md is what they wrote.
+"""

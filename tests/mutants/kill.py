@@ -5,7 +5,7 @@ MODEL-… say that all rules hold together, so whatever breaks one rule may brea
 well: they have to fail where a mutant names them, may fail with it, and are left out
 elsewhere. What is broken in a profile of its own, on whose code no other rule rests, is
 judged by the rows of that profile. With --write the result of all of them becomes
-docs/kill-matrix.md.
+docs/contribute/kill-matrix.md.
 """
 
 from __future__ import annotations
@@ -156,7 +156,7 @@ def main() -> int:
             kills.append(kill)
             print(kill, flush=True)
     if options.write:
-        (ROOT / "docs" / "kill-matrix.md").write_text(matrix(kills))
+        (ROOT / "docs" / "contribute" / "kill-matrix.md").write_text(matrix(kills))
     exact = sum(kill.is_exact for kill in kills)
     print(f"{exact} of {len(kills)} mutants killed exactly")
     return 0 if exact == len(kills) else 1

@@ -57,3 +57,16 @@ def test_program_evaluates_a_policy(server: ReferenceServer, tmp_path: Path) -> 
     assert done.returncode == 0, done.stderr
     count = benchmark_registry.resolve("tabletop_state").manifest["episodes_total"]
     assert f"score 1.0 of {count} episodes" in done.stdout
+
+
+def test_the_example_rule_stands_in_all_four_places() -> None:
+    """`git grep PRED-002`, as README says it."""
+    found = subprocess.run(
+        ["git", "grep", "--name-only", "PRED-002"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout.split()
+    for place in ("spec/", "reference_server/", "conformance/", "tests/mutants/"):
+        assert any(name.startswith(place) for name in found), place

@@ -149,7 +149,7 @@ def test_an_ended_process_has_no_cpu_time() -> None:
 
 
 def test_results_are_on_the_performance_page() -> None:
-    """What is in results.json is what docs/performance.md shows."""
+    """What is in results.json is what docs/host/performance.md shows."""
     sections = results.read()
     shown = performance_page.FILE.read_text()
     for part in ("round_trips", "throughput"):

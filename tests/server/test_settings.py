@@ -1,4 +1,4 @@
-"""Settings: what each means, where it may come from, and docs/settings.md.
+"""Settings: what each means, where it may come from, and docs/host/settings.md.
 
 `python tests/server/test_settings.py` writes the page anew.
 """
@@ -19,7 +19,7 @@ from reference_server.http.problems import Refused
 from reference_server.settings import Settings
 from tests.support.paths import ROOT
 
-PAGE = ROOT / "docs" / "settings.md"
+PAGE = ROOT / "docs" / "host" / "settings.md"
 HEAD = """# Settings of the reference server
 
 Each is a flag of `python -m reference_server` and a variable of its environment; where

@@ -1,4 +1,4 @@
-"""docs/command.md is a promise: its lines run as pasted, its flags are all."""
+"""docs/evaluate/command.md is a promise: its lines run as pasted, its flags are all."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tests.support.client.command import ProctorCommand, policy_folder, server
 from tests.test_reference_client_scenes import ROOT, DirectClient, RestartableServer
 
 __all__ = ["policy_folder", "server"]
-PAGE = (ROOT / "docs" / "command.md").read_text()
+PAGE = (ROOT / "docs" / "evaluate" / "command.md").read_text()
 LINES = [
     line
     for block in re.findall(r"```console\n(.*?)```", PAGE, re.DOTALL)

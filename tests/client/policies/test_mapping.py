@@ -1,7 +1,7 @@
 """Mappings and references: what a policy of another house is given, what is read back.
 
-The ready mappings are those of docs/policies.md, each played through a real server by a
-policy that holds still in its own words and checks what it is given.
+The ready mappings are those of docs/evaluate/policies.md, each played through a real
+server by a policy that holds still in its own words and checks what it is given.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from tests.support.client.command import ProctorCommand, policy_folder, server
 from tests.test_reference_client_scenes import ROOT, DirectClient, RestartableServer
 
 __all__ = ["policy_folder", "server"]
-PAGE = (ROOT / "docs" / "policies.md").read_text()
+PAGE = (ROOT / "docs" / "evaluate" / "policies.md").read_text()
 READY = {
     re.findall(r"# (\w+)\.toml", text)[0]: tomllib.loads(text)
     for text in re.findall(r"```toml\n(.*?)```", PAGE, re.DOTALL)
@@ -337,7 +337,7 @@ def test_the_function_of_the_manual_plays(
     direct_client: DirectClient, policy_folder: Path
 ) -> None:
     """Both pages have it. Expect that it is the same, and that it is accepted."""
-    command = (ROOT / "docs" / "command.md").read_text()
+    command = (ROOT / "docs" / "evaluate" / "command.md").read_text()
     (program,) = re.findall(r"```python\n(def hold.*?)```", PAGE, re.DOTALL)
     assert program in command
     (policy_folder / "hold.py").write_text(program)

@@ -298,13 +298,13 @@ def test_the_profile_is_offered_only_when_enabled(server: ReferenceServer) -> No
         assert len(profile_tables(routes)) == paths
 
 
-# --- docs/flageval.md ---
+# --- docs/evaluate/flageval.md ---
 
 
 def test_the_script_of_the_page_runs(
     server: ReferenceServer, chat: ScriptedChat, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    page = (ROOT / "docs" / "flageval.md").read_text()
+    page = (ROOT / "docs" / "evaluate" / "flageval.md").read_text()
     (script,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
     names = {
         "TOKEN": TOKENS["alice"],
@@ -320,5 +320,5 @@ def test_the_script_of_the_page_runs(
 
 
 def test_the_page_states_the_tolerance() -> None:
-    page = (ROOT / "docs" / "flageval.md").read_text()
+    page = (ROOT / "docs" / "evaluate" / "flageval.md").read_text()
     assert f"beyond {TOLERANCE:g}," in page

@@ -121,7 +121,7 @@ def test_an_event_id_is_valid_under_any_host_name(server: ReferenceServer) -> No
 
 def test_the_commands_of_the_events_page_work(server: ReferenceServer) -> None:
     """Its commands, pasted: the whole of a finished run, and a part of it."""
-    page = (ROOT / "docs" / "events.md").read_text()
+    page = (ROOT / "docs" / "evaluate" / "events.md").read_text()
     whole, rest = re.findall(r"^ +(curl .*)$", page, re.MULTILINE)
     with server.client() as client:
         run_id = submit(client, "score", "score")

@@ -1,4 +1,4 @@
-"""The measurement of experts: it judges rightly, and docs/tasks.md is what it wrote."""
+"""The measurement of experts: it judges rightly, and its page is what it wrote."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from reference_sim.benchmarks.tabletop.experts import TabletopExpert
 from tests.support.paths import ROOT
 from tools import experts
 
-PAGE = (ROOT / "docs" / "tasks.md").read_text()
+PAGE = (ROOT / "docs" / "evaluate" / "tasks.md").read_text()
 SHOWN = [
     (name, task)
     for name in experts.benchmark_names()
@@ -74,7 +74,7 @@ def test_the_tabletop_is_measured() -> None:
 def test_the_page_shows_each_task_as_it_is(name: str, task: str) -> None:
     """Instruction, goal and stages as the code has them, and a small picture."""
     assert experts.task_section(name, task) in PAGE
-    picture = ROOT / "docs" / "tasks" / f"{name}_{task}.png"
+    picture = ROOT / "docs" / "evaluate" / "tasks" / f"{name}_{task}.png"
     with Image.open(picture) as drawn:
         assert drawn.size == experts.PICTURE_SIZE
     assert picture.stat().st_size < 80_000

@@ -328,9 +328,9 @@ def test_a_server_offers_added_benchmarks_and_a_client_plays_them(
         server.end(signal.SIGKILL)
 
 
-# --- docs/benchmarks.md ---
+# --- docs/host/benchmarks.md ---
 
-MANUAL = (ROOT / "docs" / "benchmarks.md").read_text()
+MANUAL = (ROOT / "docs" / "host" / "benchmarks.md").read_text()
 
 
 def test_the_manual_shows_the_examples_as_they_are() -> None:

@@ -1,0 +1,82 @@
+"""Every rule is stated, decided, judged and broken; its page says where.
+
+Expect no gap in either direction: from the specification to the code, and from an id
+in the code to the specification.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from tools import traceability
+from tools.traceability import Place, citations
+
+SOURCE = '''\
+"""A header that cites PRED-001."""
+
+# ATT-001: beside the constant.
+LIMIT = 3
+
+
+class Sessions:
+    """ATT-002."""
+
+    # ATT-003, ATT-004
+    @property
+    def live(self) -> int:
+        return 1  # ATT-005
+
+    limit: int = 2  # ATT-006
+
+
+def digest() -> None:
+    """SHA-256 is no rule."""
+'''
+
+
+def test_no_rule_has_a_gap() -> None:
+    """`python -m tools.traceability --gaps` prints what is missing."""
+    assert traceability.gaps() == []
+
+
+def test_the_page_is_up_to_date() -> None:
+    """`make docs` writes it."""
+    assert traceability.PAGE.read_text() == traceability.page()
+
+
+def test_every_excuse_names_a_rule() -> None:
+    excused = {*traceability.NO_DECIDING_LINE, *traceability.NO_MUTANT}
+    assert excused <= set(traceability.traces())
+
+
+def test_a_citation_belongs_to_its_definition() -> None:
+    found = {id_: [p.name for p in ps] for id_, ps in citations(SOURCE, "f").items()}
+    assert found == {
+        "PRED-001": [""],
+        "ATT-001": ["LIMIT"],
+        "ATT-002": ["Sessions"],
+        "ATT-003": ["Sessions.live"],
+        "ATT-004": ["Sessions.live"],
+        "ATT-005": ["Sessions.live"],
+        "ATT-006": ["Sessions.limit"],
+    }
+
+
+def test_a_place_is_listed_once() -> None:
+    source = "def f():\n    # ATT-001\n    return 1  # ATT-001\n"
+    assert citations(source, "f.py") == {"ATT-001": [Place("f.py", "f")]}
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["PRED-013 to PRED-017", "PRED-013–PRED-017", "`PRED-013` to `PRED-017`"],
+)
+def test_ranges_are_found(text: str) -> None:
+    assert traceability.RANGE.search(text)
+
+
+@pytest.mark.parametrize(
+    "text", ["PRED-013, PRED-014", "PRED-013 and PRED-017", "PRED-013 leads to x"]
+)
+def test_lists_are_no_ranges(text: str) -> None:
+    assert traceability.RANGE.search(text) is None
