@@ -84,7 +84,8 @@ def _prepare_kit() -> Callable[[list[str]], int]:
     from conformance.specification.ledger import load_ledger
 
     load_ledger()
-    importlib.import_module("conformance.runner.pytest_plugin")
+    for late in ("conformance.runner.execution", "httpcore", "stringprep"):
+        importlib.import_module(late)  # otherwise imported when first needed
     folder = conformance.checks
     for found in pkgutil.walk_packages(folder.__path__, f"{folder.__name__}."):
         importlib.import_module(found.name)
@@ -96,6 +97,7 @@ def _prepare_server() -> Callable[[list[str]], int]:
     from tests.mutants import load
 
     mutants = load()
+    importlib.import_module("sqlalchemy.dialects.sqlite.aiosqlite")
 
     def serve(arguments: list[str]) -> int:
         name, *sys.argv[1:] = arguments
