@@ -8,7 +8,7 @@
 unexport PYTHONPATH
 
 python := .venv/bin/python
-environment = @found=$$(sh tools/find_python.sh "$(PYTHON)") && "$$found" tools/setup.py
+environment = @PYTHON="$(PYTHON)" sh tools/setup.sh
 packages := $(wildcard */__init__.py generated_clients/python/*/__init__.py)
 
 help: ## Show this list
@@ -18,10 +18,10 @@ help: ## Show this list
 setup: .venv/ready ## Install everything that is needed into .venv
 	@:
 
-.venv/ready: requirements/dev.txt pyproject.toml tools/setup.py $(packages)
+.venv/ready: requirements/dev.txt pyproject.toml tools/setup.sh $(packages)
 	$(environment) dev
 
-.venv-%/ready: requirements/%.txt pyproject.toml tools/setup.py $(packages)
+.venv-%/ready: requirements/%.txt .venv/ready
 	$(environment) $*
 
 # Tokens travel by environment, never on a command line; `value` keeps any $ in them.
@@ -85,8 +85,8 @@ interop: setup ## Play every scenario through each language's client
 #                   URL=... TOKEN=... RESTART_CMD='...' LANGUAGES=go,rust ONLY=echo
 	@$(python) -m tools.interop
 
-lock: .venv-generate/ready ## Resolve requirements/*.in into hashed locks
-	@.venv-generate/bin/python tools/lock.py
+lock: setup ## Resolve requirements/*.in into hashed locks; ARGS=--upgrade
+	@sh tools/lock.sh $(ARGS)
 
 kill-matrix: setup ## Judge the kit on broken servers, rewrite its page
 	@$(python) -m tests.mutants.kill --write

@@ -41,7 +41,7 @@ def main() -> int:
     if contender_registry.PEERS_PYTHON.exists() or _needs_no_peers(options):
         _measure(options)
         return 0
-    print("the peers are not installed: python tools/setup.py bench", file=sys.stderr)
+    print("the peers are not installed: make .venv-bench/ready", file=sys.stderr)
     return 2
 
 

@@ -37,7 +37,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
 }
 # Command → module to start, modules that it needs, and the extra that installs them.
 PROGRAMS = {
-    "serve": ("reference_server", ("reference_server", "uvicorn"), "house"),
+    "serve": ("reference_server", ("reference_server", "uvicorn"), "server"),
     "serve-policy": (
         "reference_client.policies.serve_command",
         ("starlette", "uvicorn"),

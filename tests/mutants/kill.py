@@ -1,18 +1,25 @@
 """`python -m tests.mutants.kill [NAME…]`: run the kit against mutants, compare.
 
-A mutant is killed when the kit fails exactly the requirements that it breaks. The rows
-MODEL-… say that all rules hold together, so whatever breaks one rule may break them as
-well: they have to fail where a mutant names them, may fail with it, and are left out
-elsewhere. What is broken in a profile of its own, on whose code no other rule rests, is
-judged by the rows of that profile. With --write the result of all of them becomes
-docs/contribute/kill-matrix.md.
+A mutant is killed when the kit fails exactly the requirements that it breaks. On every
+run of the tests the kit judges a mutant by its own rows (`own`), each of which has to
+fail. By all rows (`all`), of which no other may fail, a run judges a sixth of the
+mutants, which the commit chooses; `make kill-matrix` judges all of them so and writes
+the page PAGE.
+
+The rows MODEL-… say that all rules hold together, so whatever breaks one rule may break
+them as well: they have to fail where a mutant names them, may fail with it, and are
+left out elsewhere. What is broken in a profile of its own, on whose code no other rule
+rests, is judged by the rows of that profile.
 """
 
 from __future__ import annotations
 
 import argparse
 import contextlib
+import functools
+import hashlib
 import json
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -20,12 +27,19 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 from conformance.specification.ledger import PROFILES, load_ledger
+from conformance.verdicts.universal_rules import UNIVERSAL_RULES
 from reference_sim.mujoco.rendering import RenderingUnavailable, find_backend
 from tests.mutants import Mutant, load
+from tests.mutants.fork_server import PLAIN, Commands, fork_servers
 
 ROOT = Path(__file__).parents[2]
+PAGE = ROOT / "docs" / "contribute" / "kill-matrix.md"
+# One run of the tests in so many judges a mutant by all rows.
+ROTATION = 6
+Rows = Literal["own", "all"]
 # Long enough for every wait in the kit to time out one after another.
 KIT_TIMEOUT_S = 600
 # Profiles that are off unless asked for, and those with code of their own.
@@ -42,6 +56,8 @@ class Kill:
     not_verified: frozenset[str]
     exit_code: int
     elapsed_s: float
+    rows: Rows
+    seed: int
 
     @property
     def counted_failures(self) -> frozenset[str]:
@@ -54,47 +70,73 @@ class Kill:
         return self.exit_code == 1 and self.counted_failures == self.mutant.kills
 
     def __str__(self) -> str:
+        judged = f"{self.rows} rows, seed {self.seed}, {self.elapsed_s:.1f} s"
         if self.is_exact:
-            return f"killed   {self.mutant.name} ({self.elapsed_s:.0f} s)"
+            return f"killed   {self.mutant.name} ({judged})"
         missed = sorted(self.mutant.kills - self.failed)
         unexpected = sorted(self.counted_failures - self.mutant.kills)
         return (
-            f"SURVIVED {self.mutant.name} ({self.elapsed_s:.0f} s): "
+            f"SURVIVED {self.mutant.name} ({judged}): "
             f"missed {missed}, foreign {unexpected}, kit's exit code {self.exit_code}"
         )
 
 
-def run_mutant(mutant: Mutant) -> Kill:
-    """Run the whole kit against one mutant, with another seed while it is not exact.
+@functools.cache
+def _tree() -> str:
+    """The id of the files that were committed last; empty where git knows none."""
+    done = subprocess.run(
+        ["git", "rev-parse", "HEAD^{tree}"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    return done.stdout.strip()
+
+
+def rows_of_this_commit(name: str) -> Rows:
+    """By which rows a run of the tests judges a mutant."""
+    digest = hashlib.sha256(f"{_tree()} {name}".encode()).digest()
+    return "own" if int.from_bytes(digest) % ROTATION else "all"
+
+
+def run_mutant(mutant: Mutant, rows: Rows, commands: Commands = PLAIN) -> Kill:
+    """Run the kit against one mutant, with the next seed while it is not exact.
 
     A race may hide, and a broken server on a busy machine may break in more ways than
-    it was meant to; the servers that are right get one try only.
+    it was meant to. The seed of the result says how many seeds that took.
     """
     for seed in range(1, mutant.tries):
-        kill = _run_kit(mutant, seed)
+        kill = _run_kit(mutant, rows, seed, commands)
         if kill.is_exact:
             return kill
-    return _run_kit(mutant, mutant.tries)
+    return _run_kit(mutant, rows, mutant.tries, commands)
 
 
-def _run_kit(mutant: Mutant, seed: int) -> Kill:
+def _run_kit(mutant: Mutant, rows: Rows, seed: int, commands: Commands) -> Kill:
     with contextlib.suppress(RenderingUnavailable):
         find_backend()  # once for all servers: they inherit what was found
     with tempfile.TemporaryDirectory() as report:
-        server = f"{sys.executable} -m tests.mutants.serve {mutant.name}"
+        server = [*commands.server, mutant.name]
         profiles = {load_ledger()[id_].profile for id_ in mutant.kills}
         if enabled_profiles := profiles & OPTIONAL_PROFILES:
-            server += f" --profiles {','.join(sorted(enabled_profiles))}"
-        kit = [sys.executable, "-m", "conformance", "--start-cmd", server]
-        kit += _selection(mutant, profiles)
+            server += ["--profiles", ",".join(sorted(enabled_profiles))]
+        selection = _own_rows if rows == "own" else _all_rows
         done = subprocess.run(
-            [*kit, "--report", report, "--seed", str(seed)],
+            [
+                *(*commands.kit, "--start-cmd", shlex.join(server)),
+                *selection(mutant, profiles),
+                *("--report", report, "--seed", str(seed)),
+            ],
             cwd=ROOT,
             capture_output=True,
+            text=True,
             timeout=KIT_TIMEOUT_S,
             check=False,
         )
-        found = json.loads(Path(report, "report.json").read_text())
+        file = Path(report, "report.json")
+        assert file.exists(), f"the kit wrote no report: {done.stderr[-2000:]}"
+        found = json.loads(file.read_text())
     outcomes = {row["requirement_id"]: row["outcome"] for row in found["rows"]}
     return Kill(
         mutant,
@@ -102,11 +144,20 @@ def _run_kit(mutant: Mutant, seed: int) -> Kill:
         frozenset(id_ for id_, o in outcomes.items() if o == "not_verified"),
         done.returncode,
         found["elapsed_s"],
+        rows,
+        seed,
     )
 
 
-def _selection(mutant: Mutant, profiles: set[str]) -> list[str]:
-    """Which rows the kit looks at."""
+def _own_rows(mutant: Mutant, profiles: set[str]) -> list[str]:
+    if mutant.kills & set(UNIVERSAL_RULES):
+        # Rules on every answer are judged by the answers that other rows cause.
+        return _all_rows(mutant, profiles)
+    only, profile = ",".join(sorted(mutant.kills)), ",".join(sorted(profiles))
+    return ["--profile", profile, "--only", only]
+
+
+def _all_rows(mutant: Mutant, profiles: set[str]) -> list[str]:
     if len(profiles) == 1 and profiles <= SEPARATE_PROFILES:
         return ["--profile", *profiles]
     # Killing, restarting, calling policies and following take most of the kit's time.
@@ -118,27 +169,38 @@ def _selection(mutant: Mutant, profiles: set[str]) -> list[str]:
     return selection
 
 
-def matrix(kills: Sequence[Kill]) -> str:
-    """The kill matrix as Markdown."""
+def matrix(kills: Sequence[Kill], version: str) -> str:
+    """The kill matrix as Markdown. version: the commit judged, and its date."""
+    exact = [kill for kill in kills if kill.is_exact]
+    broken = frozenset[str]().union(*(kill.counted_failures for kill in kills))
+    retried = sum(kill.seed > 1 for kill in exact)
     lines = [
         "# Kill matrix",
         "",
         "Servers broken on purpose, and the requirements that the kit fails on each:",
-        "exactly those that the mutant breaks. Written by `make kill-matrix`.",
+        "exactly those that the mutant breaks. Written by `make kill-matrix`",
+        f"from {version}.",
         "",
-        "| mutant | what a user would suffer | fails |",
-        "|---|---|---|",
+        f"{len(exact)} of {len(kills)} mutants killed exactly, {retried} of them not",
+        f"with the first seed; {len(broken)} requirements seen to fail. `seeds` is how",
+        "many seeds it took until exactly these failed: a race needs luck to be seen.",
+        "",
+        "| mutant | what a user would suffer | fails | seeds |",
+        "|---|---|---|---|",
     ]
     lines += [
         f"| `{kill.mutant.name}` | {' '.join(kill.mutant.user_impact.split())} "
-        f"| {' '.join(sorted(kill.counted_failures))} |"
+        f"| {' '.join(sorted(kill.counted_failures))} "
+        f"| {kill.seed if kill.is_exact else 'survived'} |"
         for kill in sorted(kills, key=lambda k: k.mutant.name)
     ]
-    exact = sum(kill.is_exact for kill in kills)
-    broken = frozenset[str]().union(*(kill.counted_failures for kill in kills))
-    lines += ["", f"{exact} of {len(kills)} mutants killed exactly; "]
-    lines[-1] += f"{len(broken)} requirements seen to fail."
     return "\n".join(lines) + "\n"
+
+
+def _version() -> str:
+    command = ["git", "log", "-1", "--date=short", "--format=commit %h of %cd"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    return done.stdout.strip()
 
 
 def main() -> int:
@@ -146,17 +208,21 @@ def main() -> int:
     arguments = argparse.ArgumentParser(description=__doc__)
     arguments.add_argument("names", nargs="*")
     arguments.add_argument("-j", type=int, default=2, help="kits at once")
-    arguments.add_argument("--write", action="store_true")
+    arguments.add_argument("--rows", choices=["own", "all"], default="all")
+    arguments.add_argument("--write", action="store_true", help="rewrite the page")
     options = arguments.parse_args()
+    if options.write and (options.names or options.rows != "all"):
+        arguments.error("the page is written from all rows of all mutants")
     mutants = load()
     chosen = [mutants[name] for name in options.names or mutants]
     kills = []
-    with ThreadPoolExecutor(options.j) as executor:
-        for kill in executor.map(run_mutant, chosen):
+    with fork_servers() as commands, ThreadPoolExecutor(options.j) as executor:
+        run = functools.partial(run_mutant, rows=options.rows, commands=commands)
+        for kill in executor.map(run, chosen):
             kills.append(kill)
             print(kill, flush=True)
     if options.write:
-        (ROOT / "docs" / "contribute" / "kill-matrix.md").write_text(matrix(kills))
+        PAGE.write_text(matrix(kills, _version()))
     exact = sum(kill.is_exact for kill in kills)
     print(f"{exact} of {len(kills)} mutants killed exactly")
     return 0 if exact == len(kills) else 1

@@ -2,28 +2,38 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import pytest
 
 from tests.mutants import load
-from tests.mutants.kill import run_mutant
-from tests.support.paths import ROOT
+from tests.mutants.fork_server import Commands, fork_servers
+from tests.mutants.kill import PAGE, rows_of_this_commit, run_mutant
 
 MUTANTS = load()
-MATRIX = ROOT / "docs" / "contribute" / "kill-matrix.md"
+
+
+@pytest.fixture(scope="module")
+def commands() -> Iterator[Commands]:
+    """How kits and mutants are started; their imports are paid for once."""
+    with fork_servers() as started:
+        yield started
 
 
 @pytest.mark.parametrize("name", sorted(MUTANTS))
-def test_mutant_is_killed_by_exactly_what_it_breaks(name: str) -> None:
-    """The whole kit against one mutant. Expect its ids and no others to fail."""
-    kill = run_mutant(MUTANTS[name])
+def test_mutant_is_killed_by_exactly_what_it_breaks(
+    name: str, commands: Commands
+) -> None:
+    """The kit against one mutant. Expect its ids and no others judged to fail."""
+    kill = run_mutant(MUTANTS[name], rows_of_this_commit(name), commands)
     assert kill.is_exact, str(kill)
 
 
 def test_matrix_shows_every_mutant() -> None:
-    """The kill matrix is rewritten by `make kill-matrix` when a mutant changes."""
+    """The page is rewritten by `make kill-matrix` when a mutant changes."""
     rows = {
         line.split("|")[1].strip(" `"): set(line.split("|")[3].split())
-        for line in MATRIX.read_text().splitlines()
+        for line in PAGE.read_text().splitlines()
         if line.startswith("| `")
     }
     assert rows == {name: set(mutant.kills) for name, mutant in MUTANTS.items()}

@@ -150,10 +150,6 @@ def test_a_big_dependency_has_one_owner(module: str, owner: str) -> None:
     assert importers_of(module, among=files_of_package(*PACKAGES)) == [owner]
 
 
-def test_ray_has_one_owner_at_most() -> None:
-    assert len(importers_of("ray", among=files_of_package(*PACKAGES))) <= 1
-
-
 @pytest.mark.parametrize(
     ("package", "forbidden_imports"),
     [

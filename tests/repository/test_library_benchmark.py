@@ -89,11 +89,9 @@ def versions_in(lock: str) -> dict[str, str]:
 
 
 def test_libraries_are_measured_in_the_locked_versions() -> None:
-    bench, server_versions = versions_in("bench.txt"), versions_in("house.txt")
+    bench, dev = versions_in("bench.txt"), versions_in("dev.txt")
     ours = {"httptools", "msgspec", "simplejpeg", "uvicorn", "uvloop"}
-    assert {name: bench[name] for name in ours} == {
-        name: server_versions[name] for name in ours
-    }
+    assert {name: bench[name] for name in ours} == {name: dev[name] for name in ours}
 
 
 # --- in turn ---

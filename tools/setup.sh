@@ -1,0 +1,63 @@
+#!/bin/sh
+# Makes an environment equal to its lock: `sh tools/setup.sh dev` (.venv), `generate`,
+# `bench` or `metaworld` (.venv-NAME). uv does the work; here is what uv cannot do: pip
+# brings uv itself, by the hash in the lock, to a machine that has nothing but Python, and
+# root on Debian or Ubuntu gets the GL libraries that camera images need.
+# PYTHON names the Python to use; otherwise the first that is new enough.
+set -eu
+name=$1
+environment=.venv-$name
+if [ "$name" = dev ]; then environment=.venv; fi
+export UV_PYTHON_DOWNLOADS=never
+uv=.venv/bin/uv
+probe='import ensurepip, venv, sys; sys.exit(sys.version_info < (3, 11))'
+
+stop() {
+    echo "set-up: $*" >&2
+    exit 1
+}
+
+install_uv() {
+    for python in ${PYTHON:-python3 python3.14 python3.13 python3.12 python3.11}; do
+        "$python" -c "$probe" 2> /dev/null && break
+        python=
+    done
+    [ "$python" ] || stop "no Python 3.11 or newer that has the module venv; install one" \
+        "(Debian, Ubuntu: apt-get install python3-venv) or name it: make PYTHON=..."
+    "$python" -m venv --clear .venv
+    sed -n '/^uv==/,/[^\\]$/p' requirements/dev.txt > .venv/uv.txt
+    .venv/bin/python -m pip install --quiet --disable-pip-version-check --no-input \
+        --require-hashes --no-deps --only-binary :all: --requirement .venv/uv.txt
+}
+
+provide_rendering() {
+    probe="$environment/bin/python -m reference_sim.mujoco.rendering"
+    if $probe > /dev/null 2>&1; then return; fi
+    if [ "$(id -u)" = 0 ] && command -v apt-get > /dev/null; then
+        apt="apt-get -qq -y -o Dpkg::Use-Pty=0 install --no-install-recommends"
+        packages="libegl1 libopengl0 libgl1-mesa-dri"
+        echo "set-up: installing $packages for camera images"
+        export DEBIAN_FRONTEND=noninteractive
+        log=$environment/apt.log
+        # The package lists may be missing or old.
+        $apt $packages > "$log" 2>&1 ||
+            { apt-get -qq update && $apt $packages; } >> "$log" 2>&1 || true
+    fi
+    problem=$($probe 2>&1) ||
+        echo "set-up: only camera images are missing: $(echo "$problem" | tail -n 1)"
+}
+
+if [ ! -x "$uv" ]; then install_uv; fi
+if [ ! -x "$environment/bin/python" ]; then
+    "$uv" venv --quiet --clear --python .venv/bin/python "$environment"
+fi
+# The lock is complete: nothing is resolved, nothing is compiled.
+"$uv" pip sync --quiet --python "$environment" --require-hashes --no-build \
+    "requirements/$name.txt"
+case $name in dev | metaworld)
+    "$uv" pip install --quiet --python "$environment" --no-deps --no-build-isolation \
+        --editable .
+    provide_rendering
+    ;;
+esac
+touch "$environment/ready"
