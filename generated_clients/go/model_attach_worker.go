@@ -4,7 +4,7 @@ package proctor
 
 // AttachWorker is a message of the protocol.
 type AttachWorker struct {
-	// Chosen anew for every attachment; repeated only to repeat a lost request.
+	// New for every attachment; repeated only to repeat a lost request.
 	AttachKey string `json:"attach_key"`
 	// Fence out a live session; false when absent.
 	Takeover *bool `json:"takeover,omitzero"`

@@ -7,7 +7,7 @@ type PolicyServer struct {
 	// Base URL, without user, query or fragment; the path of an operation is appended to it.
 	Url string `json:"url" validate:"regexp=^https?://[A-Za-z0-9.:_\\[\\]-]+(/[A-Za-z0-9._~%/-]*)?$"`
 	Protocol PolicyProtocol `json:"protocol"`
-	// Sent as bearer token with every call, and shown to nobody.
+	// Sent as bearer token with every call, and never shown.
 	ApiKey *string `json:"api_key,omitzero" validate:"regexp=^[!-~]+$"`
 	// Which model is asked, where a protocol knows several.
 	Model *string `json:"model,omitzero"`

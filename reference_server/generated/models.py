@@ -50,7 +50,7 @@ class AttachWorker(BaseModel):
     attach_key: Annotated[
         str,
         Field(
-            description="Chosen anew for every attachment; repeated only to repeat a lost request.",
+            description="New for every attachment; repeated only to repeat a lost request.",
             max_length=128,
             min_length=1,
         ),
@@ -526,7 +526,7 @@ class PolicyServer(BaseModel):
     api_key: Annotated[
         str | MISSING,
         Field(
-            description="Sent as bearer token with every call, and shown to nobody.",
+            description="Sent as bearer token with every call, and never shown.",
             max_length=4096,
             min_length=1,
             pattern="^[!-~]+$",

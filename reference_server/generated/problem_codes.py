@@ -117,7 +117,7 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "status": 409,
         "retryable": False,
         "side_effects": "none",
-        "title": "The session was told that it is done",
+        "title": "The session is done",
         "act": "Detach; attach again if get_run shows pending episodes.",
     },
     "not_comparable": {

@@ -14,7 +14,7 @@ namespace proctor {
 struct AttachWorker {
     using IsMessage = void;
 
-    std::string attach_key{}; // Chosen anew for every attachment; repeated only to repeat a lost request.
+    std::string attach_key{}; // New for every attachment; repeated only to repeat a lost request.
     std::optional<bool> takeover{}; // Fence out a live session; false when absent.
     std::optional<Assumptions> assumes{};
 

@@ -17,7 +17,7 @@ struct PolicyServer {
 
     std::string url{}; // Base URL, without user, query or fragment; the path of an operation is appended to it.
     PolicyProtocol protocol{};
-    std::optional<std::string> api_key{}; // Sent as bearer token with every call, and shown to nobody.
+    std::optional<std::string> api_key{}; // Sent as bearer token with every call, and never shown.
     std::optional<std::string> model{}; // Which model is asked, where a protocol knows several.
     std::optional<double> call_timeout_s{}; // Time for one call, from connecting to the last byte of its answer; 30 when absent.
     std::optional<std::int32_t> max_concurrent{}; // Most episodes played and calls made at a time; as many as the policy, the run and the server allow when absent.

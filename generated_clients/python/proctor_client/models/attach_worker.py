@@ -20,7 +20,7 @@ class AttachWorker(BaseModel):
     """
     AttachWorker
     """ # noqa: E501
-    attach_key: Annotated[str, Field(min_length=1, strict=True, max_length=128)] = Field(description="Chosen anew for every attachment; repeated only to repeat a lost request.")
+    attach_key: Annotated[str, Field(min_length=1, strict=True, max_length=128)] = Field(description="New for every attachment; repeated only to repeat a lost request.")
     takeover: Optional[StrictBool] = Field(default=None, description="Fence out a live session; false when absent.")
     assumes: Optional[Assumptions] = None
     __properties: ClassVar[List[str]] = ["attach_key", "takeover", "assumes"]

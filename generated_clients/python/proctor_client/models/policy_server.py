@@ -22,7 +22,7 @@ class PolicyServer(BaseModel):
     """ # noqa: E501
     url: Annotated[str, Field(strict=True, max_length=500)] = Field(description="Base URL, without user, query or fragment; the path of an operation is appended to it.")
     protocol: PolicyProtocol
-    api_key: Optional[Annotated[str, Field(min_length=1, strict=True, max_length=4096)]] = Field(default=None, description="Sent as bearer token with every call, and shown to nobody.")
+    api_key: Optional[Annotated[str, Field(min_length=1, strict=True, max_length=4096)]] = Field(default=None, description="Sent as bearer token with every call, and never shown.")
     model: Optional[Annotated[str, Field(min_length=1, strict=True, max_length=200)]] = Field(default=None, description="Which model is asked, where a protocol knows several.")
     call_timeout_s: Optional[Union[Annotated[float, Field(le=600, strict=True, ge=0.1)], Annotated[int, Field(le=600, strict=True, ge=1)]]] = Field(default=None, description="Time for one call, from connecting to the last byte of its answer; 30 when absent.")
     max_concurrent: Optional[Annotated[int, Field(le=1024, strict=True, ge=1)]] = Field(default=None, description="Most episodes played and calls made at a time; as many as the policy, the run and the server allow when absent.")

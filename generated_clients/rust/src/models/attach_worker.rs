@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 #[derive(Clone, Default, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AttachWorker {
-    /// Chosen anew for every attachment; repeated only to repeat a lost request.
+    /// New for every attachment; repeated only to repeat a lost request.
     #[serde(rename = "attach_key")]
     pub attach_key: String,
     /// Fence out a live session; false when absent.

@@ -11,7 +11,7 @@ pub struct PolicyServer {
     pub url: String,
     #[serde(rename = "protocol")]
     pub protocol: models::PolicyProtocol,
-    /// Sent as bearer token with every call, and shown to nobody.
+    /// Sent as bearer token with every call, and never shown.
     #[serde(rename = "api_key", skip_serializing_if = "Option::is_none")]
     pub api_key: Option<String>,
     /// Which model is asked, where a protocol knows several.

@@ -20,7 +20,7 @@ import {
  */
 export interface AttachWorker {
     /**
-     * Chosen anew for every attachment; repeated only to repeat a lost request.
+     * New for every attachment; repeated only to repeat a lost request.
      */
     attach_key: string;
     /**

@@ -28,7 +28,7 @@ export interface PolicyServer {
      */
     protocol: PolicyProtocol;
     /**
-     * Sent as bearer token with every call, and shown to nobody.
+     * Sent as bearer token with every call, and never shown.
      */
     api_key?: string;
     /**

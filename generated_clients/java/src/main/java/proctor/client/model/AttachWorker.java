@@ -22,7 +22,7 @@ public class AttachWorker {
   @SerializedName("assumes")
   private Assumptions assumes;
 
-  /** Chosen anew for every attachment; repeated only to repeat a lost request. */
+  /** New for every attachment; repeated only to repeat a lost request. */
   public String getAttachKey() {
     return attachKey;
   }

@@ -66,7 +66,7 @@ public class PolicyServer {
     this.protocol = protocol;
   }
 
-  /** Sent as bearer token with every call, and shown to nobody. */
+  /** Sent as bearer token with every call, and never shown. */
   public String getApiKey() {
     return apiKey;
   }
