@@ -23,7 +23,6 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
-from tests.conftest import TOKENS, ReferenceServer
 from tests.interop.clients import LANGUAGES, ROOT, BuildFailed, Language
 from tests.interop.scenarios import (
     DESCRIPTIONS,
@@ -34,6 +33,7 @@ from tests.interop.scenarios import (
     Server,
     UnexpectedResult,
 )
+from tests.support.servers import TOKENS, ReferenceServer
 
 PAGE = ROOT / "docs" / "implement" / "interop.md"
 JUNIT = ROOT / "report" / "interop.xml"

@@ -19,7 +19,6 @@ import pytest
 from reference_client import Observation, evaluate
 from reference_client.api.observation import decode_observation
 from reference_client.generated import messages
-from tests.conftest import TOKENS, ReferenceServer
 from tests.interop import expected_values
 from tests.interop.clients import CLIENTS, LANGUAGES, Language, mirror
 from tests.interop.later_version import NEW, extended
@@ -32,6 +31,7 @@ from tests.interop.scenarios import (
     UnexpectedResult,
     apply_known_limits,
 )
+from tests.support.servers import TOKENS, ReferenceServer
 from tools import interop
 
 PYTHON = LANGUAGES[0]

@@ -16,8 +16,8 @@ from conformance.policy import push_run, turns
 from conformance.policy.scripted import PolicyCall, ScriptedPolicy, busy_reply
 from conformance.specification.document import load_policy_spec, load_spec
 from conformance.verdicts.expect import SetUpFailed, Violation
-from tests.conftest import TOKENS, ReferenceServer
 from tests.support.paths import ROOT
+from tests.support.servers import TOKENS, ReferenceServer
 
 
 def test_push_rules_are_not_verified_where_calls_are_not_allowed(

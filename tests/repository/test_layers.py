@@ -10,7 +10,6 @@ import re
 import subprocess
 import sys
 import typing
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -21,17 +20,18 @@ from reference_server.http.dispatch import PATH_PATTERNS
 from reference_server.rules import lifecycle, run
 from reference_server.rules.lifecycle import TRANSITIONS, Event, legal
 from reference_server.rules.run import State
-from tests.conftest import make_run
+from tests.support.imports import (
+    HAND_WRITTEN,
+    PACKAGES,
+    files_of_package,
+    importers_of,
+    imports,
+    name_of,
+    tops,
+)
 from tests.support.paths import ROOT
+from tests.support.server.runs import make_run
 
-PACKAGES = ("conformance", "reference_client", "reference_server", "reference_sim")
-GENERATED = {
-    "generated_clients",
-    "reference_client/generated/messages.py",
-    "reference_server/generated/problem_codes.py",
-    "reference_server/generated/models.py",
-}
-NOT_OURS = ("build", "dist", "report", "var")
 CODE_FORMAT_MODULES = {"cloudpickle", "dill", "joblib", "marshal", "pickle", "shelve"}
 # Who may read one all the same, and why; an entry too many fails.
 CODE_FORMAT_READERS = {
@@ -42,54 +42,6 @@ CODE_FORMAT_READERS = {
 }
 VAGUE_NAMES = {"base", "common", "helper", "helpers", "manager", "utils"}
 FUNCTION_LINES_MAX = 70
-
-
-def is_ours(path: Path) -> bool:
-    parts = path.relative_to(ROOT).parts
-    if parts[0].startswith(".") or parts[0] in NOT_OURS:
-        return False
-    names = {"/".join(parts[:depth]) for depth in range(1, len(parts) + 1)}
-    return not names & GENERATED
-
-
-HAND_WRITTEN = sorted(path for path in ROOT.rglob("*.py") if is_ours(path))
-
-
-def name_of(path: Path) -> str:
-    return path.relative_to(ROOT).as_posix()
-
-
-def module_of(path: Path) -> str:
-    return name_of(path).removesuffix(".py").removesuffix("/__init__").replace("/", ".")
-
-
-def imports(path: Path, module: str) -> set[str]:
-    """Every module that a file imports, wherever in it; `a.b` for `from a import b`."""
-    found: set[str] = set()
-    for node in ast.walk(ast.parse(path.read_text())):
-        if isinstance(node, ast.Import):
-            found |= {alias.name for alias in node.names}
-        elif isinstance(node, ast.ImportFrom):
-            parent = module.split(".")[: -node.level] if node.level else []
-            origin = ".".join([*parent, *filter(None, [node.module])])
-            found |= {origin, *(f"{origin}.{alias.name}" for alias in node.names)}
-        elif isinstance(node, ast.Call) and node.args:
-            called = ast.unparse(node.func).rpartition(".")[2]
-            if called in ("import_module", "__import__", "importorskip"):
-                found |= {ast.unparse(node.args[0]).strip("'")}
-    return found
-
-
-def tops(path: Path) -> set[str]:
-    return {name.partition(".")[0] for name in imports(path, module_of(path))}
-
-
-def files_of_package(*packages: str) -> Iterator[Path]:
-    return (p for p in HAND_WRITTEN if p.relative_to(ROOT).parts[0] in packages)
-
-
-def importers_of(*forbidden: str, among: Iterator[Path]) -> list[str]:
-    return [name_of(path) for path in among if tops(path) & set(forbidden)]
 
 
 def test_imports_are_found_wherever_they_stand(tmp_path: Path) -> None:

@@ -8,8 +8,8 @@ import sys
 from pathlib import Path
 
 from reference_sim import benchmark_registry
-from tests.conftest import TOKENS, ReferenceServer
 from tests.support.paths import ROOT
+from tests.support.servers import TOKENS, ReferenceServer
 
 README = (ROOT / "README.md").read_text()
 

@@ -23,45 +23,20 @@ from reference_server.http.dispatch import (
 )
 from reference_server.http.handlers import Handlers
 from reference_server.settings import Settings
-from tests.support.paths import ROOT
+from tests.support.paths import SPEC
+from tests.support.specification import (
+    DOCUMENT,
+    PARAMETER_SCHEMAS,
+    Json,
+    load,
+    operations,
+    resolve,
+)
 
-SPEC = ROOT / "spec"
-Json = dict[str, Any]
-METHODS = ("get", "put", "post", "delete", "patch", "head", "options", "trace")
-
-
-class _StrictLoader(yaml.SafeLoader):
-    """YAML lets a key stand twice and keeps the last; here that is an error."""
-
-
-def _mapping_of_unique_keys(loader: _StrictLoader, node: yaml.MappingNode) -> Any:
-    keys = [loader.construct_object(key) for key, _ in node.value]
-    twice = [key for key, count in Counter(keys).items() if count > 1]
-    assert not twice, f"line {node.start_mark.line + 1}: {twice} stands twice"
-    return loader.construct_mapping(node, deep=True)
-
-
-_StrictLoader.add_constructor("tag:yaml.org,2002:map", _mapping_of_unique_keys)
-
-
-def load(text: str) -> Json:
-    document: Json = yaml.load(text, _StrictLoader)  # noqa: S506 - a SafeLoader
-    return document
-
-
-DOCUMENT = load((SPEC / "openapi.yaml").read_text())
 SCORING = (SPEC / "scoring.md").read_text()
 
 
 # --- reading the document ---
-
-
-def operations(document: Json) -> Iterator[tuple[str, str, Json]]:
-    """(path, method, operation)."""
-    for path, item in document["paths"].items():
-        for method, operation in item.items():
-            if method in METHODS:
-                yield path, method, operation
 
 
 def nodes(node: Any, at: str = "#") -> Iterator[tuple[str, Json]]:
@@ -76,15 +51,6 @@ def nodes(node: Any, at: str = "#") -> Iterator[tuple[str, Json]]:
             yield from nodes(value, f"{at}/{i}")
 
 
-def resolved(document: Json, node: Json) -> Json:
-    while "$ref" in node:
-        target: Any = document
-        for part in node["$ref"].removeprefix("#/").split("/"):
-            target = target[part]
-        node = target
-    return node
-
-
 def request_nodes(document: Json) -> Iterator[tuple[str, Json]]:
     """Every mapping that a request's parameters or body can reach."""
     seen: set[str] = set()
@@ -95,7 +61,7 @@ def request_nodes(document: Json) -> Iterator[tuple[str, Json]]:
             reference = found.get("$ref")
             if reference is not None and reference not in seen:
                 seen.add(reference)
-                yield from reach(resolved(document, found), reference)
+                yield from reach(resolve(document, found), reference)
 
     for path, method, operation in operations(document):
         at = f"{method} {path}"
@@ -176,7 +142,7 @@ def references_stand_alone(document: Json) -> Iterator[str]:
 def references_resolve(document: Json) -> Iterator[str]:
     for at, node in nodes(document):
         try:
-            resolved(document, node)
+            resolve(document, node)
         except KeyError:
             yield f"{at}: {node['$ref']}"
 
@@ -333,7 +299,7 @@ def test_the_server_has_no_route_of_its_own() -> None:
 
 
 def parameters(described: Json, place: str) -> dict[str, Json]:
-    found = [resolved(DOCUMENT, p) for p in described.get("parameters", [])]
+    found = [resolve(DOCUMENT, p) for p in described.get("parameters", [])]
     return {p["name"]: p for p in found if p["in"] == place}
 
 
@@ -370,13 +336,6 @@ def test_a_route_speaks_what_is_described(at: tuple[str, str]) -> None:
     assert set(written) == ({route.writes} if route.writes else set())
 
 
-SCHEMAS = {
-    (parameter["in"], parameter["name"].lower()): parameter["schema"]
-    for document in (DOCUMENT, *(load(p.read_text()) for p in SPEC.glob("profiles/*")))
-    for _, _, described in operations(document)
-    for parameter in (resolved(document, p) for p in described.get("parameters", []))
-    if parameter["name"] != "Proctor-Version"
-}
 PATTERNS = {
     **{("path", name): pattern for name, (pattern, _) in PATH_PATTERNS.items()},
     **{("query", name): pattern for name, pattern in QUERY_PATTERNS.items()},
@@ -395,10 +354,10 @@ def as_pattern(schema: Json) -> str:
     return f"(?s:.{{{schema.get('minLength', 0)},{schema['maxLength']}}})"
 
 
-@pytest.mark.parametrize("parameter", sorted(SCHEMAS), ids="-".join)
+@pytest.mark.parametrize("parameter", sorted(PARAMETER_SCHEMAS), ids="-".join)
 def test_a_parameter_is_checked_as_described(parameter: tuple[str, str]) -> None:
-    assert PATTERNS[parameter] == as_pattern(SCHEMAS[parameter])
+    assert PATTERNS[parameter] == as_pattern(PARAMETER_SCHEMAS[parameter])
 
 
 def test_no_parameter_is_checked_that_is_not_described() -> None:
-    assert set(PATTERNS) <= set(SCHEMAS)
+    assert set(PATTERNS) <= set(PARAMETER_SCHEMAS)

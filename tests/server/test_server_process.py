@@ -22,14 +22,10 @@ from starlette.responses import Response
 from reference_server.__main__ import main
 from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import Operation, perform
-from tests.conftest import (
-    TIMEOUT_S,
-    TOKENS,
-    ReferenceServer,
-    descendants,
-    wait_until_ended,
-)
 from tests.support.paths import ROOT
+from tests.support.processes import descendants, wait_until_ended
+from tests.support.server.http_runs import predict_body, submit
+from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 
 WORKER = "/v1/runs/{run_id}/workers/w"
 
@@ -45,33 +41,11 @@ def environment(**settings: str) -> dict[str, str]:
     return inherited | settings
 
 
-def submit(client: httpx.Client, *tasks: str) -> str:
-    body = {
-        "benchmark_id": "calibration",
-        "policy": {"name": "p"},
-        "options": {"tasks": tasks},
-    }
-    answer = client.post("/v1/runs", json=body)
-    assert answer.status_code == 201, answer.text
-    return str(answer.json()["run_id"])
-
-
 def attach(client: httpx.Client, run_id: str, key: str = "key") -> dict[str, Any]:
     path = WORKER.format(run_id=run_id)
     answer = client.put(path, json={"attach_key": key})
     assert answer.status_code == 200, answer.text
     return dict(answer.json())
-
-
-def predict_body(turn: dict[str, Any], **values: float) -> dict[str, Any]:
-    sizes = {"vector": 8, "clipped": 2}
-    names = ("score", "success", "end", "delay_s", "fault", "vector", "clipped")
-    action = {n: [float(values.get(n, 0))] * sizes.get(n, 1) for n in names}
-    return {
-        "session_id": turn["session_id"],
-        "seq": turn["seq"] + 1,
-        "actions": [{"values": action}],
-    }
 
 
 def predict(

@@ -7,7 +7,7 @@ import pytest
 from reference_sim import benchmark_registry
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.gymnasium import BadBenchmark
-from tests.repository.test_layers import files_of_package, importers_of
+from tests.support.imports import files_of_package, importers_of
 from tests.support.paths import ROOT
 
 EXAMPLES = ROOT / "examples" / "benchmarks"

@@ -15,7 +15,7 @@ from typing import Any
 
 import httpx
 
-from tests.conftest import TIMEOUT_S, ReferenceServer
+from tests.support.servers import TIMEOUT_S, ReferenceServer
 
 END_STATES = ("completed", "failed", "stopped")
 ALLOW_LOOPBACK = {"PROCTOR_ALLOW_PRIVATE_POLICIES": "127.0.0.0/8"}

@@ -15,30 +15,25 @@ from gymnasium.utils.env_checker import check_env
 
 from reference_client import ProctorError
 from reference_client.gymnasium_env.remote_env import ENV_ID, RemoteEnv, RunDone
-from tests.support.client.command import server
-from tests.test_reference_client_scenes import (
-    ROOT,
-    TOKEN,
-    DirectClient,
-    RestartableServer,
-    action,
-)
+from tests.support.calibration_action import calibration_action as action
+from tests.support.client.direct_client import DirectClient
+from tests.support.paths import ROOT
+from tests.support.servers import TOKENS, ReferenceServer
 
-__all__ = ["server"]
 # What check_env advises about bounds, which are the benchmark's to choose.
 ADVICE = ("symmetric and normalized space", "is probably too (low|high)")
 
 
 @pytest.fixture
-def direct_client(server: RestartableServer) -> Iterator[DirectClient]:
+def direct_client(server: ReferenceServer) -> Iterator[DirectClient]:
     with DirectClient(server.url) as direct_client:
         yield direct_client
 
 
 @pytest.fixture(autouse=True)
-def _environment(server: RestartableServer, monkeypatch: pytest.MonkeyPatch) -> None:
+def _environment(server: ReferenceServer, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PROCTOR_URL", server.url)
-    monkeypatch.setenv("PROCTOR_TOKEN", TOKEN)
+    monkeypatch.setenv("PROCTOR_TOKEN", TOKENS["alice"])
 
 
 def remote(*tasks: str, **settings: Any) -> RemoteEnv:
@@ -244,14 +239,14 @@ def test_invalid_settings_are_refused(
 
 
 def test_the_program_of_the_manual_runs(
-    server: RestartableServer, capsys: pytest.CaptureFixture[str]
+    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """As pasted, with this server's URL and token, for a shorter benchmark."""
     page = (ROOT / "docs" / "evaluate" / "policies.md").read_text()
     (program,) = re.findall(r"```python\n(import gymnasium\n.*?)```", page, re.DOTALL)
     for old, new in {
         "http://127.0.0.1:8460": server.url,
-        '"TOKEN"': f'"{TOKEN}"',
+        '"TOKEN"': f'"{TOKENS["alice"]}"',
     }.items():
         assert old in program
         program = program.replace(old, new)

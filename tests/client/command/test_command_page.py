@@ -11,10 +11,11 @@ import pytest
 
 from reference_client.command import aliases
 from reference_client.command.arguments import build_parser
-from tests.support.client.command import ProctorCommand, policy_folder, server
-from tests.test_reference_client_scenes import ROOT, DirectClient, RestartableServer
+from tests.support.client.command import ProctorCommand
+from tests.support.client.direct_client import DirectClient
+from tests.support.paths import ROOT
+from tests.support.servers import ReferenceServer
 
-__all__ = ["policy_folder", "server"]
 PAGE = (ROOT / "docs" / "evaluate" / "command.md").read_text()
 LINES = [
     line
@@ -71,7 +72,7 @@ def test_the_exit_codes_are_on_the_page() -> None:
 
 
 def test_every_command_of_the_page_runs(
-    server: RestartableServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
+    server: ReferenceServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """In the order of the page; RUN is a run that the page has submitted.
 
@@ -110,6 +111,6 @@ def _replace_names(words: list[str], run_id: str) -> list[str]:
     return [exchanged.get(word, word) for word in words]
 
 
-def _submit_run(server: RestartableServer) -> str:
+def _submit_run(server: ReferenceServer) -> str:
     with DirectClient(server.url) as direct_client:
         return direct_client.submit("score", "score").run_id

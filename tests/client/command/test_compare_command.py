@@ -6,10 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.client.command import ProctorCommand, options, policy_folder, server
-from tests.test_reference_client_scenes import RestartableServer
+from tests.support.client.command import ProctorCommand, options
+from tests.support.servers import ReferenceServer
 
-__all__ = ["policy_folder", "server"]
 pytestmark = pytest.mark.usefixtures("policy_folder")
 TASKS = ("score", "score", "count")
 # Ends each episode at once, with the score that its number has in the file `scores`.
@@ -27,7 +26,7 @@ def graded(observation):
 
 @pytest.fixture
 def proctor(
-    server: RestartableServer, capsys: pytest.CaptureFixture[str]
+    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
 ) -> ProctorCommand:
     return ProctorCommand(server.url, capsys)
 

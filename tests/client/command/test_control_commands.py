@@ -19,16 +19,16 @@ from reference_client.command import aliases
 from reference_client.command.main import main
 from reference_client.evaluation.plan import WORKER_ID
 from reference_sim import benchmark_registry
-from tests.support.client.command import ProctorCommand, options, policy_folder, server
-from tests.test_reference_client_scenes import ROOT, RestartableServer
+from tests.support.client.command import ProctorCommand, options
+from tests.support.paths import ROOT
+from tests.support.servers import ReferenceServer
 
-__all__ = ["policy_folder", "server"]
 pytestmark = pytest.mark.usefixtures("policy_folder")
 
 
 @pytest.fixture
 def proctor(
-    server: RestartableServer, capsys: pytest.CaptureFixture[str]
+    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
 ) -> ProctorCommand:
     return ProctorCommand(server.url, capsys)
 
@@ -78,7 +78,7 @@ def test_the_submitter_is_recorded(proctor: ProctorCommand) -> None:
 
 
 def test_gmp_commands_are_accepted(
-    server: RestartableServer, capsys: pytest.CaptureFixture[str]
+    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The line of the other house's manual, with our benchmark. Expect a ready run."""
     line = "--benchmark_set calibration --model_name internVLA --model_type VLA"

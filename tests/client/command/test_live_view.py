@@ -15,16 +15,12 @@ import PIL.Image
 import pytest
 
 from tests.support.client.command import (
-    TIMEOUT_S,
     options,
-    policy_folder,
-    server,
     start_proctor,
-    wait_until,
 )
-from tests.test_reference_client_scenes import RestartableServer
+from tests.support.servers import TIMEOUT_S, ReferenceServer
+from tests.support.waiting import wait_until
 
-__all__ = ["policy_folder", "server"]
 URL = re.compile(r"Look on at (http://127\.0\.0\.1:\d+/)")
 
 
@@ -41,7 +37,7 @@ def http_get(url: str, path: str, **headers: str) -> tuple[int, bytes, dict[str,
 
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
 def test_the_page_shows_the_observations_of_the_workers(
-    server: RestartableServer, policy_folder: Path, processes: list[str]
+    server: ReferenceServer, policy_folder: Path, processes: list[str]
 ) -> None:
     """A policy held in its second turn. Expect its picture, its times, the score so
     far; and that no other site and no other path gets anything."""

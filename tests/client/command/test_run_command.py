@@ -19,19 +19,16 @@ from typing import Any, NoReturn
 import pytest
 
 from reference_client.command.main import main
-from tests.conftest import descendants, wait_until_ended
 from tests.support.client.command import (
-    TIMEOUT_S,
     ProctorCommand,
     options,
-    policy_folder,
-    server,
     start_proctor,
-    wait_until,
 )
-from tests.test_reference_client_scenes import DirectClient, RestartableServer
+from tests.support.client.direct_client import DirectClient
+from tests.support.processes import descendants, wait_until_ended
+from tests.support.servers import TIMEOUT_S, ReferenceServer
+from tests.support.waiting import wait_until
 
-__all__ = ["policy_folder", "server"]
 pytestmark = pytest.mark.usefixtures("policy_folder")
 RESUME = re.compile(r"^  (proctor run .*)$", re.MULTILINE)
 RUN_BLOCKING_POLICY = ["run", "--policy", "policies:Held"]
@@ -39,13 +36,13 @@ RUN_BLOCKING_POLICY = ["run", "--policy", "policies:Held"]
 
 @pytest.fixture
 def proctor(
-    server: RestartableServer, capsys: pytest.CaptureFixture[str]
+    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
 ) -> ProctorCommand:
     return ProctorCommand(server.url, capsys)
 
 
 @pytest.fixture
-def direct_client(server: RestartableServer) -> Iterator[DirectClient]:
+def direct_client(server: ReferenceServer) -> Iterator[DirectClient]:
     with DirectClient(server.url) as direct_client:
         yield direct_client
 
@@ -94,7 +91,7 @@ def test_debug_shows_where_a_policy_raises(proctor: ProctorCommand) -> None:
 
 
 def test_ctrl_c_detaches_and_prints_the_resume_command(
-    server: RestartableServer, direct_client: DirectClient, policy_folder: Path
+    server: ReferenceServer, direct_client: DirectClient, policy_folder: Path
 ) -> None:
     """Both workers think when it comes. Expect 130, no session left, and that the
     command which is printed completes the run."""
@@ -123,7 +120,7 @@ def test_ctrl_c_detaches_and_prints_the_resume_command(
 
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
 def test_a_second_ctrl_c_ends_at_once(
-    server: RestartableServer, policy_folder: Path, processes: list[str]
+    server: ReferenceServer, policy_folder: Path, processes: list[str]
 ) -> None:
     """The policy never comes back. Expect the end of every process all the same."""
     with start_proctor(
@@ -140,7 +137,7 @@ def test_a_second_ctrl_c_ends_at_once(
 
 
 def test_sigterm_detaches(
-    server: RestartableServer, direct_client: DirectClient, policy_folder: Path
+    server: ReferenceServer, direct_client: DirectClient, policy_folder: Path
 ) -> None:
     """A batch system ends the job. Expect 143, and no session left."""
     with start_proctor(
@@ -157,7 +154,7 @@ def test_sigterm_detaches(
 
 
 def test_processes_leave_when_their_parent_is_killed(
-    server: RestartableServer, direct_client: DirectClient, policy_folder: Path
+    server: ReferenceServer, direct_client: DirectClient, policy_folder: Path
 ) -> None:
     """Expect no process left, and no session."""
     run = [*RUN_BLOCKING_POLICY, *options("count"), "--processes"]
@@ -198,7 +195,7 @@ def test_a_server_that_restarts_is_waited_for(
 ) -> None:
     """It is killed while both workers think. Expect the whole score all the same."""
     tasks = options(*["count"] * 3)
-    with RestartableServer(tmp_path_factory.mktemp("own_server")) as own_server:
+    with ReferenceServer(tmp_path_factory.mktemp("own_server")) as own_server:
         run = [*RUN_BLOCKING_POLICY, *tasks, "--workers", "2", "--json", "--processes"]
         with start_proctor(policy_folder, own_server.url, *run) as process:
             wait_until(lambda: acting_policies(policy_folder) == 2, "both workers act")

@@ -17,40 +17,38 @@ import pytest
 from proctor_client import Action, Predict
 
 from reference_client import Observation, ProctorError, evaluate
-from tests.test_reference_client_scenes import (
-    ACCEPT_ANY,
-    DEADLINE_S,
-    TOKEN,
-    Actions,
-    BlockingPolicy,
-    DirectClient,
-    ExactlyOncePolicy,
-    FaultyProxy,
-    GradedPolicy,
+from tests.support.calibration_action import calibration_action as action
+from tests.support.client.direct_client import ACCEPT_ANY, DirectClient
+from tests.support.client.evaluations import (
     ProgressRecorder,
-    RestartableServer,
-    action,
     calibration_evaluation,
     ignore_progress,
     run_in_thread,
-    serve_in_thread,
 )
+from tests.support.client.faulty_proxy import FaultyProxy, serve_in_thread
+from tests.support.client.policies import (
+    Actions,
+    BlockingPolicy,
+    ExactlyOncePolicy,
+    GradedPolicy,
+)
+from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 
 
 @pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RestartableServer]:
-    with RestartableServer(tmp_path_factory.mktemp("server")) as process:
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
+    with ReferenceServer(tmp_path_factory.mktemp("server")) as process:
         yield process
 
 
 @pytest.fixture
-def proxy(server: RestartableServer) -> Iterator[FaultyProxy]:
+def proxy(server: ReferenceServer) -> Iterator[FaultyProxy]:
     with serve_in_thread(FaultyProxy(server.url)) as proxy:
         yield proxy
 
 
 @pytest.fixture
-def direct_client(server: RestartableServer) -> Iterator[DirectClient]:
+def direct_client(server: ReferenceServer) -> Iterator[DirectClient]:
     with DirectClient(server.url) as direct_client:
         yield direct_client
 
@@ -59,7 +57,7 @@ def direct_client(server: RestartableServer) -> Iterator[DirectClient]:
 
 
 def test_several_workers_play_every_episode_once(
-    server: RestartableServer, direct_client: DirectClient
+    server: ReferenceServer, direct_client: DirectClient
 ) -> None:
     """Each has its own policy, which is reset for each episode it plays."""
     policies: list[GradedPolicy] = []
@@ -86,7 +84,7 @@ def test_several_workers_play_every_episode_once(
     assert recorder.received[-1].mean == score.mean
 
 
-def test_the_readme_policy_solves_every_task(server: RestartableServer) -> None:
+def test_the_readme_policy_solves_every_task(server: ReferenceServer) -> None:
     from reference_sim.benchmarks.tabletop.experts import TabletopExpert
 
     class Expert:
@@ -103,7 +101,7 @@ def test_the_readme_policy_solves_every_task(server: RestartableServer) -> None:
     score = evaluate(
         Expert,
         url=server.url,
-        token=TOKEN,
+        token=TOKENS["alice"],
         benchmark="tabletop_state",
         workers=2,
         progress=ignore_progress,
@@ -113,7 +111,7 @@ def test_the_readme_policy_solves_every_task(server: RestartableServer) -> None:
 
 @pytest.mark.parametrize("codec", ["raw", "png", "jpeg"])
 def test_images_and_tensors_arrive_as_the_benchmark_says(
-    server: RestartableServer, codec: str
+    server: ReferenceServer, codec: str
 ) -> None:
     seen: list[Observation] = []
 
@@ -203,7 +201,7 @@ def test_a_server_killed_and_restarted_gives_the_same_score(tmp_path: Path) -> N
     eight = calibration_evaluation(*["score"] * 8)
     recorder = ProgressRecorder()
     with (
-        RestartableServer(tmp_path) as killed_server,
+        ReferenceServer(tmp_path) as killed_server,
         DirectClient(killed_server.url) as direct_client,
     ):
         undisturbed = evaluate(GradedPolicy, url=killed_server.url, **eight)
@@ -227,24 +225,24 @@ def test_a_server_killed_and_restarted_gives_the_same_score(tmp_path: Path) -> N
 
 
 def test_a_worker_that_is_taken_over_stops(
-    server: RestartableServer, direct_client: DirectClient
+    server: ReferenceServer, direct_client: DirectClient
 ) -> None:
     policy = BlockingPolicy()
     evaluation = run_in_thread(
         evaluate, lambda: policy, url=server.url, **calibration_evaluation("count")
     )
-    assert policy.is_acting.wait(DEADLINE_S)
+    assert policy.is_acting.wait(TIMEOUT_S)
     run_id = direct_client.latest().run_id
     direct_client.attach(run_id, "worker-0", takeover=True)
     policy.may_continue.set()
     with pytest.raises(ProctorError, match="takeover=True") as caught:
-        evaluation.result(DEADLINE_S)
+        evaluation.result(TIMEOUT_S)
     assert caught.value.code == "session_superseded"
     assert direct_client.control.get_run(run_id).live_workers == 1
 
 
 def test_takeover_continues_the_episode_of_a_crashed_program(
-    server: RestartableServer, direct_client: DirectClient
+    server: ReferenceServer, direct_client: DirectClient
 ) -> None:
     run = direct_client.submit("count", idle_timeout_s=5)
     turn = direct_client.attach(run.run_id, "worker-0")
@@ -259,7 +257,7 @@ def test_takeover_continues_the_episode_of_a_crashed_program(
     score = evaluate(
         lambda: policy,
         url=server.url,
-        token=TOKEN,
+        token=TOKENS["alice"],
         run_id=run.run_id,
         takeover=True,
         progress=ignore_progress,
@@ -272,21 +270,25 @@ def test_takeover_continues_the_episode_of_a_crashed_program(
 
 
 def test_a_busy_worker_is_waited_for_until_its_lease_ends(
-    server: RestartableServer, direct_client: DirectClient
+    server: ReferenceServer, direct_client: DirectClient
 ) -> None:
     run = direct_client.submit("score", "score", idle_timeout_s=1)
     direct_client.attach(run.run_id, "worker-0")
     recorder = ProgressRecorder()
     busy = recorder.waiting_event("takeover=True")
     score = evaluate(
-        GradedPolicy, url=server.url, token=TOKEN, run_id=run.run_id, progress=recorder
+        GradedPolicy,
+        url=server.url,
+        token=TOKENS["alice"],
+        run_id=run.run_id,
+        progress=recorder,
     )
     assert score.complete
     assert busy.is_set()
 
 
 def test_a_full_run_is_waited_for(
-    server: RestartableServer, direct_client: DirectClient
+    server: ReferenceServer, direct_client: DirectClient
 ) -> None:
     run = direct_client.submit("score", "score", max_workers=1)
     occupant = direct_client.attach(run.run_id, "occupant")
@@ -296,20 +298,20 @@ def test_a_full_run_is_waited_for(
         evaluate,
         GradedPolicy,
         url=server.url,
-        token=TOKEN,
+        token=TOKENS["alice"],
         run_id=run.run_id,
         progress=recorder,
     )
-    assert full.wait(DEADLINE_S)
+    assert full.wait(TIMEOUT_S)
     direct_client.data.detach_worker(
         run.run_id, "occupant", occupant.session_id, _headers=ACCEPT_ANY
     )
-    assert evaluation.result(DEADLINE_S).complete
+    assert evaluation.result(TIMEOUT_S).complete
     assert recorder.received[-1].waiting is None
 
 
 def test_episodes_of_a_dead_session_are_played(
-    server: RestartableServer, direct_client: DirectClient
+    server: ReferenceServer, direct_client: DirectClient
 ) -> None:
     """Its episode is pending again only after our workers found nothing more."""
     run = direct_client.submit("score", "score", "score", idle_timeout_s=1)
@@ -317,7 +319,7 @@ def test_episodes_of_a_dead_session_are_played(
     score = evaluate(
         GradedPolicy,
         url=server.url,
-        token=TOKEN,
+        token=TOKENS["alice"],
         run_id=run.run_id,
         workers=2,
         progress=ignore_progress,

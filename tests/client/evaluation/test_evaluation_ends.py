@@ -22,39 +22,38 @@ from reference_client import (
     RunStopped,
     evaluate,
 )
-from tests.test_reference_client_scenes import (
-    DEADLINE_S,
-    ROOT,
-    TOKEN,
-    Actions,
-    BlockingPolicy,
-    DirectClient,
-    ExactlyOncePolicy,
-    FaultyProxy,
-    GradedPolicy,
-    RestartableServer,
-    action,
+from tests.support.calibration_action import calibration_action as action
+from tests.support.client.direct_client import DirectClient
+from tests.support.client.evaluations import (
     calibration_evaluation,
     ignore_progress,
     run_in_thread,
-    serve_in_thread,
 )
+from tests.support.client.faulty_proxy import FaultyProxy, serve_in_thread
+from tests.support.client.policies import (
+    Actions,
+    BlockingPolicy,
+    ExactlyOncePolicy,
+    GradedPolicy,
+)
+from tests.support.paths import ROOT
+from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 
 
 @pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RestartableServer]:
-    with RestartableServer(tmp_path_factory.mktemp("server")) as process:
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
+    with ReferenceServer(tmp_path_factory.mktemp("server")) as process:
         yield process
 
 
 @pytest.fixture
-def proxy(server: RestartableServer) -> Iterator[FaultyProxy]:
+def proxy(server: ReferenceServer) -> Iterator[FaultyProxy]:
     with serve_in_thread(FaultyProxy(server.url)) as proxy:
         yield proxy
 
 
 @pytest.fixture
-def direct_client(server: RestartableServer) -> Iterator[DirectClient]:
+def direct_client(server: ReferenceServer) -> Iterator[DirectClient]:
     with DirectClient(server.url) as direct_client:
         yield direct_client
 
@@ -62,7 +61,7 @@ def direct_client(server: RestartableServer) -> Iterator[DirectClient]:
 # Runs that end, and go on
 
 
-def test_a_failed_run_states_its_reason_and_resumes(server: RestartableServer) -> None:
+def test_a_failed_run_states_its_reason_and_resumes(server: ReferenceServer) -> None:
     class FaultingPolicy(GradedPolicy):
         fault = 1.0
 
@@ -81,14 +80,14 @@ def test_a_failed_run_states_its_reason_and_resumes(server: RestartableServer) -
     score = evaluate(
         FaultingPolicy,
         url=server.url,
-        token=TOKEN,
+        token=TOKENS["alice"],
         run_id=run_id,
         progress=ignore_progress,
     )
     assert score.score == 1.0
 
 
-def test_a_run_that_cannot_resume_is_reported(server: RestartableServer) -> None:
+def test_a_run_that_cannot_resume_is_reported(server: ReferenceServer) -> None:
     class UnplayablePolicy(GradedPolicy):
         def act(self, observation: Observation) -> Actions:
             return [action(fault=2.0)]
@@ -100,7 +99,7 @@ def test_a_run_that_cannot_resume_is_reported(server: RestartableServer) -> None
         evaluate(
             GradedPolicy,
             url=server.url,
-            token=TOKEN,
+            token=TOKENS["alice"],
             run_id=run_id,
             progress=ignore_progress,
         )
@@ -108,7 +107,7 @@ def test_a_run_that_cannot_resume_is_reported(server: RestartableServer) -> None
 
 @pytest.mark.parametrize("mode", ["abort", "drain"])
 def test_a_stopped_run_is_reported_and_resumes(
-    server: RestartableServer, direct_client: DirectClient, mode: str
+    server: ReferenceServer, direct_client: DirectClient, mode: str
 ) -> None:
     policy = BlockingPolicy()
     evaluation = run_in_thread(
@@ -117,18 +116,18 @@ def test_a_stopped_run_is_reported_and_resumes(
         url=server.url,
         **calibration_evaluation("count", "count"),
     )
-    assert policy.is_acting.wait(DEADLINE_S)
+    assert policy.is_acting.wait(TIMEOUT_S)
     run_id = direct_client.latest().run_id
     direct_client.control.stop_run(
         run_id, StopRun.from_dict({"mode": mode}) or StopRun()
     )
     policy.may_continue.set()
     with pytest.raises(RunStopped, match=f'run_id="{run_id}"'):
-        evaluation.result(DEADLINE_S)
+        evaluation.result(TIMEOUT_S)
     score = evaluate(
         ExactlyOncePolicy,
         url=server.url,
-        token=TOKEN,
+        token=TOKENS["alice"],
         benchmark="calibration",
         run_id=run_id,
         progress=ignore_progress,
@@ -136,14 +135,14 @@ def test_a_stopped_run_is_reported_and_resumes(
     assert score.score == 1.0
 
 
-def test_a_completed_run_has_its_score_at_once(server: RestartableServer) -> None:
+def test_a_completed_run_has_its_score_at_once(server: ReferenceServer) -> None:
     first = evaluate(
         GradedPolicy, url=server.url, **calibration_evaluation("score", "score")
     )
     again = evaluate(
         GradedPolicy,
         url=server.url,
-        token=TOKEN,
+        token=TOKENS["alice"],
         run_id=first.run_id,
         progress=ignore_progress,
     )
@@ -151,7 +150,7 @@ def test_a_completed_run_has_its_score_at_once(server: RestartableServer) -> Non
 
 
 def test_a_policy_that_raises_leaves_no_session(
-    server: RestartableServer, direct_client: DirectClient
+    server: ReferenceServer, direct_client: DirectClient
 ) -> None:
     class RaisingPolicy(GradedPolicy):
         def act(self, observation: Observation) -> Actions:
@@ -170,7 +169,7 @@ def test_a_policy_that_raises_leaves_no_session(
 
 
 def test_a_policy_that_raises_ends_the_other_workers_too(
-    server: RestartableServer, direct_client: DirectClient
+    server: ReferenceServer, direct_client: DirectClient
 ) -> None:
     class RaisingPolicy(GradedPolicy):
         def act(self, observation: Observation) -> Actions:
@@ -207,11 +206,11 @@ evaluate(Stuck, url=sys.argv[1], token=sys.argv[2], benchmark="calibration")
 
 
 def test_ctrl_c_detaches_and_prints_how_to_resume(
-    server: RestartableServer, direct_client: DirectClient
+    server: ReferenceServer, direct_client: DirectClient
 ) -> None:
     """Even while the policy is lost in thought."""
     with subprocess.Popen(
-        [sys.executable, "-c", INTERRUPTED, server.url, TOKEN],
+        [sys.executable, "-c", INTERRUPTED, server.url, TOKENS["alice"]],
         cwd=ROOT,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
@@ -221,14 +220,14 @@ def test_ctrl_c_detaches_and_prints_how_to_resume(
         assert program.stdout.readline() == "acting\n"
         run_id = direct_client.latest().run_id
         program.send_signal(signal.SIGINT)
-        _, stderr_text = program.communicate(timeout=DEADLINE_S)
+        _, stderr_text = program.communicate(timeout=TIMEOUT_S)
     assert f'evaluate(..., run_id="{run_id}") continues it' in stderr_text
     run = direct_client.control.get_run(run_id)
     assert (run.state.value, run.live_workers) == ("ready", 0)
     assert evaluate(
         GradedPolicy,
         url=server.url,
-        token=TOKEN,
+        token=TOKENS["alice"],
         run_id=run_id,
         progress=ignore_progress,
     ).complete
@@ -246,7 +245,7 @@ def evaluate_and_fail(
 
 
 def test_a_wrong_token_is_reported(
-    server: RestartableServer, monkeypatch: pytest.MonkeyPatch
+    server: ReferenceServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.delenv("PROCTOR_TOKEN", raising=False)
     error = evaluate_and_fail(url=server.url, token="wrong", benchmark="calibration")
@@ -256,7 +255,7 @@ def test_a_wrong_token_is_reported(
         evaluate_and_fail(url=server.url, benchmark="calibration").code
         == "unauthenticated"
     )
-    monkeypatch.setenv("PROCTOR_TOKEN", "t2")
+    monkeypatch.setenv("PROCTOR_TOKEN", TOKENS["reader"])
     assert (
         evaluate_and_fail(url=server.url, benchmark="calibration").code == "forbidden"
     )
@@ -279,7 +278,7 @@ def test_a_server_that_is_not_proctor_is_reported(proxy: FaultyProxy) -> None:
     assert f"{proxy.url} answered 502 Bad Gateway" in str(error)
 
 
-def test_actions_that_do_not_fit_are_pointed_at(server: RestartableServer) -> None:
+def test_actions_that_do_not_fit_are_pointed_at(server: ReferenceServer) -> None:
     class OutOfRangePolicy(GradedPolicy):
         def act(self, observation: Observation) -> Actions:
             return [action(), action(score=7.0)]
@@ -292,7 +291,7 @@ def test_actions_that_do_not_fit_are_pointed_at(server: RestartableServer) -> No
     assert "/actions/1/values/score/0" in str(error)
 
 
-def test_conventions_that_differ_are_refused(server: RestartableServer) -> None:
+def test_conventions_that_differ_are_refused(server: ReferenceServer) -> None:
     error = evaluate_and_fail(
         url=server.url,
         assumes={"control_rate_hz": 30.0},
@@ -303,7 +302,7 @@ def test_conventions_that_differ_are_refused(server: RestartableServer) -> None:
 
 
 def test_more_workers_than_the_server_has_are_refused(
-    server: RestartableServer,
+    server: ReferenceServer,
 ) -> None:
     error = evaluate_and_fail(
         url=server.url, workers=17, **calibration_evaluation("score")
@@ -311,7 +310,7 @@ def test_more_workers_than_the_server_has_are_refused(
     assert "17 workers" in str(error)
 
 
-def test_invalid_arguments_are_refused(server: RestartableServer) -> None:
+def test_invalid_arguments_are_refused(server: ReferenceServer) -> None:
     with pytest.raises(ValueError, match="http://"):
         evaluate(GradedPolicy, url="localhost:8460", benchmark="calibration")
     with pytest.raises(ValueError, match=r"benchmark=.*run_id="):
@@ -330,7 +329,7 @@ def test_invalid_arguments_are_refused(server: RestartableServer) -> None:
         evaluate(
             GradedPolicy,
             url=server.url,
-            token=TOKEN,
+            token=TOKENS["alice"],
             benchmark="tabletop",
             run_id=run_id,
         )

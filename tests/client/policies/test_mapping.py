@@ -29,10 +29,11 @@ from reference_client.api.policy import chunk_of
 from reference_client.generated import messages
 from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.image_resize import resize_picture
-from tests.support.client.command import ProctorCommand, policy_folder, server
-from tests.test_reference_client_scenes import ROOT, DirectClient, RestartableServer
+from tests.support.client.command import ProctorCommand
+from tests.support.client.direct_client import DirectClient
+from tests.support.paths import ROOT
+from tests.support.servers import ReferenceServer
 
-__all__ = ["policy_folder", "server"]
 PAGE = (ROOT / "docs" / "evaluate" / "policies.md").read_text()
 READY = {
     re.findall(r"# (\w+)\.toml", text)[0]: tomllib.loads(text)
@@ -49,7 +50,7 @@ SEEN = Observation(
 
 
 @pytest.fixture
-def direct_client(server: RestartableServer) -> Iterator[DirectClient]:
+def direct_client(server: ReferenceServer) -> Iterator[DirectClient]:
     with DirectClient(server.url) as direct_client:
         yield direct_client
 
@@ -368,7 +369,7 @@ def _first_turn(direct_client: DirectClient, benchmark: str, policy: Any) -> Any
 
 
 def test_a_mapping_is_checked_before_there_is_a_run(
-    server: RestartableServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
+    server: ReferenceServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     proctor = ProctorCommand(server.url, capsys)
     text = "[observation]\nk = {value = 1}\n[action.values]\nno = {value = 1}"

@@ -19,10 +19,9 @@ from websockets.sync.server import Server, ServerConnection, serve
 from reference_client import ProctorError
 from reference_client.policies.ndarray import BadMessage, pack, unpack
 from reference_client.policies.openpi_client import OpenpiClient
-from tests.support.client.command import ProctorCommand, options, policy_folder, server
-from tests.test_reference_client_scenes import RestartableServer
+from tests.support.client.command import ProctorCommand, options
+from tests.support.servers import ReferenceServer
 
-__all__ = ["policy_folder", "server"]
 # {"actions": float32 2x3, "n": np.float64(1.5), "i": uint8, "t", "l", "b": bool}
 GOLDEN = bytes.fromhex(
     "86a7616374696f6e7384c40b5f5f6e6461727261795f5fc3c40464617461c418000000000000803f"
@@ -107,7 +106,7 @@ def start_policy_server() -> Iterator[Callable[..., OpenpiServer]]:
 
 @pytest.fixture
 def proctor(
-    server: RestartableServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
+    server: ReferenceServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> ProctorCommand:
     (policy_folder / "m.toml").write_text(MAPPING)
     return ProctorCommand(server.url, capsys)

@@ -14,18 +14,16 @@ from conformance.policy.scripted import (
 )
 from reference_client import ProctorError, evaluate
 from reference_client.policies.policy_server_client import PolicyServerClient
-from tests.conftest import TOKENS, ReferenceServer
 from tests.support.client.policy_apps import (
     free_port,
     make_app,
-    policy_key,
     run_app,
     run_proctor,
-    server,
 )
 from tests.support.push_runs import submit_push_run, wait_for_state
+from tests.support.servers import TOKENS, ReferenceServer
 
-__all__ = ["server", "policy_key"]
+pytestmark = pytest.mark.usefixtures("policy_key")
 
 
 def evaluate_policy(
@@ -42,19 +40,21 @@ def evaluate_policy(
     )
 
 
-def test_a_policy_server_is_evaluated_by_this_client(server: ReferenceServer) -> None:
+def test_a_policy_server_is_evaluated_by_this_client(
+    push_server: ReferenceServer,
+) -> None:
     with run_app(make_app().app) as url:
-        score = evaluate_policy(server, url, *["score"] * 3)
+        score = evaluate_policy(push_server, url, *["score"] * 3)
     assert score.score == pytest.approx(0.3)
 
 
-def test_the_same_turns_come_in_both_directions(server: ReferenceServer) -> None:
+def test_the_same_turns_come_in_both_directions(push_server: ReferenceServer) -> None:
     """What a policy is asked by this client is what a server asks it."""
     bodies_by_direction: list[list[dict[str, Any]]] = []
     for direction in ("pull", "push"):
-        with ScriptedPolicy() as policy, server.client() as client:
+        with ScriptedPolicy() as policy, push_server.client() as client:
             if direction == "pull":
-                evaluate_policy(server, policy.url, "echo")
+                evaluate_policy(push_server, policy.url, "echo")
             else:
                 wait_for_state(client, submit_push_run(client, policy.url, "echo"))
             bodies = [c.body for c in policy.calls if c.body is not None]
@@ -72,7 +72,7 @@ def _timeless(body: dict[str, Any]) -> dict[str, Any]:
     return stable_members | {"spaces": spaces}
 
 
-def test_an_unanswered_call_is_repeated(server: ReferenceServer) -> None:
+def test_an_unanswered_call_is_repeated(push_server: ReferenceServer) -> None:
     turned_away = threading.Event()
 
     def once(call: PolicyCall) -> PolicyReply:
@@ -83,7 +83,7 @@ def test_an_unanswered_call_is_repeated(server: ReferenceServer) -> None:
 
     with ScriptedPolicy() as policy:
         policy.on("predict", once)
-        assert evaluate_policy(server, policy.url, "score").score == 0.5
+        assert evaluate_policy(push_server, policy.url, "score").score == 0.5
 
 
 @pytest.mark.parametrize(
@@ -100,16 +100,16 @@ def test_an_unanswered_call_is_repeated(server: ReferenceServer) -> None:
     ],
 )
 def test_faults_of_a_policy_server_are_reported(
-    server: ReferenceServer, operation: str, reply: PolicyReply, message: str
+    push_server: ReferenceServer, operation: str, reply: PolicyReply, message: str
 ) -> None:
     with ScriptedPolicy() as policy:
         policy.on(operation, lambda _: reply)
         with pytest.raises(ProctorError, match=message) as caught:
-            evaluate_policy(server, policy.url, "score")
+            evaluate_policy(push_server, policy.url, "score")
     assert caught.value.code == "policy_failed"
 
 
-def test_invalid_actions_are_reported(server: ReferenceServer) -> None:
+def test_invalid_actions_are_reported(push_server: ReferenceServer) -> None:
     with ScriptedPolicy() as policy:
 
         def nothing(call: PolicyCall) -> PolicyReply:
@@ -118,27 +118,29 @@ def test_invalid_actions_are_reported(server: ReferenceServer) -> None:
 
         policy.on("predict", nothing)
         with pytest.raises(ProctorError, match="answered without actions"):
-            evaluate_policy(server, policy.url, "score")
+            evaluate_policy(push_server, policy.url, "score")
 
 
 def test_an_unreachable_policy_server_is_reported_before_submit(
-    server: ReferenceServer,
+    push_server: ReferenceServer,
 ) -> None:
     with pytest.raises(ProctorError, match="does not answer"):
-        evaluate_policy(server, f"http://127.0.0.1:{free_port()}", "score")
+        evaluate_policy(push_server, f"http://127.0.0.1:{free_port()}", "score")
 
 
-def test_the_command_calls_a_policy_server(server: ReferenceServer) -> None:
+def test_the_command_calls_a_policy_server(push_server: ReferenceServer) -> None:
     with run_app(make_app().app) as url:
-        done = run_proctor(server, "--policy-url", url, "--benchmark", "calibration")
+        done = run_proctor(
+            push_server, "--policy-url", url, "--benchmark", "calibration"
+        )
     assert done.returncode == 0, done.stderr
     assert "0.3" in done.stdout
 
 
-def test_the_command_has_a_server_play_the_run(server: ReferenceServer) -> None:
-    with run_app(make_app().app) as url, server.client() as client:
+def test_the_command_has_a_server_play_the_run(push_server: ReferenceServer) -> None:
+    with run_app(make_app().app) as url, push_server.client() as client:
         arguments = ["--benchmark", "calibration", "--push", url, "--json"]
-        done = run_proctor(server, *arguments, command="submit")
+        done = run_proctor(push_server, *arguments, command="submit")
         assert done.returncode == 0, done.stderr
         run = wait_for_state(client, json.loads(done.stdout)["run_id"])
         assert (run["state"], run["mode"]) == ("completed", "push")
@@ -154,8 +156,8 @@ def test_the_command_has_a_server_play_the_run(server: ReferenceServer) -> None:
     ],
 )
 def test_the_command_refuses_contradicting_options(
-    server: ReferenceServer, arguments: list[str], message: str
+    push_server: ReferenceServer, arguments: list[str], message: str
 ) -> None:
-    done = run_proctor(server, "--benchmark", "calibration", *arguments)
+    done = run_proctor(push_server, "--benchmark", "calibration", *arguments)
     assert done.returncode == 2
     assert message in done.stderr

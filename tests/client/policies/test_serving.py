@@ -20,15 +20,12 @@ from conformance.policy import turns
 from reference_client import Observation
 from reference_client.policies import policy_http_app
 from reference_client.policies.policy_http_app import PolicyApp
-from tests.conftest import TIMEOUT_S, ReferenceServer
 from tests.support.client.policy_apps import (
     KEY,
     CountingPolicy,
     free_port,
     make_app,
-    policy_key,
     run_app,
-    server,
 )
 from tests.support.push_runs import (
     episodes,
@@ -36,8 +33,10 @@ from tests.support.push_runs import (
     submit_push_run,
     wait_for_state,
 )
+from tests.support.servers import TIMEOUT_S, ReferenceServer
 
-__all__ = ["server", "policy_key"]
+pytestmark = pytest.mark.usefixtures("policy_key")
+
 BENCHMARK = turns.calibration()
 
 
@@ -182,8 +181,8 @@ def test_assumed_conventions_are_described() -> None:
 # --- end to end ---
 
 
-def test_a_server_plays_a_policy_that_is_served(server: ReferenceServer) -> None:
-    with run_app(make_app().app) as url, server.client() as client:
+def test_a_server_plays_a_policy_that_is_served(push_server: ReferenceServer) -> None:
+    with run_app(make_app().app) as url, push_server.client() as client:
         order = {"api_key": KEY, "max_concurrent": 3}
         run_id = submit_push_run(client, url, *["echo"] * 2, *["score"] * 4, **order)
         run = wait_for_state(client, run_id)
@@ -193,25 +192,25 @@ def test_a_server_plays_a_policy_that_is_served(server: ReferenceServer) -> None
         assert [r["score"] for r in results[2:]] == [0.3] * 4
 
 
-def test_the_reason_names_the_policys_own_line(server: ReferenceServer) -> None:
+def test_the_reason_names_the_policys_own_line(push_server: ReferenceServer) -> None:
     app = PolicyApp(RaisingPolicy, "failing", key=KEY)
-    with run_app(app.app) as url, server.client() as client:
+    with run_app(app.app) as url, push_server.client() as client:
         run = wait_for_state(client, submit_push_run(client, url, api_key=KEY))
         assert "ValueError: no such joint (test_policy_serving.py:" in run["reason"]
 
 
 @pytest.mark.parametrize("wrong", [{}, {"api_key": "wrong"}])
 def test_a_wrong_key_fails_the_run(
-    server: ReferenceServer, wrong: dict[str, str]
+    push_server: ReferenceServer, wrong: dict[str, str]
 ) -> None:
-    with run_app(make_app().app) as url, server.client() as client:
+    with run_app(make_app().app) as url, push_server.client() as client:
         run = wait_for_state(client, submit_push_run(client, url, **wrong))
         assert run["state"] == "failed"
         assert "unauthenticated: This policy server wants its key" in run["reason"]
 
 
 def test_the_command_serves_an_expert_to_a_real_benchmark(
-    server: ReferenceServer, tmp_path: Path
+    push_server: ReferenceServer, tmp_path: Path
 ) -> None:
     """`proctor serve-policy`, called for a robot's benchmark. Expect a success."""
     (tmp_path / "mine.py").write_text(
@@ -234,7 +233,7 @@ def test_the_command_serves_an_expert_to_a_real_benchmark(
     )
     assert process.stderr is not None
     assert port in process.stderr.readline()
-    with server.client() as client:
+    with push_server.client() as client:
         order = {"api_key": KEY, "max_concurrent": 1, "max_retries": 5}
         body = push_submission(f"http://127.0.0.1:{port}", **order)
         body = {**body, "benchmark_id": "tabletop_state"}

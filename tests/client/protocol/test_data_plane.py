@@ -19,14 +19,10 @@ from reference_client.generated.messages import Turn
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.data_plane import JSON, MSGPACK, DataPlane
 from reference_client.protocol.retry_policy import FAILURES
-from tests.test_reference_client_scenes import (
-    DEADLINE_S,
-    TOKEN,
-    DirectClient,
-    RestartableServer,
-    action,
-    serve_in_thread,
-)
+from tests.support.calibration_action import calibration_action as action
+from tests.support.client.direct_client import DirectClient
+from tests.support.client.faulty_proxy import serve_in_thread
+from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 
 PIXELS = bytes(range(12))
 
@@ -35,7 +31,7 @@ PIXELS = bytes(range(12))
 def direct_client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DirectClient]:
     directory = tmp_path_factory.mktemp("server")
     with (
-        RestartableServer(directory) as server,
+        ReferenceServer(directory) as server,
         DirectClient(server.url) as direct_client,
     ):
         yield direct_client
@@ -58,7 +54,7 @@ class EchoWorker:
 @pytest.fixture
 def echo_worker(direct_client: DirectClient) -> Iterator[EchoWorker]:
     run = direct_client.submit("echo")
-    with Connection(run.endpoint, TOKEN, requests=1) as connection:
+    with Connection(run.endpoint, TOKENS["alice"], requests=1) as connection:
         yield EchoWorker(connection.data(run.endpoint), run.run_id)
 
 
@@ -190,7 +186,7 @@ def test_a_closed_connection_is_opened_again() -> None:
             assert predict_once(plane).seq == 1
             # While the policy thinks, the end of the connection arrives.
             assert plane.http_connection.sock is not None
-            assert wait_for_read(plane.http_connection.sock, DEADLINE_S)
+            assert wait_for_read(plane.http_connection.sock, TIMEOUT_S)
         assert server.connections == 3
 
 

@@ -10,23 +10,9 @@ import pytest
 
 from conformance.oracle.expected_score import expected_score, is_close, wilson
 from tests.support.paths import ROOT
+from tests.support.score_differences import differences
 
 VECTORS = sorted((ROOT / "spec" / "vectors" / "scoring").iterdir())
-
-
-def differences(stated: Any, expected: Any, at: str = "score") -> list[str]:
-    """Where an answer is not what the kit expects, number by number."""
-    if isinstance(expected, dict):
-        if stated.keys() != expected.keys():
-            return [at]
-        pairs = [(stated[k], expected[k], f"{at}.{k}") for k in expected]
-        return [found for pair in pairs for found in differences(*pair)]
-    same = (
-        is_close(stated, expected)
-        if isinstance(expected, Fraction | float)
-        else stated == expected
-    )
-    return [] if same else [at]
 
 
 @pytest.mark.parametrize("path", VECTORS, ids=lambda path: path.stem)

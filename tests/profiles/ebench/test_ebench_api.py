@@ -21,21 +21,17 @@ from reference_server.http.handlers import Handlers
 from reference_server.profiles import profile_tables
 from reference_server.profiles.ebench.handlers import EbenchHandlers
 from reference_server.settings import Settings
-from tests.conftest import TIMEOUT_S, ReferenceServer
 from tests.support.profiles.ebench_client import (
     EbenchClient,
     Json,
     action,
     count,
     dump_pickle,
-    http,
     open_client,
     run_of,
-    server,
     submit_native_run,
 )
-
-__all__ = ["server", "http"]
+from tests.support.servers import TIMEOUT_S, ReferenceServer
 
 
 @pytest.fixture(scope="module")

@@ -13,11 +13,7 @@ from tests.support.profiles.ebench_client import (
     EbenchClient,
     Json,
     episodes_of,
-    http,
-    server,
 )
-
-__all__ = ["server", "http"]
 
 LIFT2 = [0.0, 0.25, 1.6, 1.2, 0.0, 0.0, 0.04, 0.04] * 2
 

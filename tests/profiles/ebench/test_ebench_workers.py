@@ -12,7 +12,6 @@ from urllib.parse import urlsplit
 import httpx
 import pytest
 
-from tests.conftest import TIMEOUT_S, TOKENS, ReferenceServer
 from tests.support.profiles.ebench_client import (
     PICKLED,
     EbenchClient,
@@ -20,15 +19,11 @@ from tests.support.profiles.ebench_client import (
     count,
     dump_pickle,
     episodes_of,
-    http,
     open_client,
     run_of,
-    server,
     submit_native_run,
 )
-
-__all__ = ["server", "http"]
-
+from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 
 # --- workers ---
 

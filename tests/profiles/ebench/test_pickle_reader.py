@@ -35,16 +35,10 @@ from tests.support.profiles.ebench_client import (
     dump_pickle,
     load_pickle,
 )
+from tests.support.profiles.plain_data import PLAIN_DATA
 
 PROTOCOLS = range(6)
 DTYPES = ("?", "i1", "<i2", ">i4", "<i8", "u1", ">u2", "<u4", "u8", "<f2", ">f4", "<f8")
-NUMBERS = st.integers(-(2**63), 2**63 - 1) | st.floats(allow_nan=False)
-TEXT = st.text(st.characters(exclude_categories=["Cs"]))
-PLAIN = st.recursive(
-    st.none() | st.booleans() | NUMBERS | TEXT,
-    lambda inner: st.lists(inner) | st.dictionaries(TEXT, inner),
-    max_leaves=30,
-)
 
 
 def refusal(body: bytes) -> str:
@@ -57,7 +51,7 @@ def refusal(body: bytes) -> str:
 # --- what is read ---
 
 
-@given(value=PLAIN, protocol=st.sampled_from(PROTOCOLS))
+@given(value=PLAIN_DATA, protocol=st.sampled_from(PROTOCOLS))
 def test_plain_data_is_read_as_it_was(value: Any, protocol: int) -> None:
     assert read(dump_pickle(value, protocol)) == value
 

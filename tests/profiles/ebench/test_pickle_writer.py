@@ -11,11 +11,11 @@ from hypothesis import given
 
 from reference_server.profiles.ebench.pickle_reader import read
 from reference_server.profiles.ebench.pickle_writer import write
-from tests.profiles.ebench.test_pickle_reader import PLAIN
 from tests.support.profiles.ebench_client import load_pickle
+from tests.support.profiles.plain_data import PLAIN_DATA
 
 
-@given(PLAIN)
+@given(PLAIN_DATA)
 def test_written_pickles_are_read_by_pickle(value: Any) -> None:
     assert load_pickle(write(value)) == value
     assert read(write(value)) == value

@@ -15,27 +15,22 @@ from reference_server.profiles import profile_tables
 from reference_server.profiles.flageval.responses import TOLERANCE, status_of
 from reference_server.rules.run import Episode
 from reference_server.settings import Settings
-from tests.conftest import TIMEOUT_S, TOKENS, ReferenceServer, make_run
 from tests.support.paths import ROOT
 from tests.support.profiles.flageval_client import (
     KEY,
     TASKS,
-    chat,
-    client,
     get_evaldiffs,
     get_progress,
     is_refused,
     model_info,
     post,
     post_evaluation,
-    server,
     submit_evaluation,
     wait_until_finished,
 )
 from tests.support.push_runs import episodes, wait_for_state
-
-__all__ = ["chat", "client", "server"]
-
+from tests.support.server.runs import make_run
+from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 
 # --- from the request to the result ---
 

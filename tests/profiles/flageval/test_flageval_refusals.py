@@ -8,23 +8,18 @@ import httpx
 import pytest
 
 from conformance.policy.chat import ScriptedChat
-from tests.conftest import ReferenceServer
 from tests.support.profiles.flageval_client import (
     KEY,
-    chat,
-    client,
     get_evaldiffs,
     get_progress,
     is_refused,
     model_info,
     post,
     post_evaluation,
-    server,
     submit_evaluation,
     wait_until_finished,
 )
-
-__all__ = ["chat", "client", "server"]
+from tests.support.servers import ReferenceServer
 
 
 def test_a_repeated_request_makes_no_second_evaluation(

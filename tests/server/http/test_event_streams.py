@@ -20,7 +20,7 @@ from reference_server.http.event_streams import EPISODES_PER_BATCH, EventStream
 from reference_server.rules import effects as rules
 from reference_server.rules.run import Run, RunHead
 from reference_server.storage.store import StoreFailed
-from tests.conftest import TIMEOUT_S
+from tests.support.server.event_lists import indices, kinds
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
@@ -29,6 +29,7 @@ from tests.support.server.server_parts import (
     record_score,
     run_scenarios,
 )
+from tests.support.servers import TIMEOUT_S
 
 MANY = 1000
 
@@ -71,14 +72,6 @@ class StreamClient:
             while True:
                 found += await self.events()
         return found
-
-
-def kinds(events: list[Event]) -> list[str]:
-    return [event.kind for event in events]
-
-
-def indices(events: list[Event]) -> list[int]:
-    return [event.body["index"] for event in events if event.kind == "episode"]
 
 
 async def add_stored_run(parts: ServerParts, *tasks: str, **changes: Any) -> Run:

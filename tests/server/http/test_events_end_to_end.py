@@ -17,10 +17,10 @@ from unittest.mock import ANY
 import httpx
 
 from conformance.client.event_reader import Event, EventParser
-from tests.conftest import TIMEOUT_S, TOKENS, ReferenceServer
-from tests.server.http.test_event_streams import indices, kinds
-from tests.server.test_server_process import predict_body, submit
 from tests.support.paths import ROOT
+from tests.support.server.event_lists import indices, kinds
+from tests.support.server.http_runs import predict_body, submit
+from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 
 
 @contextmanager

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from reference_server.generated import models
 from reference_server.generated.problem_codes import PROBLEMS
-from tests.conftest import TIMEOUT_S, TOKENS, ReferenceServer
+from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 
 MSGPACK = "application/msgpack"
 LONG_POLLS = 200

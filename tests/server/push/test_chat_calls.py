@@ -15,13 +15,14 @@ from reference_server.push.chat_calls import ChatPolicy, read_answer
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.question_answering.questions import action, draw
 from reference_sim.benchmarks.tabletop.scene import TabletopScene
-from tests.conftest import ReferenceServer, make_run
 from tests.support.push_runs import (
     episodes,
     push_submission,
     start_push_server,
     wait_for_state,
 )
+from tests.support.server.runs import make_run
+from tests.support.servers import ReferenceServer
 
 NONE = action()
 

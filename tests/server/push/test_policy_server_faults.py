@@ -19,9 +19,9 @@ from conformance.policy.scripted import (
     ScriptedPolicy,
     busy_reply,
 )
-from tests.conftest import ReferenceServer
 from tests.support import push_runs
 from tests.support.push_runs import play_push_run, raw_socket_server, start_push_server
+from tests.support.servers import ReferenceServer
 
 TIMEOUT_S = 0.5
 # Of a fault: so often it may happen in a row before the run fails, and once more.

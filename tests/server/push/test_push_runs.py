@@ -17,7 +17,6 @@ from conformance.client.check_context import CheckContext
 from conformance.policy.scripted import PolicyCall, PolicyReply, ScriptedPolicy
 from reference_server.generated import models
 from reference_server.http.codec import validate
-from tests.conftest import TIMEOUT_S, ReferenceServer
 from tests.support.paths import ROOT
 from tests.support.push_runs import (
     ALLOW_LOOPBACK,
@@ -28,6 +27,7 @@ from tests.support.push_runs import (
     submit_push_run,
     wait_for_state,
 )
+from tests.support.servers import TIMEOUT_S, ReferenceServer
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from reference_server.rules import action_space
-from tests.conftest import ACTION, make_run
+from tests.support.server.runs import ACTION, make_run
 
 MANIFEST = make_run().manifest
 

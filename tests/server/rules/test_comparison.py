@@ -17,9 +17,9 @@ from reference_server.rules import comparison
 from reference_server.rules.comparison import TOLERANCE, compare, is_within, mcnemar
 from reference_server.rules.run import Outcome
 from reference_server.rules.scoring import ScoredEpisode
-from tests.repository.test_spec import DOCUMENT, SCHEMAS
-from tests.server.rules.test_scoring import EXACTNESS, assert_same
 from tests.support.paths import ROOT
+from tests.support.server.score_equality import EXACTNESS, assert_same
+from tests.support.specification import DOCUMENT, PARAMETER_SCHEMAS
 
 SPEC = ROOT / "spec"
 VECTORS = sorted((SPEC / "vectors" / "comparison").glob("*.json"))
@@ -209,6 +209,8 @@ def test_the_tolerance_is_the_one_described() -> None:
 
 
 def test_bounds_of_numbers_are_those_described() -> None:
-    numbers = {name: s for (_, name), s in SCHEMAS.items() if s["type"] != "string"}
+    numbers = {
+        name: s for (_, name), s in PARAMETER_SCHEMAS.items() if s["type"] != "string"
+    }
     bounds = {name: (s["minimum"], s["maximum"]) for name, s in numbers.items()}
     assert bounds == QUERY_RANGES

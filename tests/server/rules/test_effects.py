@@ -11,8 +11,8 @@ from reference_server.rules.lifecycle import (
     Predict,
 )
 from reference_server.rules.run import Result, Session, State
-from tests.conftest import ACTION, NOW, make_run
 from tests.support.server.play_turns import WALL, chunk_result, play_turn, start_session
+from tests.support.server.runs import ACTION, NOW, make_run
 
 # --- sessions ---
 

@@ -31,8 +31,8 @@ from reference_server.rules.lifecycle import (
     decide,
 )
 from reference_server.rules.run import Result, Run, Session, State
-from tests.conftest import ACTION, NOW, make_run
 from tests.support.server.play_turns import WALL, Draw, chunk_result, play_turn
+from tests.support.server.runs import ACTION, NOW, make_run
 
 
 class TransitionCheckedRun(Run):

@@ -17,7 +17,7 @@ from reference_server.rules.events import Cursor, EventBatch, is_final, next_bat
 from reference_server.rules.lifecycle import Event as LifecycleEvent
 from reference_server.rules.lifecycle import legal
 from reference_server.rules.run import Run, State
-from tests.conftest import make_run
+from tests.support.server.runs import make_run
 from tests.support.server.server_parts import RESULT, record_score
 
 LENGTH = 6

@@ -28,7 +28,7 @@ from reference_server.rules.lifecycle import (
     legal,
 )
 from reference_server.rules.run import Run, State
-from tests.conftest import ACTION, NOW, add_session, make_run
+from tests.support.server.runs import ACTION, NOW, add_session, make_run
 
 
 def predict(seq: int = 4, *actions: dict[str, list[float]], **changes: Any) -> Predict:

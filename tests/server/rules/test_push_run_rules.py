@@ -22,7 +22,7 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.run import Run, Session, State
 from reference_server.storage.store import Store
-from tests.conftest import ACTION, NOW, add_session, make_run
+from tests.support.server.runs import ACTION, NOW, add_session, make_run
 
 PUSH = {"mode": "push", "benchmark_id": "calibration", "policy": {"name": "p"}}
 

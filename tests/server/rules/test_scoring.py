@@ -5,7 +5,6 @@ import random
 from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
 
 import pytest
 from hypothesis import given
@@ -15,9 +14,9 @@ from reference_server.generated import models
 from reference_server.rules.run import Outcome
 from reference_server.rules.scoring import Z_95, ScoredEpisode, score_of, wilson
 from tests.support.paths import ROOT
+from tests.support.server.score_equality import EXACTNESS, assert_same
 
 VECTORS = sorted((ROOT / "spec" / "vectors" / "scoring").glob("*.json"))
-EXACTNESS = 1e-12
 
 
 @st.composite
@@ -41,17 +40,6 @@ def by_hand(episodes: Sequence[ScoredEpisode]) -> tuple[Fraction, int, int]:
     scored = [e for e in episodes if e.outcome is not None]
     total = sum((Fraction(e.score) for e in scored), Fraction(0))
     return total, len(scored), sum(e.outcome == "success" for e in scored)
-
-
-def assert_same(found: Any, expected: Any, at: str = "score") -> None:
-    if isinstance(expected, dict):
-        assert found.keys() == expected.keys(), at
-        for key in expected:
-            assert_same(found[key], expected[key], f"{at}.{key}")
-    elif isinstance(expected, float) and found is not None:
-        assert abs(found - expected) <= EXACTNESS, at
-    else:
-        assert found == expected, at
 
 
 def test_there_are_vectors() -> None:

@@ -13,7 +13,6 @@ from reference_server.rules.lifecycle import Attach, Detach
 from reference_server.rules.run import Run
 from reference_server.runs import registry
 from reference_server.storage.store import StoreFailed
-from tests.conftest import TIMEOUT_S
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
@@ -25,6 +24,7 @@ from tests.support.server.server_parts import (
     record_score,
     run_scenarios,
 )
+from tests.support.servers import TIMEOUT_S
 
 # --- the key of a submit ---
 

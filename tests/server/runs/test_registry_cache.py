@@ -14,7 +14,6 @@ from reference_server.rules.lifecycle import Attach, Detach
 from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.runs import registry
 from reference_server.storage.store import StoreFailed
-from tests.conftest import TIMEOUT_S
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
@@ -26,6 +25,7 @@ from tests.support.server.server_parts import (
     run_scenarios,
     start_task,
 )
+from tests.support.servers import TIMEOUT_S
 
 RunSummary = tuple[str, int, list[str]]
 

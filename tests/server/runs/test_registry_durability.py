@@ -15,7 +15,6 @@ from reference_server.rules.run import RunHead
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.settings import Settings
 from reference_server.storage.store import StoreFailed
-from tests.conftest import TIMEOUT_S
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
@@ -26,6 +25,7 @@ from tests.support.server.server_parts import (
     record_score,
     run_scenarios,
 )
+from tests.support.servers import TIMEOUT_S
 
 
 def make_call(run_id: str) -> OperationCall:

@@ -16,7 +16,6 @@ import sqlalchemy as sa
 from reference_server.rules.run import Result, Run, RunHead
 from reference_server.storage import store as store_module
 from reference_server.storage.store import Store, StoreFailed
-from tests.conftest import TIMEOUT_S
 from tests.support.server.server_parts import (
     RESULT,
     ServerParts,
@@ -25,6 +24,7 @@ from tests.support.server.server_parts import (
     record_score,
     run_scenarios,
 )
+from tests.support.servers import TIMEOUT_S
 
 # --- rows ---
 

@@ -24,8 +24,8 @@ from reference_sim.gymnasium.simulator import GymnasiumSimulator
 from reference_sim.interface import TaskUnplayable
 from reference_sim.process.encoding import EncodedObservation
 from reference_sim.process.pool import SimulatorFault, SimulatorHandle, SimulatorPool
-from tests.conftest import TOKENS, ReferenceServer
 from tests.support.paths import ROOT
+from tests.support.servers import TOKENS, ReferenceServer
 
 EXAMPLES = ROOT / "examples" / "benchmarks"
 CLASSICS = ("Acrobot-v1", "CartPole-v1", "MountainCarContinuous-v0", "Pendulum-v1")

@@ -12,7 +12,6 @@ import pytest
 
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.calibration import Calibration
-from reference_sim.interface import Action
 from reference_sim.process.encoding import encode
 from reference_sim.process.pool import (
     NoCapacity,
@@ -22,6 +21,7 @@ from reference_sim.process.pool import (
     TaskUnplayable,
 )
 from reference_sim.process.simulator_process import ForkStarter
+from tests.support.calibration_action import calibration_action as action
 
 DEADLINE_S = 30.0
 WORLD = benchmark_registry.resolve("calibration").world
@@ -30,12 +30,6 @@ OTHER_WORLD = benchmark_registry.resolve(
 ).world
 
 fork_and_exec = pytest.mark.parametrize("fork", [True, False], ids=["fork", "exec"])
-
-
-def action(**values: float) -> Action:
-    sizes = {"vector": 8, "clipped": 2}
-    names = ("score", "success", "end", "delay_s", "fault", "vector", "clipped")
-    return {name: [values.get(name, 0.0)] * sizes.get(name, 1) for name in names}
 
 
 def with_pool(

@@ -6,23 +6,20 @@ signals do.
 
 from __future__ import annotations
 
-import atexit
 import contextlib
 import json
 import os
 import subprocess
 import sys
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from reference_client.command.main import main
-from tests.test_reference_client_scenes import ROOT, TOKEN, RestartableServer
+from tests.support.paths import ROOT
 
-TIMEOUT_S = 30.0
 POLICIES = '''
 import os, pathlib, signal, time
 
@@ -100,29 +97,6 @@ answer = 42
 '''
 
 
-_SHARED: list[RestartableServer] = []
-
-
-@pytest.fixture(scope="session")
-def server(tmp_path_factory: pytest.TempPathFactory) -> RestartableServer:
-    """One for all files that import this, each of which has a fixture of its own."""
-    if not _SHARED:
-        _SHARED.append(RestartableServer(tmp_path_factory.mktemp("server")).start())
-        atexit.register(_SHARED[0].end)
-    return _SHARED[0]
-
-
-@pytest.fixture
-def policy_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with the policies, in which the command is called."""
-    (tmp_path / "policies.py").write_text(POLICIES)
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.syspath_prepend(str(tmp_path))
-    monkeypatch.delitem(sys.modules, "policies", raising=False)
-    monkeypatch.setenv("PROCTOR_TOKEN", TOKEN)
-    return tmp_path
-
-
 class ProctorCommand:
     """The command in this process: its exit code, and what it has printed."""
 
@@ -169,10 +143,3 @@ def start_proctor(
             yield process
         finally:
             process.kill()
-
-
-def wait_until(condition: Callable[[], object], what: str) -> None:
-    deadline = time.monotonic() + TIMEOUT_S
-    while not condition():
-        assert time.monotonic() < deadline, f"waited in vain until {what}"
-        time.sleep(0.01)

@@ -4,7 +4,6 @@ server that may call it.
 
 import contextlib
 import os
-import signal
 import socket
 import subprocess
 import sys
@@ -12,14 +11,12 @@ import threading
 from collections.abc import Iterator
 from typing import Any
 
-import pytest
 import uvicorn
 from starlette.types import ASGIApp
 
 from reference_client import Observation
 from reference_client.policies.policy_http_app import PolicyApp
-from tests.conftest import TOKENS, ReferenceServer
-from tests.support.push_runs import ALLOW_LOOPBACK
+from tests.support.servers import TOKENS, ReferenceServer
 
 KEY = "sesame"
 ACTION: dict[str, Any] = {
@@ -63,19 +60,6 @@ def run_app(app: ASGIApp) -> Iterator[str]:
         server.should_exit = True
         thread.join()
         listener.close()
-
-
-@pytest.fixture(autouse=True)
-def policy_key(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("PROCTOR_POLICY_KEY", KEY)
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
-    server = ReferenceServer(tmp_path_factory.mktemp("server"), **ALLOW_LOOPBACK)
-    yield server
-    server.end(signal.SIGKILL)
-    assert "Traceback" not in server.log()
 
 
 def free_port() -> int:

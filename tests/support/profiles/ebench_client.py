@@ -8,36 +8,16 @@ from __future__ import annotations
 
 import base64
 import pickle
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import httpx
 import numpy as np
-import pytest
-
-from tests.conftest import ReferenceServer
 
 Json = dict[str, Any]
 CONTROL = "/api/v1/benchmark/onlineEvaluation"
 PICKLED = {"Content-Type": "application/octet-stream"}
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
-    server_process = ReferenceServer(
-        tmp_path_factory.mktemp("server"), PROCTOR_PROFILES="ebench"
-    )
-    try:
-        yield server_process
-    finally:
-        server_process.end()
-
-
-@pytest.fixture
-def http(server: ReferenceServer) -> Iterator[httpx.Client]:
-    with server.client() as client:
-        yield client
 
 
 @dataclass

@@ -3,38 +3,15 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
 from typing import Any
 
 import httpx
-import pytest
 
 from conformance.policy.chat import ScriptedChat
-from tests.conftest import TIMEOUT_S, ReferenceServer
-from tests.support.push_runs import start_push_server
+from tests.support.servers import TIMEOUT_S
 
 KEY = "sk-this-is-nobodys-business"
 TASKS = {"score": 4, "count": 2}
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
-    path = tmp_path_factory.mktemp("flageval")
-    yield from start_push_server(path, PROCTOR_PROFILES="flageval")
-    stored_files = [p.read_bytes() for p in path.rglob("*") if p.is_file()]
-    assert KEY.encode() not in b"".join(stored_files)
-
-
-@pytest.fixture
-def client(server: ReferenceServer) -> Iterator[httpx.Client]:
-    with server.client() as opened:
-        yield opened
-
-
-@pytest.fixture
-def chat() -> Iterator[ScriptedChat]:
-    with ScriptedChat("1") as server:
-        yield server
 
 
 def model_info(chat: ScriptedChat, name: str, **more: Any) -> dict[str, Any]:

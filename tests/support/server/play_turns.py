@@ -13,7 +13,7 @@ from reference_server.rules.lifecycle import (
     Predict,
 )
 from reference_server.rules.run import Run, Session
-from tests.conftest import ACTION, NOW
+from tests.support.server.runs import ACTION, NOW
 
 WALL = 5000.0
 Draw = Callable[[st.SearchStrategy[Any]], Any]

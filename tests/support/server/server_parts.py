@@ -24,7 +24,8 @@ from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.store import Store
 from reference_sim import benchmark_registry
 from reference_sim.process.pool import SimulatorPool
-from tests.conftest import TIMEOUT_S, make_run
+from tests.support.server.runs import make_run
+from tests.support.servers import TIMEOUT_S
 
 
 class BlockedCall:

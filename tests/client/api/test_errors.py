@@ -1,0 +1,28 @@
+"""Failures of requests become a `ProctorError`."""
+
+from __future__ import annotations
+
+from proctor_client import ApiException
+
+from reference_client.errors import from_failure
+from tests.support.client.api_exceptions import api_exception
+
+URL = "http://127.0.0.1:1"
+
+
+def test_a_problem_is_reported_with_its_pointers() -> None:
+    error = from_failure(api_exception("invalid_request", 422, retryable=False), URL)
+    assert str(error) == "It is invalid_request. [invalid_request]\n  /a: is wrong"
+    assert error.errors == (("/a", "is wrong"),)
+    assert error.problem is not None
+
+
+def test_a_failed_certificate_counts_as_unreachable() -> None:
+    failure = ApiException(status=0, reason="SSLError\ncertificate verify failed")
+    assert from_failure(failure, URL).code == "unreachable"
+
+
+def test_an_answer_that_is_not_json_is_an_error() -> None:
+    error = from_failure(ValueError("Expecting value"), URL)
+    assert (error.code, error.retryable) == ("bad_answer", False)
+    assert URL in str(error)

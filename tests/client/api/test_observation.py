@@ -1,0 +1,139 @@
+"""An observation as a policy receives it: pixels, tensors, state."""
+
+from __future__ import annotations
+
+import io
+from typing import Any
+
+import msgspec
+import numpy as np
+import PIL.Image
+import pytest
+
+from reference_client import ProctorError
+from reference_client.api.observation import observation_of
+from reference_client.generated.messages import Turn
+from reference_sim.process.encoding import encode_image
+
+BLACK = np.zeros((2, 2, 3), np.uint8)
+
+
+def turn_with(**parts: Any) -> Turn:
+    """A turn whose observation has these parts."""
+    return msgspec.convert(
+        {
+            "session_id": "s",
+            "seq": 0,
+            "episode": {
+                "episode_id": "e1",
+                "index": 1,
+                "task": "lift_cube",
+                "instruction": "Lift it.",
+                "attempt": 1,
+                "step": 3,
+                "max_steps": 10,
+            },
+            "observation": {"state": {}, "images": {}, "tensors": {}} | parts,
+            "executed_steps": 0,
+            "stopped_early": False,
+            "rewards": [],
+            "terminated": False,
+            "truncated": False,
+            "done": False,
+            "lease": {"expires_at": "2026-01-01T00:00:00Z", "idle_timeout_s": 1},
+            "timing": dict.fromkeys(
+                ("total_s", "queue_s", "simulate_s", "render_s", "encode_s"), 0
+            ),
+        },
+        Turn,
+    )
+
+
+def image(codec: str, width: int, height: int, channels: int, data: bytes) -> Any:
+    size = {"width": width, "height": height, "channels": channels}
+    return {"camera": {"codec": codec, "data": memoryview(data), **size}}
+
+
+def compressed(pixels: Any, codec: str) -> bytes:
+    file = io.BytesIO()
+    PIL.Image.fromarray(pixels).save(file, codec)
+    return file.getvalue()
+
+
+def test_an_observation_knows_its_episode() -> None:
+    observation = observation_of(turn_with(state={"joints": [1, 0.5]}))
+    assert observation.state == {"joints": (1.0, 0.5)}
+    assert (observation.episode_id, observation.step) == ("e1", 3)
+    assert observation.instruction == "Lift it."
+
+
+@pytest.mark.parametrize("channels", [1, 2, 3, 4])
+def test_pixels_arrive_in_rows_columns_and_channels(channels: int) -> None:
+    pixels = np.arange(5 * 4 * channels, dtype=np.uint8).reshape(5, 4, channels)
+    png = compressed(pixels.squeeze(), "png")
+    for codec, data in (("raw", pixels.tobytes()), ("png", png)):
+        images = image(codec, 4, 5, channels, data)
+        seen = observation_of(turn_with(images=images)).images["camera"]
+        assert np.array_equal(seen, pixels)
+        assert not seen.flags.writeable
+
+
+@pytest.mark.parametrize("channels", [1, 3])
+def test_a_jpeg_keeps_its_colours(channels: int) -> None:
+    pixels = np.zeros((48, 64, channels), np.uint8)
+    pixels[:24, :, 0] = 200  # of three channels the red one
+    data = bytes(encode_image(pixels[::-1], "jpeg")["data"])
+    assert data.startswith(b"\xff\xd8\xff")
+    images = image("jpeg", 64, 48, channels, data)
+    seen = observation_of(turn_with(images=images)).images["camera"]
+    assert not seen.flags.writeable
+    assert seen.shape == pixels.shape
+    assert np.abs(seen[:16].astype(int)).max() < 8
+    assert np.abs(seen[32:].astype(int) - pixels[:16]).max() < 8
+
+
+def test_tensors_are_little_endian_views() -> None:
+    data = bytes([1, 0, 2, 0])
+    tensor = {"dtype": "uint16", "shape": [2, 1], "data": memoryview(data)}
+    seen = observation_of(turn_with(tensors={"t": tensor})).tensors["t"]
+    assert seen.tolist() == [[1], [2]]
+    assert np.shares_memory(seen, np.frombuffer(data, np.uint8))
+    assert not seen.flags.writeable
+
+
+@pytest.mark.parametrize(
+    ("parts", "text"),
+    [
+        ({"images": image("raw", 2, 2, 3, bytes(11))}, "its announced size"),
+        ({"images": image("png", 2, 2, 3, b"no png")}, "is no png"),
+        (
+            {"images": image("png", 2, 2, 3, compressed(BLACK[:1], "png"))},
+            "announced as",
+        ),
+        (
+            {"images": image("png", 2, 2, 3, compressed(BLACK, "gif"))},
+            "is no png",
+        ),
+        ({"images": image("jpeg", 2, 2, 3, b"no jpeg")}, "is no jpeg"),
+        (
+            {"images": image("jpeg", 2, 2, 3, compressed(BLACK, "jpeg")[:-2])},
+            "is no jpeg",
+        ),
+        (
+            {"images": image("jpeg", 2, 2, 3, compressed(BLACK[:1], "jpeg"))},
+            "announced as",
+        ),
+        (
+            {"images": image("jpeg", 2, 2, 2, compressed(BLACK, "jpeg"))},
+            "is no jpeg",
+        ),
+        (
+            {"images": image("jpeg", 2, 2, 3, compressed(BLACK, "png"))},
+            "is no jpeg",
+        ),
+    ],
+)
+def test_an_undecodable_observation_is_an_error(parts: Any, text: str) -> None:
+    with pytest.raises(ProctorError, match=text) as caught:
+        observation_of(turn_with(**parts))
+    assert caught.value.code == "bad_answer"

@@ -1,0 +1,27 @@
+"""One server for the tests of the client, and a folder with policies."""
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.support.client.command import POLICIES
+from tests.support.servers import TOKENS, ReferenceServer
+
+
+@pytest.fixture(scope="session")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
+    with ReferenceServer(tmp_path_factory.mktemp("server")) as server:
+        yield server
+
+
+@pytest.fixture
+def policy_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with the policies, in which the command is called."""
+    (tmp_path / "policies.py").write_text(POLICIES)
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.syspath_prepend(str(tmp_path))
+    monkeypatch.delitem(sys.modules, "policies", raising=False)
+    monkeypatch.setenv("PROCTOR_TOKEN", TOKENS["alice"])
+    return tmp_path

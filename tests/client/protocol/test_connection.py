@@ -1,0 +1,15 @@
+"""Where a connection sends the token."""
+
+from __future__ import annotations
+
+import pytest
+
+from reference_client import ProctorError
+from reference_client.protocol.connection import Connection
+
+
+def test_a_token_is_not_sent_unencrypted() -> None:
+    with Connection("https://example.org", "t", requests=1) as connection:
+        connection.data("https://other.example.org/")
+        with pytest.raises(ProctorError, match="in clear"):
+            connection.data("http://example.org")

@@ -1,0 +1,35 @@
+"""Heartbeats are sent while a policy computes, and only then."""
+
+from __future__ import annotations
+
+import threading
+
+from reference_client.protocol.heartbeat import HeartbeatThread
+
+
+def test_heartbeats_are_sent_only_while_the_policy_thinks() -> None:
+    beats = threading.Semaphore(0)
+
+    def send_heartbeat() -> bool:
+        beats.release()
+        return True
+
+    with HeartbeatThread(0.12, send_heartbeat) as heartbeat:
+        assert not beats.acquire(timeout=0.2)
+        with heartbeat.keep_alive():
+            assert beats.acquire(timeout=5.0)
+            assert beats.acquire(timeout=5.0)
+
+
+def test_heartbeats_stop_when_the_session_has_ended() -> None:
+    beaten = threading.Event()
+
+    def send_heartbeat() -> bool:
+        assert not beaten.is_set()
+        beaten.set()
+        return False
+
+    with HeartbeatThread(0.06, send_heartbeat) as heartbeat, heartbeat.keep_alive():
+        assert beaten.wait(5.0)
+        heartbeat._thread.join(5.0)
+        assert not heartbeat._thread.is_alive()

@@ -1,0 +1,111 @@
+"""Which failures are retried, how often, and for how long."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterator
+
+import pytest
+import urllib3.exceptions
+
+from reference_client import ProctorError
+from reference_client.protocol.retry_policy import Interrupted, RetryPolicy
+from tests.support.client.api_exceptions import api_exception
+
+URL = "http://127.0.0.1:1"
+
+
+class FakeClock(threading.Event):
+    """A stop that is not set and whose waits pass at once, on a clock of their own."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.now = 0.0
+        self.waits: list[float] = []
+
+    def wait(self, timeout: float | None = None) -> bool:
+        assert timeout is not None
+        self.waits.append(timeout)
+        self.now += timeout
+        return self.is_set()
+
+
+@pytest.fixture
+def clock(monkeypatch: pytest.MonkeyPatch) -> FakeClock:
+    clock = FakeClock()
+    monkeypatch.setattr(
+        "reference_client.protocol.retry_policy.time.monotonic", lambda: clock.now
+    )
+    return clock
+
+
+def fail_then_answer(*failures: Exception, then: str = "answer") -> Callable[[], str]:
+    """Fails with each of them, then answers; the last is repeated for `then` empty."""
+    left: Iterator[Exception] = iter(failures)
+
+    def send() -> str:
+        failure = next(left, None if then else failures[-1])
+        if failure is not None:
+            raise failure
+        return then
+
+    return send
+
+
+def test_retry_delays_grow_and_are_reported_once(clock: FakeClock) -> None:
+    reported: list[str | None] = []
+    silence = urllib3.exceptions.ProtocolError("Connection aborted.")
+    retry_policy = RetryPolicy(URL, 100.0, clock, reported.append)
+    assert retry_policy.call(fail_then_answer(*[silence] * 9)) == "answer"
+    ideal = [0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 5.0, 5.0, 5.0]
+    assert all(w / 2 <= wait <= w for wait, w in zip(clock.waits, ideal, strict=True))
+    assert len(reported) == 2
+    assert reported[-1] is None
+
+
+def test_retry_after_is_honoured_and_a_full_server_waited_for(clock: FakeClock) -> None:
+    full = api_exception("no_capacity", 503, retryable=True, retry_after_s=7)
+    retry_policy = RetryPolicy(URL, 1.0, clock, lambda _why: None)
+    assert retry_policy.call(fail_then_answer(*[full] * 100)) == "answer"
+    assert min(clock.waits) >= 7.0
+
+
+@pytest.mark.parametrize(
+    ("failure", "retried_s"),
+    [
+        (api_exception("unavailable", 503, retryable=True, retry_after_s=1), 20.0),
+        (api_exception("internal_error", 500, retryable=True), 10.0),
+        (api_exception("worker_busy", 409, retryable=True), 3.0),
+        (api_exception("not_found", 404, retryable=False), 0.0),
+        (urllib3.exceptions.ProtocolError("gone"), 20.0),
+    ],
+)
+def test_retrying_ends_after_the_time_limit(
+    clock: FakeClock, failure: Exception, retried_s: float
+) -> None:
+    retry_policy = RetryPolicy(URL, 20.0, clock, lambda _why: None)
+    with pytest.raises(ProctorError):
+        retry_policy.call(
+            fail_then_answer(failure, then=""), limits_s={"worker_busy": 3.0}
+        )
+    assert retried_s - 5.0 <= clock.now <= retried_s
+
+
+def test_the_last_error_names_the_error_that_was_retried(clock: FakeClock) -> None:
+    defect = api_exception("internal_error", 500, retryable=True)
+    ended = api_exception("session_ended", 409, retryable=False)
+    with pytest.raises(ProctorError, match="session_ended") as caught:
+        RetryPolicy(URL, 20.0, clock, lambda _why: None).call(
+            fail_then_answer(defect, ended)
+        )
+    assert isinstance(caught.value.__cause__, ProctorError)
+    assert caught.value.__cause__.code == "internal_error"
+
+
+def test_a_stopped_evaluation_does_not_wait(clock: FakeClock) -> None:
+    clock.set()
+    retry_policy = RetryPolicy(URL, 20.0, clock, lambda _why: None)
+    with pytest.raises(Interrupted):
+        retry_policy.call(lambda: "answer")
+    with pytest.raises(Interrupted):
+        retry_policy.pause(1.0)

@@ -1,0 +1,25 @@
+"""Failed calls of the generated client."""
+
+from __future__ import annotations
+
+from proctor_client import ApiException, Problem
+
+
+def api_exception(
+    code: str, status: int, *, retryable: bool, retry_after_s: int | None = None
+) -> ApiException:
+    problem = Problem.from_dict(
+        {
+            "type": "about:blank",
+            "title": code,
+            "status": status,
+            "detail": f"It is {code}.",
+            "code": code,
+            "retryable": retryable,
+            "side_effects": "none",
+            "errors": [{"pointer": "/a", "detail": "is wrong"}],
+        }
+    )
+    error = ApiException(status=status, reason="No", data=problem)
+    error.headers = {"Retry-After": str(retry_after_s)} if retry_after_s else {}
+    return error

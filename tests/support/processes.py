@@ -1,0 +1,35 @@
+"""Which processes a test has started, and whether they have ended."""
+
+import contextlib
+import subprocess
+import time
+from pathlib import Path
+
+from tests.support.servers import TIMEOUT_S
+
+
+def descendants(pid: int) -> set[int]:
+    """Ids of all processes that this one and its children started."""
+    listed = subprocess.run(
+        ["ps", "-e", "-o", "pid=,ppid="], check=True, capture_output=True, text=True
+    ).stdout
+    parents = {int(p): int(q) for p, q in map(str.split, listed.splitlines())}
+    found = {pid}
+    while more := {p for p, q in parents.items() if q in found} - found:
+        found |= more
+    return found - {pid}
+
+
+def wait_until_ended(pids: set[int]) -> None:
+    """Waits until the processes are gone; a zombie is gone."""
+    deadline = time.monotonic() + TIMEOUT_S
+    while alive := {pid for pid in pids if _is_alive(pid)}:
+        assert time.monotonic() < deadline, f"{alive} still live"
+        time.sleep(0.01)
+
+
+def _is_alive(pid: int) -> bool:
+    with contextlib.suppress(FileNotFoundError, ProcessLookupError):
+        stat = Path(f"/proc/{pid}/stat").read_text()
+        return stat.rpartition(")")[2].split()[0] not in ("Z", "X")
+    return False

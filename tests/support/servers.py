@@ -1,0 +1,89 @@
+"""The reference server as a process of its own, for one test or for several.
+
+It knows the program's settings and its startup line, and nothing of its modules.
+"""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any, Self
+
+import httpx
+
+from tests.support.paths import ROOT
+
+TOKENS = {
+    "alice": "alice-token",
+    "bob": "bob-token",
+    "reader": "reader-token",  # of alice, without the scope `run`
+}
+TIMEOUT_S = 30.0
+
+
+class ReferenceServer:
+    """The reference server on a free port, with a database in `directory`.
+
+    It runs once constructed. After `end`, `start` starts it again with the same
+    database on the same port. As a context manager it is killed at the end.
+    settings: environment variables of the server.
+    """
+
+    def __init__(self, directory: Path, **settings: str) -> None:
+        self._directory = directory
+        self._settings = settings
+        self._port = "0"
+        self.start()
+
+    def start(self) -> None:
+        inherited = {k: v for k, v in os.environ.items() if k[:8] != "PROCTOR_"}
+        tokens = "alice:read+run:{alice},bob:read+run:{bob},alice:read:{reader}"
+        settings = {
+            "PROCTOR_PORT": self._port,
+            "PROCTOR_DATABASE": str(self._directory / "proctor.sqlite"),
+            "PROCTOR_TOKENS": tokens.format(**TOKENS),
+        } | self._settings
+        with (self._directory / "log").open("ab") as log:
+            self.process = subprocess.Popen(
+                [sys.executable, "-m", "reference_server"],
+                cwd=ROOT,
+                env=inherited | settings,
+                stdout=subprocess.PIPE,
+                stderr=log,
+                text=True,
+            )
+        assert self.process.stdout is not None
+        startup_line = self.process.stdout.readline()
+        assert startup_line, self.log()[-2000:]
+        self.url = startup_line.split()[-1]
+        self._port = self.url.rpartition(":")[2]
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.end(signal.SIGKILL)
+
+    def client(self, account: str = "alice", **settings: Any) -> httpx.Client:
+        headers = {"Authorization": f"Bearer {TOKENS[account]}"}
+        # The environment may name a proxy; loopback is never behind it.
+        return httpx.Client(
+            base_url=self.url,
+            headers=headers,
+            timeout=TIMEOUT_S,
+            trust_env=False,
+            **settings,
+        )
+
+    def log(self) -> str:
+        return (self._directory / "log").read_text()
+
+    def end(self, number: signal.Signals = signal.SIGTERM) -> int:
+        """Sends one signal, waits, and returns the exit code."""
+        if self.process.poll() is None:
+            self.process.send_signal(number)
+        code = self.process.wait(TIMEOUT_S)
+        assert self.process.stdout is not None
+        self.process.stdout.close()
+        return code
