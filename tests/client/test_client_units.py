@@ -161,32 +161,32 @@ def test_tensors_are_little_endian_views() -> None:
 @pytest.mark.parametrize(
     ("parts", "text"),
     [
-        ({"images": image("raw", 2, 2, 3, bytes(11))}, "its announced size"),
-        ({"images": image("png", 2, 2, 3, b"no png")}, "is no png"),
+        ({"images": image("raw", 2, 2, 3, bytes(11))}, "its declared size"),
+        ({"images": image("png", 2, 2, 3, b"no png")}, "is not a valid png"),
         (
             {"images": image("png", 2, 2, 3, compressed(BLACK[:1], "png"))},
-            "announced as",
+            "declared as",
         ),
         (
             {"images": image("png", 2, 2, 3, compressed(BLACK, "gif"))},
-            "is no png",
+            "is not a valid png",
         ),
-        ({"images": image("jpeg", 2, 2, 3, b"no jpeg")}, "is no jpeg"),
+        ({"images": image("jpeg", 2, 2, 3, b"no jpeg")}, "is not a valid jpeg"),
         (
             {"images": image("jpeg", 2, 2, 3, compressed(BLACK, "jpeg")[:-2])},
-            "is no jpeg",
+            "is not a valid jpeg",
         ),
         (
             {"images": image("jpeg", 2, 2, 3, compressed(BLACK[:1], "jpeg"))},
-            "announced as",
+            "declared as",
         ),
         (
             {"images": image("jpeg", 2, 2, 2, compressed(BLACK, "jpeg"))},
-            "is no jpeg",
+            "is not a valid jpeg",
         ),
         (
             {"images": image("jpeg", 2, 2, 3, compressed(BLACK, "png"))},
-            "is no jpeg",
+            "is not a valid jpeg",
         ),
     ],
 )
@@ -336,7 +336,7 @@ def test_a_stopped_evaluation_does_not_wait(clock: FakeClock) -> None:
 def test_a_token_is_not_sent_unencrypted() -> None:
     with Connection("https://example.org", "t", requests=1) as connection:
         connection.data("https://other.example.org/")
-        with pytest.raises(ProctorError, match="in clear"):
+        with pytest.raises(ProctorError, match="not HTTPS"):
             connection.data("http://example.org")
 
 

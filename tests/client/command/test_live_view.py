@@ -25,7 +25,7 @@ from tests.support.client.command import (
 from tests.test_reference_client_scenes import RestartableServer
 
 __all__ = ["policy_folder", "server"]
-URL = re.compile(r"Look on at (http://127\.0\.0\.1:\d+/)")
+URL = re.compile(r"Live view: (http://127\.0\.0\.1:\d+/)")
 
 
 def http_get(url: str, path: str, **headers: str) -> tuple[int, bytes, dict[str, str]]:
