@@ -94,7 +94,11 @@ def test_an_unanswered_call_is_repeated(server: ReferenceServer) -> None:
         ("describe_policy", PolicyReply([]), "not an object"),
         ("describe_policy", PolicyReply(b"", 404), "status 404"),
         ("reset", PolicyReply({"session_id": "x"}), "wrong reset"),
-        ("predict", PolicyReply({"session_id": "x", "seq": 1}), "wrong session_id or seq"),
+        (
+            "predict",
+            PolicyReply({"session_id": "x", "seq": 1}),
+            "wrong session_id or seq",
+        ),
         ("predict", PolicyReply(b"", 302, {"Location": "/"}), "status 302"),
         ("predict", PolicyReply({"detail": "Too\nhot."}, 400), "Too\nhot."),
     ],

@@ -211,8 +211,14 @@ def test_an_answer_may_have_no_body(head: bytes) -> None:
             "connection closed before",
         ),
         ([b"SSH-2.0-OpenSSH_9.6\r\n"], "invalid HTTP response"),
-        ([b"HTTP/1.1 200 OK\r\nContent-Length: -4\r\n\r\nbody"], "invalid HTTP response"),
-        ([b"HTTP/1.1 200 OK\r\nContent-Length: 4x\r\n\r\nbody"], "invalid HTTP response"),
+        (
+            [b"HTTP/1.1 200 OK\r\nContent-Length: -4\r\n\r\nbody"],
+            "invalid HTTP response",
+        ),
+        (
+            [b"HTTP/1.1 200 OK\r\nContent-Length: 4x\r\n\r\nbody"],
+            "invalid HTTP response",
+        ),
         ([OK + OK], "invalid HTTP response"),
         ([b"HTTP/1.1 099 What\r\nContent-Length: 0\r\n\r\n"], "invalid HTTP response"),
         (
@@ -227,7 +233,10 @@ def test_an_answer_may_have_no_body(head: bytes) -> None:
             "exceeds the size limit",
         ),
         ([b"HTTP/1.1 200 OK\r\nContent-Length: 99999999999\r\n\r\n"], "99999999999"),
-        ([b"HTTP/1.1 200 OK\r\n", *[b"X: " + b"y" * 2**15 + b"\r\n"] * 8], "exceeds the size limit"),
+        (
+            [b"HTTP/1.1 200 OK\r\n", *[b"X: " + b"y" * 2**15 + b"\r\n"] * 8],
+            "exceeds the size limit",
+        ),
     ],
 )
 def test_an_invalid_answer_is_an_error_and_closes_the_connection(
