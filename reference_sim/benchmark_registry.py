@@ -1,9 +1,9 @@
-"""The benchmarks offered: what a run of one consists of, and how its world is made.
+"""The registry of benchmarks: resolves submissions and makes simulators.
 
-Simulators are imported when one is made, so that a server that only lists benchmarks
-stays light, and no picture is drawn to learn what is offered. Those of the user's own
-are added at the start, by an adapter whose name travels in the world's settings: the
-process that makes the simulator has a catalog of its own, without them.
+A simulator is imported only when one is made, so listing benchmarks imports no physics
+and renders no image. The user's own benchmarks are added when the server starts, by an
+adapter whose name is part of the simulator's settings: a simulator process has its own
+registry, without them.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from reference_sim.interface import Simulator
 
 
 class UnknownBenchmark(LookupError):
-    """There is no benchmark of that id here."""
+    """The registry has no benchmark of that id."""
 
 
 class InvalidChoice(ValueError):
-    """The benchmark does not offer what was asked for; `pointer` says which member."""
+    """The benchmark does not offer the choice of the member `pointer` (RUN-017)."""
 
     def __init__(self, pointer: str, detail: str) -> None:
         super().__init__(detail)
@@ -46,7 +46,8 @@ class EpisodePlan:
 class SimulatorConfig:
     """What a simulator process needs to build its simulator; `settings` is JSON-able.
 
-    Equal worlds share processes, so settings hold nothing that differs by episode.
+    Processes are reused for equal configurations, so settings contain nothing that
+    differs by episode.
     """
 
     benchmark_id: str
@@ -67,8 +68,8 @@ class SimulatorConfig:
 class ResolvedBenchmark:
     """A benchmark with a submitter's choices applied.
 
-    manifest: see Definition.describe.
-    images: codec, width and height as chosen.
+    manifest: see BenchmarkDefinition.describe.
+    images: the chosen codec, width and height.
     """
 
     manifest: Json
@@ -78,10 +79,11 @@ class ResolvedBenchmark:
 
 
 def add(references: str, say: Callable[[str], None]) -> None:
-    """Offers benchmarks of the user's own beside ours, after trying them.
+    """Add the user's own benchmarks, after checking them.
 
-    references: see docs/benchmarks.md, comma-separated. say: is given lines for people.
-    Blocks for seconds. Raises BadBenchmark, and has then added those before.
+    references: see docs/benchmarks.md, comma-separated. say: called with progress
+    messages. Blocks for seconds. Raises BadBenchmark; earlier references are then
+    already added.
     """
     from reference_sim.gymnasium import registration
 
@@ -89,8 +91,8 @@ def add(references: str, say: Callable[[str], None]) -> None:
         for benchmark_id, definition in registration.benchmarks(reference, say):
             if benchmark_id in _BENCHMARKS:
                 raise BadBenchmark(
-                    f"{reference}: there is a benchmark {benchmark_id} already: "
-                    "write another benchmark_id into its file"
+                    f"{reference}: benchmark_id {benchmark_id} is already in use; "
+                    "change it in the file"
                 )
             _BENCHMARKS[benchmark_id] = definition
 
@@ -106,7 +108,7 @@ def resolve(
     *,
     max_chunk: int = 64,
 ) -> ResolvedBenchmark:
-    """Raises UnknownBenchmark and InvalidChoice. Bounds are the schema's to check."""
+    """Raises UnknownBenchmark and InvalidChoice. The schema has checked bounds."""
     definition = _definition(benchmark_id)
     if options is not None and not definition.has_options:
         raise InvalidChoice("/options", f"{benchmark_id} takes no options")
@@ -122,15 +124,15 @@ def resolve(
 
 @cache
 def unavailable_reason(benchmark_id: str) -> str | None:
-    """Why it cannot be played here, and the cure; None when it can.
+    """Why the benchmark cannot be played, and the remedy; None when it can.
 
-    Blocks up to a second the first time, when a picture has to be tried.
+    Blocks up to a second the first time, for a rendering test.
     """
     return _definition(benchmark_id).unavailable()
 
 
 def make(world: SimulatorConfig) -> Simulator:
-    """Builds the simulator, in the process that is to run it."""
+    """Make the simulator, in the process that runs it."""
     if world.settings.get("adapter") == "gymnasium":
         from reference_sim.gymnasium import simulator
 

@@ -1,8 +1,9 @@
-"""What a benchmark is before anybody plays it: its manifest, and how its world is made.
+"""The definition of a benchmark: its manifest, and how its simulator is made.
 
-A manifest holds everything that can change a score; its members are those of the spec's
-schema Benchmark. Whoever offers benchmarks has a mapping `BENCHMARKS`, id → Definition,
-in a module that imports no simulator; catalog.py joins them.
+A manifest contains everything that can change a score; its members are those of the
+specification's schema Benchmark. A module that defines benchmarks has a mapping
+`BENCHMARKS`, id → BenchmarkDefinition, and imports no simulator;
+benchmark_registry.py collects them.
 """
 
 from __future__ import annotations
@@ -26,13 +27,15 @@ def _always_available() -> None:
 
 @dataclass(frozen=True, slots=True)
 class BenchmarkDefinition:
-    """What the catalog asks of a benchmark.
+    """A benchmark, as the registry uses it.
 
     describe: (options, max_chunk) → manifest: the schema Benchmark without
-    `manifest_sha256` and `unavailable_reason`, with one more member, `episodes`: a list
-    of {task, split, seed}. settings: images as chosen → World.settings, JSON-able.
-    make: World.settings → the simulator, in the process that is to run it.
-    unavailable: why it cannot be played here, and the cure, in a line; None if it can.
+        `manifest_sha256` and `unavailable_reason`, with one more member, `episodes`: a
+        list of {task, split, seed}.
+    settings: chosen images → SimulatorConfig.settings, JSON-able.
+    make: SimulatorConfig.settings → the simulator, in the process that runs it.
+    unavailable: why the benchmark cannot be played on this machine, and the remedy, in
+        one line; None if it can.
     """
 
     describe: Callable[[Mapping[str, Any], int], Json]
@@ -46,8 +49,8 @@ class BenchmarkDefinition:
 class Channel:
     """One named vector of an action or of an observation's state.
 
-    low, high: bounds per element, inclusive; none means unbounded. An action beyond its
-    bounds is executed as the nearest allowed one. The rest: see schema VectorSpace.
+    low, high: bounds per element, inclusive; None means unbounded. An action beyond its
+    bounds is executed as the nearest allowed one. Other members: schema VectorSpace.
     """
 
     name: str
@@ -62,7 +65,7 @@ class Channel:
     gripper_open: float | None = None
 
     def space(self) -> Json:
-        """The VectorSpace, conventions spelled out."""
+        """The VectorSpace, with all conventions."""
         space = vector(
             self.size,
             self.unit,
@@ -80,7 +83,7 @@ class Channel:
 
 
 def vector(size: int, unit: str = "1", **more: Any) -> Json:
-    """A VectorSpace; what is not given is none, absolute and unbounded."""
+    """A VectorSpace; by default without rotation and frame, absolute, unbounded."""
     space = {"rotation": "none", "frame": "none", "relative": False}
     return {"size": size, "unit": unit, **space, "out_of_range": "unbounded", **more}
 
@@ -100,7 +103,7 @@ def image_sizes(*sizes: tuple[int, int]) -> list[Json]:
 
 @cache
 def installed_version(distribution: str) -> str:
-    """Without importing it."""
+    """The version of an installed package, without importing it."""
     try:
         return importlib.metadata.version(distribution)
     except importlib.metadata.PackageNotFoundError:
@@ -108,15 +111,15 @@ def installed_version(distribution: str) -> str:
 
 
 def without_mujoco() -> str | None:
-    """Why nothing with physics can be played here."""
+    """Why benchmarks with physics cannot be played; None if they can."""
     installed = importlib.util.find_spec("mujoco") is not None
     return None if installed else "MuJoCo is not installed: make setup"
 
 
 def without_pictures() -> str | None:
-    """Why nothing with cameras can be played here; starts a process the first time."""
+    """Why benchmarks with cameras cannot be played; starts a process the first time."""
     if reason := without_mujoco():
-        return reason  # trying to draw would blame the graphics
+        return reason  # a rendering test would report the graphics instead
     try:
         rendering.find_backend()
     except rendering.RenderingUnavailable as unavailable:

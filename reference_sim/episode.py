@@ -1,8 +1,8 @@
-"""One episode in play: counts, truncates, applies the success rule, adds up the score.
+"""One attempt at an episode: step count, truncation, success rule and score.
 
-No clock, no encoding, no process: the same calls give the same numbers. The score is
-the simulator's last word, save for tasks whose score *is* their success: those follow
-the rule (`score_is_success`), which only this file knows.
+Pure: no clock, no encoding, no process. The score is the last one that the simulator
+reported, except for tasks whose score is their success (`score_is_success`): their
+score follows the success rule, which only this module knows.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ SUCCESS_RULES = ("any_step", "last_step")
 
 
 class Episode:
-    """An attempt from its reset to its end. Begun by making it."""
+    """An attempt from its reset to its end; the constructor resets the simulator."""
 
     def __init__(
         self,
@@ -29,7 +29,7 @@ class Episode:
         success_rule: str,
         score_is_success: bool = False,
     ) -> None:
-        """Raises TaskUnplayable, and whatever else the simulator raises."""
+        """Raises TaskUnplayable, and everything that the simulator raises."""
         if success_rule not in SUCCESS_RULES:
             raise ValueError(f"no success rule {success_rule!r}")
         self._simulator = simulator
@@ -53,7 +53,11 @@ class Episode:
         return float(self.success) if self._score_is_success else self._score
 
     def play(self, actions: Sequence[Action]) -> Iterator[float]:
-        """Executes until the chunk or the episode ends, yielding each step's reward."""
+        """Executes until the chunk or the episode ends, yielding each step's reward.
+
+        PRED-001: actions in order. PRED-007: none after the end. PRED-021: one reward
+        each.
+        """
         for action in actions:
             if self.ended:
                 return
@@ -62,14 +66,15 @@ class Episode:
             yield float(outcome.reward)
 
     def _record(self, outcome: StepOutcome) -> None:
-        if not 0.0 <= outcome.score <= 1.0:
+        if not 0.0 <= outcome.score <= 1.0:  # SCORE-001
             raise ValueError(f"score {outcome.score} is outside 0 … 1")
         if not math.isfinite(outcome.reward):
             raise ValueError(f"reward {outcome.reward} is not finite")
         self.steps += 1
+        # SCORE-002: any_step keeps an earlier success. SCORE-003: last_step does not.
         held_before = self._any_step and self.success
         self.success = held_before or bool(outcome.success)
         self._score = float(outcome.score)
         self.terminated = bool(outcome.terminated)
-        # A task that ends by itself at the very last step was not cut off.
+        # PRED-020: a task that ends by itself at max_steps is not truncated.
         self.truncated = self.steps >= self._max_steps and not self.terminated

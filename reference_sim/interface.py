@@ -1,8 +1,8 @@
-"""What a simulator must offer, and nothing more.
+"""The interface of a simulator.
 
 A simulator plays one episode at a time. It knows tasks, seeds, actions and
 observations; it does not know runs, sessions, attempts, step limits or encodings
-(`episode.py` counts and truncates, `worker.py` talks to the outside).
+(`episode.py` counts and truncates, `process/simulator_main.py` communicates).
 
 The shape follows Gymnasium's `reset(seed)` / `step(action)` with two differences that
 the protocol needs: observing is apart from stepping, so that a chunk of actions
@@ -24,7 +24,7 @@ Action = Mapping[str, Sequence[float]]
 
 @dataclass(frozen=True, slots=True)
 class Observation:
-    """What a policy may see after a step.
+    """What a policy receives after a step.
 
     state: name → float64 array of shape (n,), units as the benchmark's spaces declare.
     images: name → uint8 array of shape (height, width, channels), RGB, row 0 on top.
@@ -38,7 +38,7 @@ class Observation:
 
 @dataclass(frozen=True, slots=True)
 class StepOutcome:
-    """What one executed action did.
+    """The outcome of one executed action.
 
     success: the goal condition holds now.
     score: progress so far in [0, 1]; 1 exactly when the task is fully done.
@@ -53,16 +53,16 @@ class StepOutcome:
 
 
 class TaskUnplayable(Exception):
-    """The task can never be played here (a broken asset, say): retrying is useless."""
+    """The task can never be played: a broken asset, for example (FAULT-005)."""
 
 
 class Simulator(Protocol):
-    """One world, used by one process, playing episodes one after another."""
+    """Used by one process, playing episodes one after another."""
 
     def reset(self, task: str, seed: int, split: str = "") -> str:
         """Begin an episode; the same arguments give the same state, bit for bit.
 
-        split: one of the manifest's; a world without variations disregards it.
+        split: one of the manifest's; a simulator without variations ignores it.
         Returns the instruction in natural language.
         """
 
@@ -70,7 +70,7 @@ class Simulator(Protocol):
         """Execute one action. Values are finite, complete and of declared length."""
 
     def observe(self) -> Observation:
-        """The observation of the current state; may be asked any number of times."""
+        """The observation of the current state; may be called repeatedly."""
 
     def close(self) -> None:
-        """Free what the process does not free by itself."""
+        """Free what the end of the process does not free."""

@@ -1,13 +1,13 @@
-"""Where a simulator draws its raw images, so that they need no copy on their way out.
+"""A double frame buffer in shared memory: raw images reach the server without a copy.
 
-A canvas is memory that the simulator process shares with its parent, in two halves:
-each observation is drawn into the half that the one before it did not use, and the
-parent sends the pixels from there. Memory lasts one episode: whatever is still being
-sent, or kept to be sent again, is never drawn over by somebody else's episode.
+The memory is shared between a simulator process and its parent, in two halves: each
+observation is rendered into the half that the previous one did not use, and the parent
+sends the pixels from there. Every episode uses new memory, so images that are still
+being sent, or stored for a repeated request, are never overwritten by another episode.
 
-A simulator may draw elsewhere; then its pixels are copied, as they are where memory
-cannot be shared (Linux only), and in the first observation, whose size nobody knows.
-Which means nobody has to know this file to write a simulator.
+A simulator may render elsewhere; then its pixels are copied, as they are on systems
+without shared memory (it needs Linux) and in the first observation, whose size is not
+yet known. A simulator can be written without knowing this module.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-_ALIGNMENT = 64  # bytes; what vector instructions like
-_SEALS = ("F_SEAL_SHRINK", "F_SEAL_GROW")  # memory that shrinks kills its readers
+_ALIGNMENT = 64  # bytes; fast for vector instructions
+_SEALS = ("F_SEAL_SHRINK", "F_SEAL_GROW")  # reading memory that shrank is a SIGBUS
 _CAN_SHARE = hasattr(os, "memfd_create") and hasattr(fcntl, "F_ADD_SEALS")
 
 
@@ -35,7 +35,7 @@ class SharedMemoryRegion(NamedTuple):
 
 
 class SharedFrameBuffer:
-    """The two halves, and how far the present one is drawn on."""
+    """The two halves, and the number of bytes used of the current one."""
 
     def __init__(self) -> None:
         self._half_bytes = 0
@@ -47,12 +47,12 @@ class SharedFrameBuffer:
         self._unacknowledged: list[int] = []
 
     def begin_episode(self) -> None:
-        """Other memory from here on; what was drawn stays with who holds it."""
+        """Use new memory; views of the old memory stay valid."""
         self._memory = None
         self._half_bytes = 0
 
     def swap(self) -> None:
-        """Another observation is drawn from here on."""
+        """Begin another observation, in the other half."""
         self._wanted_bytes = max(self._wanted_bytes, self._used_bytes)
         self._used_bytes = 0
         self._half = 1 - self._half
@@ -61,7 +61,7 @@ class SharedFrameBuffer:
             self._half_bytes = self._wanted_bytes
 
     def allocate(self, height: int, width: int, channels: int = 3) -> NDArray[np.uint8]:
-        """(height, width, channels), uint8, contiguous, with anything in it."""
+        """An uninitialized array (height, width, channels), uint8, contiguous."""
         shape = (height, width, channels)
         start = self._used_bytes
         self._used_bytes += -(-prod(shape) // _ALIGNMENT) * _ALIGNMENT
@@ -71,7 +71,7 @@ class SharedFrameBuffer:
         return self._memory[start : start + prod(shape)].reshape(shape)
 
     def place_of(self, pixels: NDArray[np.uint8]) -> tuple[int, int] | None:
-        """Offset and length in the memory, if the pixels stand there."""
+        """Offset and length in the shared memory, if the pixels are in it."""
         if self._memory is None or not pixels.flags.c_contiguous:
             return None
         start: int = pixels.ctypes.data - self._memory.ctypes.data
@@ -79,30 +79,31 @@ class SharedFrameBuffer:
         return (start, pixels.nbytes) if inside else None
 
     def pending_mapping(self) -> SharedMemoryRegion | None:
-        """New memory that the parent has to map before it reads on, told once."""
+        """New memory that the parent has to map before the next reply; once."""
         pending, self._pending_mapping = self._pending_mapping, None
         if pending is not None:
             self._unacknowledged.append(pending.descriptor)
         return pending
 
     def acknowledge(self) -> None:
-        """What was told so far is mapped, so that its descriptors can go."""
+        """The parent has mapped all pending memory: close its descriptors."""
         while self._unacknowledged:
             os.close(self._unacknowledged.pop())
 
     def _share(self, size: int) -> None:
-        descriptor = os.memfd_create("canvas", os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
+        flags = os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING
+        descriptor = os.memfd_create("frame_buffer", flags)
         os.ftruncate(descriptor, size)
         for seal in _SEALS:
             fcntl.fcntl(descriptor, fcntl.F_ADD_SEALS, getattr(fcntl, seal))
         self._memory = np.frombuffer(mmap.mmap(descriptor, size), np.uint8)
-        if self._pending_mapping is not None:  # never told, never used
+        if self._pending_mapping is not None:  # never reported, never used
             os.close(self._pending_mapping.descriptor)
         self._pending_mapping = SharedMemoryRegion(descriptor, size)
 
 
 def map_memory(pid: int, shared: SharedMemoryRegion) -> memoryview:
-    """The memory of a child process, to be read. Raises OSError, ValueError."""
+    """Map the memory of a child process, read-only. Raises OSError, ValueError."""
     descriptor = os.open(f"/proc/{pid}/fd/{shared.descriptor}", os.O_RDONLY)
     with contextlib.closing(os.fdopen(descriptor, "rb")) as file:
         seals = fcntl.fcntl(file, fcntl.F_GET_SEALS)
@@ -110,10 +111,9 @@ def map_memory(pid: int, shared: SharedMemoryRegion) -> memoryview:
             not seals & fcntl.F_SEAL_SHRINK
             or os.fstat(descriptor).st_size < shared.size
         ):
-            raise ValueError("memory that could shrink is not read")
+            raise ValueError("the memory is not sealed against shrinking")
         return memoryview(mmap.mmap(descriptor, shared.size, prot=mmap.PROT_READ))
 
 
-FRAME_BUFFER = (
-    SharedFrameBuffer()
-)  # a simulator process has one simulator, and so one canvas
+# One per process, because a simulator process has one simulator.
+FRAME_BUFFER = SharedFrameBuffer()

@@ -205,9 +205,8 @@ class _EvaluationCommand:
             run_id, latest = self._run.run_id, self._progress_display.latest
             value["run_id"] = run_id
             if latest is not None:
-                say(
-                    f"Run {run_id}: {output.episodes_text(latest)} scored; scores are kept."
-                )
+                scored = output.episodes_text(latest)
+                say(f"Run {run_id}: {scored} scored; scores are kept.")
             if can_resume:
                 value["resume"] = resume_command(self._args, run_id)
                 say(f"To continue:\n  {value['resume']}")
@@ -249,8 +248,8 @@ class Signals:
         self.number = number
         os.write(
             2,
-            b"\nStopping: detaching workers. "
-            b"Press Ctrl-C again to terminate immediately.\n",
+            b"\nStopping: detaching workers. Press Ctrl-C again to terminate "
+            b"immediately.\n",
         )
         raise KeyboardInterrupt
 

@@ -1,4 +1,7 @@
-"""The simulator of the benchmark `calibration`: no physics, see spec/calibration.md."""
+"""The benchmark `calibration`: manifest and simulator, without physics.
+
+Specified in spec/calibration.md; rules that are decided here are cited by id.
+"""
 
 from __future__ import annotations
 
@@ -50,18 +53,18 @@ class Calibration:
         return f"Calibration task {task}."
 
     def step(self, action: Action) -> StepOutcome:
-        if self._task == "delay":
+        if self._task == "delay":  # CAL-004
             time.sleep(action["delay_s"][0])
         if self._task == "fault":
             _break_down(action["fault"][0])
-        self._count += 1
+        self._count += 1  # CAL-003
         self._vector = np.array(action["vector"], dtype=np.float64)
         self._clipped = np.clip(np.array(action["clipped"], dtype=np.float64), -1, 1)
         score = action["score"][0]
         return StepOutcome(
             success=action["success"][0] >= 1,
-            score=score,  # outside the task `score`, the success rule decides instead
-            terminated=action["end"][0] >= 1,
+            score=score,  # CAL-002; in other tasks the success rule decides instead
+            terminated=action["end"][0] >= 1,  # CAL-005
             reward=score,
         )
 
@@ -79,10 +82,11 @@ class Calibration:
         return Observation(state, {"pattern": pattern}, TENSORS)
 
     def close(self) -> None:
-        """Nothing is held."""
+        """No resources to free."""
 
 
 def _break_down(command: float) -> None:
+    """2 reports the task unplayable (FAULT-005), 1 kills the process (FAULT-001)."""
     if command >= 2:
         raise TaskUnplayable("the policy commanded fault 2")
     if command >= 1:
@@ -108,10 +112,11 @@ def _tensors() -> Mapping[str, NDArray[np.generic]]:
 TENSORS = _tensors()
 
 
-# what a run may be made of
+# The manifest
 
 
 def _describe(options: Mapping[str, Any], max_chunk: int) -> Json:
+    """CAL-001: spaces, options and tasks of calibration.md."""
     splits = ["even", "odd"]
     episodes = [
         {"task": task, "split": splits[index % 2], "seed": 1000 + index}

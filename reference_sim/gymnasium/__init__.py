@@ -1,13 +1,13 @@
 """Any Gymnasium environment as a benchmark; see docs/benchmarks.md.
 
-`benchmark_file` reads what the user wrote, `environments` makes the environment (and is
-alone in importing Gymnasium), `entries` translates its spaces, `simulator` plays it,
-`check` looks for its faults in a process of its own, `registration` starts that process
-and describes the benchmark.
+`benchmark_file` parses the user's file, `environments` makes the environment (only this
+module imports Gymnasium), `entries` converts its spaces, `simulator` plays it, `plan`
+completes the benchmark from the environment, `check` tests it in its own process, and
+`registration` starts that process and registers the benchmark.
 """
 
 from __future__ import annotations
 
 
 class BadBenchmark(ValueError):
-    """It cannot be offered; the text says which, where and why, in one line."""
+    """The benchmark cannot be registered; the text says why, in one line."""

@@ -1,7 +1,7 @@
-"""`python -m reference_sim.gymnasium check WHAT…`: tries your benchmarks.
+"""`python -m reference_sim.gymnasium check BENCHMARK…`: checks your benchmarks.
 
-WHAT is what `--benchmarks` of the server takes. Exit code: 0 they can be offered, 1 one
-of them cannot, 2 there is no such benchmark.
+BENCHMARK is a reference as of the server's option `--benchmarks`. Exit codes: 0 all
+pass, 1 one of them has a fault, 2 unknown benchmark or invalid file.
 """
 
 from __future__ import annotations
@@ -19,8 +19,10 @@ def main(arguments: list[str] | None = None) -> int:
         prog="python -m reference_sim.gymnasium", description=__doc__
     )
     commands = parser.add_subparsers(required=True, metavar="check")
-    command = commands.add_parser("check", help="try every task of a benchmark")
-    command.add_argument("what", nargs="+", help="gymnasium:ID, FILE.toml, …")
+    command = commands.add_parser("check", help="check every task of a benchmark")
+    command.add_argument(
+        "what", nargs="+", metavar="BENCHMARK", help="gymnasium:ID, FILE.toml, …"
+    )
     try:
         verdicts = [_check(what) for what in parser.parse_args(arguments).what]
     except BadBenchmark as error:
@@ -38,7 +40,7 @@ def _check(what: str) -> bool:
                 print(f"{benchmark.benchmark_id}: {kind.removesuffix('s')}: {line}")
         if not found["faults"]:
             total = found["manifest"]["episodes_total"]
-            print(f"{benchmark.benchmark_id}: can be offered, {total} episodes")
+            print(f"{benchmark.benchmark_id}: OK, {total} episodes")
         good = good and not found["faults"]
     return good
 

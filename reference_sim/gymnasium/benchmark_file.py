@@ -1,7 +1,7 @@
-"""What the user says of a benchmark: a TOML file, or a short name on the command line.
+"""The user's description of a benchmark: a TOML file or a short reference.
 
-docs/benchmarks.md is its manual. Nothing of an environment is known here; what a file
-leaves open is settled by `check`, which has one.
+Documented in docs/benchmarks.md. This module knows no environment; what a file omits is
+completed by `check`, from the environment.
 """
 
 from __future__ import annotations
@@ -114,7 +114,7 @@ class ReturnScore(_Strict):
 
 
 class Camera(_Strict):
-    """What `render` draws. upside_down: turned by half a turn before it is shown."""
+    """The image of `render`. upside_down: rotated by 180° before it is sent."""
 
     name: Name = "render"
     upside_down: bool = False
@@ -126,7 +126,7 @@ class ImageSize(_Strict):
 
 
 class Convention(_Strict):
-    """What Gymnasium cannot say of an entry; see schema VectorSpace."""
+    """Conventions that Gymnasium cannot express; see schema VectorSpace."""
 
     unit: str | None = None
     meaning: str | None = None
@@ -144,7 +144,7 @@ class Convention(_Strict):
 
 
 class Benchmark(_Strict):
-    """A whole file. What is None or empty is settled by the environment."""
+    """A complete file. None and empty members are completed from the environment."""
 
     benchmark_id: BenchmarkId
     version: Name = "1"
@@ -237,7 +237,8 @@ def read(reference: str) -> Iterator[tuple[Benchmark, Path]]:
         yield from map(_read_file, files)
     else:
         raise BadBenchmark(
-            f"{reference}: no benchmark; say gymnasium:ID, FILE.toml, a folder of such "
+            f"{reference}: unknown benchmark reference; expected gymnasium:ID, "
+            "FILE.toml, a folder of such "
             f"files, FILE.py:CLASS or {', '.join(BUNDLED_BENCHMARKS)}"
         )
 
@@ -262,7 +263,7 @@ def _read_file(path: Path) -> tuple[Benchmark, Path]:
     except OSError as error:
         raise BadBenchmark(f"{path}: {error.strerror}") from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise BadBenchmark(f"{path}: no TOML: {error}") from error
+        raise BadBenchmark(f"{path}: invalid TOML: {error}") from error
     content.setdefault("benchmark_id", legal_id(path.stem))
     try:
         return Benchmark.model_validate(content), path.parent

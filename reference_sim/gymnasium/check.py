@@ -1,9 +1,9 @@
-"""Looks at an environment before it is offered: what is it, and what is wrong with it?
+"""Checks an environment before its benchmark is registered.
 
-Runs in a process of its own (registration starts it), because an environment may hang
-or end the process that it is in. It plays a little of every task: the same seed twice
-with another between, so that a seed that is ignored and a state that leaks from one
-episode into the next are both seen. Each fault and each warning is a line.
+Runs in its own process (started by registration), because an environment may hang or
+end its process. Plays a few steps of every task: the same seed twice with another one
+between, which detects an ignored seed and state that leaks into the next episode. Each
+fault and each warning is one line.
 """
 
 from __future__ import annotations
@@ -37,11 +37,11 @@ Trajectory: TypeAlias = list[dict[str, bytes]]
 
 
 class TaskFault(Exception):
-    """The task cannot be offered; the text says what is wrong, in one line."""
+    """The task is not usable; the text says why, in one line."""
 
 
 class BenchmarkCheck:
-    """One benchmark, looked at task by task. `report_progress` is given what is being done."""
+    """Checks one benchmark, task by task."""
 
     def __init__(
         self, benchmark: Benchmark, folder: Path, report_progress: Callable[[str], None]
@@ -55,7 +55,7 @@ class BenchmarkCheck:
         self._frame: tuple[int, int] | None = None
         self._steps_played, self._play_s = 0, 0.0
 
-    def look(self) -> Json:
+    def run(self) -> Json:
         """faults, warnings, notes: lines; without faults, also plan and manifest."""
         draft = self._draft
         self._report_progress(f"importing {draft.benchmark.source}")
@@ -71,12 +71,12 @@ class BenchmarkCheck:
             except Exception as error:  # noqa: BLE001 - so does this
                 self._add_finding("faults", name, _line(error))
             if self._findings["faults"] and number == 0:
-                break  # the rest would say the same
+                break  # the other tasks would fail alike
         if self._findings["faults"]:
             return self._report(self._findings["faults"])
         for name, example in self._outside.items():
             self._add_finding(
-                "warnings", "", f"{example}; its bounds are not published"
+                "warnings", "", f"{example}; its bounds are omitted from the manifest"
             )
             self._observed = [
                 _unbounded(e) if e.name == name else e for e in self._observed
@@ -137,7 +137,7 @@ class BenchmarkCheck:
 
     def _record_step(self, simulator: GymnasiumSimulator) -> dict[str, bytes]:
         seen: dict[str, bytes] = {}
-        for part in simulator.look().values():
+        for part in simulator.observation_parts().values():
             seen |= {f"observation {name!r}": a.tobytes() for name, a in part.items()}
         for entry, value in simulator.leaves():
             array = np.asarray(value)
@@ -160,7 +160,7 @@ class BenchmarkCheck:
         return seen
 
     def _read_spaces(self, simulator: GymnasiumSimulator, task: str) -> None:
-        """The spaces, that must be one for all tasks; the camera, from the first."""
+        """Spaces, which must be equal in all tasks; the camera, from the first task."""
         if not self._actions:
             self._actions, self._observed = simulator.actions, simulator.observed
             self._draft.read_environment(simulator)
@@ -178,21 +178,21 @@ class BenchmarkCheck:
         first: Trajectory,
         difference: str,
     ) -> None:
-        """The same seed gave two episodes. Raises Fault with the likely cause."""
+        """The same seed gave two episodes. Raises TaskFault with the likely cause."""
         simulator.close()  # the next reset makes it anew
         fresh = self._record_trajectory(simulator, task, SEED)
         if _difference(first, fresh) is None:
             raise TaskFault(
-                f"an episode depends on the one before it ({difference}): set "
+                f"state leaks between episodes ({difference}): set "
                 "rebuild_every_episode = true"
             )
         raise TaskFault(
-            f"reset(seed={SEED}) twice gives two episodes ({difference}): it does not "
-            "obey the seed, so no score could be repeated"
+            f"reset(seed={SEED}) is not deterministic ({difference}), so scores are "
+            "not reproducible"
         )
 
     def _find_success(self, simulator: GymnasiumSimulator, task: str) -> None:
-        """Plays on until the declared key was in `info`, at most to the end."""
+        """Continues until the declared key is in `info`, at most to the end."""
         key = self._draft.plan["success"].get("info")
         if key is None or key in simulator.info:
             return
@@ -212,7 +212,7 @@ class BenchmarkCheck:
 def _some_action(
     actions: list[Entry], rng: np.random.Generator
 ) -> dict[str, list[float]]:
-    """Within the bounds; where there are none, between -1 and 1 of what there is."""
+    """A random action: within the bounds, or within a range of 2 if unbounded."""
     chosen: dict[str, list[float]] = {}
     for entry in actions:
         low = np.where(np.isinf(entry.low), np.minimum(entry.high, 1) - 2, entry.low)
@@ -231,7 +231,7 @@ def _numbers(reward: float) -> dict[str, bytes]:
 
 
 def _difference(one: Trajectory, other: Trajectory) -> str | None:
-    """Where two films part first, in words."""
+    """The first difference of two trajectories, as text; None if they are equal."""
     for step, (a, b) in enumerate(zip(one, other, strict=False)):
         for name in a:
             if a[name] != b.get(name):
@@ -256,7 +256,7 @@ def _line(error: Exception) -> str:
 
 
 def _lines(said: Mapping[str, list[str]]) -> list[str]:
-    """One line for each text, with the tasks that it was said of."""
+    """One line for each text, with the tasks that it applies to."""
     lines = []
     for text, tasks in said.items():
         more = f" (and {len(tasks) - 1} more)" if len(tasks) > 1 else ""
@@ -281,7 +281,7 @@ def main() -> None:
         check = BenchmarkCheck(
             benchmark, Path(request["folder"]), lambda t: send({"doing": t})
         )
-        send({"found": check.look()})
+        send({"found": check.run()})
 
 
 if __name__ == "__main__":

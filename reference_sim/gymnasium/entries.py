@@ -1,4 +1,4 @@
-"""Spaces, flattened: what an environment's nested spaces are in the protocol.
+"""Converts an environment's nested spaces to the protocol's flat ones.
 
 An entry is one leaf of a space, with its dotted name. Actions are vectors of floats; an
 observation's entry is a vector of the state, an image or a tensor, by its shape and
@@ -31,7 +31,7 @@ TENSOR_DTYPES = frozenset(
 
 
 class UnsupportedSpace(ValueError):
-    """The protocol has no words for this space; the text says what it is, in a line."""
+    """The protocol cannot represent this space; the text says why, in one line."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -39,10 +39,10 @@ class Entry:
     """One leaf of a space.
 
     name: dotted path of its keys; that of the whole space where there are none.
-    text: how the environment writes it, for people.
+    text: how the environment prints it.
     low, high: bounds per element, of `shape`, float64; infinite where there are none.
     whole: the elements are whole numbers that name choices.
-    as_tensor: not as an image, though it looks like one.
+    as_tensor: sent as a tensor, although its shape is that of an image.
     """
 
     name: str
@@ -60,7 +60,7 @@ class Entry:
 
     @property
     def kind(self) -> str:
-        """What it is in an observation: `state`, `images` or `tensors`."""
+        """Its group in an observation: `state`, `images` or `tensors`."""
         if self._is_image() and not self.as_tensor:
             return "images"
         if len(self.shape) <= 1:
@@ -80,7 +80,7 @@ class Entry:
     def bounds(self) -> Json:
         """`minimum` and `maximum`, if any element has one.
 
-        JSON has no infinity: where others are bounded, the largest float stands for it.
+        JSON has no infinity: if other elements are bounded, the largest float is used.
         """
         if np.isinf(self.low).all() and np.isinf(self.high).all():
             return {}
@@ -223,7 +223,7 @@ def _is_flat_image(entry: Entry) -> bool:
 
 
 def joined(first: Sequence[Entry], other: Sequence[Entry]) -> list[Entry]:
-    """The entries of two tasks' observations as one, with the wider bounds.
+    """The combined entries of two tasks' observations, with the wider bounds.
 
     Raises UnsupportedSpace if they differ in more than bounds.
     """

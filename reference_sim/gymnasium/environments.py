@@ -1,4 +1,4 @@
-"""Makes Gymnasium environments and reads their spaces; alone in importing Gymnasium.
+"""Makes Gymnasium environments and reads their spaces; alone imports Gymnasium.
 
 Environments are made without Gymnasium's time limit and checker: the protocol counts
 the steps, and `check` looks for faults once instead of at every step.
@@ -29,7 +29,7 @@ GYMNASIUM_VERSION = gymnasium.__version__
 
 
 class EnvironmentUnavailable(Exception):
-    """There is no such environment here; the text says why, in one line."""
+    """The environment cannot be made; the text says why, in one line."""
 
 
 # Making
@@ -38,11 +38,11 @@ class EnvironmentUnavailable(Exception):
 def make(
     made_of: Mapping[str, Any], kwargs: Mapping[str, Any], *, draws: bool
 ) -> Environment:
-    """An environment, ready to be reset. Raises CannotMake and what its maker raises.
+    """An environment, ready to be reset. Raises EnvironmentUnavailable and others.
 
     made_of: `environment` (a registered id) or `made_by` (see find); `modules`, which
     are imported first; `folder`, where modules and files of the user's own are found.
-    draws: whether its `render` is to return pictures.
+    draws: whether `render` returns images.
     """
     folder = _import_modules(made_of)
     chosen = dict(kwargs)
@@ -61,7 +61,7 @@ def make(
 
 
 def _import_modules(made_of: Mapping[str, Any]) -> str:
-    """Imports what is to be imported first; returns the folder."""
+    """Imports the modules that register environments; returns the folder."""
     folder = str(made_of["folder"])
     for module in made_of["modules"]:
         _import(module, folder)
@@ -73,13 +73,12 @@ def _require_registered(environment_id: str) -> None:
         gymnasium.spec(environment_id)
     except gymnasium.error.Error as error:
         raise EnvironmentUnavailable(
-            f"{_first_line(error)} (does a module have to be imported that registers "
-            "it?)"
+            f"{_first_line(error)} (is the module that registers it it?)"
         ) from error
 
 
 def find(reference: str, folder: str) -> Callable[..., Any]:
-    """What `FILE.py:NAME` or `MODULE:NAME` names. Raises CannotMake."""
+    """The object of `FILE.py:NAME` or `MODULE:NAME`. Raises EnvironmentUnavailable."""
     place, _, name = reference.rpartition(":")
     if place.endswith(".py"):
         module = _load(Path(folder, place))
@@ -133,7 +132,7 @@ def _first_line(error: BaseException) -> str:
 
 
 def can_draw(made_of: Mapping[str, Any]) -> bool:
-    """Whether it claims to; asked before it is made. Raises as `make` does."""
+    """Whether it declares `render`; known before it is made. Raises as `make`."""
     folder = _import_modules(made_of)
     if (environment_id := made_of["environment"]) is None:
         maker: Any = find(made_of["made_by"], folder)
@@ -149,7 +148,7 @@ def can_draw(made_of: Mapping[str, Any]) -> bool:
 
 
 def facts(environment: Environment, environment_id: str | None) -> dict[str, Any]:
-    """What it declares: step limit, reward threshold, control rate; None if silent."""
+    """Declared step limit, reward threshold and control rate; None if undeclared."""
     registered = gymnasium.spec(environment_id) if environment_id else None
     metadata = getattr(environment, "metadata", None) or {}
     rate = metadata.get("render_fps")
@@ -231,7 +230,7 @@ def _entry(
 
 
 def _text(space: Any) -> str:
-    """Short: the bounds of a Box stand elsewhere, and can be a page."""
+    """A short text of a space: the bounds of a Box can be a page."""
     if isinstance(space, spaces.Box):
         return f"Box {space.shape} of {space.dtype}"
     return str(space)

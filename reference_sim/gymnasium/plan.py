@@ -1,7 +1,7 @@
-"""Settles what a benchmark file leaves open, from what its environment says of itself.
+"""Completes a benchmark file from the declarations of its environment.
 
-The result is the plan, which the simulator plays by, and the manifest, which holds all
-that can change a score. Both are JSON-able.
+The result is the plan, the settings of the simulator, and the manifest, which contains
+everything that can change a score. Both are JSON-able.
 """
 
 from __future__ import annotations
@@ -37,13 +37,13 @@ _ENGINES = (
 
 
 class Unsettled(Exception):
-    """The file and the environment do not fit; the text says how, in one line."""
+    """The file does not fit the environment; the text says why, in one line."""
 
 
 class PlanDraft:
     """begin, ask, try_camera and settle are called in this order.
 
-    warnings: what the user should know. notes: what was taken for granted.
+    warnings: probable mistakes. notes: assumed defaults.
     """
 
     def __init__(self, benchmark: Benchmark, folder: Path) -> None:
@@ -71,7 +71,7 @@ class PlanDraft:
         }
 
     def begin(self) -> None:
-        """Before anything is made. Raises CannotMake, and what a module raises."""
+        """Before the environment is made. Raises EnvironmentUnavailable."""
         requested = self.benchmark.camera
         draws = environments.can_draw(self.plan["made_of"])
         if isinstance(requested, Camera) and not draws:
@@ -123,11 +123,11 @@ class PlanDraft:
             self.notes.append(f"success is a return of at least {reward_threshold:g}")
         elif self.plan["score"] == "success":
             self.warnings.append(
-                "nothing says what success is, so every score will be 0: write a file "
-                "with success = {...} or score = {...}"
+                "no success condition is declared, so every score is 0; set success = "
+                "{...} or score = {...} in the benchmark file"
             )
         else:
-            self.notes.append("nothing says what success is: there is none")
+            self.notes.append("no success condition is declared")
         at_end = "return_at_least" in self.plan["success"]
         self.success_rule = self.benchmark.success_rule or (
             "last_step" if at_end else "any_step"
@@ -139,7 +139,7 @@ class PlanDraft:
         self.plan["ends_on_success"] = settled if requested is None else requested
 
     def try_camera(self, simulator: GymnasiumSimulator) -> tuple[int, int] | None:
-        """Width and height of what it draws; without its wish, failing is no fault."""
+        """Width and height of its images; a fault only if the file sets camera."""
         try:
             height, width, _ = simulator.draw().shape
         except Exception as error:
@@ -195,8 +195,8 @@ class PlanDraft:
     def _sizes(
         self, images: Sequence[Entry], frame: tuple[int, int] | None
     ) -> list[tuple[int, int]]:
-        """What may be chosen. A camera follows the images of the observation, which
-        are what a policy was trained on."""
+        """The available image sizes: those of the observation's images, on which
+        policies are trained, come first."""
         if self.benchmark.image_sizes:
             return [(size.width, size.height) for size in self.benchmark.image_sizes]
         if images:
@@ -226,7 +226,7 @@ class PlanDraft:
         }
 
     def _simulator(self) -> Json:
-        """Versions, and every choice that the manifest has no other place for."""
+        """Versions, and all settings without a member of their own in the manifest."""
         made_of = self.plan["made_of"]
         sources = {"modules": made_of["modules"]} if made_of["modules"] else {}
         if made_of["made_by"] is not None:
@@ -247,18 +247,18 @@ class PlanDraft:
 
 
 def _declare(space: Json, declared: Mapping[str, Convention], where: str) -> None:
-    """Conventions of the file, written over what the environment's space says."""
+    """The file's conventions override those derived from the environment's space."""
     for name, convention in declared.items():
         if name not in space:
             there = ", ".join(space) or "nothing"
             raise Unsettled(
-                f"{where}.{name}: the environment has no such; it has {there}"
+                f"{where}.{name}: unknown name; the environment has {there}"
             )
         space[name] |= convention.members()
 
 
 def _versions(modules: Sequence[str]) -> dict[str, str]:
-    """Of the distributions that the environment's classes come from, and of engines."""
+    """Versions of the packages that define the environment, and of physics engines."""
     tops = {module.partition(".")[0] for module in modules}
     owners = importlib.metadata.packages_distributions()
     found = {owner for top in tops for owner in owners.get(top, ())}

@@ -1,7 +1,7 @@
-"""From a reference to a benchmark on offer: read, check in a process, describe.
+"""Registers a benchmark: reads its file, checks it in a process, defines it.
 
-Imports neither Gymnasium nor an environment: those live in the check's process and in
-the simulator processes, and may end them.
+Imports neither Gymnasium nor an environment: those are imported only in the check
+process and in simulator processes, which they may crash.
 """
 
 from __future__ import annotations
@@ -27,8 +27,8 @@ from reference_sim.interface import Simulator
 from reference_sim.mujoco import rendering
 
 SILENCE_S_MAX = 120.0  # importing some simulators takes a minute
-_SLOW_S = 3.0  # from here on, and that often, people hear what is being done
-_REPEAT_S = 10.0  # of the same
+_SLOW_S = 3.0  # before the first progress message, and between messages
+_REPEAT_S = 10.0  # between equal messages
 _EXIT_TIMEOUT_S = 5.0
 _COMMAND = "python -m reference_sim.gymnasium check"
 _CHECK = "reference_sim.gymnasium.check"
@@ -39,7 +39,7 @@ Say = Callable[[str], None]
 def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinition]]:
     """Every benchmark that a reference names, by id, checked.
 
-    say: is given a line for people, now and then. Raises BadBenchmark.
+    say: called with progress messages. Raises BadBenchmark.
     """
     for benchmark, folder in read(reference):
         found = examine(benchmark, folder, say)
@@ -63,7 +63,7 @@ def _definition(plan: Json, manifest: Json) -> BenchmarkDefinition:
         scored = manifest["tasks"] if plan["score"] == "success" else []
         return {
             **images,
-            "adapter": "gymnasium",  # the simulator's process has no other catalog
+            "adapter": "gymnasium",  # a simulator process has its own registry
             "plan": plan,
             "success_scored_tasks": scored,
         }
@@ -72,20 +72,20 @@ def _definition(plan: Json, manifest: Json) -> BenchmarkDefinition:
 
 
 def make(settings: Mapping[str, Any]) -> Simulator:
-    """The simulator, in the process that is to run it."""
+    """The simulator, in the process that runs it."""
     from reference_sim.gymnasium import simulator
 
     return simulator.make(settings)
 
 
-# The check's process
+# The check process
 
 
 def examine(benchmark: Benchmark, folder: Path, say: Say) -> Json:
-    """What Check.look found. A process that dies or hangs is a fault like another."""
+    """The result of BenchmarkCheck.run; a process that dies or hangs is a fault."""
     if benchmark.camera is not False:
         with suppress(rendering.RenderingUnavailable):
-            rendering.find_backend()  # MuJoCo asks while it is being imported
+            rendering.find_backend()  # MuJoCo reads it while it is imported
     request = {"benchmark": benchmark.model_dump(mode="json"), "folder": str(folder)}
     with tempfile.TemporaryFile() as stderr:
         process = _start(stderr)
@@ -128,7 +128,7 @@ def _start(stderr: IO[bytes]) -> subprocess.Popen[bytes]:
 def _messages(
     process: subprocess.Popen[bytes], benchmark_id: str, say: Say
 ) -> Iterator[Json]:
-    """Until the process ends or is silent for too long, which is a message too."""
+    """Messages until the process ends; no output for SILENCE_S_MAX is a fault."""
     assert process.stdout is not None
     lines: SimpleQueue[bytes] = SimpleQueue()
     threading.Thread(target=_listen, args=(process.stdout, lines), daemon=True).start()
@@ -147,7 +147,7 @@ def _messages(
             heard_at, doing = now, message.get("doing", doing)
             yield message
         elif now - heard_at > SILENCE_S_MAX:
-            text = f"{doing}: no sign of life for {SILENCE_S_MAX:.0f} s"
+            text = f"{doing}: no output for {SILENCE_S_MAX:.0f} s"
             yield {"found": {"faults": [text], "warnings": []}}
         if now - said_at > (_SLOW_S if doing != said else _REPEAT_S):
             said_at, said = now, doing
@@ -170,4 +170,4 @@ def _end(process: subprocess.Popen[bytes]) -> None:
 def _last_line(stderr: IO[bytes]) -> str:
     stderr.seek(0)
     lines = stderr.read().decode(errors="replace").strip().splitlines()
-    return lines[-1][:200] if lines else "it said nothing"
+    return lines[-1][:200] if lines else "no error output"

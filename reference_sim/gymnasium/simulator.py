@@ -1,7 +1,7 @@
-"""Plays a Gymnasium environment as a `Simulator`; in the process that is to run it.
+"""Plays a Gymnasium environment as a `Simulator`.
 
-What an environment does wrong is raised, never mended: a shape that is not its space's,
-a number that is not finite. The parent calls it a fault of the simulator.
+Errors of an environment, such as a wrong shape or a number that is not finite, are
+raised, never corrected. The parent process reports them as a fault of the simulator.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ ACTION, OBSERVATION = "action", "observation"  # of spaces that have no names in
 
 @dataclass(frozen=True, slots=True)
 class StepData:
-    """What a step did. total: the sum of rewards, with this one."""
+    """The result of a step. total: the sum of rewards, including this one."""
 
     environment: Environment
     info: Mapping[str, Any]
@@ -37,7 +37,7 @@ SuccessPredicate = Callable[[StepData], bool]
 
 
 class GymnasiumSimulator:
-    """`Simulator` of a benchmark as `check` has settled it (`plan`, JSON-able).
+    """`Simulator` of a checked benchmark (`plan`, JSON-able).
 
     size: width and height of the images, in pixels; None leaves them as they come.
     """
@@ -87,7 +87,7 @@ class GymnasiumSimulator:
         ]
 
     def step(self, action: Action) -> StepOutcome:
-        """Success as the plan says; it ends the episode where the plan says so."""
+        """Success, and whether it ends the episode, are decided by the plan."""
         environment = self._require_environment()
         values = {
             entry.name: entries.to_environment(entry, action[entry.name])
@@ -122,8 +122,8 @@ class GymnasiumSimulator:
         return float(min(1.0, max(0.0, (self._return - start) / (end - start))))
 
     def observe(self) -> Observation:
-        """State, images and tensors of the space, and what `render` draws."""
-        parts = self.look()
+        """State, images and tensors of the space, and the image of `render`."""
+        parts = self.observation_parts()
         if (camera := self._plan["camera"]) is not None:
             parts["images"][camera["name"]] = self.draw(camera["upside_down"])
         if self._size is not None:
@@ -131,8 +131,8 @@ class GymnasiumSimulator:
                 parts["images"][name] = _resize(pixels, self._size)
         return Observation(**parts)
 
-    def look(self) -> dict[str, dict[str, NDArray[Any]]]:
-        """What the observation space holds: `state`, `images` and `tensors`."""
+    def observation_parts(self) -> dict[str, dict[str, NDArray[Any]]]:
+        """The observation by group: `state`, `images` and `tensors`."""
         parts: dict[str, dict[str, NDArray[Any]]]
         parts = {"state": {}, "images": {}, "tensors": {}}
         for entry, value in self.leaves():
@@ -146,7 +146,7 @@ class GymnasiumSimulator:
         return ((entry, values[entry.name]) for entry in self.observed)
 
     def draw(self, upside_down: bool = False) -> NDArray[np.uint8]:
-        """A picture, (height, width, 3). Raises ValueError if it is none."""
+        """The image of `render`, (height, width, 3). Raises ValueError if invalid."""
         pixels: Any = self._require_environment().render()
         if not (
             isinstance(pixels, np.ndarray)
@@ -176,7 +176,7 @@ class GymnasiumSimulator:
 
 
 def make(settings: Mapping[str, Any]) -> GymnasiumSimulator:
-    """The simulator of a world; see registration."""
+    """The simulator of these settings; see registration."""
     size = (settings["width"], settings["height"])
     return GymnasiumSimulator(settings["plan"], size)
 
@@ -203,7 +203,7 @@ def _success_predicate(success: Mapping[str, Any], folder: str) -> SuccessPredic
     if reference := success.get("function"):
         predicate = environments.find(reference, folder)
         return lambda step_data: bool(predicate(step_data.environment, step_data.info))
-    return lambda step_data: False  # noqa: ARG005 - nobody says what success is
+    return lambda step_data: False  # noqa: ARG005 - no success condition is declared
 
 
 def _describe(thing: object) -> str:

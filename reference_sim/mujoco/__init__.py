@@ -1,1 +1,4 @@
-"""What MuJoCo benchmarks share: the world, cameras, kinematics."""
+"""Shared by the MuJoCo benchmarks: physics, rendering, kinematics, tasks.
+
+Import the library itself as `mujoco`: imports are absolute.
+"""

@@ -1,11 +1,11 @@
 """From a pose of the gripper to joint angles, for experts and examples.
 
-Our own forty lines, although well-kept libraries solve this: the best of them, mink
-(Apache-2.0), brings 346 MB and a quadratic-program solver into every client that wants
-to run an expert, to do what damped least squares does here in 0.1 ms. Joint limits are
-met by clipping, and freedom left over is spent on staying near a posture.
+Why no library: the best one, mink (Apache-2.0), adds 346 MB and a quadratic-program
+solver to every client that runs an expert; damped least squares needs forty lines and
+0.1 ms. Joint limits are enforced by clipping; redundancy is used to stay near a
+posture.
 
-The arm is a model of its own: nothing is read from the simulator being played.
+The arm is a separate model: nothing is read from the simulator being played.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ POSTURE_GAIN = 0.1
 class ArmKinematics:
     """Forward and inverse kinematics of one arm of a model.
 
-    joints: of the arm, in order. body: whose pose is meant, the gripper's. posture:
-    joint positions, rad, near which the arm stays where it has freedom left.
+    joints: of the arm, in order. body: the gripper, whose pose is computed. posture:
+    preferred joint positions, rad, for redundant arms.
     """
 
     def __init__(

@@ -1,13 +1,13 @@
-"""Finds out what draws pictures on this machine, without a screen.
+"""Finds the rendering backend of this machine, without a screen.
 
-MuJoCo draws through EGL or OSMesa, takes its choice from MUJOCO_GL while it is being
-imported, and answers a wrong choice with an AttributeError, a ctypes error or the end
-of the process. So nothing is guessed here: each backend has to draw 8x8 pixels in a
-process of its own, and MUJOCO_GL is set only to one that did.
+MuJoCo renders through EGL or OSMesa, reads its choice from MUJOCO_GL while it is
+imported, and reacts to a wrong choice with an AttributeError, a ctypes error or the end
+of the process. So each backend is tested: it has to render 8x8 pixels in its own
+process, and MUJOCO_GL is set only to one that succeeded.
 
-The answer is kept in PROCTOR_GL, which child processes inherit: a server with sixteen
-simulator processes looks once. This file must not import mujoco: state-only use has to
-work where nothing can be drawn.
+The result is stored in PROCTOR_GL, which child processes inherit: a server with sixteen
+simulator processes tests once. This module must not import mujoco: benchmarks without
+cameras have to work on machines without graphics.
 
 `python -m reference_sim.mujoco.rendering` prints the backend, or what to install.
 """
@@ -38,13 +38,13 @@ with mujoco.Renderer(model, 8, 8) as renderer:
 
 
 class RenderingUnavailable(RuntimeError):
-    """Nothing here can draw without a screen; the text is one line with the remedy."""
+    """No backend renders without a screen; the text is one line with the remedy."""
 
 
 def find_backend() -> str:
-    """The backend that draws here, exported as MUJOCO_GL for mujoco to come.
+    """The backend of this machine, exported as MUJOCO_GL before mujoco is imported.
 
-    Costs a third of a second the first time in a tree of processes, nothing after.
+    Takes 0.3 s the first time in a tree of processes.
     Raises RenderingUnavailable, with MUJOCO_GL removed, if there is none.
     """
     found = os.environ.get(_FOUND) or _probe_backends()
@@ -53,9 +53,7 @@ def find_backend() -> str:
         os.environ["MUJOCO_GL"] = found
         return found
     os.environ.pop("MUJOCO_GL", None)
-    raise RenderingUnavailable(
-        f"cameras need OpenGL without a screen ({found}): {APT_COMMAND}"
-    )
+    raise RenderingUnavailable(f"cameras need headless OpenGL ({found}): {APT_COMMAND}")
 
 
 def _probe_backends() -> str:
@@ -70,7 +68,7 @@ def _probe_backends() -> str:
 
 
 def _failure_of(backend: str) -> str | None:
-    """Draws in a process of its own: None if that worked, else why not, in one line."""
+    """Renders in its own process: None on success, else the reason, in one line."""
     try:
         probe = subprocess.run(
             [sys.executable, "-c", _PROBE],
@@ -81,7 +79,7 @@ def _failure_of(backend: str) -> str | None:
             timeout=_PROBE_TIMEOUT_S,
         )
     except subprocess.TimeoutExpired:
-        return f"no picture within {_PROBE_TIMEOUT_S} s"
+        return f"no image rendered within {_PROBE_TIMEOUT_S} s"
     if probe.returncode == 0:
         return None
     error_lines = probe.stderr.strip().splitlines() or [f"exit {probe.returncode}"]

@@ -1,8 +1,8 @@
-"""A simulator of tasks in one physical scene: what all our MuJoCo benchmarks share.
+"""The simulator of tasks in one MuJoCo scene, shared by the physical benchmarks.
 
-A scene is a robot and its things, in physical words; a task says how an episode begins,
-which stages lead to the goal and when the goal holds. Nothing here knows of a robot, a
-task or MuJoCo.
+A scene is a robot and its objects, in physical quantities. A task defines how an
+episode begins, which stages lead to the goal, and when the goal holds. This module
+knows no particular robot or task, and uses MuJoCo only through `World`.
 """
 
 from __future__ import annotations
@@ -17,16 +17,16 @@ from numpy.typing import NDArray
 from reference_sim.interface import Action, Observation, StepOutcome, TaskUnplayable
 from reference_sim.mujoco.world import Vector, World
 
-GOAL_HOLD_STEPS = 3  # control steps in a row: a cube thrown up is not lifted
+GOAL_HOLD_STEPS = 3  # consecutive control steps: a cube thrown up is not lifted
 
 
 class Scene(Protocol):
-    """Robot and things. `world` is for snapshots and pictures; tasks do without it."""
+    """Robot and objects. `world` is for snapshots and images; tasks do not use it."""
 
     world: World
 
     def reset(self) -> None:
-        """The robot at home, everything where the model has it."""
+        """Reset to the initial state of the model, with the robot at home."""
 
     def command(self, action: Action) -> None:
         """Set the targets of one control step."""
@@ -40,7 +40,7 @@ SceneT_contra = TypeVar("SceneT_contra", bound=Scene, contravariant=True)
 
 
 class Task(Protocol[SceneT_contra]):
-    """How an episode begins and what counts as done. One object plays one episode.
+    """The initial state and the goal of a task. One object plays one episode.
 
     stages: names of what leads to the goal, in order; the goal itself comes last and is
     not among them. The score is the share of stages that were ever reached, each after
@@ -54,7 +54,7 @@ class Task(Protocol[SceneT_contra]):
     def stages(self) -> Sequence[str]: ...
 
     def reset(self, scene: SceneT_contra, rng: np.random.Generator, split: str) -> None:
-        """Arranges a scene that was just reset."""
+        """Place the objects in a scene that was just reset."""
 
     def reached(self, scene: SceneT_contra) -> Sequence[bool]:
         """For each stage, whether it holds now."""
@@ -65,9 +65,9 @@ class Task(Protocol[SceneT_contra]):
 
 @dataclass(frozen=True, slots=True)
 class Snapshot:
-    """An episode under way; continues in any simulator of the same versions.
+    """An episode in progress; continues in any simulator of the same versions.
 
-    task, seed, split: make the task's own choices again.
+    task, seed, split: reproduce the random choices of the task.
     """
 
     task: str
@@ -92,7 +92,7 @@ class PhysicalSimulator(Generic[SceneT]):
         camera_size: tuple[int, int] = (0, 0),
     ) -> None:
         """substeps: of the model's timestep in one control step. camera_size: pixels,
-        width and height; without cameras no graphics are looked for."""
+        width and height; without cameras, no rendering backend is needed."""
         self._scene = scene
         self._world = scene.world
         self._tasks = tasks
@@ -132,7 +132,7 @@ class PhysicalSimulator(Generic[SceneT]):
         )
 
     def observe(self) -> Observation:
-        """State, and a picture of each camera."""
+        """State, and an image of each camera."""
         self._require_task()
         images: dict[str, NDArray[np.uint8]] = {
             camera: self._world.render(camera, *self._camera_size)
@@ -141,7 +141,7 @@ class PhysicalSimulator(Generic[SceneT]):
         return Observation(state=self._scene.state(), images=images)
 
     def snapshot(self) -> Snapshot:
-        """What `restore` needs."""
+        """The state for `restore`."""
         return Snapshot(
             task=self._require_task().name,
             seed=self._seed,
@@ -153,7 +153,7 @@ class PhysicalSimulator(Generic[SceneT]):
         )
 
     def restore(self, snapshot: Snapshot) -> None:
-        """Continues where the snapshot was taken, bit for bit."""
+        """Continue from the snapshot, bit for bit."""
         self.reset(snapshot.task, snapshot.seed, snapshot.split)
         self._world.restore(snapshot.world)
         self._held_steps = snapshot.held_steps
@@ -161,7 +161,7 @@ class PhysicalSimulator(Generic[SceneT]):
         self._success = snapshot.success
 
     def close(self) -> None:
-        """Frees what pictures took."""
+        """Free the renderers."""
         self._world.close()
 
     def _require_task(self) -> Task[SceneT]:

@@ -1,4 +1,4 @@
-"""The one module that knows MuJoCo: a physical world whose parts are found by name.
+"""The only module that imports MuJoCo: a physical world with parts found by name.
 
 Nothing here knows of a task, a robot or a policy. mujoco comes without types, so `Any`
 ends in this file: everything public takes and returns plain numbers and NumPy arrays.
@@ -7,7 +7,7 @@ Three things that are not obvious, all measured:
 
 - mujoco is imported when the first world is made, with graphics switched off, because
   `import mujoco` fails when MUJOCO_GL names a backend this machine lacks. Graphics are
-  switched on by the first picture.
+  switched on by the first image.
 - A snapshot holds the solver's warm start. `mj_forward` overwrites it in MuJoCo 3.3
   (4.0 leaves it alone), so a restored state is set twice, around `mj_forward`; the
   continuation is then exact to the bit.
@@ -36,7 +36,7 @@ Vector = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Quality:
-    """How much work a picture is worth; it changes pixels and thereby scores.
+    """Rendering quality; it changes pixels and thereby scores.
 
     samples: anti-aliasing samples per pixel. shadow_map: its side in texels.
     slices, stacks: of round shapes.
@@ -56,11 +56,11 @@ QUALITIES = {
 
 
 class SimulationDiverged(RuntimeError):
-    """The integrator met numbers it could not go on with; the state is worthless."""
+    """The integrator met invalid numbers; the state is unusable."""
 
 
 class World:
-    """A model, its state and its pictures."""
+    """A model, its state and its rendered images."""
 
     def __init__(self, mjcf: str, quality: str = "fast") -> None:
         """mjcf: the model's XML text. quality: a key of QUALITIES."""
@@ -93,7 +93,7 @@ class World:
     def reset(self) -> None:
         """The model's initial state, warm start included; call `forward` when set.
 
-        The model itself is what its XML says again.
+        Edits of the model are undone.
         """
         for field, original in self._originals.items():
             getattr(self._model, field)[:] = original
@@ -163,7 +163,7 @@ class World:
         mocap[0][index], mocap[1][index] = pose[:3], pose[3:]
 
     def controls(self) -> Vector:
-        """What all actuators were told last, in the model's order; a copy."""
+        """The last targets of all actuators, in the model's order; a copy."""
         controls: Vector = self._data.ctrl.copy()
         return controls
 
@@ -208,7 +208,7 @@ class World:
     # Edits of the model, undone by `reset`
 
     def set_gravity_compensation(self, body: str, share: float) -> None:
-        """How much of its weight is taken off a body: 1 floats, 0 falls."""
+        """The compensated share of a body's weight: 1 floats, 0 falls."""
         self._edit("body_gravcomp")[self._model.body(body).id] = share
 
     def scale_body(self, body: str, factor: float) -> None:
@@ -251,12 +251,12 @@ class World:
         self._originals.setdefault(field, values.copy())
         return values
 
-    # Pictures
+    # Rendering
 
     def render(self, camera: str, width: int, height: int) -> NDArray[np.uint8]:
-        """(height, width, 3) RGB, row 0 on top; drawn on the canvas.
+        """(height, width, 3) RGB, row 0 on top; rendered into the frame buffer.
 
-        Raises RenderingUnavailable where nothing can be drawn.
+        Raises RenderingUnavailable without a backend.
         """
         renderer = self._renderers.get((width, height))
         if renderer is None:
@@ -269,7 +269,7 @@ class World:
         return picture
 
     def body_at(self, camera: str, spot: Sequence[float], aspect: float) -> str | None:
-        """The body that a picture shows at a spot; nothing is drawn to know it.
+        """The body visible at a point of an image, by ray casting, without rendering.
 
         spot: x to the right and y down, (0, 0) to (1, 1). aspect: width over height.
         """
@@ -287,7 +287,7 @@ class World:
     def spot_of(
         self, camera: str, position: Sequence[float] | Vector, aspect: float
     ) -> tuple[float, float]:
-        """Where a picture shows a point in front of the camera; see `body_at`."""
+        """The image coordinates of a point in front of the camera; see `body_at`."""
         eye, turned, half = self._camera(camera)
         right, up, back = turned.T @ (np.asarray(position) - eye)
         x, y = right / -back / half / aspect, up / back / half
@@ -301,13 +301,13 @@ class World:
         return self._data.cam_xpos[index], turned, half
 
     def close(self) -> None:
-        """Frees what the pictures took; the world may still be stepped."""
+        """Free the renderers; the world may still be stepped."""
         while self._renderers:
             self._renderers.popitem()[1].close()
 
     def _new_renderer(self, width: int, height: int) -> Any:
         draw = _renderer_class()
-        # The largest picture allowed, and no more: memory is reserved per renderer.
+        # The size of the offscreen buffer: memory is reserved per renderer.
         self._model.vis.global_.offwidth = width
         self._model.vis.global_.offheight = height
         renderer = draw(self._model, height, width)

@@ -1,1 +1,1 @@
-"""Simulators in processes of their own, and the pool that lends them."""
+"""Simulator processes: the pool, the fork server, the program, image encoding."""

@@ -1,7 +1,8 @@
-"""Observations as the protocol's plain structure: lists, numbers and bytes.
+"""Converts observations to the protocol's structure: lists, numbers and bytes.
 
-What the structure is written as (JSON, MessagePack) is decided elsewhere. The structure
-owns its bytes: a simulator may go on drawing into the same buffer.
+The server encodes the structure as JSON or MessagePack. The structure owns its bytes: a
+simulator may render into the same buffer again. Decides ENC-004 (tensors), ENC-005 (raw
+images), ENC-006 (png) and ENC-007 (jpeg).
 """
 
 from __future__ import annotations
@@ -25,17 +26,16 @@ CODECS = ("raw", "png", "jpeg")
 JPEG_QUALITY = 90
 PNG_COMPRESS_LEVEL = 1  # larger by a tenth than the default, five times as fast
 
-# Plugins are found by import: named here, it is loaded before a process is forked.
+# Pillow loads plugins lazily: named here, it is loaded before a process is forked.
 _PLUGIN = PngImagePlugin
-# channels → how simplejpeg calls them, and how it thins out their colours
+# channels → colour space and chroma subsampling of simplejpeg
 _JPEG_COLOURS = {1: ("GRAY", "Gray"), 3: ("RGB", "420")}
-
 
 _NOTHING = memoryview(b"")
 
 
 class EncodedImage(TypedDict):
-    """place: between the processes, instead of data: offset, length on the canvas."""
+    """place: offset and length in the frame buffer; replaced by `data` on receipt."""
 
     codec: str
     width: int
@@ -60,9 +60,9 @@ class EncodedObservation(TypedDict):
 def encode(
     observation: Observation, codec: str, frame_buffer: SharedFrameBuffer | None = None
 ) -> EncodedObservation:
-    """The structure of the spec's schema Observation, `data` as bytes.
+    """The structure of the specification's schema Observation, `data` as bytes.
 
-    canvas: raw pixels that stand on it are not copied, and told by their place.
+    frame_buffer: raw pixels in it are not copied, but referenced by `place`.
     """
     return {
         "state": {
@@ -81,7 +81,7 @@ def _encode_images(
     codec: str,
     frame_buffer: SharedFrameBuffer | None,
 ) -> dict[str, EncodedImage]:
-    """Several cameras are compressed at once: encoders let go of the interpreter."""
+    """Several cameras are compressed in parallel: encoders release the GIL."""
     encode_one = partial(encode_image, codec=codec, frame_buffer=frame_buffer)
     many = len(images) > 1 and codec != "raw"
     spread = _threads().map if many else map
@@ -90,7 +90,7 @@ def _encode_images(
 
 @lru_cache(maxsize=1)
 def _threads() -> ThreadPoolExecutor:
-    """Made when first needed, which is after the process was forked."""
+    """Made at first use, which is after the process was forked."""
     return ThreadPoolExecutor(os.cpu_count(), thread_name_prefix="encode")
 
 
@@ -136,7 +136,7 @@ def _compress(pixels: NDArray[np.uint8], codec: str) -> memoryview:
 
 
 def _jpeg(pixels: NDArray[np.uint8]) -> bytes:
-    """By simplejpeg: in threads Pillow takes twice as long, for 3 % smaller files."""
+    """simplejpeg: in threads, Pillow takes twice as long, for 3 % smaller files."""
     colours = _JPEG_COLOURS.get(pixels.shape[2])
     if colours is None:
         raise ValueError(f"JPEG has no {pixels.shape[2]} channels")

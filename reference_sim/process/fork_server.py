@@ -1,14 +1,13 @@
-"""The process that forks simulator processes: in milliseconds instead of tenths.
+"""The process that forks simulator processes, in 4 ms instead of 75 ms each.
 
-Everything heavy is imported once, here. Nothing is ever simulated or drawn here, and
-there is one thread, so forking is safe. It lives as long as its parent, its children no
-longer than it. Linux only. `python -m reference_sim.process.fork_server FD`, FD being a
-socket that keeps the bounds of messages:
+Large packages are imported once, here. It simulates and renders nothing and has one
+thread, so forking is safe. It ends with its parent, and its children end with it. Linux
+only. `python -m reference_sim.process.fork_server FD`; FD is a SEQPACKET socket:
 
-- a message with a descriptor means: fork, and serve on that descriptor;
-- a message without is the process id of a child to kill. No stranger can have that id
-  meanwhile, because a child keeps it until it is reaped, which happens only here;
-- end-of-file is the end of the parent: all children are killed.
+- a message with a descriptor: fork, and serve on that descriptor;
+- a message without a descriptor: the process id of a child to kill. The id cannot
+  belong to another process meanwhile, because only this process reaps its children;
+- end-of-file: the parent has ended; all children are killed.
 """
 
 from __future__ import annotations
@@ -30,6 +29,8 @@ _log = logging.getLogger(__name__)
 
 
 class ForkServer:
+    """Forks, reaps and kills simulator processes for the peer of `control`."""
+
     def __init__(self, control: socket.socket) -> None:
         self._control = control
         self._pid = os.getpid()
@@ -37,16 +38,16 @@ class ForkServer:
         self._libc = ctypes.CDLL(None)
 
     def run(self) -> None:
-        """Returns when the parent and all children are gone."""
+        """Returns when the parent and all children have ended."""
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         signal.signal(signal.SIGCHLD, self._reap)
         gc.collect()
-        gc.freeze()  # a child's collections shall not copy what it shares with us
+        gc.freeze()  # so that a child's garbage collection copies no shared pages
         while True:
             message, descriptors, _, _ = socket.recv_fds(self._control, 64, 1)
             if not message:
                 return self._end()
-            # No child may be reaped between being looked up and being signalled.
+            # No child may be reaped between the lookup and the signal.
             signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGCHLD})
             if descriptors:
                 self._fork(descriptors[0])
@@ -62,21 +63,21 @@ class ForkServer:
         os.close(descriptor)
 
     def _become_simulator(self, descriptor: int) -> Never:
-        """Becomes a simulator process; called in the child."""
+        """Run as a simulator process; called in the child."""
         try:
             self._libc.prctl(_PR_SET_PDEATHSIG, int(signal.SIGKILL), 0, 0, 0)
-            if os.getppid() == self._pid:  # else it died before we had asked
+            if os.getppid() == self._pid:  # otherwise it died before prctl
                 signal.signal(signal.SIGCHLD, signal.SIG_DFL)
                 signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGCHLD})
                 self._control.close()
                 simulator_main.serve(socket.socket(fileno=descriptor))
-        except BaseException:  # noqa: BLE001 - nothing may return into the nursery's loop
-            _log.exception("simulator process broke")
+        except BaseException:  # noqa: BLE001 - nothing may return into `run`
+            _log.exception("simulator process failed")
         os._exit(1)
 
     def _reap(self, *_: object) -> None:
         for child in list(self._children):
-            # This handler may interrupt itself, and then the inner one was faster.
+            # The handler may interrupt itself; the inner call has then reaped it.
             with contextlib.suppress(ChildProcessError):
                 if os.waitpid(child, os.WNOHANG)[0] == child:
                     self._children.discard(child)

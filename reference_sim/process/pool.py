@@ -1,7 +1,8 @@
-"""Simulator processes on this machine, lent to sessions by a pool.
+"""A pool of simulator processes on this machine, lent to sessions.
 
-Nothing here blocks the event loop; no lock is held while a simulator executes, except
-the one of its own process. Each process is used by one session at a time.
+Nothing here blocks the event loop. Each process is used by one session at a time, and
+the only lock held while a simulator executes is that of its process: a fault or a long
+turn of one worker does not affect another (FAULT-004, PRED-022).
 """
 
 from __future__ import annotations
@@ -38,18 +39,18 @@ __all__ = [
     "Timing",
 ]
 
-IDLE_MAX = 16  # processes kept after use, beside the spares
+IDLE_MAX = 16  # idle processes kept for reuse, in addition to the spares
 FORK_IS_SAFE = sys.platform == "linux"
 
 _log = logging.getLogger(__name__)
 
 
 class NoCapacity(Exception):
-    """As many simulators are in use as the pool may have."""
+    """The maximum number of simulators is in use."""
 
 
 class SimulatorHandle:
-    """A process lent by the pool. After a SimulatorFault it is dead and given back."""
+    """A process lent by the pool. After a SimulatorFault it is dead and returned."""
 
     def __init__(
         self, process: SimulatorProcess, give_back: Callable[[SimulatorProcess], None]
@@ -71,14 +72,14 @@ class SimulatorHandle:
         max_steps: int,
         success_rule: str,
     ) -> EpisodeStart:
-        """Resets to an episode's step 0, whatever was played before."""
+        """Reset to step 0 of an episode; discards the current one."""
         command = simulator_main.Begin(task, seed, split, max_steps, success_rule)
         return await self._request(command, EpisodeStart)
 
     async def play(
         self, actions: Sequence[Mapping[str, Sequence[float]]], *, observe_all: bool
     ) -> ChunkReply:
-        """Executes until the chunk or the episode ends."""
+        """Execute until the chunk or the episode ends."""
         command = simulator_main.Play([dict(action) for action in actions], observe_all)
         played = await self._request(command, ChunkReply)
         if played.observations:
@@ -95,13 +96,13 @@ class SimulatorHandle:
         ).observation
 
     async def release(self) -> None:
-        """Back to the pool. Does nothing after discard or a fault."""
+        """Return the process to the pool. Does nothing after discard or a fault."""
         if self._lent:
             self._lent = False
             self._give_back(self._process)
 
     def discard(self) -> None:
-        """Kills the process at once, also while it plays: then `play` raises."""
+        """Kill the process immediately; a `play` in progress raises."""
         if self._lent:
             self._lent = False
             self._process.end("was discarded")
@@ -118,9 +119,9 @@ class SimulatorHandle:
 
 
 class SimulatorPool:
-    """At most `size_max` simulators in use; `spares` more wait, started and unbuilt.
+    """Lends at most `size_max` simulators; keeps `spares` started but not built.
 
-    turn_timeout_s: the longest time without a finished step before a process is killed.
+    turn_timeout_s: maximum time without a finished step before a process is killed.
     """
 
     def __init__(
@@ -152,11 +153,11 @@ class SimulatorPool:
         return len(self._idle)
 
     async def start(self) -> None:
-        """Returns at once; the spares come up behind."""
+        """Start the spares in the background."""
         self._fill_spares()
 
     async def close(self) -> None:
-        """Ends every process, also those that play; returns when they are gone."""
+        """End every process, also during a command; returns when all have ended."""
         self._closed = True
         if self._filler is not None:
             self._filler.cancel()
@@ -167,7 +168,7 @@ class SimulatorPool:
         await self._starter.close()
 
     async def acquire(self, world: SimulatorConfig) -> SimulatorHandle:
-        """Raises NoCapacity, or SimulatorFault if the world cannot be built."""
+        """Raises NoCapacity, or SimulatorFault if the simulator cannot be built."""
         if self.busy >= self._size_max:
             raise NoCapacity(f"all {self._size_max} simulators are in use")
         self._acquiring += 1
@@ -181,7 +182,7 @@ class SimulatorPool:
     async def _build(self, world: SimulatorConfig) -> SimulatorProcess:
         if (idle := self._pick_idle(world)) is not None:
             self._fill_spares()
-            # It may have died unseen: then the failure says nothing about the world.
+            # It may have died unnoticed: this failure implies nothing about `world`.
             with contextlib.suppress(SimulatorFault):
                 await idle.build(world)
                 return idle
@@ -190,7 +191,7 @@ class SimulatorPool:
         return process
 
     def _pick_idle(self, world: SimulatorConfig) -> SimulatorProcess | None:
-        """One that stands in this world, else a spare, else any."""
+        """An idle process with this configuration, else a spare, else any."""
         if not self._idle:
             return None
 
@@ -208,7 +209,7 @@ class SimulatorPool:
         if process.alive:
             self._idle.append(process)
         while len(self._idle) > self._spares + IDLE_MAX:
-            self._idle[0].end("was not needed")
+            self._idle[0].end("was surplus")
 
     def _forget(self, process: SimulatorProcess) -> None:
         self._processes.discard(process)

@@ -1,12 +1,12 @@
-"""The simulator process: obeys one parent over one socket, frame by frame.
+"""The main program of a simulator process: executes the commands of its parent.
 
-A frame is a length (4 bytes, big-endian) and that much MessagePack; nothing on this
-socket can carry code. One command is answered by one reply; while a chunk is long,
-`Busy` frames say that steps are still being made.
+A frame is a length (4 bytes, big-endian) and a MessagePack body; no frame can carry
+code. Every command has one reply; during a long chunk, `Busy` frames report that steps
+are still being executed.
 
-The process never outlives its parent: a thread does nothing but wait for the other end
-to be closed, and ends the process then. It is forked by `fork_server.py`, or started
-with its socket's descriptor as `python -m reference_sim.process.simulator_main FD`.
+The process never outlives its parent: a thread waits for the other end of the socket to
+be closed, and exits the process then. It is forked by `fork_server.py`, or started with
+the descriptor of its socket as `python -m reference_sim.process.simulator_main FD`.
 """
 
 from __future__ import annotations
@@ -41,9 +41,9 @@ _log = logging.getLogger(__name__)
 
 
 class Build(msgspec.Struct, tag="build"):
-    """Makes the simulator, unless the same world stands already.
+    """Make the simulator, unless one of the same configuration exists.
 
-    environment: variables that came into the parent's environment after it started us.
+    environment: variables set in the parent after this process was started.
     """
 
     benchmark_id: str
@@ -77,7 +77,7 @@ class Busy(msgspec.Struct, tag="busy", frozen=True):
 
 
 class NewFrameMemory(msgspec.Struct, tag="mapped", frozen=True):
-    """New memory of the canvas, told before the reply that speaks of it."""
+    """New memory of the frame buffer; sent before the reply that refers to it."""
 
     descriptor: int
     size: int
@@ -104,11 +104,11 @@ class EpisodeStart(msgspec.Struct, tag="beginning", frozen=True):
 
 
 class ChunkReply(msgspec.Struct, tag="played", frozen=True):
-    """What a chunk did.
+    """The outcome of a chunk.
 
-    steps: of the episode so far. observations: one per executed action, or None unless
-    all were wanted. observation: the last one; None if the episode ended and not all
-    were wanted, for nobody looks at it.
+    steps: of the episode so far. observations: one per executed action if
+    `observe_all`, otherwise None (PRED-012). observation: the last one; None if the
+    episode ended without `observe_all`.
     """
 
     executed: int
@@ -156,11 +156,11 @@ def frame(message: SimulatorCommand | SimulatorReply) -> bytearray:
     return buffer
 
 
-# The work
+# The execution of commands
 
 
 class _Clock:
-    """Adds up where the time of one command goes: each lap to one part of it."""
+    """Measures the parts of one command's time, which never overlap (PRED-023)."""
 
     def __init__(self) -> None:
         self._spent = {"simulate_s": 0.0, "render_s": 0.0, "encode_s": 0.0}
@@ -176,7 +176,7 @@ class _Clock:
 
 
 class _EpisodeHost:
-    """The simulator that stands, and the episode that plays in it."""
+    """The current simulator and its current episode."""
 
     def __init__(self, connection: socket.socket) -> None:
         self._connection = connection
@@ -244,7 +244,7 @@ class _EpisodeHost:
             clock.lap("simulate_s")
             rewards.append(reward)
             if command.observe_all:
-                # There are more of them than the canvas has halves.
+                # More observations than the frame buffer has halves: copied.
                 observations.append(self._observe(clock, frame_buffer=None))
             if time.perf_counter() - last_busy_at > BUSY_INTERVAL_S:
                 last_busy_at = time.perf_counter()
@@ -283,7 +283,7 @@ class _EpisodeHost:
         self,
     ) -> tuple[Simulator, benchmark_registry.SimulatorConfig]:
         if self._simulator is None or self._world is None:
-            raise RuntimeError("no world was built")
+            raise RuntimeError("no simulator was built")
         return self._simulator, self._world
 
     def _require_episode(self) -> Episode:
@@ -297,7 +297,7 @@ def log_to_stderr() -> None:
 
 
 def serve(connection: socket.socket) -> Never:
-    """Obeys until the parent is gone, which ends the process."""
+    """Execute commands until the parent has ended; exits the process."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to handle
     threading.Thread(target=_exit_with_parent, args=(connection,), daemon=True).start()
     host = _EpisodeHost(connection)
@@ -311,12 +311,12 @@ def serve(connection: socket.socket) -> Never:
 
 
 def _exit_with_parent(connection: socket.socket) -> None:
-    """Ends the process when the parent hangs up, whatever the main thread is doing.
+    """Exits when the parent closes the socket, also during a long command.
 
-    It asks for no news of data: a command wakes the thread that obeys, and no other.
+    Polls for the hang-up only, not for data: commands do not wake this thread.
     """
     hang_up = select.poll()
-    # Where there is no such flag, POLLHUP comes unasked.
+    # On systems without this flag, POLLHUP is always reported.
     hang_up.register(connection, getattr(select, "POLLRDHUP", 0))
     hang_up.poll()
     os._exit(0)

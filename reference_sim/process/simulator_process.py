@@ -1,13 +1,12 @@
-"""One simulator process, seen from an asyncio event loop; and how it is started.
+"""One simulator process, used from an asyncio event loop; and how it is started.
 
-On Linux a nursery (nursery.py) forks the processes: 4 ms instead of the 75 ms of a
-fresh interpreter with NumPy in it. The nursery, being the parent, can kill by process
-id without ever hitting a stranger. Elsewhere forking is not safe, and each process is
-a fresh interpreter.
+On Linux a fork server (fork_server.py) forks the processes: 4 ms instead of the 75 ms
+of a new interpreter with NumPy. As their parent, it can kill by process id without the
+risk of killing an unrelated process. Elsewhere forking is not safe, and each process is
+a new interpreter.
 
-multiprocessing's forkserver was measured and left: it imports the caller's main module
-into every child, speaks pickle, and its children outlive a server killed by SIGKILL for
-as long as they are busy.
+Why not multiprocessing's forkserver (measured): it imports the caller's main module
+into every child, uses pickle, and its busy children outlive a server killed by SIGKILL.
 """
 
 from __future__ import annotations
@@ -30,14 +29,14 @@ from reference_sim.process import simulator_main
 from reference_sim.process.encoding import EncodedObservation
 from reference_sim.shared_frame_buffer import SharedMemoryRegion, map_memory
 
-# Found out by the server (which backend draws), possibly after the nursery started.
+# Set by the server (the rendering backend), possibly after the fork server started.
 _LATE_ENVIRONMENT = ("MUJOCO_GL", "PROCTOR_GL")
 _FORK_SERVER_MODULE, _SIMULATOR_MODULE = (
     "reference_sim.process.fork_server",
     "reference_sim.process.simulator_main",
 )
-_INBOX_BYTES = 2**15  # more than a turn without pictures
-_START_TIMEOUT_S = 60.0  # a machine that is out of breath is not a hung simulator
+_INBOX_BYTES = 2**15  # more than a turn without images
+_START_TIMEOUT_S = 60.0  # long, for an overloaded machine
 _EXIT_TIMEOUT_S = 10
 _REPLIES = msgspec.msgpack.Decoder(simulator_main.SimulatorReply)
 _log = logging.getLogger(__name__)
@@ -49,22 +48,22 @@ class SimulatorFault(Exception):
     """The process died, hung, broke the protocol, or its simulator raised."""
 
 
-# How processes come to be and end
+# Starting and killing processes
 
 
 class ProcessStarter(Protocol):
     def start(self, child_end: socket.socket) -> None:
-        """Starts a process that serves on the socket. Raises OSError."""
+        """Start a process that serves on the socket. Raises OSError."""
 
     def kill(self, pid: int) -> None:
-        """At once and without waiting; harmless when it has ended."""
+        """Kill without waiting; harmless if the process has ended."""
 
     async def close(self) -> None:
-        """Ends every process; returns when they are gone."""
+        """End every process; returns when all have ended."""
 
 
 def _spawn(module: str, connection: socket.socket) -> subprocess.Popen[bytes]:
-    """A third of a millisecond: nothing that an event loop has to be spared."""
+    """Takes a third of a millisecond, so it may be called in the event loop."""
     root = str(Path(simulator_main.__file__).parents[2])
     paths = [root, *filter(None, [os.environ.get("PYTHONPATH")])]
     descriptor = connection.fileno()
@@ -82,7 +81,7 @@ def _spawn(module: str, connection: socket.socket) -> subprocess.Popen[bytes]:
 
 
 class ForkStarter:
-    """By the nursery, which is started when first needed and whenever it is gone."""
+    """Forks by the fork server, which is started at first use and after its death."""
 
     def __init__(self) -> None:
         self._control: socket.socket | None = None
@@ -95,7 +94,7 @@ class ForkStarter:
     def start(self, child_end: socket.socket) -> None:
         try:
             self._fork(child_end)
-        except ConnectionError:  # the nursery was found dead
+        except ConnectionError:  # the fork server has died
             self._disconnect_fork_server()
             self._fork(child_end)
 
@@ -104,8 +103,8 @@ class ForkStarter:
             return
         try:
             self._control.send(str(pid).encode(), socket.MSG_DONTWAIT)
-        except OSError:  # dead, and its children with it
-            _log.warning("the nursery of simulator processes is gone")
+        except OSError:  # it has died, and its children with it
+            _log.warning("simulator fork server is not running")
 
     async def close(self) -> None:
         self._disconnect_fork_server()
@@ -115,7 +114,7 @@ class ForkStarter:
 
     def _fork(self, child_end: socket.socket) -> None:
         if self._control is None:
-            # Messages keep their bounds; the other's end is seen as end-of-file.
+            # SEQPACKET preserves messages and reports the peer's end as end-of-file.
             ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
             with theirs:
                 self._fork_servers.append(_spawn(_FORK_SERVER_MODULE, theirs))
@@ -125,14 +124,14 @@ class ForkStarter:
         )
 
     def _disconnect_fork_server(self) -> None:
-        """It ends its children and itself when our end of the socket is closed."""
+        """Close the socket; the fork server then ends its children and itself."""
         if self._control is not None:
             self._control.close()
             self._control = None
 
 
 class ExecStarter:
-    """By a fresh interpreter each."""
+    """Starts a new interpreter for each process."""
 
     def __init__(self) -> None:
         self._processes: dict[int, subprocess.Popen[bytes]] = {}
@@ -170,7 +169,7 @@ def _wait_or_kill(process: subprocess.Popen[bytes]) -> None:
 
 
 class SimulatorProcess(asyncio.BufferedProtocol):
-    """Asks one question at a time; frames are received into their final buffer."""
+    """Sends one command at a time; frames are received into their final buffer."""
 
     def __init__(
         self,
@@ -197,7 +196,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         self._frame_memory = memoryview(b"")
 
     async def start(self) -> None:
-        """Returns when the process is ready. Raises SimulatorFault."""
+        """Start the process; returns when it is ready. Raises SimulatorFault."""
         ours, theirs = socket.socketpair()
         try:
             with theirs:
@@ -214,8 +213,8 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         if isinstance(hello, simulator_main.Hello):
             self.pid = hello.pid
         else:
-            self.end("broke its protocol")
-            raise SimulatorFault("the simulator process broke its protocol")
+            self.end("violated its protocol")
+            raise SimulatorFault("the simulator process violated its protocol")
 
     async def build(self, world: SimulatorConfig) -> None:
         environment = {
@@ -227,7 +226,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         try:
             await self.request(command, simulator_main.Built)
         except TaskUnplayable:
-            self.end("cannot build its world")
+            self.end("cannot build its simulator")
             raise
         self.world = world
 
@@ -246,8 +245,8 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             self._transport.write(simulator_main.frame(command))
             try:
                 reply = await self._await_answer(self._timeout_s)
-            except BaseException:  # cancelled too: what it does now is not known
-                self.end("was given up")
+            except BaseException:  # also if cancelled: the state is then unknown
+                self.end("was cancelled")
                 raise
         if isinstance(reply, wanted):
             return reply
@@ -261,17 +260,17 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         )
 
     def end(self, why: str) -> None:
-        """Kills the process; whoever waits for its answer gets a SimulatorFault."""
+        """Kill the process; a pending request raises SimulatorFault."""
         if not self.alive:
             return
         self.alive = False
         if self.pid is not None:
             self._starter.kill(self.pid)
         if self._transport is not None:
-            self._transport.abort()  # a process without a known id ends by this
+            self._transport.abort()  # ends a process whose id is not yet known
         if not self._answer.done():
             self._answer.set_exception(SimulatorFault(f"the simulator process {why}"))
-            self._answer.exception()  # seen, should nobody wait
+            self._answer.exception()  # no warning if no request is pending
         self._on_end(self)
 
     async def _await_answer(self, timeout_s: float) -> simulator_main.SimulatorReply:
@@ -292,7 +291,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
     # What the event loop calls
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        # Not by isinstance: the transports of uvloop are of no such class.
+        # Not checked by isinstance: uvloop's transports are not of this class.
         self._transport = cast(asyncio.Transport, transport)
 
     def connection_lost(self, exc: Exception | None) -> None:
@@ -310,7 +309,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             self._receive(body)
 
     def _read_inbox(self) -> None:
-        """Take every whole frame out of it; what is left stays, at its front."""
+        """Handle every complete frame; an incomplete one moves to the front."""
         inbox, head = self._inbox, simulator_main.HEADER.size
         while self._filled >= head:
             (length,) = simulator_main.HEADER.unpack_from(inbox)
@@ -332,18 +331,18 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         try:
             reply = _REPLIES.decode(body)
         except msgspec.DecodeError:
-            return self.end("broke its protocol")
+            return self.end("violated its protocol")
         if isinstance(reply, simulator_main.Busy):
             return None
         if isinstance(reply, simulator_main.NewFrameMemory):
             return self._map_frame_memory(reply)
         if self._answer.done():
-            return self.end("spoke unasked")
+            return self.end("sent an unexpected message")
         try:
             for observation in _observations_of(reply):
                 self._resolve_pixels(observation)
         except (TypeError, ValueError):
-            return self.end("broke its protocol")
+            return self.end("violated its protocol")
         return self._answer.set_result(reply)
 
     def _map_frame_memory(self, mapping: simulator_main.NewFrameMemory) -> None:
@@ -353,16 +352,16 @@ class SimulatorProcess(asyncio.BufferedProtocol):
                 self.pid, SharedMemoryRegion(mapping.descriptor, mapping.size)
             )
         except (OSError, ValueError):
-            self.end("shared no memory")
+            self.end("could not share memory")
 
     def _resolve_pixels(self, observation: EncodedObservation) -> None:
-        """Images that stand on the canvas become views of it."""
+        """Replace the places of images in the frame buffer by views of it."""
         for image in observation["images"].values():
             if place := image.pop("place", None):
                 offset, length = place
                 image["data"] = self._frame_memory[offset : offset + length]
                 if offset < 0 or len(image["data"]) != length:
-                    raise ValueError("a place beside the canvas")
+                    raise ValueError("image offset outside the frame buffer")
 
 
 def _observations_of(

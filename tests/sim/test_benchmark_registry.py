@@ -35,7 +35,7 @@ def test_added_benchmarks_are_offered() -> None:
     assert len(resolved.episodes) == 2 * (2 + 3)
     assert resolved.world.success_scored_tasks == ["balance", "recover"]
     assert benchmark_registry.resolve("pendulum").world.success_scored_tasks == []
-    with pytest.raises(BadBenchmark, match="there is a benchmark acrobot_v1 already"):
+    with pytest.raises(BadBenchmark, match="acrobot_v1 is already in use"):
         benchmark_registry.add("gymnasium:Acrobot-v1", warnings.append)
 
 

@@ -1,2 +1,5 @@
-"""Meta-World's fifty tasks as a benchmark; needs an environment of its own: `make
-metaworld`. `benchmark.toml` describes it, `world` is alone in importing Meta-World."""
+"""Meta-World's fifty tasks as a benchmark, in a virtual environment of its own.
+
+Installed by `make metaworld`. `benchmark.toml` describes the benchmark; only `world.py`
+imports Meta-World.
+"""

@@ -1,8 +1,8 @@
-"""Meta-World's environments, made to obey the seed; and its scripted experts.
+"""Meta-World's environments with reproducible seeds, and its scripted experts.
 
 Meta-World says of its `reset(seed)`: "Ignored, use seed() instead", and draws a new
 arrangement only while `_freeze_rand_vec` is false. So a reset here sets that flag,
-seeds and resets; the same seed then gives the same episode whatever was played before.
+seeds and resets; the same seed then gives the same episode, regardless of history.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ class Expert(Protocol):
 
 
 class SeededTask:
-    """One task, to whoever expects a Gymnasium environment.
+    """One task, with the interface of a Gymnasium environment.
 
     The goal is part of the observation, which scripted experts need.
     """

@@ -1,1 +1,1 @@
-"""Two arms on a base that drives: the benchmarks whose ids begin `mobile_bimanual`."""
+"""Two arms on a mobile base: the benchmarks whose ids begin with `mobile_bimanual`."""

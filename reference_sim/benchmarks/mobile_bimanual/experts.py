@@ -1,9 +1,9 @@
-"""A policy that solves the mobile bimanual tasks, to prove that they can be solved.
+"""A policy that solves the mobile bimanual tasks, which proves that they are solvable.
 
-The expert sees what any policy sees: the observation's state, as it comes over the
-wire, with the poses of the things. For each task there is a script in scripts.py; the
-instruction says which. Nothing is read from the simulator being played: the arms'
-kinematics are a model apart.
+It receives what any policy receives: the observation's state as sent over the wire,
+with the poses of the objects. plans.py has a plan for each task, selected by the
+instruction. Nothing is read from the simulator being played: the arms' kinematics are a
+separate model.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from reference_sim.benchmarks.mobile_bimanual.skills import RobotController, Ste
 
 
 class UnknownInstruction(ValueError):
-    """No script is known for what was asked."""
+    """There is no plan for the instruction."""
 
 
 class MobileBimanualExpert:
-    """Plays the script that the instruction asks for until the episode ends."""
+    """Executes the plan selected by the instruction until the episode ends."""
 
     def __init__(self, control: str = "joint_position") -> None:
         """control: a key of ACTION_CHANNELS."""

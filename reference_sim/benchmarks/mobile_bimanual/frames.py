@@ -1,7 +1,7 @@
-"""Poses seen from the robot's base, which moves in the plane.
+"""Poses relative to the robot's base, which moves in the plane.
 
 A pose is seven numbers, position in m and quaternion wxyz; the base is three: x, y, yaw
-in the world. Nothing here knows of MuJoCo or of a robot.
+in the world. This module knows neither MuJoCo nor a robot.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def yaw_of(quaternion: Vector) -> float:
 
 
 def upright(x: float, y: float, z: float, yaw: float) -> Vector:
-    """The pose of a thing that stands level."""
+    """The pose of a level object."""
     return np.array([x, y, z, math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2)])
 
 

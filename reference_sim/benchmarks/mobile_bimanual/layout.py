@@ -1,8 +1,8 @@
-"""What a policy sends and sees in the mobile bimanual world, and the scene's measures.
+"""Actions, observations and dimensions of the mobile bimanual benchmarks.
 
 The order of numbers is EBench's for its robot lift2: left before right, six joints and
-two fingers an arm, then the base. Importing this file imports no simulator: the
-manifests are made from it.
+two fingers an arm, then the base. The manifests are made from it. Importing this module
+imports no simulator.
 """
 
 from __future__ import annotations

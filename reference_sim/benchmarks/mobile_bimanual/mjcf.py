@@ -1,6 +1,6 @@
-"""The scene's XML text: both arms are one text, told apart by the names in it.
+"""The MJCF text of the scene: both arms are made from one text, with different names.
 
-Measures that the XML has in common with layout.py are compared by a test.
+A test compares the dimensions of the XML with those of layout.py.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _SMALL_JOINTS = ("wrist_pitch", "wrist_yaw", "hand_roll")
 
 
 def scene_mjcf() -> str:
-    """Robot, room and things."""
+    """The MJCF text of robot, room and objects."""
     arm, defaults = _text("arm.xml"), _text("arm_defaults.xml")
     parts = {
         f"{side}_arm": Template(arm).substitute(_ARMS[side], side=side)

@@ -1,7 +1,7 @@
-"""How each task is solved, told from top to bottom; what slips is fetched again.
+"""The plan of each task; an object that slips is grasped again.
 
-Which hand goes where is decided from what is seen at every step. A script never ends:
-the simulator ends an episode.
+The targets of the hands are computed from the latest observation at every step. Plans
+never end; the simulator ends the episode.
 """
 
 from __future__ import annotations
@@ -109,7 +109,7 @@ def _grip(robot: RobotController, places: Mapping[str, Callable[[], Vector]]) ->
 
 
 def _dock(robot: RobotController, thing: str) -> Steps:
-    """Drives to the table with the thing on it, so that the right hand reaches it."""
+    """Drives to the table with the object on it, so that the right hand reaches it."""
     place = robot.thing(thing)[:2]
     on_work_table = place[0] > 0.5 * WORK_TABLE_EDGE_M
     yaw = 0.0 if on_work_table else math.pi / 2

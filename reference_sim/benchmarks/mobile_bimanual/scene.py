@@ -49,8 +49,8 @@ class MobileBimanualScene:
         control: str = "joint_position",
         thing_poses: bool = False,
     ) -> None:
-        """quality: a key of mujoco_world.QUALITIES. control: a key of ACTION_CHANNELS.
-        thing_poses: whether the state says where the things are."""
+        """quality: a key of mujoco.world.QUALITIES. control: a key of ACTION_CHANNELS.
+        thing_poses: whether the state has the poses of the objects."""
         self.world = World(scene_mjcf(), quality)
         self._thing_poses = thing_poses
         self._arms = arms() if control == "ee_pose" else {}
@@ -58,7 +58,7 @@ class MobileBimanualScene:
     # The robot
 
     def reset(self) -> None:
-        """Docked at the work table, arms at home, all things on the shelf."""
+        """Docked at the work table, arms at home, all objects parked."""
         self.world.reset()
         self.world.set_joint_positions(BOTH_ARMS_JOINTS, HOME_RAD * 2)
         self.world.set_joint_positions(ALL_FINGERS, (FINGER_STROKE_M,) * 4)
@@ -68,7 +68,7 @@ class MobileBimanualScene:
         self.place_base(0.0, 0.0, 0.0)
 
     def place_base(self, x: float, y: float, yaw: float) -> None:
-        """Metres and radians, world frame; the arms are told to stay as they are."""
+        """Metres and radians, world frame; the arms keep their joint positions."""
         self.world.set_joint_positions(BASE_JOINTS, (x, y, yaw))
         arm = (*HOME_RAD, FINGER_STROKE_M, FINGER_STROKE_M)
         self.world.set_controls([x, y, yaw, *arm, *arm])

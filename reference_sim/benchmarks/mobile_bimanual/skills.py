@@ -1,8 +1,8 @@
-"""The robot in an expert's hands: it is moved in strides, not told joint angles.
+"""The skills of the mobile bimanual expert, in Cartesian steps instead of joint angles.
 
-Hands look down and are given by the place of their fingertips and a yaw, in the base's
-frame; the base is driven to a pose in the room. Motions are generators that yield once
-for each control step, so that a script reads from top to bottom.
+Grippers point down; their targets are the position of the fingertips and a yaw, in the
+frame of the base. The base is driven to a pose in the world. Motions are generators
+that yield once per control step.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ Place = Callable[[], Vector] | Vector
 
 
 class RobotController:
-    """What was seen last, and what is commanded next."""
+    """The latest observation and the next command."""
 
     def __init__(self, control: str) -> None:
         """control: a key of layout.ACTION_CHANNELS."""
@@ -90,7 +90,7 @@ class RobotController:
         return self._state[f"{name}_pose"]
 
     def point_of(self, name: str, x: float, y: float, z: float) -> Vector:
-        """(4,): a point given in a thing's frame, and the thing's yaw, base frame."""
+        """(4,): a point of an object, and its yaw, in the frame of the base."""
         pose = frames.to_base(self.base(), self.thing(name))
         return np.array([*frames.offset(pose, x, y, z), frames.yaw_of(pose[3:])])
 
@@ -138,7 +138,7 @@ class RobotController:
 
 
 def _downward_pose(hand: Vector) -> Vector:
-    """The pose of fingertips whose gripper looks down, turned by a yaw about z."""
+    """Pose of the fingertips of a gripper that points down, rotated by yaw."""
     x, y, z, yaw = hand
     return np.array([x, y, z, 0.0, -math.sin(yaw / 2), math.cos(yaw / 2), 0.0])
 

@@ -1,8 +1,8 @@
-"""What differs between the splits: looks, sizes, and how far things are spread.
+"""Variation between the splits: appearance, sizes, and the spread of objects.
 
-`val_train` is what a policy may be trained on; in the others everything is drawn from a
-wider range, in colours of their own. All choices are made at the reset of an episode
-and undone by the next.
+Policies may be trained on `val_train`; the other splits draw from wider ranges, with
+colours of their own. All choices are made at the reset of an episode and undone by the
+next reset.
 """
 
 from __future__ import annotations
@@ -22,10 +22,9 @@ Rgb = tuple[float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class SplitVariation:
-    """spread: share of the room there is for things to be elsewhere; 1 is all of it.
-    scale: how much smaller or larger than drawn box and bar are at most. camera_m: how
-    far a camera that looks at the scene is displaced along each axis at most. colours:
-    thing → what it is painted, one of them."""
+    """spread: share of the range of positions; 1 is all of it. scale: maximum change of
+    the size of box and bar. camera_m: maximum displacement of a camera along each axis.
+    colours: object → its possible colours."""
 
     spread: float
     scale: float
@@ -71,10 +70,10 @@ SPLITS = {
 
 
 class EpisodeVariation:
-    """The choices of one episode, drawn in the order they are asked for."""
+    """The random choices of one episode, drawn in the order of the calls."""
 
     def __init__(self, rng: np.random.Generator, split: str) -> None:
-        """split: a key of SPLITS; nothing stands for the first."""
+        """split: a key of SPLITS; empty for the first."""
         self._rng = rng
         self._split = SPLITS[split or next(iter(SPLITS))]
 

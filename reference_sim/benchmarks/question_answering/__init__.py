@@ -1,1 +1,1 @@
-"""Questions about pictures of the tabletop scene, answered by a vector of numbers."""
+"""Questions about images of the tabletop scene, answered by one action."""

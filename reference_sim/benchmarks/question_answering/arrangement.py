@@ -1,7 +1,7 @@
-"""What an item shows: which things stand where, in which colours, and how it is seen.
+"""The scene of an item: objects, positions, colours and camera.
 
-Drawn from a generator, so that nothing is downloaded and everything is known. The arm
-is folded away and things keep their distance, so that none hides another.
+Drawn from a random generator, so that nothing is downloaded and the truth is known. The
+arm is folded away and objects keep a distance, so that none hides another.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ _TRIES = 10_000
 
 @dataclass(frozen=True, slots=True)
 class Arrangement:
-    """colours: thing → word, of the things that are on the table."""
+    """colours: object → name of its colour, for the objects on the table."""
 
     scene: TabletopScene
     colours: Mapping[str, str] = field(default_factory=dict)
@@ -58,18 +58,18 @@ class Arrangement:
         return f"the {self.colours[thing]} {NOUNS[thing]}"
 
     def spot(self, thing: str) -> tuple[float, float]:
-        """Where its middle is in the picture."""
+        """The image coordinates of its centre."""
         return self.scene.world.spot_of(_VIEW, self.scene.position(thing), ASPECT)
 
     def body_at(self, spot: Sequence[float]) -> str | None:
         return self.scene.world.body_at(_VIEW, spot, ASPECT)
 
     def hides_nothing(self) -> bool:
-        """Whether the middle of each thing is seen."""
+        """Whether the centre of each object is visible."""
         return all(self.body_at(self.spot(thing)) == thing for thing in self.things)
 
     def from_foot_m(self, thing: str) -> float:
-        """How far it stands from the middle of the arm's foot."""
+        """Its distance from the centre of the arm's foot."""
         return float(np.linalg.norm(self.scene.position(thing)[:2]))
 
     def picture(self, width: int, height: int) -> NDArray[np.uint8]:
@@ -82,7 +82,7 @@ def arrange(
     split: str,
     colours: Mapping[str, str],
 ) -> Arrangement:
-    """Puts the things on the table, seen as the split has it."""
+    """Places the objects on the table, with the appearance of the split."""
     scene.reset()
     rgba = {thing: COLOURS[colour] for thing, colour in colours.items()}
     place = np.array(CAMERA_POSITION_M) * _CAMERA_BACK
@@ -107,7 +107,7 @@ def arrange(
 def _free_spot(
     scene: TabletopScene, rng: np.random.Generator, taken: Sequence[tuple[float, float]]
 ) -> tuple[float, float]:
-    """x and y in m, in the picture and away from everything."""
+    """x and y in m, inside the image and away from other objects."""
     for _ in range(_TRIES):
         spot = rng.uniform(*_TABLE_X_M), rng.uniform(*_TABLE_Y_M)
         seen = scene.world.spot_of(_VIEW, (*spot, 0.0), ASPECT)

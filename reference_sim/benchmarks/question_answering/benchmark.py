@@ -1,7 +1,7 @@
 """The manifest of the benchmark `question_answering`.
 
-An item is an episode of one step: a picture, a question as its instruction, and one
-action that carries the answer. Importing this file imports no simulator.
+An item is an episode of one step: an image, a question as its instruction, and one
+action with the answer. Importing this module imports no simulator.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from reference_sim.interface import Simulator
 
 
 def _episodes() -> list[Json]:
-    """Each task comes early: the first items of a run are telling already."""
+    """Tasks alternate, so that the first items of a run cover all of them."""
     return [
         {"task": task, "split": split, "seed": first_seed + index}
         for split, first_seed in FIRST_SEEDS.items()
@@ -41,7 +41,7 @@ def _episodes() -> list[Json]:
 
 
 def _answers() -> Json:
-    """The action space: every action has all entries, of which a task looks at one."""
+    """The action space: every action has all entries; a task uses one of them."""
     none = "-1 where that is not the answer"
     last = len(LETTERS) - 1
     return {

@@ -1,9 +1,9 @@
-"""The questions: how an item of each task is drawn, and what its right answer is.
+"""The questions: how an item of each task is drawn, and its right answer.
 
-The right answer comes from where things are in the scene, never from the picture.
-Which answer is right is drawn first, and in every block of BLOCK seeds equally often:
-no constant answer is better than chance. Then a scene is drawn until it fits, with a
-margin that leaves no doubt.
+The right answer is computed from the scene, never from the image. It is drawn first,
+with every answer equally often in a block of BLOCK seeds: no constant answer is better
+than chance. Then scenes are drawn until one fits, with a margin that excludes
+ambiguity.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ _TRIES = 1000
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """text: what is asked. right: the action that answers it; a point names a thing."""
+    """text: the question. right: the right action; a point is that of an object."""
 
     text: str
     right: Action
@@ -67,7 +67,7 @@ def action(
     number: float = NO_ANSWER,
     point: Sequence[float] = (NO_ANSWER, NO_ANSWER),
 ) -> Action:
-    """An answer; what is left out is no answer."""
+    """An action; omitted entries mean no answer."""
     return {"choice": [choice], "number": [number], "point": list(point)}
 
 
@@ -89,11 +89,11 @@ class ItemDraft:
         return self.arrangement[0]
 
     def things(self, number: int) -> list[str]:
-        """So many different things, in any order."""
+        """This many different objects, in random order."""
         return [str(one) for one in self.rng.permutation(THINGS)[:number]]
 
     def distinct(self, number: int) -> Arrangement:
-        """So many things, no two alike: the two cubes differ in colour."""
+        """This many distinguishable objects: the two cubes differ in colour."""
         while True:
             colours = {t: str(self.rng.choice(PALETTE)) for t in self.things(number)}
             if len({(NOUNS[t], c) for t, c in colours.items()}) == number:
@@ -124,7 +124,7 @@ def draw(
 
 
 def _rank(task: str, seed: int, ranks: int) -> int:
-    """Each as often as the others in a block of seeds, in no order that shows."""
+    """Every rank equally often in a block of seeds, in a shuffled order."""
     block, place = divmod(seed, BLOCK)
     rng = np.random.Generator(np.random.PCG64([block, TASKS.index(task)]))
     return int(rng.permutation(BLOCK)[place]) % ranks

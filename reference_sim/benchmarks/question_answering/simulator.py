@@ -1,6 +1,7 @@
-"""An item as an episode of one step: the picture is seen, the answer is the action.
+"""The simulator of `question_answering`: an item is an episode of one step.
 
-It must not know how an answer came to be: text, parsers and models are other people's.
+The image is the observation, the answer is the action. It must not know how an answer
+is made: texts, parsers and models are the policy's.
 """
 
 from __future__ import annotations
@@ -13,10 +14,10 @@ from reference_sim.interface import Action, Observation, StepOutcome, TaskUnplay
 
 
 class QuestionSimulator:
-    """Asks, and says whether the answer is right: 1 or 0, nothing between."""
+    """Plays an item; the score is 1 for the right answer, otherwise 0."""
 
     def __init__(self, size: tuple[int, int], quality: str = QUALITY) -> None:
-        """size: width and height of the picture, 4 to 3."""
+        """size: width and height of the image, 4 to 3."""
         self._scene = TabletopScene(quality)
         self._size = size
         self._item: tuple[Question, Arrangement] | None = None
@@ -38,7 +39,7 @@ class QuestionSimulator:
         return Observation(state={}, images={CAMERA: arrangement.picture(*self._size)})
 
     def truth(self) -> Action:
-        """The right answer, for who has to know: no policy can ask."""
+        """The right answer, for tests; not part of the Simulator interface."""
         return self._require_item()[0].right
 
     def close(self) -> None:

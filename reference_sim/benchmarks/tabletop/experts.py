@@ -1,7 +1,7 @@
-"""A policy that solves the tabletop tasks, to prove that they can be solved.
+"""A policy that solves the tabletop tasks, which proves that they are solvable.
 
-It sees what any policy sees: the instruction, and the observation's state as it comes
-over the wire. It knows nothing of tasks, seeds or scores.
+It receives what any policy receives: the instruction, and the observation's state as
+sent over the wire. It knows no tasks, seeds or scores.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ PICTURE_MOMENTS = {  # task → share of an episode: where docs/tasks.md shows i
 
 
 class TabletopExpert:
-    """Follows the plan that the instruction asks for."""
+    """Executes the plan selected by the instruction."""
 
     def __init__(self) -> None:
         self._arm = tabletop_arm()
@@ -40,7 +40,7 @@ class TabletopExpert:
         self._plan: Plan | None = None
 
     def reset(self, instruction: str) -> None:
-        """Begins an episode. Raises KeyError at an instruction of no tabletop task."""
+        """Begin an episode. Raises KeyError for an unknown instruction."""
         self._plan = PLANS[instruction.split(maxsplit=1)[0]](self._observed)
         self._joints: Vector | None = None  # as last commanded
 
@@ -67,7 +67,7 @@ class TabletopExpert:
 
 
 def make_expert() -> TabletopExpert:
-    """What tools/experts.py looks for."""
+    """Called by tools/experts.py."""
     return TabletopExpert()
 
 
@@ -77,5 +77,5 @@ def tabletop_arm() -> ArmKinematics:
 
 
 def _facing_down(yaw: float) -> Vector:
-    """Quaternion wxyz of a gripper that looks down and is turned by yaw about z."""
+    """Quaternion wxyz of a gripper that points down, rotated by yaw about z."""
     return np.array([0.0, -math.sin(yaw / 2), math.cos(yaw / 2), 0.0])

@@ -1,6 +1,6 @@
-"""What a policy sends and sees in the tabletop world, and the measures of its scene.
+"""Actions, observations and dimensions of the tabletop benchmark.
 
-Importing this file imports no simulator: the manifest is made from it.
+The manifest is made from it. Importing this module imports no simulator.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""How each tabletop task is solved, told in skills; instructions say which task it is.
+"""The plan of each tabletop task, made of skills and selected by the instruction.
 
-A plan that fails begins again; none ever ends, because an episode does.
+A plan that fails starts again. Plans never end; the episode does.
 """
 
 from __future__ import annotations

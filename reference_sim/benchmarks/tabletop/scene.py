@@ -1,4 +1,4 @@
-"""Robot and things, in the words of a task: no indices, no engine."""
+"""The robot and the objects of the tabletop scene, by name, in SI units."""
 
 from __future__ import annotations
 
@@ -21,26 +21,26 @@ from reference_sim.benchmarks.tabletop.variation import Look
 from reference_sim.interface import Action
 from reference_sim.mujoco.world import Vector, World
 
-LOOSE = ("cube", "second_cube", "peg")  # things that may move about
+LOOSE = ("cube", "second_cube", "peg")  # objects with a free joint
 
 
 def scene_mjcf() -> str:
-    """The XML text of robot, table and things."""
+    """The MJCF text of robot, table and objects."""
     return (files("reference_sim.benchmarks.tabletop") / "scene.xml").read_text()
 
 
 class TabletopScene:
-    """Things are named as in the XML; a thing not placed is parked far away."""
+    """Objects are named as in the XML; one that is not placed is parked far away."""
 
     def __init__(self, quality: str = "fast") -> None:
-        """quality: a key of mujoco_world.QUALITIES."""
+        """quality: a key of mujoco.world.QUALITIES."""
         self.world = World(scene_mjcf(), quality)
         self._scales: dict[str, float] = {}
 
     # How an episode begins
 
     def reset(self) -> None:
-        """The arm at home, the gripper open, everything parked, the nominal look."""
+        """The arm at home, the gripper open, all objects parked, nominal appearance."""
         self.world.reset()
         self._scales = {}
         self.world.set_joint_positions(JOINTS, HOME_RAD)

@@ -1,8 +1,8 @@
-"""What the tabletop experts can do: travel, grasp, carry, push, pull, press.
+"""The skills of the tabletop expert: travel, grasp, carry, push, pull, press.
 
-A plan is a generator of moves. It looks at the newest state each time it is resumed, so
-a thing that slips or is knocked away is followed and fetched again. Nothing here knows
-of joints.
+A plan is a generator of moves. It reads the latest state each time it is resumed, so an
+object that slips or is pushed away is followed and grasped again. This module knows no
+joints.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ T = TypeVar("T")
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """Where the fingertips' middle is to go, in m, world; how the gripper, looking
-    down, is turned about z, in rad; how far it is open; the longest way per step."""
+    """A target of the gripper, which points down: position of the fingertips' midpoint
+    in m, world frame; yaw in rad; opening; maximum distance per step."""
 
     position: Vector
     yaw: float
@@ -41,11 +41,11 @@ class Move:
 
 
 Plan = Generator[Move, None, None]
-Goal = Callable[[], Vector]  # (3,) m, asked anew for each move
+Goal = Callable[[], Vector]  # (3,) m, evaluated for each move
 
 
 class ObservedState:
-    """The newest observation, in the words of a plan."""
+    """The latest observation, by object."""
 
     def __init__(self) -> None:
         self._state: Mapping[str, Vector] = {}
@@ -109,7 +109,7 @@ def grasp(observed: ObservedState, thing: str, *, above_centre_m: float = 0.0) -
 
 @dataclass(frozen=True, slots=True)
 class Waypoint:
-    """Where the centre of a carried thing is to go next, and how nearly."""
+    """A target for the centre of a carried object, and its tolerance."""
 
     goal: Goal
     within_m: float = ARRIVED_M
@@ -122,7 +122,7 @@ def carry(
     *waypoints: Waypoint,
     yaw: Callable[[], float] | None = None,
 ) -> Generator[Move, None, bool]:
-    """Lifts what is gripped straight up, then goes from stop to stop; False if lost.
+    """Lifts the gripped object, then carries it along the waypoints; False if lost.
 
     yaw: of the gripper on the way; without it, as it is.
     """
@@ -155,14 +155,14 @@ def _move_carried(
 
 
 def release(observed: ObservedState) -> Plan:
-    """Opens and goes straight up."""
+    """Opens the gripper and moves up."""
     up, yaw = fixed(raised(observed.hand, HOVER_M)), fixed(observed.hand_yaw)
     yield from wait(observed, OPEN, SQUEEZE_STEPS)
     yield from travel(observed, up, yaw, OPEN)
 
 
 def fixed(value: T) -> Callable[[], T]:
-    """Where a goal is asked for that does not change."""
+    """A goal that does not change."""
     return lambda: value
 
 

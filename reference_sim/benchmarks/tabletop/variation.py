@@ -1,9 +1,9 @@
-"""What differs between episodes: where things stand and how the world looks.
+"""Variation between episodes: positions of objects and appearance.
 
-The split `val_train` has the nominal look and its own areas. The unseen splits draw
-from what no `val_train` episode shows: a band around each area, other colours, cubes a
-little smaller or larger, another camera position, other light. `val_unseen` and `test`
-have colours of their own. Nothing here knows of a scene.
+The split `val_train` has the nominal appearance and its own areas. The unseen splits
+use what no `val_train` episode shows: a band around each area, other colours, cubes
+10 % smaller or larger, another camera position, other light. `val_unseen` and `test`
+have different colours. This module knows no scene.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ LIGHT_TINT = 0.08
 
 @dataclass(frozen=True, slots=True)
 class Look:
-    """colours: thing → the word for its colour. rgba: geom → colour. scales: thing →
+    """colours: object → name of its colour. rgba: geom → colour. scales: object →
     factor. light: direction (unit length) and diffuse colour. None: as in the XML."""
 
     colours: Mapping[str, str]
@@ -123,7 +123,7 @@ class Area:
 
 
 class Placement:
-    """Draws where things stand: in the nominal areas, or in the bands around them."""
+    """Draws positions of objects: in the nominal areas, or in the bands around them."""
 
     def __init__(self, rng: np.random.Generator, split: str) -> None:
         self._rng = rng

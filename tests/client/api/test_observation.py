@@ -104,32 +104,32 @@ def test_tensors_are_little_endian_views() -> None:
 @pytest.mark.parametrize(
     ("parts", "text"),
     [
-        ({"images": image("raw", 2, 2, 3, bytes(11))}, "its announced size"),
-        ({"images": image("png", 2, 2, 3, b"no png")}, "is no png"),
+        ({"images": image("raw", 2, 2, 3, bytes(11))}, "its declared size"),
+        ({"images": image("png", 2, 2, 3, b"no png")}, "is not a valid png"),
         (
             {"images": image("png", 2, 2, 3, compressed(BLACK[:1], "png"))},
-            "announced as",
+            "declared as",
         ),
         (
             {"images": image("png", 2, 2, 3, compressed(BLACK, "gif"))},
-            "is no png",
+            "is not a valid png",
         ),
-        ({"images": image("jpeg", 2, 2, 3, b"no jpeg")}, "is no jpeg"),
+        ({"images": image("jpeg", 2, 2, 3, b"no jpeg")}, "is not a valid jpeg"),
         (
             {"images": image("jpeg", 2, 2, 3, compressed(BLACK, "jpeg")[:-2])},
-            "is no jpeg",
+            "is not a valid jpeg",
         ),
         (
             {"images": image("jpeg", 2, 2, 3, compressed(BLACK[:1], "jpeg"))},
-            "announced as",
+            "declared as",
         ),
         (
             {"images": image("jpeg", 2, 2, 2, compressed(BLACK, "jpeg"))},
-            "is no jpeg",
+            "is not a valid jpeg",
         ),
         (
             {"images": image("jpeg", 2, 2, 3, compressed(BLACK, "png"))},
-            "is no jpeg",
+            "is not a valid jpeg",
         ),
     ],
 )

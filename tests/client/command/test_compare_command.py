@@ -78,18 +78,18 @@ def test_people_read_a_table(
     lines = [" ".join(line.split()) for line in proctor.out.splitlines()]
     assert max(map(len, proctor.out.splitlines())) <= 80
     assert "difference +0.3333: baseline 1.0000, run 0.6667" in lines
-    assert "release no: beyond 0.05 in the whole, score" in lines
+    assert "release no: difference exceeds 0.05 in overall, score" in lines
     assert "score 2 1.000 0.500 +0.500" in lines
     assert "count 1 1.000 1.000 +0.000" in lines
     assert proctor("compare", base, base) == 0
-    assert "yes: no difference beyond 0.05" in proctor.out
+    assert "yes: no difference exceeds 0.05" in proctor.out
 
 
 def test_an_incomplete_run_is_not_released(proctor: ProctorCommand) -> None:
     base = run(proctor, "1 1 1")
     empty = proctor.json("submit", *options(*TASKS))["run_id"]
     assert proctor("compare", base, empty) == 1
-    assert "0 episodes are scored in both; not complete" in proctor.out
+    assert "0 episodes are scored in both; incomplete" in proctor.out
     assert "no: not every episode is scored in both" in proctor.out
     assert "–" in proctor.out
 
@@ -104,5 +104,5 @@ def test_runs_that_cannot_be_compared_give_exit_code_2(proctor: ProctorCommand) 
     assert "[not_found]" in proctor.err
     for wrong in ("1.5", "nan", "some"):
         assert proctor("compare", base, base, "--tolerance", wrong) == 2
-        assert "is no number from 0 to 1" in proctor.err
+        assert "expected a number from 0 to 1" in proctor.err
     assert proctor("compare", base) == 2

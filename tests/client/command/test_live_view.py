@@ -21,7 +21,7 @@ from tests.support.client.command import (
 from tests.support.servers import TIMEOUT_S, ReferenceServer
 from tests.support.waiting import wait_until
 
-URL = re.compile(r"Look on at (http://127\.0\.0\.1:\d+/)")
+URL = re.compile(r"Live view: (http://127\.0\.0\.1:\d+/)")
 
 
 def http_get(url: str, path: str, **headers: str) -> tuple[int, bytes, dict[str, str]]:

@@ -103,12 +103,12 @@ def test_ctrl_c_detaches_and_prints_the_resume_command(
         wait_until(lambda: acting_policies(policy_folder) == 2, "both workers act")
         run_id = direct_client.latest().run_id
         process.send_signal(signal.SIGINT)
-        wait_until(lambda: "Leaving" in stderr_text(policy_folder), "it is said")
+        wait_until(lambda: "Stopping" in stderr_text(policy_folder), "it is said")
         (policy_folder / "go").touch()
         assert wait_for_exit(process) == (130, "")
     assert direct_client.control.get_run(run_id).live_workers == 0
     assert "Traceback" not in stderr_text(policy_folder)
-    assert "keeps its scores: 0/3" in stderr_text(policy_folder)
+    assert ": 0/3 episodes scored" in stderr_text(policy_folder)
     (command,) = RESUME.findall(stderr_text(policy_folder))
     assert f"--run-id {run_id}" in command
     with start_proctor(
@@ -129,10 +129,10 @@ def test_a_second_ctrl_c_ends_at_once(
         wait_until(lambda: acting_policies(policy_folder) == 1, "the worker acts")
         children = descendants(process.pid)
         process.send_signal(signal.SIGINT)
-        wait_until(lambda: "Leaving" in stderr_text(policy_folder), "it is said")
+        wait_until(lambda: "Stopping" in stderr_text(policy_folder), "it is said")
         process.send_signal(signal.SIGINT)
         assert wait_for_exit(process) == (130, "")
-    assert "ended at once" in stderr_text(policy_folder)
+    assert "proctor: terminated" in stderr_text(policy_folder)
     wait_until_ended(children)
 
 
@@ -146,7 +146,7 @@ def test_sigterm_detaches(
         wait_until(lambda: acting_policies(policy_folder) == 1, "the worker acts")
         run_id = direct_client.latest().run_id
         process.terminate()
-        wait_until(lambda: "Leaving" in stderr_text(policy_folder), "it is said")
+        wait_until(lambda: "Stopping" in stderr_text(policy_folder), "it is said")
         (policy_folder / "go").touch()
         assert wait_for_exit(process) == (143, "")
     assert RESUME.search(stderr_text(policy_folder))
@@ -177,7 +177,7 @@ def test_a_dead_process_is_reported_and_its_episode_replayed(
     run = ["run", "--policy", "policies:Dies", *options(*["score"] * 5)]
     score = proctor.json(*run, "--workers", "2", "--processes")
     assert (proctor.code, score["complete"]) == (0, True)
-    assert re.search(r"The process of worker-\d has died \(SIGKILL\)", proctor.err)
+    assert re.search(r"Worker process worker-\d exited \(SIGKILL\)", proctor.err)
     assert direct_client.attempts(score["run_id"]) == [1, 1, 2, 1, 1]
 
 
@@ -202,7 +202,7 @@ def test_a_server_that_restarts_is_waited_for(
             own_server.end(signal.SIGKILL)
             (policy_folder / "go").touch()
             wait_until(
-                lambda: "does not answer" in stderr_text(policy_folder), "it is missed"
+                lambda: "is unreachable" in stderr_text(policy_folder), "it is missed"
             )
             own_server.start()
             code, out = wait_for_exit(process)

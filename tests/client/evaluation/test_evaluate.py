@@ -218,7 +218,7 @@ def test_a_server_killed_and_restarted_gives_the_same_score(tmp_path: Path) -> N
     assert score.score == undisturbed.score
     assert attempts == [1] * 8
     waited_for = [progress.waiting or "" for progress in recorder.received]
-    assert any(f"{killed_server.url} does not answer" in text for text in waited_for)
+    assert any(f"{killed_server.url} is unreachable" in text for text in waited_for)
 
 
 # Other sessions

@@ -266,7 +266,7 @@ def test_an_unreachable_server_is_reported_with_its_url() -> None:
         url = closed.url
     error = evaluate_and_fail(url=url, benchmark="calibration", retry_timeout_s=0.5)
     assert error.code == "unreachable"
-    assert f"{url} does not answer (Connection refused)" in str(error)
+    assert f"{url} is unreachable (Connection refused)" in str(error)
 
 
 def test_a_server_that_is_not_proctor_is_reported(proxy: FaultyProxy) -> None:

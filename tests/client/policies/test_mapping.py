@@ -199,14 +199,14 @@ def _policy(ask: Callable[[dict[str, Any]], Any], made: PolicyMapping) -> Any:
     ("entry", "message"),
     [
         ("{}", "needs either"),
-        ("1", "no table"),
+        ("1", "not a table"),
         ("{ a = 1 }", "unknown a; known"),
         ("{ take = [1] }", "needs either"),
         ("{ from = 'step', layout = 'x' }", "hwc or chw"),
         ("{ from = 'x.y' }", "not 'x.y'"),
         ("{ from = ['step', 'step'] }", "only states"),
-        ("{ from = 'state.a', dtype = 'object' }", "none of numbers"),
-        ("{ from = 'state.a', dtype = 'no' }", "none of numbers"),
+        ("{ from = 'state.a', dtype = 'object' }", "not numeric"),
+        ("{ from = 'state.a', dtype = 'no' }", "not numeric"),
     ],
 )
 def test_an_invalid_entry_is_reported_with_its_place(
@@ -222,7 +222,7 @@ def test_an_invalid_entry_is_reported_with_its_place(
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("[", "no TOML"),
+        ("[", "not valid TOML"),
         ("[observation]", "action is missing"),
         ("x = 1\n[observation]", "unknown x"),
         ("[observation]\n[action.values]\na = {}", "observation is missing"),

@@ -153,9 +153,9 @@ def test_an_invalid_message_is_refused(message: bytes) -> None:
 
 
 def test_unsupported_objects_are_not_sent() -> None:
-    with pytest.raises(TypeError, match="has no place"):
+    with pytest.raises(TypeError, match="not supported"):
         pack({"x": object()})
-    with pytest.raises(ValueError, match="not sent"):
+    with pytest.raises(ValueError, match="not supported"):
         pack({"x": np.array([object()])})
 
 
@@ -229,7 +229,7 @@ def test_an_unreachable_policy_server_leaves_no_run(
     before = proctor.json("status")
     answer_json = proctor.json(*run("ws://127.0.0.1:9", "score"))
     assert proctor.code == 2
-    assert "ws://127.0.0.1:9 does not answer" in answer_json["error"]["detail"]
+    assert "ws://127.0.0.1:9 is unreachable" in answer_json["error"]["detail"]
     assert proctor.json("status") == before
-    with pytest.raises(ProctorError, match="no URL of a WebSocket"):
+    with pytest.raises(ProctorError, match="invalid WebSocket URL"):
         OpenpiClient("ws://").infer({})

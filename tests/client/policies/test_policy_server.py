@@ -89,12 +89,16 @@ def test_an_unanswered_call_is_repeated(push_server: ReferenceServer) -> None:
 @pytest.mark.parametrize(
     ("operation", "reply", "message"),
     [
-        ("describe_policy", PolicyReply({}), "does not describe itself"),
-        ("describe_policy", PolicyReply(b"no"), "no JSON"),
-        ("describe_policy", PolicyReply([]), "no object"),
+        ("describe_policy", PolicyReply({}), "violates the schema of describe_policy"),
+        ("describe_policy", PolicyReply(b"no"), "invalid JSON"),
+        ("describe_policy", PolicyReply([]), "not an object"),
         ("describe_policy", PolicyReply(b"", 404), "status 404"),
-        ("reset", PolicyReply({"session_id": "x"}), "another reset"),
-        ("predict", PolicyReply({"session_id": "x", "seq": 1}), "another turn"),
+        ("reset", PolicyReply({"session_id": "x"}), "wrong reset"),
+        (
+            "predict",
+            PolicyReply({"session_id": "x", "seq": 1}),
+            "wrong session_id or seq",
+        ),
         ("predict", PolicyReply(b"", 302, {"Location": "/"}), "status 302"),
         ("predict", PolicyReply({"detail": "Too\nhot."}, 400), "Too\nhot."),
     ],
@@ -124,7 +128,7 @@ def test_invalid_actions_are_reported(push_server: ReferenceServer) -> None:
 def test_an_unreachable_policy_server_is_reported_before_submit(
     push_server: ReferenceServer,
 ) -> None:
-    with pytest.raises(ProctorError, match="does not answer"):
+    with pytest.raises(ProctorError, match="is unreachable"):
         evaluate_policy(push_server, f"http://127.0.0.1:{free_port()}", "score")
 
 
@@ -151,7 +155,7 @@ def test_the_command_has_a_server_play_the_run(push_server: ReferenceServer) -> 
     ("arguments", "message"),
     [
         (["--policy", "proctor:host:1"], "takes a URL"),
-        (["--policy-url", "http://h", "--policy", "a:b"], "both"),
+        (["--policy-url", "http://h", "--policy", "a:b"], "mutually exclusive"),
         (["--policy-url", "http://h", "--processes"], "--processes"),
     ],
 )

@@ -206,7 +206,7 @@ def test_a_wrong_key_fails_the_run(
     with run_app(make_app().app) as url, push_server.client() as client:
         run = wait_for_state(client, submit_push_run(client, url, **wrong))
         assert run["state"] == "failed"
-        assert "unauthenticated: This policy server wants its key" in run["reason"]
+        assert "unauthenticated: Missing or wrong bearer token" in run["reason"]
 
 
 def test_the_command_serves_an_expert_to_a_real_benchmark(

@@ -11,5 +11,5 @@ from reference_client.protocol.connection import Connection
 def test_a_token_is_not_sent_unencrypted() -> None:
     with Connection("https://example.org", "t", requests=1) as connection:
         connection.data("https://other.example.org/")
-        with pytest.raises(ProctorError, match="in clear"):
+        with pytest.raises(ProctorError, match="not HTTPS"):
             connection.data("http://example.org")

@@ -203,31 +203,40 @@ def test_an_answer_may_have_no_body(head: bytes) -> None:
 @pytest.mark.parametrize(
     ("pieces", "why"),
     [
-        ([None], "ended before"),
-        ([b"HTTP/1.1 200", None], "ended before"),
-        ([OK[:-1], None], "ended before"),
+        ([None], "connection closed before"),
+        ([b"HTTP/1.1 200", None], "connection closed before"),
+        ([OK[:-1], None], "connection closed before"),
         (
             [b"HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\n2\r\nbo", None],
-            "ended before",
+            "connection closed before",
         ),
-        ([b"SSH-2.0-OpenSSH_9.6\r\n"], "no answer in HTTP"),
-        ([b"HTTP/1.1 200 OK\r\nContent-Length: -4\r\n\r\nbody"], "no answer in HTTP"),
-        ([b"HTTP/1.1 200 OK\r\nContent-Length: 4x\r\n\r\nbody"], "no answer in HTTP"),
-        ([OK + OK], "no answer in HTTP"),
-        ([b"HTTP/1.1 099 What\r\nContent-Length: 0\r\n\r\n"], "no answer in HTTP"),
+        ([b"SSH-2.0-OpenSSH_9.6\r\n"], "invalid HTTP response"),
+        (
+            [b"HTTP/1.1 200 OK\r\nContent-Length: -4\r\n\r\nbody"],
+            "invalid HTTP response",
+        ),
+        (
+            [b"HTTP/1.1 200 OK\r\nContent-Length: 4x\r\n\r\nbody"],
+            "invalid HTTP response",
+        ),
+        ([OK + OK], "invalid HTTP response"),
+        ([b"HTTP/1.1 099 What\r\nContent-Length: 0\r\n\r\n"], "invalid HTTP response"),
         (
             [b"HTTP/1.1 101 X\r\nConnection: Upgrade\r\nUpgrade: x\r\n\r\n"],
-            "no answer in HTTP",
+            "invalid HTTP response",
         ),
         (
             [
                 b"HTTP/1.1 103 X\r\n\r\nHTTP/1.1 200 OK\r\n",
                 *[b"X: " + b"y" * 2**15] * 8,
             ],
-            "no end",
+            "exceeds the size limit",
         ),
         ([b"HTTP/1.1 200 OK\r\nContent-Length: 99999999999\r\n\r\n"], "99999999999"),
-        ([b"HTTP/1.1 200 OK\r\n", *[b"X: " + b"y" * 2**15 + b"\r\n"] * 8], "no end"),
+        (
+            [b"HTTP/1.1 200 OK\r\n", *[b"X: " + b"y" * 2**15 + b"\r\n"] * 8],
+            "exceeds the size limit",
+        ),
     ],
 )
 def test_an_invalid_answer_is_an_error_and_closes_the_connection(
@@ -246,7 +255,7 @@ def test_an_endless_answer_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
     chunk = b"10000\r\n" + b"x" * 2**16 + b"\r\n"
     with (
         scripted_server([head, *[chunk] * 5]) as (_, client_connection),
-        pytest.raises(BrokenAnswer, match="no end"),
+        pytest.raises(BrokenAnswer, match="exceeds the size limit"),
     ):
         client_connection.send_request(REQUEST)
 

@@ -27,7 +27,7 @@ def benchmark(world: str, **members: Any) -> Benchmark:
 
 def look(world: str, **members: Any) -> Json:
     """Checks in this process; what hangs or dies is examined in one of its own."""
-    return BenchmarkCheck(benchmark(world, **members), ENVS, print).look()
+    return BenchmarkCheck(benchmark(world, **members), ENVS, print).run()
 
 
 def two_tasks(first: Any, second: Any) -> list[Json]:
@@ -55,8 +55,8 @@ def test_a_valid_environment_has_no_faults() -> None:
 @pytest.mark.parametrize(
     ("world", "fault"),
     [
-        ("IgnoresSeed", "reset(seed=20) twice gives two episodes (the observation "),
-        ("Leaks", "an episode depends on the one before it (the observation "),
+        ("IgnoresSeed", "reset(seed=20) is not deterministic (the observation "),
+        ("Leaks", "state leaks between episodes (the observation "),
         ("WrongShape", "the observation 'observation' has shape (2,), its space"),
         ("WrongDtype", "the observation 'observation' is of float32, its space of"),
         ("IsNotFinite", "the observation 'observation' is not finite: [nan]"),
@@ -120,7 +120,7 @@ def test_a_success_key_missing_from_info_is_a_fault() -> None:
 
 def test_without_a_success_criterion_there_is_a_warning_or_a_return() -> None:
     (warning,) = look("NoSuccessInfo")["warnings"]
-    assert warning.startswith("nothing says what success is, so every score will be 0")
+    assert warning.startswith("no success condition is declared, so every score is 0")
     scored = look("NoSuccessInfo", score={"return_from": 0.0, "return_to": 1.0})
     assert scored["warnings"] == []
     assert not scored["plan"]["ends_on_success"]
@@ -147,7 +147,7 @@ def test_the_default_return_criterion_requires_last_step() -> None:
     cartpole = Benchmark(
         benchmark_id="c", environment="CartPole-v1", success_rule="any_step"
     )
-    (line,) = BenchmarkCheck(cartpole, ENVS, print).look()["faults"]
+    (line,) = BenchmarkCheck(cartpole, ENVS, print).run()["faults"]
     assert "known at the end: last_step" in line
 
 
@@ -160,12 +160,12 @@ def test_the_default_return_criterion_requires_last_step() -> None:
         (
             "ValidEnv",
             {"action": {"arm": {"unit": "m"}}},
-            "action.arm: the environment has no such; it has action",
+            "action.arm: unknown name; the environment has action",
         ),
         (
             "ValidEnv",
             {"state": {"arm": {"unit": "m"}}},
-            "state.arm: the environment has no such; it has observation",
+            "state.arm: unknown name; the environment has observation",
         ),
         ("IsNotFinite", {"camera": {"name": "c"}}, "is not finite"),
         ("RendersNone", {"camera": {"name": "c"}}, "render gave NoneType"),
@@ -277,7 +277,7 @@ def test_a_hanging_check_times_out_and_reports_progress(
     monkeypatch.setattr(registration, "SILENCE_S_MAX", 2.0)
     said: list[str] = []
     found = registration.examine(benchmark("Hangs", camera=False), ENVS, said.append)
-    assert "no sign of life for 2 s" in found["faults"][0]
+    assert "no output for 2 s" in found["faults"][0]
     assert said[-1].startswith("mine: checking, ")
 
 
@@ -292,7 +292,7 @@ def test_the_command_prints_its_findings(capsys: pytest.CaptureFixture[str]) -> 
     assert main(["check", f"{ENVS / WORLDS}:AlwaysTheSame"]) == 0
     said = capsys.readouterr().out
     assert "alwaysthesame: warning: task alwaysthesame: every seed gives" in said
-    assert "alwaysthesame: can be offered, 10 episodes" in said
+    assert "alwaysthesame: OK, 10 episodes" in said
     assert main(["check", f"{ENVS / WORLDS}:IsNotFinite"]) == 1
     assert "isnotfinite: fault: " in capsys.readouterr().out
     assert main(["check", "nothing.toml"]) == 2

@@ -51,8 +51,11 @@ def test_episodes_come_split_by_split_and_task_by_task(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "fault"),
     [
-        ("environment = CartPole", "no TOML: Invalid value (at line 1, column 15)"),
-        ("\nx = 'é'\ny = [", "no TOML: Invalid value (at end of document)"),
+        (
+            "environment = CartPole",
+            "invalid TOML: Invalid value (at line 1, column 15)",
+        ),
+        ("\nx = 'é'\ny = [", "invalid TOML: Invalid value (at end of document)"),
         ("max_stepz = 1\nenvironment = 'X'", "max_stepz: Extra inputs are not permit"),
         ("", 'give either environment = "ID" or made_by = "FILE.py:NAME"'),
         ("environment = 'X'\nmade_by = 'a:b'", "give either environment"),
@@ -136,9 +139,12 @@ def test_all_faults_of_a_file_are_reported_together(tmp_path: Path) -> None:
     ("reference", "fault"),
     [
         ("nothing.toml", "nothing.toml: No such file or directory"),
-        ("juggling", "juggling: no benchmark; say gymnasium:ID, FILE.toml, a folder"),
-        ("gymnasium:", "no benchmark; say"),
-        ("x.py:", "no benchmark; say"),
+        (
+            "juggling",
+            "juggling: unknown benchmark reference; expected gymnasium:ID, FILE.toml, a folder",
+        ),
+        ("gymnasium:", "unknown benchmark reference; expected"),
+        ("x.py:", "unknown benchmark reference; expected"),
     ],
 )
 def test_an_invalid_reference_is_an_error(reference: str, fault: str) -> None:
@@ -149,7 +155,7 @@ def test_an_invalid_reference_is_an_error(reference: str, fault: str) -> None:
 
 def test_a_file_must_be_text(tmp_path: Path) -> None:
     (tmp_path / "a.toml").write_bytes(b"\xff\xfe")
-    with pytest.raises(BadBenchmark, match="no TOML"):
+    with pytest.raises(BadBenchmark, match="invalid TOML"):
         list(read(str(tmp_path / "a.toml")))
 
 

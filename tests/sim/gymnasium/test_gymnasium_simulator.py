@@ -36,7 +36,7 @@ def settings_of(world: str, **members: Any) -> dict[str, Any]:
     made_by = f"gymnasium_envs.py:{world}"
     content = {"benchmark_id": "mine", "made_by": made_by} | members
     benchmark = Benchmark.model_validate(content)
-    found = BenchmarkCheck(benchmark, ROOT / "tests" / "support" / "sim", print).look()
+    found = BenchmarkCheck(benchmark, ROOT / "tests" / "support" / "sim", print).run()
     assert found["faults"] == []
     definition = registration._definition(found["plan"], found["manifest"])
     manifest = definition.describe({}, 8)
@@ -184,7 +184,7 @@ def test_the_manifest_is_one_of_the_specification() -> None:
         content = {"benchmark_id": "mine", "made_by": f"gymnasium_envs.py:{world}"}
         found = BenchmarkCheck(
             Benchmark.model_validate(content), ROOT / "tests" / "support" / "sim", print
-        ).look()
+        ).run()
         manifest = found["manifest"] | {
             "max_chunk": 8,
             "manifest_sha256": "0" * 64,
@@ -223,7 +223,7 @@ def test_two_processes_play_the_same_episode(
 ) -> None:
     monkeypatch.setattr(benchmark_registry, "_BENCHMARKS", {})
     content = {"benchmark_id": "mine", "environment": name, "camera": False}
-    found = BenchmarkCheck(Benchmark.model_validate(content), ROOT, print).look()
+    found = BenchmarkCheck(Benchmark.model_validate(content), ROOT, print).run()
     definition = registration._definition(found["plan"], found["manifest"])
     images = {"codec": "raw", "width": 64, "height": 64}
     world = SimulatorConfig("mine", definition.settings(images))

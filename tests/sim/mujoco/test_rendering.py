@@ -136,7 +136,7 @@ def test_the_backend_from_the_environment_is_tried_first(
     ("probe", "reason"),
     [
         ("import os; os.abort()", "exit -6"),
-        ("import time; time.sleep(60)", "no picture within 0.1 s"),
+        ("import time; time.sleep(60)", "no image rendered within 0.1 s"),
         ("raise SystemExit('line\\nlast line ' + 'x' * 999)", "last line xxx"),
     ],
 )
