@@ -15,13 +15,14 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import VERSION, Operation, perform
 from reference_server.http.handlers import Handlers
-from reference_server.http.problems import Refused, problem_response
+from reference_server.http.problems import problem_response
 from reference_server.profiles import profile_tables
 from reference_server.push.driver import Driver
 from reference_server.push.egress import EgressPolicy
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_protocols import PROTOCOLS
 from reference_server.push.policy_server_config import PolicyServerValidator
+from reference_server.rules.refusal import Refused
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.session_executor import SessionExecutor
@@ -106,7 +107,7 @@ class _Endpoint:
     def _not_allowed(self, method: str) -> Response:
         detail = f"{method} is not a method of this path."
         allowed = {"Allow": ", ".join(sorted(self._operations))}
-        return problem_response(Refused("method_not_allowed", detail, headers=allowed))
+        return problem_response(Refused("method_not_allowed", detail), allowed)
 
 
 async def _not_found(scope: Scope, receive: Receive, send: Send) -> None:

@@ -8,7 +8,7 @@ import secrets
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from reference_server.http.problems import Refused
+from reference_server.rules.refusal import Refused
 
 SCOPES = frozenset({"read", "run"})
 

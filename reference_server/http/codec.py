@@ -21,7 +21,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
-from reference_server.http.problems import Refused
+from reference_server.rules.refusal import Refused
 
 JSON = "application/json"
 MSGPACK = "application/msgpack"

@@ -20,7 +20,8 @@ from starlette.responses import Response
 
 from reference_server.http import codec
 from reference_server.http.auth import Caller, Tokens
-from reference_server.http.problems import Refused, problem_response
+from reference_server.http.problems import problem_response
+from reference_server.rules.refusal import Refused
 from reference_server.storage.store import StoreFailed
 
 log = logging.getLogger("proctor.operations")

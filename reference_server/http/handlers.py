@@ -15,7 +15,6 @@ import msgspec
 from starlette.responses import Response
 
 from reference_server.generated import models
-from reference_server.http import views
 from reference_server.http.codec import JSON, MSGPACK
 from reference_server.http.dispatch import (
     VERSION_MAX,
@@ -24,8 +23,6 @@ from reference_server.http.dispatch import (
     OperationCall,
 )
 from reference_server.http.event_streams import EVENT_STREAM, EventStream
-from reference_server.http.problems import Refused
-from reference_server.http.turn_view import lease_view
 from reference_server.push.policy_server_config import PolicyServerValidator
 from reference_server.rules import comparison, effects
 from reference_server.rules.lifecycle import (
@@ -38,12 +35,15 @@ from reference_server.rules.lifecycle import (
     Stop,
     decide,
 )
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.scores import ScoreCache
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.settings import Settings
+from reference_server.views import run_views
+from reference_server.views.turn_view import lease_view
 
 SOFTWARE_VERSION = "0.1.0"
 IDLE_TIMEOUT_S_MIN = 1.0
@@ -141,7 +141,7 @@ class Handlers:
             ),
             encodings=[JSON, MSGPACK],
             image_codecs=["raw", "png", "jpeg"],
-            server_time=views.timestamp(datetime.now(UTC).timestamp()),
+            server_time=run_views.timestamp(datetime.now(UTC).timestamp()),
         )
         return call.answer(service.model_dump())
 
@@ -281,7 +281,7 @@ class Handlers:
 
         def view(run: RunHead, page: Sequence[Episode]) -> dict[str, Any]:
             return {
-                "episodes": [views.episode_view(e) for e in page],
+                "episodes": [run_views.episode_view(e) for e in page],
                 "next_cursor": str(end) if end < run.total else None,
             }
 
@@ -306,7 +306,7 @@ class Handlers:
         for run_id in ids:
             look = partial(self.registry.read_view, run_id, call.account, end=None)
             run, episodes = await look(
-                lambda run, all_: (run, views.scored_episodes(all_))
+                lambda run, all_: (run, run_views.scored_episodes(all_))
             )
             runs.append(run)
             scored.append(episodes)
@@ -315,7 +315,7 @@ class Handlers:
             {"run_id": run_id} | comparison.compare(scored[0], episodes, tolerance)
             for run_id, episodes in zip(ids[1:], scored[1:], strict=True)
         ]
-        return call.answer(views.comparison_view(runs[0], tolerance, entries))
+        return call.answer(run_views.comparison_view(runs[0], tolerance, entries))
 
     # --- data plane ---
 
@@ -370,7 +370,7 @@ class Handlers:
         )
 
     def _view(self, call: OperationCall, run: RunHead) -> dict[str, Any]:
-        return views.run_view(
+        return run_views.run_view(
             run, self.base_url(call), self.registry.queue_position(run)
         )
 

@@ -17,15 +17,15 @@ import time
 from dataclasses import dataclass
 from typing import Any
 
-from reference_server.http.problems import Refused
 from reference_server.push.egress import EgressPolicy
 from reference_server.push.http_calls import Backoff, CallLimits, HttpCalls, PolicyFault
 from reference_server.push.key_encryption import DecryptionFailed, KeyEncryption
 from reference_server.push.policy_calls import Description, PolicyAdapter, answer_fault
 from reference_server.push.policy_protocols import PROTOCOLS
-from reference_server.push.policy_server_config import PolicyServerConfig
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Attach, Predict
+from reference_server.rules.policy_server import PolicyServerConfig
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.runs.registry import RELOAD_S, RunRegistry
 from reference_server.runs.session_executor import SessionExecutor

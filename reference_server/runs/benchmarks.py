@@ -13,7 +13,7 @@ from typing import Any
 
 import msgspec
 
-from reference_server.http.problems import Refused
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_sim import benchmark_registry
 

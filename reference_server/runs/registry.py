@@ -22,8 +22,8 @@ from functools import partial
 from typing import TypeVar
 from weakref import WeakValueDictionary
 
-from reference_server.http.problems import Refused
 from reference_server.rules import effects
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run, RunHead, State
 from reference_server.storage.store import Store, StoreFailed
 

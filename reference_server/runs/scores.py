@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from reference_server.http import views
 from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.runs.registry import RunRegistry
+from reference_server.views import run_views
 
 CACHED_SCORES_MAX = 256
 
@@ -38,7 +38,7 @@ class ScoreCache:
         return score if (state, scored) == (run.state, run.scored) else None
 
     def _compute_score(self, run: RunHead, episodes: Sequence[Episode]) -> Json:
-        score = views.score_view(run, episodes)
+        score = run_views.score_view(run, episodes)
         if not isinstance(run, Run):  # what only memory has may yet be lost
             self._cache[run.run_id] = run.state, run.scored, score
             if len(self._cache) > CACHED_SCORES_MAX:

@@ -5,8 +5,8 @@ It asks `protocol` what may happen, lets a simulator process execute, and tells
 has one task at most, and whoever repeats its request waits for that task. What a
 session holds meanwhile is in `scenes.py`.
 
-While work awaits anything, its session may end: then `_ensure_live` ends the work, and what
-the session held is already freed.
+While work awaits anything, its session may end: then `_ensure_live` ends the work,
+and what the session held is already freed.
 """
 
 from __future__ import annotations
@@ -18,8 +18,6 @@ import time
 from collections.abc import Awaitable
 from typing import Any
 
-from reference_server.http import turn_view
-from reference_server.http.problems import Refused
 from reference_server.rules import action_space, effects
 from reference_server.rules.lifecycle import (
     Attach,
@@ -33,9 +31,11 @@ from reference_server.rules.lifecycle import (
     decide,
     lease_over,
 )
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.session_resources import ResourceManager, SessionResources
+from reference_server.views import turn_view
 from reference_sim.process.pool import (
     EpisodeStart,
     NoCapacity,

@@ -8,11 +8,12 @@ from typing import Any
 
 from starlette.responses import Response
 
-from reference_server.http import auth, handlers, views
+from reference_server.http import auth, handlers
 from reference_server.http.dispatch import OperationCall
 from reference_server.http.handlers import Handlers
-from reference_server.http.problems import Refused
 from reference_server.rules import comparison
+from reference_server.rules.refusal import Refused
+from reference_server.views import run_views
 from tests.mutants import mutant, put
 
 Entry = dict[str, Any]
@@ -33,13 +34,13 @@ def change_entry(change: Callable[[Entry, Any, Any], None]) -> None:
 @mutant("CMP-001")
 def sorts_compared_runs() -> None:
     """Who asks for three runs reads the numbers of the first at the second."""
-    right = views.comparison_view
+    right = run_views.comparison_view
 
     def wrong(*arguments: Any) -> dict[str, Any]:
         body = right(*arguments)
         return body | {"runs": sorted(body["runs"], key=lambda e: str(e["run_id"]))}
 
-    put(views, "comparison_view", wrong)
+    put(run_views, "comparison_view", wrong)
 
 
 @mutant("CMP-002")

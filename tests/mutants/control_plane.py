@@ -7,14 +7,15 @@ from typing import Any
 
 from starlette.responses import Response
 
-from reference_server.http import auth, codec, dispatch, handlers, problems, views
+from reference_server.http import auth, codec, dispatch, handlers, problems
 from reference_server.http.handlers import Handlers
-from reference_server.http.problems import Refused
 from reference_server.rules import scoring
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.store import Store
+from reference_server.views import run_views
 from reference_sim import benchmark_registry
 from tests.mutants import mutant, put
 
@@ -142,14 +143,14 @@ def hashes_a_benchmark_anew_each_time() -> None:
 
 def spoil_run(change: Any) -> None:
     """Let `change(body, run)` spoil every run that is shown."""
-    right = views.run_view
+    right = run_views.run_view
 
     def wrong(run: Run, *rest: Any) -> dict[str, Any]:
         body = right(run, *rest)
         change(body, run)
         return body
 
-    put(views, "run_view", wrong)
+    put(run_views, "run_view", wrong)
 
 
 @mutant("RUN-001")
@@ -367,4 +368,4 @@ def counts_abandoned_episodes_as_failures() -> None:
         counts["abandoned"] = 0
         return score
 
-    put(views, "score_of", wrong)
+    put(run_views, "score_of", wrong)

@@ -14,7 +14,7 @@ from starlette.types import Receive, Scope, Send
 from reference_server import app
 from reference_server.http import codec, dispatch, problems
 from reference_server.http.handlers import Handlers
-from reference_server.http.problems import Refused
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.runs.benchmarks import Benchmarks
 from tests.mutants import mutant, put

@@ -7,9 +7,9 @@ import time
 from dataclasses import replace
 from typing import Any
 
-from reference_server.http.problems import Refused
 from reference_server.rules import effects, lifecycle
 from reference_server.rules.lifecycle import GUARDS, Attach, Detach, Refuse, Verdict
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
 from reference_server.runs import session_executor, session_resources
 from reference_server.runs.session_executor import SessionExecutor

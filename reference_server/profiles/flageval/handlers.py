@@ -19,7 +19,6 @@ from reference_server.http import codec
 from reference_server.http.codec import JSON
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.http.handlers import Handlers
-from reference_server.http.problems import Refused
 from reference_server.profiles.flageval.requests import (
     DiffsRequest,
     EvaluationRequest,
@@ -38,6 +37,7 @@ from reference_server.profiles.flageval.responses import (
 )
 from reference_server.push.chat_calls import is_answered_in_words
 from reference_server.rules.lifecycle import Event, Stop, legal
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 
 Body = TypeVar("Body", bound=BaseModel)

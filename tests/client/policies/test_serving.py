@@ -37,7 +37,7 @@ from tests.support.push_runs import (
     wait_for_state,
 )
 
-__all__ = ["server", "policy_key"]
+__all__ = ["policy_key", "server"]
 BENCHMARK = turns.calibration()
 
 

@@ -35,7 +35,7 @@ from tests.support.profiles.ebench_client import (
     submit_native_run,
 )
 
-__all__ = ["server", "http"]
+__all__ = ["http", "server"]
 
 
 @pytest.fixture(scope="module")

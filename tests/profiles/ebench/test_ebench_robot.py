@@ -17,7 +17,7 @@ from tests.support.profiles.ebench_client import (
     server,
 )
 
-__all__ = ["server", "http"]
+__all__ = ["http", "server"]
 
 LIFT2 = [0.0, 0.25, 1.6, 1.2, 0.0, 0.0, 0.04, 0.04] * 2
 

@@ -14,9 +14,9 @@ from typing import Any
 
 import pytest
 
-from reference_server.http.problems import Refused
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Predict
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Result, Run
 from reference_server.runs.benchmarks import digest
 from reference_server.runs.registry import RunRegistry

@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import Any
 
 from reference_server.generated import models
-from reference_server.push.policy_server_config import PolicyServerConfig
+from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.run import Episode, RunHead
 from reference_server.rules.scoring import ScoredEpisode, score_of
 

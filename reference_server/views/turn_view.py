@@ -10,8 +10,8 @@ import time
 from collections.abc import Mapping
 from typing import Any
 
-from reference_server.http.views import result_view, timestamp
 from reference_server.rules.run import Episode, Session
+from reference_server.views.run_views import result_view, timestamp
 from reference_sim.process.pool import ChunkReply, Timing
 
 
@@ -26,7 +26,7 @@ def turn_view(
     fault: Mapping[str, Any] | None = None,
     spent: Mapping[str, float] | None = None,
 ) -> dict[str, Any]:
-    """The turn that a session gets now; `add_lease_and_total` adds lease and total time.
+    """The turn of a session now; `add_lease_and_total` adds lease and total time.
 
     left: actions of the chunk that were not executed. ended: the episode that this
     turn ended; the session has the next one already.
