@@ -23,8 +23,10 @@ from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_protocols import PROTOCOLS
 from reference_server.push.policy_server_config import PolicyServerValidator
 from reference_server.rules.refusal import Refused
+from reference_server.rules.submission import SubmissionLimits
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
+from reference_server.runs.service import RunService
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.settings import Settings
 from reference_server.storage.store import Store
@@ -49,13 +51,14 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     policy_server_validator = PolicyServerValidator(
         egress, key_encryption, tuple(PROTOCOLS)
     )
-    routes = Handlers(
-        settings,
+    service = RunService(
+        SubmissionLimits(settings.max_workers, settings.idle_timeout_s_max),
         Benchmarks(settings.max_chunk),
         registry,
         executor,
-        policy_server_validator,
+        policy_server_validator.validate_and_encrypt,
     )
+    handlers = Handlers(settings, service)
 
     @asynccontextmanager
     async def lifespan(_app: Any) -> AsyncIterator[None]:
@@ -73,10 +76,11 @@ def build(settings: Settings, tokens: Tokens) -> Application:
             await pool.close()
             await store.close()
 
+    table = handlers.table() | profile_tables(handlers)
     router = Router(
         routes=[
             Route(path, _Endpoint(operations, tokens, settings.max_body_bytes))
-            for path, operations in (routes.table() | profile_tables(routes)).items()
+            for path, operations in table.items()
         ],
         default=_not_found,
         redirect_slashes=False,

@@ -10,12 +10,28 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.scoring import ScoredEpisode
 
 TOLERANCE = 0.05  # CMP-008: when none is given
 ROUNDING = 1e-9  # CMP-008: so that no rounding decides
 
 Pair = tuple[ScoredEpisode, ScoredEpisode]
+
+
+def manifest_mismatch(runs: Sequence[tuple[str, str]]) -> Refuse | None:
+    """CMP-009: (run_id, manifest_sha256) of the baseline and of those beside it."""
+    (baseline, manifest_sha256), *others = runs
+    mismatched = [run_id for run_id, sha256 in others if sha256 != manifest_sha256]
+    if not mismatched:
+        return None
+    text = f"{', '.join(mismatched)}: another manifest than {baseline}"
+    return Refuse(
+        "not_comparable",
+        "Episodes pair only within one manifest.",
+        "CMP-009",
+        (("query:runs", text),),
+    )
 
 
 def compare(

@@ -154,6 +154,11 @@ def legal(run: Run, event: Event) -> bool:
     return (run.state, event) in TRANSITIONS
 
 
+def changes_state(run: Run, event: Event) -> bool:
+    """Whether the table leads to another state; a row may also keep the state."""
+    return legal(run, event) and TRANSITIONS[(run.state, event)] != run.state
+
+
 def decide(run: Run, command: Command, now: float) -> Verdict:
     """The verdict of the first guard that has one; Accept when none objects.
 

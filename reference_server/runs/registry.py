@@ -25,6 +25,7 @@ from weakref import WeakValueDictionary
 from reference_server.rules import effects
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run, RunHead, State
+from reference_server.rules.submission import KeyUse, key_conflict, may_see_run
 from reference_server.storage.store import Store, StoreFailed
 
 log = logging.getLogger("proctor.runs")
@@ -89,7 +90,7 @@ class RunRegistry:
     async def get(self, run_id: str, account: str | None = None) -> Run:
         """The run, if the account may see it (AUTH-003, RUN-010)."""
         run = self._in_memory.get(run_id) or await self._load(run_id)
-        if run is None or account not in (None, run.account):
+        if run is None or not (account is None or may_see_run(account, run.account)):
             raise _no_run(run_id)
         self._cache(run)
         return run
@@ -113,7 +114,7 @@ class RunRegistry:
         if run_id not in self._in_memory:
             found = await self._store.read_window(run_id, start, end, scored)
             if found is not None and self._is_current(found[0]):
-                if found[0].account != account:
+                if not may_see_run(account, found[0].account):
                     raise _no_run(run_id)
                 return view(*found)
         run = await self.get(run_id, account)
@@ -134,19 +135,17 @@ class RunRegistry:
             self._admit()
             return run
         assert key is not None
-        found = await self._store.find_key(run.account, key)
-        assert found is not None, "an insert is refused only for a used key"
-        if found[0] != body_sha256:
-            raise Refused(
-                "idempotency_conflict",
-                f"The key made run {found[1]} from another body.",
-                requirement="RUN-004",
-            )
-        return await self.get(found[1])
+        use = await self.find_by_key(run.account, key)
+        assert use is not None, "an insert is refused only for a used key"
+        conflict = key_conflict(use, body_sha256)
+        if conflict is not None:
+            raise Refused.from_verdict(conflict)
+        return await self.get(use.run_id)
 
-    async def find_by_key(self, account: str, key: str) -> tuple[str, str] | None:
-        """(body_sha256, run_id) of what an Idempotency-Key of the account made."""
-        return await self._store.find_key(account, key)
+    async def find_by_key(self, account: str, key: str) -> KeyUse | None:
+        """What an Idempotency-Key of the account made, if it was used."""
+        found = await self._store.find_key(account, key)
+        return None if found is None else KeyUse(*found)
 
     async def page(
         self,

@@ -14,6 +14,7 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
+from reference_server.runs.service import RunService
 from reference_server.storage.store import Store
 from reference_server.views import run_views
 from reference_sim import benchmark_registry
@@ -289,9 +290,9 @@ def names_an_endpoint_without_a_host() -> None:
 
 
 def _unlimited(*names: str) -> None:
-    right = Handlers.prepare_run
+    right = RunService.prepare_run
 
-    async def wrong(self: Handlers, account: str, submission: dict[str, Any]) -> Run:
+    async def wrong(self: RunService, account: str, submission: dict[str, Any]) -> Run:
         wanted = {name: submission.pop(name) for name in names if name in submission}
         run = await right(self, account, submission)
         for name, value in wanted.items():
@@ -299,7 +300,7 @@ def _unlimited(*names: str) -> None:
         submission.update(wanted)
         return run
 
-    put(Handlers, "prepare_run", wrong)
+    put(RunService, "prepare_run", wrong)
 
 
 @mutant("RUN-015")
@@ -348,7 +349,7 @@ def hides_scores_until_the_end() -> None:
     right = Handlers.get_score
 
     async def wrong(self: Handlers, call: Any) -> Response:
-        run = await self._run(call)
+        run = await self.service.get_run(call.account, call.path["run_id"])
         if run.state == "stopped":
             raise Refused("illegal_transition", "Not while stopped.")
         return await right(self, call)

@@ -86,7 +86,8 @@ class FlagevalHandlers:
             existing = await self.handlers.registry.find_by_key(
                 call.account, idempotency_key(info.eval_model)
             )
-            if existing is not None and existing[0] != requested.digest(number):
+            digest = requested.digest(number)
+            if existing is not None and existing.body_sha256 != digest:
                 raise Refused(
                     "idempotency_conflict",
                     f"An evaluation of another body is named {info.eval_model}.",
@@ -192,7 +193,7 @@ class FlagevalHandlers:
         )
         if existing is None:
             return None
-        return (await self._evaluated(call, existing[1]))[0]
+        return (await self._evaluated(call, existing.run_id))[0]
 
     async def _evaluated(
         self, call: OperationCall, request_id: str
