@@ -23,6 +23,7 @@ from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_protocols import PROTOCOLS
 from reference_server.push.policy_server_config import PolicyServerValidator
 from reference_server.rules.refusal import Refused
+from reference_server.rules.run import Run
 from reference_server.rules.submission import SubmissionLimits
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
@@ -43,7 +44,15 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     pool = SimulatorPool(
         settings.max_simulators, settings.spare_simulators, settings.turn_timeout_s
     )
-    registry = RunRegistry(store, settings.max_active_runs)
+
+    # Called only while the server runs; by then both parts are there.
+    def on_run_lost(run: Run) -> None:
+        executor.discard_sessions(run)
+
+    def on_change(run: Run) -> None:
+        driver.on_run_changed(run)
+
+    registry = RunRegistry(store, settings.max_active_runs, on_run_lost, on_change)
     executor = SessionExecutor(registry, pool)
     egress = EgressPolicy(settings.allow_private_policies)
     key_encryption = KeyEncryption(settings.sealing_key_path)

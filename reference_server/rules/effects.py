@@ -8,16 +8,18 @@ else. Every change of state goes through the table.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple, Protocol
 
 from reference_server.rules.lifecycle import (
+    PLAYABLE_STATES,
     TRANSITIONS,
     Attach,
     Event,
     Predict,
+    changes_state,
     lease_over,
     legal,
+    may_hand_out,
 )
 from reference_server.rules.run import Episode, Result, Run, Session, SessionEnd
 
@@ -26,16 +28,32 @@ from reference_server.rules.run import Episode, Result, Run, Session, SessionEnd
 SERVER_LEASE_S = 86_400.0
 
 
-@dataclass(frozen=True, slots=True)
-class ChunkResult:
-    """What the simulator says after a chunk; see `reference_sim`."""
+class ChunkOutcome(Protocol):
+    """What the rules read of the simulator's reply to a chunk.
 
-    executed: int
-    ended: bool
-    terminated: bool
-    truncated: bool
-    success: bool
-    score: float
+    executed: how many of its actions. ended: the episode has ended. The others are of
+    the episode after the last executed action.
+    """
+
+    @property
+    def executed(self) -> int: ...
+    @property
+    def ended(self) -> bool: ...
+    @property
+    def terminated(self) -> bool: ...
+    @property
+    def truncated(self) -> bool: ...
+    @property
+    def success(self) -> bool: ...
+    @property
+    def score(self) -> float: ...
+
+
+class Expiry(NamedTuple):
+    """closed: the sessions whose lease is over. freed_slot: one of them held a slot."""
+
+    closed: list[Session]
+    freed_slot: bool
 
 
 def apply_event(run: Run, event: Event, reason: str | None = None) -> None:
@@ -106,7 +124,7 @@ def confirm_delivery(session: Session, seq: int) -> None:
 
 
 def end_turn(
-    run: Run, session: Session, played: ChunkResult, now_wall: float
+    run: Run, session: Session, played: ChunkOutcome, now_wall: float
 ) -> Episode | None:
     """Account for an executed chunk. Returns the episode it ended, if it did.
 
@@ -133,7 +151,7 @@ def end_turn(
     )
     session.steps, session.think_s = 0, 0.0
     # STOP-004: a stopping run hands out nothing any more.
-    session.episode = run.take_pending() if run.state == "running" else None
+    session.episode = run.take_pending() if may_hand_out(run) else None
     if session.episode is None:
         session.done = True
         _after_session_end(run)
@@ -166,6 +184,17 @@ def close_session(
         _after_session_end(run)
 
 
+def abort_session(run: Run, session: Session, now_wall: float) -> bool:
+    """End a session by no fault of its policy: no attempt is counted.
+
+    Returns whether that has to be stored: a restart finds a run in play ready again
+    (CRASH-002), so that nothing is lost if only this is not.
+    """
+    session.busy, session.steps = "turning", 0
+    close_session(run, session, "unknown", now_wall)
+    return bool(run.changed) or run.state not in PLAYABLE_STATES
+
+
 def end_by_policy(run: Run, session: Session, fault: str, now_wall: float) -> None:
     """The policy that this server calls went wrong: its attempt ends (PUSH-010)."""
     episode = session.episode
@@ -191,13 +220,18 @@ def fail_run(
     return sessions
 
 
-def expire(run: Run, now: float, now_wall: float) -> list[Session]:
-    """Close every session whose lease is over; returns those that held a slot."""
+def expire(run: Run, now: float, now_wall: float) -> Expiry:
+    """Close every session whose lease is over (LEASE-001)."""
     over = [s for s in run.workers.values() if lease_over(s, now)]
-    live_sessions = [s for s in over if not s.done]
+    freed_slot = any(not session.done for session in over)
     for session in over:
         close_session(run, session, "lease_ended", now_wall)
-    return live_sessions
+    return Expiry(over, freed_slot)
+
+
+def lose_sessions(run: Run) -> None:
+    """A run that was just loaded has no session any more (CRASH-002)."""
+    apply_event(run, "last_lease_ends", "The sessions ended without a result.")
 
 
 def stop(run: Run, mode: str, now_wall: float) -> list[Session]:
@@ -211,7 +245,7 @@ def stop(run: Run, mode: str, now_wall: float) -> list[Session]:
 
 def resume(run: Run, queue_until_wall: float) -> None:
     """RES-001, RES-002: back to the queue with what is scored kept."""
-    if run.state not in ("stopped", "failed"):
+    if not changes_state(run, "resume_run"):
         return
     for episode in run.episodes:
         if episode.result is None and episode.faults > episode.faults_forgiven:
@@ -252,9 +286,12 @@ def record_fault(
 def admit(
     queued: Sequence[Run], active: int, active_max: int, now_wall: float
 ) -> list[Run]:
-    """LIFE-801: which queued runs, oldest first, become ready now; they are moved."""
+    """LIFE-801: which queued runs, oldest first, become ready now; they are moved.
+
+    A run without a number is not stored yet: it is the youngest.
+    """
     admitted: list[Run] = []
-    for run in sorted(queued, key=lambda r: r.number):
+    for run in sorted(queued, key=lambda r: (r.number == 0, r.number)):
         if active + len(admitted) >= active_max:
             break
         if run.queue_until_wall <= now_wall:
@@ -321,5 +358,6 @@ def _close_attempt(
 
 def _after_session_end(run: Run) -> None:
     if not run.live_sessions:
-        reason = "Drained." if run.state == "stopping" else None
+        # A run that goes on as ready has no reason to state; one that stops has.
+        reason = None if may_hand_out(run) else "Drained."
         apply_event(run, "last_lease_ends", reason)

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, TypeAlias, get_args
 
 from reference_server.rules import action_space
 from reference_server.rules.run import Observe, Run, Session, State
@@ -61,6 +61,27 @@ TRANSITIONS: dict[tuple[State, Event], State] = {
     ("stopped", "resume_run"): "queued",
     ("failed", "resume_run"): "queued",
 }
+
+# What follows from the table, so that no other module names states.
+# A worker may attach.
+PLAYABLE_STATES = frozenset(s for s, event in TRANSITIONS if event == "attach_worker")
+# The run waits until there is capacity for it (LIFE-801, RUN-008).
+WAITING_STATES = frozenset(s for s, event in TRANSITIONS if event == "capacity")
+# CRASH-002: sessions do not outlive the process, so a restart is what the end of the
+# last session is (LIFE-802, LIFE-803). Other states outlive a restart.
+STATES_AFTER_RESTART: Mapping[State, State] = {
+    state: after
+    for (state, event), after in TRANSITIONS.items()
+    if event == "last_lease_ends"
+}
+RESTART_REASON = "The server was restarted."
+# The run counts among those that the server plays at once.
+ACTIVE_STATES = PLAYABLE_STATES | STATES_AFTER_RESTART.keys()
+# What a stored run in one of these was when it left memory, it still is: neither
+# capacity nor the loss of its sessions changes it.
+RESTING_STATES = (
+    frozenset(get_args(State)) - WAITING_STATES - STATES_AFTER_RESTART.keys()
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,6 +178,11 @@ def legal(run: Run, event: Event) -> bool:
 def changes_state(run: Run, event: Event) -> bool:
     """Whether the table leads to another state; a row may also keep the state."""
     return legal(run, event) and TRANSITIONS[(run.state, event)] != run.state
+
+
+def may_hand_out(run: Run) -> bool:
+    """STOP-004: a stopping run hands out no episode any more."""
+    return run.state in PLAYABLE_STATES
 
 
 def decide(run: Run, command: Command, now: float) -> Verdict:

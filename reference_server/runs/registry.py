@@ -23,6 +23,13 @@ from typing import TypeVar
 from weakref import WeakValueDictionary
 
 from reference_server.rules import effects
+from reference_server.rules.lifecycle import (
+    ACTIVE_STATES,
+    RESTART_REASON,
+    RESTING_STATES,
+    STATES_AFTER_RESTART,
+    WAITING_STATES,
+)
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run, RunHead, State
 from reference_server.rules.submission import KeyUse, key_conflict, may_see_run
@@ -32,9 +39,6 @@ log = logging.getLogger("proctor.runs")
 
 # Runs kept in memory although nobody uses them at the moment.
 CACHED_RUNS_MAX = 256
-ACTIVE_STATES = ("ready", "running", "stopping")
-# What a stored run in one of these was when it left memory, it still is.
-STABLE_STATES = ("ready", "stopped", "failed", "completed")
 # How long after a failed write its run is loaded again, when nobody asks for it.
 RELOAD_S = 1.0
 
@@ -42,10 +46,21 @@ Rendered = TypeVar("Rendered")
 
 
 class RunRegistry:
-    """All runs of this server, by id."""
+    """All runs of this server, by id.
 
-    def __init__(self, store: Store, active_max: int) -> None:
+    on_run_lost: ends the sessions of a run whose write failed.
+    on_change: is called with a run whose state may have changed.
+    """
+
+    def __init__(
+        self,
+        store: Store,
+        active_max: int,
+        on_run_lost: Callable[[Run], None],
+        on_change: Callable[[Run], None],
+    ) -> None:
         self._store = store
+        self._on_run_lost, self._on_change = on_run_lost, on_change
         self._active_max = active_max
         self._in_memory: WeakValueDictionary[str, Run] = WeakValueDictionary()
         self._recent: OrderedDict[str, Run] = OrderedDict()
@@ -62,14 +77,12 @@ class RunRegistry:
         self._reload_timers: dict[str, asyncio.TimerHandle] = {}
         self._tasks: set[asyncio.Future[object]] = set()
         self._ending = self._closed = False
-        # Set by the data plane: what to do with the sessions of a run that was lost.
-        self.on_run_lost: Callable[[Run], None] = lambda _run: None
-        # Set by who plays the push runs: looks at a run whose state may have changed.
-        self.on_change: Callable[[Run], None] = lambda _run: None
 
     async def open(self) -> None:
+        """Apply what a restart does, then load what waits for capacity."""
+        await self._store.replace_states(STATES_AFTER_RESTART, RESTART_REASON)
         self._active = set(await self._store.in_states(*ACTIVE_STATES))
-        for run_id in await self._store.in_states("queued"):
+        for run_id in await self._store.in_states(*WAITING_STATES):
             await self.get(run_id)
 
     def release_waiters(self) -> None:
@@ -123,13 +136,22 @@ class RunRegistry:
 
     def _is_current(self, head: RunHead) -> bool:
         """Whether the run is as it was just read: nobody has taken it up meanwhile."""
-        return head.state in STABLE_STATES and head.run_id not in self._in_memory
+        return head.state in RESTING_STATES and head.run_id not in self._in_memory
 
     async def add(self, run: Run, key: str | None, body_sha256: str) -> Run:
         """Store a new run; or the run that this Idempotency-Key made (RUN-003)."""
-        # Whoever finds it in the store, even before we hear of that, finds this object.
+        # A request that finds it in the store, even before this one, finds this object.
         self._in_memory[run.run_id] = run
-        if await self._store.insert(run, key, body_sha256):
+        self._admit(run)  # before it is stored: one submit is one transaction
+        is_stored = False
+        try:
+            is_stored = await self._store.insert(run, key, body_sha256)
+        finally:
+            if not is_stored:
+                self._in_memory.pop(run.run_id, None)
+                self._active.discard(run.run_id)
+                self._admit()
+        if is_stored:
             self._cache(run)
             self._index_by_state(run, run.state)
             self._admit()
@@ -235,7 +257,7 @@ class RunRegistry:
 
     def queue_position(self, run: RunHead) -> int | None:
         """RUN-008: 1 is next; None unless queued."""
-        if run.state != "queued":
+        if run.state not in WAITING_STATES:
             return None
         return 1 + bisect_left(self._queue, run.number)
 
@@ -246,12 +268,13 @@ class RunRegistry:
         else:
             self._active.discard(run.run_id)
         was_queued = self._queued.pop(run.run_id, None) is not None
-        if state == "queued":
+        is_queued = state in WAITING_STATES
+        if is_queued:
             self._queued[run.run_id] = run
-        if was_queued != (state == "queued"):
+        if was_queued != is_queued:
             self._update_queue(run.number, was_queued)
         if state is not None:
-            self.on_change(run)
+            self._on_change(run)
 
     def _update_queue(self, number: int, has_left: bool) -> None:
         """A run has left the queue or come into it: those behind it have moved."""
@@ -271,18 +294,28 @@ class RunRegistry:
         if event is not None:
             event.set()
 
-    def _admit(self) -> None:
-        # Nobody pays for the length of a queue that cannot move.
+    def _admit(self, new: Run | None = None) -> None:
+        """Let runs in while there is capacity.
+
+        new: one that is not stored yet; its place is taken, and storing it is left to
+        the caller.
+        """
+        # The length of a queue that cannot move costs nothing.
         if self._closed or len(self._active) >= self._active_max:
             return
-        queued = [r for r in self._queued.values() if r.state == "queued"]
+        queued = [r for r in self._queued.values() if r.state in WAITING_STATES]
+        if new is not None and new.state in WAITING_STATES:
+            queued.append(new)
         if not queued:
             return
         now = time.time()
         admitted = effects.admit(queued, len(self._active), self._active_max, now)
         for run in admitted:
-            self._index_by_state(run, run.state)
-            self.commit_later(run)
+            if run is new:
+                self._active.add(run.run_id)
+            else:
+                self._index_by_state(run, run.state)
+                self.commit_later(run)
         self._schedule_admission(now)
 
     def _schedule_admission(self, now: float) -> None:
@@ -334,7 +367,7 @@ class RunRegistry:
     def _adopt(self, loaded: Run | None) -> Run | None:
         """A run just loaded: nobody held it, so no session of it lives."""
         if loaded is not None:
-            effects.apply_event(loaded, "last_lease_ends", "Its sessions were lost.")
+            effects.lose_sessions(loaded)
             self._in_memory[loaded.run_id] = loaded
             self._index_by_state(loaded, loaded.state)
             self._admit()
@@ -357,7 +390,7 @@ class RunRegistry:
         self._index_by_state(run, None)
         # Until it is known what the store has, the run may be active and keeps a place.
         self._active.add(run.run_id)
-        self.on_run_lost(run)
+        self._on_run_lost(run)
         self._reload_later(run.run_id)
 
     def _reload_later(self, run_id: str) -> None:

@@ -29,7 +29,6 @@ from reference_server.rules.lifecycle import (
     Replay,
     Wait,
     decide,
-    lease_over,
 )
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
@@ -53,7 +52,6 @@ class SessionExecutor:
     def __init__(self, registry: RunRegistry, pool: SimulatorPool) -> None:
         self._registry = registry
         self._resources = ResourceManager(pool, registry.run_in_background, self.sweep)
-        registry.on_run_lost = self._resources.discard_sessions
 
     # --- operations of the data plane ---
 
@@ -129,16 +127,20 @@ class SessionExecutor:
     def sweep(self, run: Run) -> float:
         """End the sessions whose lease is over; returns the moment that decided it."""
         now = time.monotonic()
-        over = [s for s in run.workers.values() if lease_over(s, now)]
-        live = effects.expire(run, now, time.time())
-        self.release_sessions(over)
-        if live:
+        expired = effects.expire(run, now, time.time())
+        if expired.closed:
+            self.release_sessions(expired.closed)
+        if expired.freed_slot:
             self._registry.commit_later(run)
         return now
 
     def release_sessions(self, sessions: list[Session]) -> None:
         """Free what ended sessions hold; a simulator in execution is killed."""
         self._resources.release_sessions(sessions)
+
+    def discard_sessions(self, run: Run) -> None:
+        """End the sessions of a run that was lost, without counting anything."""
+        self._resources.discard_sessions(run)
 
     async def close(self) -> None:
         """End every session without counting anything."""
@@ -180,15 +182,7 @@ class SessionExecutor:
             await self._fault(resources, error)
             return await self._begin_turn(resources, started)
         self._ensure_live(resources)
-        outcome = effects.ChunkResult(
-            played.executed,
-            played.ended,
-            played.terminated,
-            played.truncated,
-            played.success,
-            played.score,
-        )
-        ended = effects.end_turn(run, session, outcome, time.time())
+        ended = effects.end_turn(run, session, played, time.time())
         observation, spent = played.observation, turn_view.timing(0.0, played.timing)
         if ended is not None:
             # The result is on disk before anybody hears of it.
@@ -314,16 +308,16 @@ class SessionExecutor:
             ) from error
 
     def _abort(self, resources: SessionResources) -> None:
-        """End a session by no fault of its policy: no attempt is counted."""
+        """End a session whose work failed by no fault of its policy."""
         session = resources.session
         if session.ended_by is None:
-            session.busy, session.steps = "turning", 0
-            effects.close_session(resources.run, session, "unknown", time.time())
+            run = resources.run
+            must_store = effects.abort_session(run, session, time.time())
             self.release_sessions([session])
-            if resources.run.changed or resources.run.state not in ("ready", "running"):
-                self._registry.commit_later(resources.run)
-            else:  # a run in play is found ready again, and nothing else has changed
-                self._registry.notify(resources.run)
+            if must_store:
+                self._registry.commit_later(run)
+            else:
+                self._registry.notify(run)
 
     async def _wait_for_turn(self, run: Run, session: Session) -> Run:
         """The run when the session's task is over; the caller decides again then."""

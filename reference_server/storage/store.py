@@ -1,8 +1,8 @@
 """What outlives the process: the one module that knows the database.
 
 SQLAlchemy over SQLite by default; a URL makes it PostgreSQL. It stores and returns
-runs and holds no rule. Sessions are not here: they end with the process, and a run
-that was in play is found ready again (CRASH-002).
+runs and holds no rule: what a restart does to runs is a table that it is given.
+Sessions are not stored: they end with the process.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import msgspec
 import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncConnection, AsyncEngine, create_async_engine
 
-from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.rules.run import Episode, Run, RunHead, State
 from reference_server.storage import rows
 
 Found = TypeVar("Found")
@@ -141,7 +141,7 @@ class Store:
         self._manifest_cache: dict[str, Mapping[str, Any]] = {}
 
     async def open(self) -> None:
-        """Make the tables and end what the last process left in play."""
+        """Create the tables and the columns that are missing."""
         if self._url.get_backend_name() == "sqlite" and self._url.database:
             try:
                 Path(self._url.database).parent.mkdir(parents=True, exist_ok=True)
@@ -150,12 +150,6 @@ class Store:
         async with self._transaction() as connection:
             await connection.run_sync(_tables.create_all)
             await connection.run_sync(_add_missing_columns)
-            for before, after in (("running", "ready"), ("stopping", "stopped")):
-                await connection.execute(
-                    _runs.update()
-                    .where(_runs.c.state == before)
-                    .values(state=after, reason="The server was started anew.")
-                )
 
     async def close(self) -> None:
         await self._engine.dispose()
@@ -316,6 +310,16 @@ class Store:
             return [(n, r) for n, r in connection.execute(query)]
 
         return await self._read(fetch)
+
+    async def replace_states(self, states: Mapping[State, State], reason: str) -> None:
+        """Move every run in one of these states to the state beside it."""
+        async with self._write_lock, self._transaction() as connection:
+            for before, after in states.items():
+                await connection.execute(
+                    _runs.update()
+                    .where(_runs.c.state == before)
+                    .values(state=after, reason=reason)
+                )
 
     async def in_states(self, *states: str) -> list[str]:
         """Ids of all runs in these states, oldest first."""

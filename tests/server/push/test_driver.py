@@ -74,9 +74,15 @@ def push_run() -> Run:
 
 
 def make_driver(parts: ServerParts) -> Driver:
-    return Driver(
-        parts.registry, parts.executor, EgressPolicy("all"), KeyEncryption(), 65536
+    return make_driver_with(parts, KeyEncryption())
+
+
+def make_driver_with(parts: ServerParts, key_encryption: KeyEncryption) -> Driver:
+    driver = Driver(
+        parts.registry, parts.executor, EgressPolicy("all"), key_encryption, 65536
     )
+    parts.on_change = driver.on_run_changed
+    return driver
 
 
 async def wait_until_completed(parts: ServerParts) -> Run:
@@ -302,9 +308,7 @@ def test_a_key_in_the_assumptions_is_redacted(
 
     async def scenario(parts: ServerParts) -> None:
         key_encryption = KeyEncryption()
-        push_driver = Driver(
-            parts.registry, parts.executor, EgressPolicy("all"), key_encryption, 65536
-        )
+        push_driver = make_driver_with(parts, key_encryption)
         run = push_run()
         asked = ORDER | {"sealed_key": key_encryption.encrypt(SLASHED)}
         run.submission = {**run.submission, "policy_server": asked}

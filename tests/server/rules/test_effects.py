@@ -235,7 +235,7 @@ def test_expire_ends_every_overdue_lease() -> None:
     early, late = start_session(run, "a"), start_session(run, "b", NOW + 5)
     busy = start_session(run, "c")
     effects.begin_turn(busy, Predict("c", "s", 1, [ACTION]), NOW)
-    assert effects.expire(run, NOW + 10.5, WALL) == [early]
+    assert effects.expire(run, NOW + 10.5, WALL) == ([early], True)
     assert early.ended_by == "lease_ended"
     assert run.live_sessions == [late, busy]
 
@@ -244,7 +244,7 @@ def test_expire_does_not_report_a_session_that_is_done() -> None:
     run = make_run(1)
     session = start_session(run)
     play_turn(run, session, chunk_result(1, ended=True))
-    assert effects.expire(run, NOW + 99, WALL) == []
+    assert effects.expire(run, NOW + 99, WALL) == ([session], False)
     assert run.workers == {}
 
 

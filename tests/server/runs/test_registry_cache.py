@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from reference_server.rules import effects
-from reference_server.rules.lifecycle import Attach, Detach
+from reference_server.rules.lifecycle import RESTING_STATES, Attach, Detach
 from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.runs import registry
 from reference_server.storage.store import StoreFailed
@@ -58,7 +58,7 @@ def runs_in_memory(parts: ServerParts) -> list[str]:
 # --- a look ---
 
 
-@pytest.mark.parametrize("state", registry.STABLE_STATES)
+@pytest.mark.parametrize("state", sorted(RESTING_STATES))
 def test_reading_a_stable_run_does_not_load_it(tmp_path: Path, state: str) -> None:
     async def scenario(parts: ServerParts) -> None:
         await insert_runs(parts, finished_run(state=state))

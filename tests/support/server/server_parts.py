@@ -76,6 +76,7 @@ class ServerParts:
     pool: SimulatorPool
     executor: SessionExecutor
     service: RunService
+    on_change: Callable[[Run], None] = lambda _run: None
 
     @contextmanager
     def reject_writes(self) -> Iterator[None]:
@@ -97,7 +98,15 @@ async def open_server_parts(
     path: Path, active_max: int = 10
 ) -> AsyncIterator[ServerParts]:
     store = Store(f"sqlite+aiosqlite:///{path}")
-    registry, pool = RunRegistry(store, active_max), SimulatorPool(4, 0, TIMEOUT_S)
+
+    def on_run_lost(run: Run) -> None:
+        executor.discard_sessions(run)
+
+    def on_change(run: Run) -> None:
+        parts.on_change(run)
+
+    registry = RunRegistry(store, active_max, on_run_lost, on_change)
+    pool = SimulatorPool(4, 0, TIMEOUT_S)
     executor = SessionExecutor(registry, pool)
     service = RunService(
         SubmissionLimits(16, 600.0),
