@@ -1,4 +1,7 @@
-"""The ASGI application: routes, and what holds for every answer."""
+"""The ASGI application: the parts put together, and what holds for every response.
+
+It decides no rule; each part is configured and connected here and nowhere else.
+"""
 
 from __future__ import annotations
 
@@ -39,7 +42,7 @@ _VERSION_HEADER = (b"proctor-version", VERSION.encode())
 
 
 def build(settings: Settings, tokens: Tokens) -> Application:
-    """One server: its parts, put together. Nothing runs before the lifespan begins."""
+    """One server, its parts connected. Nothing runs before the lifespan begins."""
     store = Store(settings.database_url)
     pool = SimulatorPool(
         settings.max_simulators, settings.spare_simulators, settings.turn_timeout_s
@@ -99,7 +102,7 @@ def build(settings: Settings, tokens: Tokens) -> Application:
 
 
 class _Endpoint:
-    """One path for every method, so that a 405 can name those that the path has."""
+    """One path for every method, so that a 405 can name those that it has (ERR-010)."""
 
     def __init__(
         self, operations: Mapping[str, Operation], tokens: Tokens, max_body: int
@@ -124,17 +127,17 @@ class _Endpoint:
 
 
 async def _not_found(scope: Scope, receive: Receive, send: Send) -> None:
-    refused = Refused("not_found", "There is no such path.")
+    refused = Refused("not_found", "Unknown path.")  # ERR-009
     await problem_response(refused)(scope, receive, send)
 
 
 class Application:
-    """What holds for every answer: its version, and that a defect is a problem too.
+    """What holds for every response: its version, and that a defect is a problem too.
 
     One layer around the router, not a framework's stack of them: a turn passes every
     layer three times.
 
-    on_shutdown: to be called when the server begins to end; answers those who wait.
+    on_shutdown: to be called when the server begins to end; ends waiting requests.
     """
 
     def __init__(self, app: ASGIApp, on_shutdown: Callable[[], None]) -> None:
@@ -157,10 +160,8 @@ class Application:
         try:
             await self._app(scope, receive, send_versioned)
         except Exception:
-            if (
-                response_started
-            ):  # nothing can be said any more; the connection is closed
+            if response_started:  # too late for a problem; the connection is closed
                 raise
             log.exception("a request failed")
-            refused = Refused("internal_error", "The server has a defect.")
+            refused = Refused("internal_error", "Internal server error.")
             await problem_response(refused)(scope, receive, send_versioned)

@@ -53,7 +53,10 @@ class Episode:
         return float(self.success) if self._score_is_success else self._score
 
     def play(self, actions: Sequence[Action]) -> Iterator[float]:
-        """Executes until the chunk or the episode ends, yielding each step's reward."""
+        """Executes until the chunk or the episode ends, yielding each step's reward.
+
+        Actions one by one, whatever chunk they came in (PRED-006).
+        """
         for action in actions:
             if self.ended:
                 return
@@ -62,14 +65,15 @@ class Episode:
             yield float(outcome.reward)
 
     def _record(self, outcome: StepOutcome) -> None:
-        if not 0.0 <= outcome.score <= 1.0:
+        if not 0.0 <= outcome.score <= 1.0:  # SCORE-001
             raise ValueError(f"score {outcome.score} is outside 0 … 1")
         if not math.isfinite(outcome.reward):
             raise ValueError(f"reward {outcome.reward} is not finite")
         self.steps += 1
+        # SCORE-002 for the rule any_step, SCORE-003 for last_step.
         held_before = self._any_step and self.success
         self.success = held_before or bool(outcome.success)
         self._score = float(outcome.score)
         self.terminated = bool(outcome.terminated)
-        # A task that ends by itself at the very last step was not cut off.
+        # PRED-020: a task that ends by itself at the very last step was not cut off.
         self.truncated = self.steps >= self._max_steps and not self.terminated

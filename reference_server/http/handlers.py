@@ -49,12 +49,12 @@ class Handlers:
     service: RunService
 
     def table(self) -> dict[str, dict[str, Operation]]:
-        """path → method → operation; the same as the spec's, as a test proves."""
+        """path → method → operation; equal to the spec (SVC-003), as a test proves."""
         run, worker = "/v1/runs/{run_id}", "/v1/runs/{run_id}/workers/{worker_id}"
         pages = ("cursor", "limit")
         both = (JSON, MSGPACK)
         return {
-            # Paths are tried in this order, and this is the one that is asked for.
+            # Paths are matched in this order; predict is the most frequent one.
             f"{worker}/predict": {
                 "POST": Operation(self.predict, "run", models.Predict, both, both)
             },
@@ -109,6 +109,7 @@ class Handlers:
     # --- control plane ---
 
     async def describe_service(self, call: OperationCall) -> Response:
+        """SVC-001, SVC-002."""
         settings = self.settings
         service = models.Service(
             name="Proctor reference server",
@@ -140,6 +141,7 @@ class Handlers:
     async def submit_run(self, call: OperationCall) -> Response:
         key = call.headers.get("idempotency-key")
         submission = call.body.model_dump()
+        # RUN-002, RUN-003, RUN-004 and RUN-005 are decided there.
         run = await self.service.submit_run(call.account, submission, key)
         body = await self.service.view_stored(run, self.base_url(call))
         response = call.answer(body, 201)
@@ -162,7 +164,10 @@ class Handlers:
         )
 
     async def get_run(self, call: OperationCall) -> Response:
-        """RUN-011, RUN-012: with If-None-Match and Prefer it waits for a change."""
+        """With If-None-Match and Prefer it waits for a change.
+
+        RUN-011, RUN-012, RUN-013: an ETag per view, 304 after the wait and not before.
+        """
         wanted = call.headers.get("if-none-match")
         wait_s = float(call.headers.get("prefer", "wait=0").removeprefix("wait="))
         deadline = time.monotonic() + min(wait_s, self.settings.wait_s_max)
@@ -192,7 +197,7 @@ class Handlers:
         return call.answer(await self.service.view_stored(run, self.base_url(call)))
 
     async def list_episodes(self, call: OperationCall) -> Response:
-        start = _number(call.query.get("cursor")) or 0
+        start = _number(call.query.get("cursor")) or 0  # EPI-006
         end = start + int(call.query.get("limit", PAGE))
         episodes, total = await self.service.list_episodes(
             call.account, call.path["run_id"], start, end
@@ -283,7 +288,7 @@ class Handlers:
         return await self.service.resume_run(call.account, call.path["run_id"])
 
     def base_url(self, call: OperationCall) -> str:
-        """Where the caller reaches this server; without a slash at the end."""
+        """RUN-016: where the caller reaches this server; without a slash at the end."""
         base = self.settings.public_url or str(call.request.base_url)
         return base.rstrip("/")
 
@@ -299,7 +304,7 @@ def _number(cursor: str | None) -> int | None:
     if not cursor.isdecimal() or len(cursor) > 15:
         raise Refused(
             "invalid_request",
-            "The cursor is not one of this server's.",
-            errors=[("query:cursor", "is the next_cursor of a page before")],
+            "The cursor is invalid.",
+            errors=[("query:cursor", "must be the next_cursor of an earlier page")],
         )
     return int(cursor)

@@ -43,7 +43,7 @@ def problem_response(
     if entry["status"] in (429, 503):
         headers.setdefault("Retry-After", str(RETRY_AFTER_S))
     if entry["status"] == 401:
-        headers.setdefault("WWW-Authenticate", "Bearer")
+        headers.setdefault("WWW-Authenticate", "Bearer")  # AUTH-002
     return Response(
         msgspec.json.encode(body),
         status_code=entry["status"],

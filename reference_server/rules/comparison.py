@@ -1,7 +1,7 @@
-"""Runs beside a baseline: the second half of `spec/scoring.md` in code. Pure.
+"""Runs compared with a baseline: the second half of `spec/scoring.md` in code. Pure.
 
-Both runs are of one manifest, so that their episodes pair by position. It must not know
-what a run is, nor whose: it takes episodes and gives numbers.
+Both runs are of one manifest, so that their episodes pair by position. It knows neither
+runs nor accounts: it takes episodes and returns numbers.
 """
 
 from __future__ import annotations
@@ -44,18 +44,18 @@ def compare(
         by_task[pair[1].task].append(pair)
     whole = _group(pairs)
     tasks = {task: _group(members) for task, members in by_task.items()}
-    complete = len(pairs) == len(run)
+    complete = len(pairs) == len(run)  # CMP-003
     wins = sum(_succeeds(run) > _succeeds(base) for base, run in pairs)
     losses = sum(_succeeds(run) < _succeeds(base) for base, run in pairs)
     return {
         "complete": complete,
         "release": complete and is_within([whole, *tasks.values()], tolerance),
         **whole,
-        "wins": wins,
+        "wins": wins,  # CMP-006
         "losses": losses,
         "ties": len(pairs) - wins - losses,
         "p_value": mcnemar(wins, losses),
-        "by_task": tasks,
+        "by_task": tasks,  # CMP-005
     }
 
 
@@ -78,6 +78,7 @@ def is_within(groups: Sequence[dict[str, Any]], tolerance: float) -> bool:
 def _pairs(
     baseline: Sequence[ScoredEpisode], run: Sequence[ScoredEpisode]
 ) -> Iterator[Pair]:
+    """CMP-002: the episodes that both runs have scored, by place in the manifest."""
     for pair in zip(baseline, run, strict=True):
         if all(episode.outcome is not None for episode in pair):
             yield pair
@@ -88,7 +89,7 @@ def _succeeds(episode: ScoredEpisode) -> bool:
 
 
 def _group(pairs: Sequence[Pair]) -> dict[str, Any]:
-    """Schema ComparedTask."""
+    """Schema ComparedTask (CMP-002, CMP-004)."""
     means = [_mean([pair[side] for pair in pairs]) for side in (0, 1)]
     base, run = means
     return {

@@ -1,8 +1,8 @@
 """What an accepted command or an event does to a run.
 
-The second half of the rules: `protocol.py` says whether, this file says what then. Pure
+`lifecycle.py` decides whether a command is accepted, this file what it changes. Pure
 like it: each function changes the run it is given, at the time it is given, and nothing
-else. Every change of state goes through the table.
+else. Every change of state goes through the table TRANSITIONS.
 """
 
 from __future__ import annotations
@@ -73,7 +73,8 @@ def open_session(run: Run, command: Attach, session_id: str, now: float) -> Sess
     """Take the worker's slot and an episode; the caller starts the simulator.
 
     A live session of the worker is fenced out and its episode goes over as it stands
-    (ATT-004). The session is busy until `answer` is called.
+    (ATT-004); else the session begins with seq 0 and an episode of its own (ATT-001,
+    EPI-008). The session is busy until `store_answer` is called.
     """
     old = run.workers.pop(command.worker_id, None)
     idle_timeout_s = SERVER_LEASE_S if command.by_server else run.idle_timeout_s
@@ -129,6 +130,7 @@ def end_turn(
     """Account for an executed chunk. Returns the episode it ended, if it did.
 
     Then `session.episode` is the next one, or the session is done (PRED-008, PRED-009).
+    In a stopping run the episode is played to its end and scored (STOP-003).
     """
     session.busy = "turning"
     session.steps += played.executed
@@ -159,7 +161,7 @@ def end_turn(
 
 
 def store_answer(session: Session, turn: dict[str, Any], now: float) -> None:
-    """The turn is about to leave: it is kept for a repeat and the lease starts anew."""
+    """Store the turn for a repeated request (PRED-002); the lease starts again."""
     session.turn = turn
     session.busy = None
     session.answered_at = now
@@ -174,7 +176,10 @@ def extend_lease(session: Session, now: float) -> None:
 def close_session(
     run: Run, session: Session, ended_by: SessionEnd, now_wall: float
 ) -> None:
-    """End a session; its attempt is closed unscored (EPI-002, EPI-003, EPI-004)."""
+    """End a session; its attempt is closed unscored (EPI-002, EPI-003, EPI-004).
+
+    Its slot is free at once (DET-001, LEASE-006).
+    """
     if run.workers.get(session.worker_id) is session:
         del run.workers[session.worker_id]
     run.record_end(session, ended_by)
@@ -209,7 +214,7 @@ def fail_run(
 ) -> list[Session]:
     """The policy cannot be called (PUSH-012). Returns the sessions that ended.
 
-    That is its own doing: attempts in play count, as when a client goes away.
+    The policy causes that: attempts in play count, as when a client goes away.
     retryable: whether a resume can help.
     """
     sessions = list(run.workers.values())
@@ -244,7 +249,10 @@ def stop(run: Run, mode: str, now_wall: float) -> list[Session]:
 
 
 def resume(run: Run, queue_until_wall: float) -> None:
-    """RES-001, RES-002: back to the queue with what is scored kept."""
+    """RES-001, RES-002: back to the queue; every result stays (FAULT-003, RES-003).
+
+    PUSH-013: also when the policy server failed the run.
+    """
     if not changes_state(run, "resume_run"):
         return
     for episode in run.episodes:
@@ -272,6 +280,7 @@ def record_fault(
     run.changed.add(episode.index)
     session.steps = 0
     if not unplayable:
+        # LIFE-806, LIFE-807: faults from before the last resume do not count.
         since_resume = episode.faults - episode.faults_forgiven
         if since_resume < run.manifest["max_faults"]:
             return []
@@ -308,7 +317,7 @@ def _episode_of(session: Session) -> Episode:
 def _record_result(run: Run, episode: Episode, result: Result) -> None:
     run.record_result(episode, result)
     episode.in_progress = False
-    if run.scored == len(run.episodes):
+    if run.scored == len(run.episodes):  # LIFE-804, LIFE-805
         apply_event(run, "all_scored")
 
 
@@ -335,11 +344,11 @@ def _close_attempt(
     if episode is None or episode.result is not None:
         return
     begun = session.steps > 0 or session.busy == "playing"
-    if not (counted and begun):
+    if not (counted and begun):  # EPI-002, CRASH-002
         run.return_to_pending(episode)
         return
     run.changed.add(episode.index)
-    if episode.attempt < run.manifest["max_attempts"]:
+    if episode.attempt < run.manifest["max_attempts"]:  # EPI-003; else EPI-004
         episode.attempt += 1
         run.return_to_pending(episode)
         return

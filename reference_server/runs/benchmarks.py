@@ -1,6 +1,7 @@
-"""The benchmarks offered here, as the wire shows them.
+"""The benchmarks that this server offers, in the spec's schemas.
 
-Their content is the simulator's; the hash and the refusals are the server's.
+Their content is the simulator's (CAL-001 for `calibration`); the hash and the refusals
+are decided here. It knows no HTTP.
 """
 
 from __future__ import annotations
@@ -59,7 +60,7 @@ class Benchmarks:
         }
 
     async def resolve(self, submission: Mapping[str, Any]) -> ResolvedRun:
-        """The manifest of a run to be; refused when the choices do not fit."""
+        """The manifest of a new run; refused when its choices do not fit (RUN-006)."""
         benchmark_id = submission["benchmark_id"]
         if benchmark_id not in benchmark_registry.benchmark_ids():
             raise Refused(
@@ -74,7 +75,7 @@ class Benchmarks:
         options, images = submission.get("options"), submission.get("images")
         try:
             return self._resolved(benchmark_id, options, images)
-        except benchmark_registry.InvalidChoice as error:
+        except benchmark_registry.InvalidChoice as error:  # RUN-007, RUN-017
             raise Refused(
                 "invalid_request",
                 "The benchmark does not offer this choice.",
@@ -102,9 +103,7 @@ def world_of(run: Run) -> benchmark_registry.SimulatorConfig:
     submission = run.submission
     benchmark_id = submission["benchmark_id"]
     if benchmark_id not in benchmark_registry.benchmark_ids():
-        raise Refused(
-            "benchmark_unavailable", f"{benchmark_id} is not offered here any more."
-        )
+        raise Refused("benchmark_unavailable", f"{benchmark_id} is no longer offered.")
     found = benchmark_registry.resolve(
         benchmark_id,
         submission.get("options"),

@@ -1,13 +1,14 @@
 """The runs in memory and their way to and from the store.
 
-One Run object per run for as long as anyone holds it, so that every decision sees the
-same state. Carries out what the protocol decides for the control plane, wakes whoever
-waits for a change, and lets queued runs in when there is capacity.
+One Run object per run for as long as it is referenced, so that every decision sees the
+same state (MODEL-002). It stores what the rules changed, wakes requests that wait for a
+change, and admits queued runs when there is capacity. It decides no rule, and knows no
+HTTP and no SQL.
 
-Memory may be ahead of the disk while a write is on its way. Nobody is told of that:
-what is shown was taken from memory and then found stored (`rendered`). A failed write
-drops the run from memory, for the store has the truth, and its sessions end as in a
-restart.
+Memory may be ahead of the disk while a write is in progress. That is never shown: a
+view is taken from memory and returned once it is stored (`render_when_stored`;
+CRASH-001, EVT-009). A failed write drops the run from memory, because the database
+holds the valid state, and its sessions end as in a restart.
 """
 
 from __future__ import annotations
@@ -37,9 +38,9 @@ from reference_server.storage.store import Store, StoreFailed
 
 log = logging.getLogger("proctor.runs")
 
-# Runs kept in memory although nobody uses them at the moment.
+# Runs kept in memory although no request uses them at the moment.
 CACHED_RUNS_MAX = 256
-# How long after a failed write its run is loaded again, when nobody asks for it.
+# How long after a failed write its run is loaded again without a request for it.
 RELOAD_S = 1.0
 
 Rendered = TypeVar("Rendered")
@@ -69,7 +70,7 @@ class RunRegistry:
         self._active: set[str] = set()
         self._loading: dict[str, asyncio.Task[Run | None]] = {}
         self._saving: dict[str, asyncio.Task[bool]] = {}  # the last one of each run
-        # Only who waits for news holds them.
+        # Referenced only by the requests that wait for a change.
         self._change_events: WeakValueDictionary[str, asyncio.Event] = (
             WeakValueDictionary()
         )
@@ -86,13 +87,13 @@ class RunRegistry:
             await self.get(run_id)
 
     def release_waiters(self) -> None:
-        """The server will end: nobody needs to wait for a change any more."""
+        """The server will shut down: end every wait for a change."""
         self._ending = True
         for run_id in list(self._change_events):
             self._wake(run_id)
 
     async def close(self) -> None:
-        """Wait until everything that was begun is stored; then nothing begins."""
+        """Wait until every write that was begun has ended; no other begins."""
         self._closed = True
         for timer in (self._admission_timer, *self._reload_timers.values()):
             if timer is not None:
@@ -122,7 +123,7 @@ class RunRegistry:
 
         scored: of those that have a result, in the order in which they were scored.
         A run that is not in memory stays out of it, and no more of it is read than is
-        shown, so that nobody pays for the size or the number of finished runs.
+        shown: the size and the number of finished runs cost nothing.
         """
         if run_id not in self._in_memory:
             found = await self._store.read_window(run_id, start, end, scored)
@@ -135,7 +136,7 @@ class RunRegistry:
         return await self.render_when_stored(run, lambda run: view(run, window(run)))
 
     def _is_current(self, head: RunHead) -> bool:
-        """Whether the run is as it was just read: nobody has taken it up meanwhile."""
+        """Whether the run is as it was just read: it was not loaded meanwhile."""
         return head.state in RESTING_STATES and head.run_id not in self._in_memory
 
     async def add(self, run: Run, key: str | None, body_sha256: str) -> Run:
@@ -176,7 +177,7 @@ class RunRegistry:
         limit: int,
         view: Callable[[RunHead], Rendered],
     ) -> list[Rendered]:
-        """Views of up to `limit` runs of the account, newest first."""
+        """Up to `limit` views of the account, newest first (RUN-009, AUTH-004)."""
         ids = [run_id for _, run_id in await self._store.page(account, before, limit)]
         heads = await self._store.heads([i for i in ids if i not in self._in_memory])
         found = []
@@ -211,7 +212,7 @@ class RunRegistry:
         return not run.lost
 
     async def commit(self, run: Run) -> None:
-        """Store what changed; then tell those who wait for it.
+        """Store what changed, then wake the requests that wait for it (CRASH-001).
 
         A caller that is cancelled does not take the write with it.
         """
@@ -230,7 +231,7 @@ class RunRegistry:
         return saving
 
     def change_event(self, run_id: str) -> asyncio.Event:
-        """The next change of what get_run shows; take it before you look."""
+        """The next change of what get_run shows; take it before reading the run."""
         return self._change_events.setdefault(run_id, asyncio.Event())
 
     async def wait_for_change(self, change: asyncio.Event, timeout_s: float) -> bool:
@@ -241,7 +242,7 @@ class RunRegistry:
         except TimeoutError:
             return False
         if self._ending:
-            raise Refused("unavailable", "The server is ending.")
+            raise Refused("unavailable", "The server is shutting down.")
         return True
 
     def notify(self, run: Run) -> None:
@@ -277,7 +278,7 @@ class RunRegistry:
             self._on_change(run)
 
     def _update_queue(self, number: int, has_left: bool) -> None:
-        """A run has left the queue or come into it: those behind it have moved."""
+        """A run has left or entered the queue: those behind it have moved (RUN-008)."""
         if has_left:
             del self._queue[bisect_left(self._queue, number)]
         else:
@@ -319,7 +320,7 @@ class RunRegistry:
         self._schedule_admission(now)
 
     def _schedule_admission(self, now: float) -> None:
-        """Look again when the next hold in the queue ends."""
+        """Admit again when the next hold in the queue ends."""
         holds = [r.queue_until_wall for r in self._queued.values()]
         later = [until for until in holds if until > now]
         if self._admission_timer is not None:
@@ -331,7 +332,7 @@ class RunRegistry:
             self._admission_timer = loop.call_later(wait_s, self._admit)
 
     def run_in_background(self, work: Awaitable[object]) -> None:
-        """Do work that no request waits for, before the server ends."""
+        """Start work that no request waits for; it ends before the server does."""
         task = asyncio.ensure_future(work)
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
@@ -351,7 +352,7 @@ class RunRegistry:
             self.notify(run)
 
     async def _load(self, run_id: str) -> Run | None:
-        """The run from the store, read once however many ask for it at a time."""
+        """The run from the store, read once for all concurrent requests."""
         loading = self._loading.get(run_id)
         if loading is None:
             loading = asyncio.ensure_future(self._load_once(run_id))
@@ -365,7 +366,7 @@ class RunRegistry:
             del self._loading[run_id]
 
     def _adopt(self, loaded: Run | None) -> Run | None:
-        """A run just loaded: nobody held it, so no session of it lives."""
+        """A run just loaded was not in memory, so no session of it is live."""
         if loaded is not None:
             effects.lose_sessions(loaded)
             self._in_memory[loaded.run_id] = loaded
@@ -381,7 +382,7 @@ class RunRegistry:
             self._recent.popitem(last=False)
 
     def _evict(self, run: Run) -> None:
-        """From now on the run is what the store has, and loaded when it is wanted."""
+        """Drop the run from memory: from now on it is what the store has."""
         if run.lost:
             return
         run.lost = True
@@ -394,7 +395,7 @@ class RunRegistry:
         self._reload_later(run.run_id)
 
     def _reload_later(self, run_id: str) -> None:
-        """A run that was queued is still admitted, though nobody ask for it."""
+        """Load it again: a queued run is admitted without a request for it."""
         if not self._closed:
             loop = asyncio.get_running_loop()
             timer = loop.call_later(RELOAD_S, self._reload, run_id)

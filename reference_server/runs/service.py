@@ -82,7 +82,7 @@ class RunService:
             run_id=f"run_{secrets.token_hex(12)}",
             number=0,
             account=account,
-            state="queued",
+            state="queued",  # RUN-002; ready if there is capacity (LIFE-801)
             reason=None,
             retryable=None,
             manifest=resolved.manifest,
@@ -142,7 +142,11 @@ class RunService:
         run_ids: Sequence[str],
         tolerance: float = comparison.TOLERANCE,
     ) -> Json:
-        """Schema Comparison; the first run is the baseline."""
+        """Schema Comparison; the first run is the baseline.
+
+        CMP-001: in the order named. CMP-010: of runs that the account may see. CMP-011:
+        in every state.
+        """
         runs, scored = [], []
         for run_id in run_ids:
             read = partial(self.registry.read_view, run_id, account, end=None)
@@ -197,7 +201,7 @@ class RunService:
     async def list_episodes(
         self, account: str, run_id: str, start: int, end: int
     ) -> tuple[list[Json], int]:
-        """Schema Episode of those from start to end, and how many the run has."""
+        """Schema Episode from start to end (EPI-006), and how many there are."""
 
         def view(run: RunHead, page: Sequence[Episode]) -> tuple[list[Json], int]:
             return [run_views.episode_view(episode) for episode in page], run.total

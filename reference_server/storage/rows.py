@@ -1,6 +1,6 @@
 """A run as rows of a database, and back: plain values, and bytes that hold JSON.
 
-It knows the names of the columns and nothing of the database; `store.py` does.
+It knows the names of the columns and nothing of the database (`store.py`).
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ EPISODE_COLUMNS = (
 )
 EpisodeRow = tuple[int, int, int, int, str | None, int | None, bytes | None]
 
-# What an object takes from its row as it stands there.
+# Columns that are members of the object under the same name.
 _COPIED_COLUMNS = (
     "run_id",
     "number",

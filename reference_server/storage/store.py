@@ -24,7 +24,7 @@ from reference_server.storage import rows
 
 Found = TypeVar("Found")
 
-# Looks at a file that go on at once.
+# Reads of the database file that run at once.
 READER_THREADS = 4
 # Decoded manifests kept, for all the runs that share them.
 CACHED_MANIFESTS_MAX = 64
@@ -48,7 +48,7 @@ _runs = sa.Table(
     sa.Column("created_at_wall", sa.Float, nullable=False),
     sa.Column("updated_at_wall", sa.Float, nullable=False),
     sa.Column("queue_until_wall", sa.Float, nullable=False),
-    # How many of its episodes have a result; NULL from before there was this column.
+    # How many of its episodes have a result; NULL in rows older than this column.
     sa.Column("scored", sa.Integer),
     sa.Index("runs_of_account", "account", "number"),
 )
@@ -70,7 +70,7 @@ _episodes = sa.Table(
     sa.Column("faults_forgiven", sa.Integer, nullable=False),
     sa.Column("result", sa.LargeBinary),
     sa.Column("policy_fault", sa.Text),
-    # Of its result among those of the run; NULL from before there was this column.
+    # Of its result among those of the run; NULL in rows older than this column.
     sa.Column("place", sa.Integer),
 )
 _keys = sa.Table(
@@ -111,7 +111,7 @@ _EPISODES_SCORED = (
 
 
 class StoreFailed(Exception):
-    """The database did not do what it was asked; nothing of it was stored."""
+    """The database failed; nothing of the transaction was stored."""
 
 
 class Store:
@@ -129,10 +129,10 @@ class Store:
         self._exclusive = asyncio.Lock() if shared else contextlib.nullcontext()
         if self._url.get_backend_name() == "sqlite":
             sa.event.listen(self._engine.sync_engine, "connect", _tune_sqlite)
-        # The async driver goes to its thread and back for each step of a query. To read
-        # a file one way there and back is enough, for all the queries of one look.
+        # The async driver switches to its thread and back for each step of a query. For
+        # reads of a file one switch is enough for all queries of one read.
         self._read_engine: sa.Engine | None = None
-        # Not the loop's own threads: a slow look-up of a name may hold those.
+        # Not the loop's own threads: a slow DNS look-up may occupy those.
         self._reader_threads = ThreadPoolExecutor(READER_THREADS, "store")
         if self._url.get_backend_name() == "sqlite" and not shared:
             self._read_engine = sa.create_engine(self._url.set(drivername="sqlite"))
@@ -163,7 +163,7 @@ class Store:
             async with self._exclusive, self._engine.begin() as connection:
                 yield connection
         except (sa.exc.SQLAlchemyError, OSError) as error:
-            # A server that cannot be reached is told by its driver, not by SQLAlchemy.
+            # An unreachable server is reported by its driver, not by SQLAlchemy.
             raise StoreFailed(_one_line(error)) from error
 
     async def _read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
@@ -214,7 +214,7 @@ class Store:
         return True
 
     async def save(self, run: Run) -> None:
-        """Commit the run's state and the episodes that changed since the last save."""
+        """Commit the run's state and the episodes that changed since (CRASH-001)."""
         async with self._write_lock:
             # Read inside the lock and before any other await: a later save never
             # overtakes an earlier one, and state and episodes are of one moment.
@@ -285,7 +285,7 @@ class Store:
             yield dict(row), self._manifest(connection, row["manifest_sha256"])
 
     def _manifest(self, connection: sa.Connection, sha256: str) -> Mapping[str, Any]:
-        """The one decoded copy of a manifest; several threads may ask at a time."""
+        """The one decoded copy of a manifest; several threads may call at a time."""
         manifest = self._manifest_cache.get(sha256)
         if manifest is None:
             known = {"manifest_sha256": sha256}
@@ -298,7 +298,10 @@ class Store:
     async def page(
         self, account: str, before: int | None, limit: int
     ) -> list[tuple[int, str]]:
-        """(number, run_id) of an account's runs, newest first, below a number."""
+        """(number, run_id) of an account's runs, newest first, below a number.
+
+        AUTH-004: of this account only. RUN-009: numbers never change.
+        """
         query = sa.select(_runs.c.number, _runs.c.run_id).where(
             _runs.c.account == account
         )
@@ -336,7 +339,7 @@ def _run_in_connection(
 
 
 def _add_missing_columns(connection: sa.Connection) -> None:
-    """A database of the time before a column gets it, empty."""
+    """Add the columns that an older database does not have, empty."""
     for table in _tables.sorted_tables:
         columns = sa.inspect(connection).get_columns(table.name)
         present = {column["name"] for column in columns}
@@ -360,7 +363,7 @@ def _tune_sqlite(connection: Any, _record: object) -> None:
 
 
 def _set_query_only(connection: Any, _record: object) -> None:
-    connection.isolation_level = None  # `_begin` says when a transaction begins
+    connection.isolation_level = None  # `_begin` begins the transaction
     connection.execute("PRAGMA query_only=ON").close()
 
 

@@ -50,18 +50,19 @@ class Calibration:
         return f"Calibration task {task}."
 
     def step(self, action: Action) -> StepOutcome:
-        if self._task == "delay":
+        if self._task == "delay":  # CAL-004
             time.sleep(action["delay_s"][0])
         if self._task == "fault":
             _break_down(action["fault"][0])
-        self._count += 1
+        self._count += 1  # CAL-003
         self._vector = np.array(action["vector"], dtype=np.float64)
         self._clipped = np.clip(np.array(action["clipped"], dtype=np.float64), -1, 1)
         score = action["score"][0]
         return StepOutcome(
             success=action["success"][0] >= 1,
-            score=score,  # outside the task `score`, the success rule decides instead
-            terminated=action["end"][0] >= 1,
+            # CAL-002; outside the task `score`, the success rule decides instead.
+            score=score,
+            terminated=action["end"][0] >= 1,  # CAL-005
             reward=score,
         )
 
@@ -73,7 +74,7 @@ class Calibration:
         }
         if self._task != "echo":
             return Observation(state)
-        height, width, _ = self._pattern.shape
+        height, width, _ = self._pattern.shape  # ENC-005
         pattern = FRAME_BUFFER.allocate(height, width)
         np.add(self._pattern, np.uint8(self._count % 256), out=pattern)
         return Observation(state, {"pattern": pattern}, TENSORS)
