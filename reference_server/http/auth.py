@@ -27,7 +27,7 @@ class Caller:
 
 
 class Tokens:
-    """All tokens of this server: SHA-256 of the secret → account and scopes."""
+    """AUTH-006: the tokens of this server, as SHA-256 → account and scopes."""
 
     def __init__(self, by_hash: Mapping[str, Caller]) -> None:
         self._by_hash = dict(by_hash)

@@ -49,7 +49,7 @@ class Handlers:
     service: RunService
 
     def table(self) -> dict[str, dict[str, Operation]]:
-        """path → method → operation; equal to the spec (SVC-003), as a test proves."""
+        """path → method → operation; equal to the spec, as a test proves."""
         run, worker = "/v1/runs/{run_id}", "/v1/runs/{run_id}/workers/{worker_id}"
         pages = ("cursor", "limit")
         both = (JSON, MSGPACK)

@@ -43,13 +43,18 @@ def action_errors(
 
 def clip_actions(
     actions: Sequence[Values], manifest: Mapping[str, Any]
-) -> list[dict[str, Sequence[float]]]:
-    """PRED-018: values outside a range declared `clip` become the nearest inside."""
+) -> Sequence[Values]:
+    """PRED-018: values outside a range declared `clip` become the nearest inside.
+
+    The actions themselves when no range is declared so.
+    """
     clip = {
         name: (entry["minimum"], entry["maximum"])
         for name, entry in manifest["action_space"].items()
         if entry["out_of_range"] == "clip"
     }
+    if not clip:
+        return actions
     return [
         {name: _clip(vector, clip.get(name)) for name, vector in values.items()}
         for values in actions

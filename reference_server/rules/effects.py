@@ -249,7 +249,7 @@ def stop(run: Run, mode: str, now_wall: float) -> list[Session]:
 
 
 def resume(run: Run, queue_until_wall: float) -> None:
-    """RES-001, RES-002: back to the queue; every result stays (FAULT-003, RES-003).
+    """RES-001, RES-002: back to the queue; every result stays (FAULT-003).
 
     PUSH-013: also when the policy server failed the run.
     """

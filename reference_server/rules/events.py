@@ -20,7 +20,7 @@ _ID = re.compile(r"([0-9]{1,9})-(none|[0-9a-f]{16})-[0-9a-f]{8}")
 
 @dataclass(frozen=True, slots=True)
 class Cursor:
-    """A place in the events of a run.
+    """A place in the events of a run, the same after a restart (EVT-009).
 
     results_sent: how many results, in the order in which they were scored (EVT-002).
     run_digest: a digest of the run as it was sent last.

@@ -12,6 +12,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias
 
+from reference_server.rules.manifest import Manifest, Submission
+
 State: TypeAlias = Literal[
     "queued", "ready", "running", "stopping", "stopped", "failed", "completed"
 ]
@@ -114,9 +116,9 @@ class RunHead:
     state: State
     reason: str | None
     retryable: bool | None
-    manifest: Mapping[str, Any]
+    manifest: Manifest
     manifest_sha256: str
-    submission: Mapping[str, Any]
+    submission: Submission
     max_workers: int
     idle_timeout_s: float
     images: Mapping[str, Any]

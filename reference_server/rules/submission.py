@@ -6,11 +6,10 @@ policy server may be called, in `push/`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.manifest import Submission
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +27,7 @@ class GrantedLimits:
 
 
 def grant_limits(
-    submission: Mapping[str, Any], limits: SubmissionLimits
+    submission: Submission, limits: SubmissionLimits
 ) -> GrantedLimits | Refuse:
     """The limits of the new run: those of the server by default."""
     max_workers = submission.get("max_workers", limits.max_workers)
@@ -47,7 +46,7 @@ def grant_limits(
     return GrantedLimits(max_workers, idle_timeout_s)
 
 
-def queue_s(submission: Mapping[str, Any]) -> float:
+def queue_s(submission: Submission) -> float:
     """How long the submitter keeps the run in the queue (calibration only)."""
     return float(submission.get("options", {}).get("queue_s", 0.0))
 

@@ -14,7 +14,7 @@ import time
 from collections.abc import Awaitable, Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any, Literal
+from typing import Any, Literal, cast
 
 import msgspec
 
@@ -30,6 +30,7 @@ from reference_server.rules.lifecycle import (
     changes_state,
     decide,
 )
+from reference_server.rules.manifest import Submission
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.rules.submission import (
@@ -72,9 +73,10 @@ class RunService:
 
     async def prepare_run(self, account: str, submission: Json) -> Run:
         """The run that a submission makes, checked and not stored yet."""
-        submission = await self.validate_submission(submission)
-        resolved = await self.benchmarks.resolve(submission)
-        granted = grant_limits(submission, self.limits)
+        # Validated by the generated models before it came here.
+        checked = cast("Submission", await self.validate_submission(submission))
+        resolved = await self.benchmarks.resolve(checked)
+        granted = grant_limits(checked, self.limits)
         if isinstance(granted, Refuse):
             raise Refused.from_verdict(granted)
         now = time.time()
@@ -87,13 +89,13 @@ class RunService:
             retryable=None,
             manifest=resolved.manifest,
             manifest_sha256=resolved.manifest_sha256,
-            submission=submission,
+            submission=checked,
             max_workers=granted.max_workers,
             idle_timeout_s=granted.idle_timeout_s,
             images=resolved.images,
             created_at_wall=now,
             updated_at_wall=now,
-            queue_until_wall=now + queue_s(submission),
+            queue_until_wall=now + queue_s(checked),
             episodes=[
                 Episode(index, plan["task"], plan["split"], plan["seed"])
                 for index, plan in enumerate(resolved.manifest["episodes"])

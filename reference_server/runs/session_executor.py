@@ -281,7 +281,10 @@ class SessionExecutor:
     async def _execute(
         self, resources: SessionResources, work: Awaitable[dict[str, Any]]
     ) -> dict[str, Any]:
-        """Run a session's one task; it goes on if the caller disconnects."""
+        """Run a session's one task; it goes on if the caller disconnects.
+
+        PRED-022, FAULT-004: no session waits for the task of another one.
+        """
         resources.task = asyncio.create_task(self._run_guarded(resources, work))
         # Its exception is retrieved also when its caller has disconnected.
         resources.task.add_done_callback(

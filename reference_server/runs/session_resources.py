@@ -14,7 +14,7 @@ from typing import Any
 
 from reference_server.rules.lifecycle import lease_over
 from reference_server.rules.run import Run, Session
-from reference_server.runs.benchmarks import world_of
+from reference_server.runs.benchmarks import SimulatorConfigs
 from reference_sim.process.pool import SimulatorHandle, SimulatorPool
 
 
@@ -51,6 +51,7 @@ class ResourceManager:
         self._run_in_background = run_in_background
         self._on_lease_over = on_lease_over
         self._by_session: dict[Session, SessionResources] = {}
+        self._configs = SimulatorConfigs()
 
     def __len__(self) -> int:
         return len(self._by_session)
@@ -97,7 +98,7 @@ class ResourceManager:
         if resources.handle is not None:
             return 0.0
         started = time.perf_counter()
-        resources.handle = await self._pool.acquire(world_of(resources.run))
+        resources.handle = await self._pool.acquire(self._configs.find(resources.run))
         if resources.session.ended_by is not None:
             self.return_simulator(resources, kill=False)
         return time.perf_counter() - started

@@ -19,6 +19,7 @@ import msgspec
 import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncConnection, AsyncEngine, create_async_engine
 
+from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, Run, RunHead, State
 from reference_server.storage import rows
 
@@ -138,7 +139,7 @@ class Store:
             self._read_engine = sa.create_engine(self._url.set(drivername="sqlite"))
             sa.event.listen(self._read_engine, "connect", _set_query_only)
             sa.event.listen(self._read_engine, "begin", _begin)
-        self._manifest_cache: dict[str, Mapping[str, Any]] = {}
+        self._manifest_cache: dict[str, Manifest] = {}
 
     async def open(self) -> None:
         """Create the tables and the columns that are missing."""
@@ -278,13 +279,13 @@ class Store:
 
     def _heads(
         self, connection: sa.Connection, run_ids: Sequence[str]
-    ) -> Iterator[tuple[rows.Row, Mapping[str, Any]]]:
+    ) -> Iterator[tuple[rows.Row, Manifest]]:
         """Each run's row and manifest."""
         rows = connection.execute(_HEADS, {"run_ids": run_ids}).mappings().all()
         for row in rows:
             yield dict(row), self._manifest(connection, row["manifest_sha256"])
 
-    def _manifest(self, connection: sa.Connection, sha256: str) -> Mapping[str, Any]:
+    def _manifest(self, connection: sa.Connection, sha256: str) -> Manifest:
         """The one decoded copy of a manifest; several threads may call at a time."""
         manifest = self._manifest_cache.get(sha256)
         if manifest is None:

@@ -1,8 +1,7 @@
 """Schema Turn as plain data, blobs as bytes.
 
 Plain data and not models on purpose: a turn may carry megabytes of pixels, which pass
-from the simulator to the socket unread. Seeds are not in it (EPI-007) except in the
-result of an episode that has ended.
+from the simulator to the socket unread.
 """
 
 from __future__ import annotations
@@ -30,7 +29,8 @@ def turn_view(
     """The turn of a session now; `add_lease_and_total` adds lease and total time.
 
     left: actions of the chunk that were not executed. ended: the episode that this
-    turn ended; the session has the next one already.
+    turn ended; the session has the next one already. EPI-007: a seed is shown only in
+    the result of an ended episode.
     """
     body: dict[str, Any] = {
         "session_id": session.session_id,

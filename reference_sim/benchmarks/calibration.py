@@ -113,6 +113,7 @@ TENSORS = _tensors()
 
 
 def _describe(options: Mapping[str, Any], max_chunk: int) -> Json:
+    """The manifest (CAL-001)."""
     splits = ["even", "odd"]
     episodes = [
         {"task": task, "split": splits[index % 2], "seed": 1000 + index}
