@@ -18,11 +18,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 from urllib.parse import urlsplit
 
 from benchmarks import rounds
 from benchmarks.contenders.ours_client import TOKEN
+from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, Outcome, Result, Run, State
 from reference_server.runs.benchmarks import digest
 from reference_server.storage.store import Store
@@ -77,10 +78,13 @@ def build_run(length: int, state: State) -> Run:
         state=state,
         reason=None,
         retryable=None,
-        manifest=found.manifest,
+        manifest=cast("Manifest", found.manifest),
         manifest_sha256=digest(found.manifest),
-        submission={"benchmark_id": "calibration", "policy": policy}
-        | {"options": options},
+        submission={
+            "benchmark_id": "calibration",
+            "policy": policy,
+            "options": options,
+        },
         max_workers=4,
         idle_timeout_s=600.0,
         images=found.images,

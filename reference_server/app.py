@@ -1,4 +1,7 @@
-"""The ASGI application: routes, and what holds for every answer."""
+"""The ASGI application: the parts put together, and what holds for every response.
+
+It decides no rule; each part is configured and connected here and nowhere else.
+"""
 
 from __future__ import annotations
 
@@ -15,15 +18,19 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import VERSION, Operation, perform
 from reference_server.http.handlers import Handlers
-from reference_server.http.problems import Refused, problem_response
+from reference_server.http.problems import problem_response
 from reference_server.profiles import profile_tables
 from reference_server.push.driver import Driver
 from reference_server.push.egress import EgressPolicy
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_protocols import PROTOCOLS
 from reference_server.push.policy_server_config import PolicyServerValidator
+from reference_server.rules.refusal import Refused
+from reference_server.rules.run import Run
+from reference_server.rules.submission import SubmissionLimits
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
+from reference_server.runs.service import RunService
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.settings import Settings
 from reference_server.storage.store import Store
@@ -35,12 +42,20 @@ _VERSION_HEADER = (b"proctor-version", VERSION.encode())
 
 
 def build(settings: Settings, tokens: Tokens) -> Application:
-    """One server: its parts, put together. Nothing runs before the lifespan begins."""
+    """One server, its parts connected. Nothing runs before the lifespan begins."""
     store = Store(settings.database_url)
     pool = SimulatorPool(
         settings.max_simulators, settings.spare_simulators, settings.turn_timeout_s
     )
-    registry = RunRegistry(store, settings.max_active_runs)
+
+    # Called only while the server runs; by then both parts are there.
+    def on_run_lost(run: Run) -> None:
+        executor.discard_sessions(run)
+
+    def on_change(run: Run) -> None:
+        driver.on_run_changed(run)
+
+    registry = RunRegistry(store, settings.max_active_runs, on_run_lost, on_change)
     executor = SessionExecutor(registry, pool)
     egress = EgressPolicy(settings.allow_private_policies)
     key_encryption = KeyEncryption(settings.sealing_key_path)
@@ -48,13 +63,14 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     policy_server_validator = PolicyServerValidator(
         egress, key_encryption, tuple(PROTOCOLS)
     )
-    routes = Handlers(
-        settings,
+    service = RunService(
+        SubmissionLimits(settings.max_workers, settings.idle_timeout_s_max),
         Benchmarks(settings.max_chunk),
         registry,
         executor,
-        policy_server_validator,
+        policy_server_validator.validate_and_encrypt,
     )
+    handlers = Handlers(settings, service)
 
     @asynccontextmanager
     async def lifespan(_app: Any) -> AsyncIterator[None]:
@@ -72,10 +88,11 @@ def build(settings: Settings, tokens: Tokens) -> Application:
             await pool.close()
             await store.close()
 
+    table = handlers.table() | profile_tables(handlers)
     router = Router(
         routes=[
             Route(path, _Endpoint(operations, tokens, settings.max_body_bytes))
-            for path, operations in (routes.table() | profile_tables(routes)).items()
+            for path, operations in table.items()
         ],
         default=_not_found,
         redirect_slashes=False,
@@ -85,7 +102,7 @@ def build(settings: Settings, tokens: Tokens) -> Application:
 
 
 class _Endpoint:
-    """One path for every method, so that a 405 can name those that the path has."""
+    """One path for every method, so that a 405 can name those that it has (ERR-010)."""
 
     def __init__(
         self, operations: Mapping[str, Operation], tokens: Tokens, max_body: int
@@ -106,21 +123,21 @@ class _Endpoint:
     def _not_allowed(self, method: str) -> Response:
         detail = f"{method} is not a method of this path."
         allowed = {"Allow": ", ".join(sorted(self._operations))}
-        return problem_response(Refused("method_not_allowed", detail, headers=allowed))
+        return problem_response(Refused("method_not_allowed", detail), allowed)
 
 
 async def _not_found(scope: Scope, receive: Receive, send: Send) -> None:
-    refused = Refused("not_found", "There is no such path.")
+    refused = Refused("not_found", "Unknown path.")  # ERR-009
     await problem_response(refused)(scope, receive, send)
 
 
 class Application:
-    """What holds for every answer: its version, and that a defect is a problem too.
+    """What holds for every response: its version, and that a defect is a problem too.
 
     One layer around the router, not a framework's stack of them: a turn passes every
     layer three times.
 
-    on_shutdown: to be called when the server begins to end; answers those who wait.
+    on_shutdown: to be called when the server begins to end; ends waiting requests.
     """
 
     def __init__(self, app: ASGIApp, on_shutdown: Callable[[], None]) -> None:
@@ -143,10 +160,8 @@ class Application:
         try:
             await self._app(scope, receive, send_versioned)
         except Exception:
-            if (
-                response_started
-            ):  # nothing can be said any more; the connection is closed
+            if response_started:  # too late for a problem; the connection is closed
                 raise
             log.exception("a request failed")
-            refused = Refused("internal_error", "The server has a defect.")
+            refused = Refused("internal_error", "Internal server error.")
             await problem_response(refused)(scope, receive, send_versioned)

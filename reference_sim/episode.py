@@ -55,8 +55,8 @@ class Episode:
     def play(self, actions: Sequence[Action]) -> Iterator[float]:
         """Executes until the chunk or the episode ends, yielding each step's reward.
 
-        PRED-001: actions in order. PRED-007: none after the end. PRED-021: one reward
-        each.
+        PRED-001: actions in order. PRED-006: one by one, whatever the chunk.
+        PRED-007: none after the end. PRED-021: one reward each.
         """
         for action in actions:
             if self.ended:

@@ -1,4 +1,7 @@
-"""Who is calling: bearer tokens, kept as hashes only."""
+"""Which account calls: bearer tokens, stored as hashes only (AUTH-006).
+
+It decides what a token allows, not which runs an account may see.
+"""
 
 from __future__ import annotations
 
@@ -8,13 +11,13 @@ import secrets
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from reference_server.http.problems import Refused
+from reference_server.rules.refusal import Refused
 
 SCOPES = frozenset({"read", "run"})
 
 
 class BadTokens(ValueError):
-    """The setting `tokens` cannot be read; the text says which entry and why."""
+    """The setting `tokens` is invalid; the text says which entry and why."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +27,7 @@ class Caller:
 
 
 class Tokens:
-    """All tokens of this server: SHA-256 of the secret → who it stands for."""
+    """AUTH-006: the tokens of this server, as SHA-256 → account and scopes."""
 
     def __init__(self, by_hash: Mapping[str, Caller]) -> None:
         self._by_hash = dict(by_hash)
@@ -46,10 +49,12 @@ class Tokens:
             if not secret.startswith("sha256="):
                 hashed = _hash(secret)
             elif not re.fullmatch(r"[0-9a-f]{64}", hashed):
-                raise BadTokens(f"entry {number} of tokens is no SHA-256 in hex")
+                raise BadTokens(
+                    f"entry {number} of tokens is not a hexadecimal SHA-256"
+                )
             by_hash[hashed] = Caller(account, scopes)
         if not by_hash:
-            raise BadTokens("tokens has no entry; leave it out to have one made")
+            raise BadTokens("tokens is empty; omit it to have one generated")
         return cls(by_hash)
 
     @classmethod
@@ -59,7 +64,7 @@ class Tokens:
         return cls({_hash(secret): Caller("local", SCOPES)}), secret
 
     def authenticate(self, authorization: str | None, scope: str) -> Caller:
-        """Who an Authorization header stands for (AUTH-001, AUTH-005)."""
+        """The caller that an Authorization header names (AUTH-001, AUTH-005)."""
         scheme, _, secret = (authorization or "").partition(" ")
         # A look-up by hash takes the same time for every wrong secret.
         caller = self._by_hash.get(_hash(secret.strip()))

@@ -1,7 +1,7 @@
 """Bytes to messages and back: bounds, media types, validation.
 
 Nothing is parsed before its size is known; nothing is decoded that could hold code.
-Every fault of a body becomes a refusal with JSON pointers.
+Every fault of a body becomes a refusal with JSON pointers, never a failure (ERR-012).
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
-from reference_server.http.problems import Refused
+from reference_server.rules.refusal import Refused
 
 JSON = "application/json"
 MSGPACK = "application/msgpack"
@@ -43,7 +43,7 @@ async def read_body(request: Request, max_bytes: int) -> bytes:
     while more and size <= max_bytes * DRAIN_FACTOR:
         message = await request.receive()
         if message["type"] == "http.disconnect":
-            raise Refused("malformed_body", "The body breaks off.")
+            raise Refused("malformed_body", "The body ended before its Content-Length.")
         more = message.get("more_body", False)
         part = message.get("body", b"")
         size += len(part)
@@ -61,7 +61,7 @@ async def read_body(request: Request, max_bytes: int) -> bytes:
 
 
 def decode(body: bytes, media_type: str) -> Any:
-    """The structure in a body; refused when malformed (ERR-002, ERR-013)."""
+    """The structure in a body; refused when malformed (ERR-002, ERR-006, ERR-013)."""
     try:
         if media_type == MSGPACK:
             return msgspec.msgpack.decode(body, ext_hook=_reject_extension)
@@ -85,7 +85,7 @@ def _parse_signed_zero(digits: str) -> float:
 
 
 def validate(model: type[Model], data: Any) -> Model:
-    """The message in a structure; refused with a pointer for each fault in it."""
+    """The message in a structure; a fault is refused by pointer (ERR-003, ERR-004)."""
     try:
         return model.model_validate(data, strict=True)
     except ValidationError as error:
@@ -94,10 +94,12 @@ def validate(model: type[Model], data: Any) -> Model:
             return validate(model, data)
         if _contains_timestamp(data):
             # ENC-008: the one extension that msgspec knows by itself.
-            raise Refused("malformed_body", "Extension types are not read.") from error
+            raise Refused(
+                "malformed_body", "MessagePack extension types are not supported."
+            ) from error
         raise Refused(
             "invalid_request",
-            "The body breaks its schema.",
+            "The body does not match its schema.",
             errors=[(pointer(f["loc"]), f["msg"]) for f in faults[:50]],
         ) from error
 
@@ -115,19 +117,19 @@ def media_type_of(request: Request, readable: Sequence[str]) -> str:
     if media_type not in readable:
         raise Refused(
             "unsupported_media_type",
-            f"The body is declared as {media_type or 'nothing'}; "
-            f"{' and '.join(readable)} are read here.",
+            f"Content-Type {media_type or '(none)'} is not supported; supported: "
+            f"{', '.join(readable)}.",
         )
     return media_type
 
 
 def negotiate_media_type(request: Request, writable: Sequence[str]) -> str:
-    """The media type to answer in; of equals the first, which is JSON (ENC-001)."""
+    """The media type of the response (ERR-008); of equals the first: JSON (ENC-001)."""
     header = ",".join(request.headers.getlist("accept")) or "*/*"
     best = _best(header, tuple(writable))
     if not best:
         raise Refused(
-            "not_acceptable", f"{' and '.join(writable)} are what is written here."
+            "not_acceptable", f"Supported response types: {', '.join(writable)}."
         )
     return best
 
@@ -147,7 +149,7 @@ def _best(accept: str, writable: Sequence[str]) -> str:
 def encode_response(
     content: Any, media_type: str = JSON, status: int = 200
 ) -> Response:
-    """An answer. Blobs are Base64 in JSON and `bin` in MessagePack (ENC-002)."""
+    """A response. Blobs are Base64 in JSON, `bin` in MessagePack (ENC-002, ENC-004)."""
     first, *others = encode_segments(content, media_type)
     if others:
         return SegmentedResponse([first, *others], status, media_type)

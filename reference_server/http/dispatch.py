@@ -1,7 +1,8 @@
 """From HTTP to an operation and back: what every operation has in common.
 
-An operation is a function from a Call to a Response. Its route, method, scope, body
-and media types are declared once, in `routes.py`; the order of checks is here.
+An operation is a function from an OperationCall to a Response. Its route, method,
+scope, body and media types are declared once, in `handlers.py` (SVC-003); the order of
+checks is here. It knows no run and no rule of the lifecycle.
 """
 
 from __future__ import annotations
@@ -20,17 +21,18 @@ from starlette.responses import Response
 
 from reference_server.http import codec
 from reference_server.http.auth import Caller, Tokens
-from reference_server.http.problems import Refused, problem_response
+from reference_server.http.problems import problem_response
+from reference_server.rules.refusal import Refused
 from reference_server.storage.store import StoreFailed
 
-log = logging.getLogger("proctor.operations")
+log = logging.getLogger("proctor.http")
 
 VERSION = "1.0"
 VERSION_MIN = "1.0"
 VERSION_MAX = "1.0"
 
-# name → (pattern, what a breach is): path parameters of unknown form name nothing that
-# exists, but a worker id is the client's own choice and so its own mistake.
+# name → (pattern, code): path parameters of unknown form name nothing that exists, but
+# a worker id is the client's own choice and so its own mistake (ATT-013).
 PATH_PATTERNS: dict[str, tuple[str, str]] = {
     "benchmark_id": (r"[a-z][a-z0-9_]{0,63}", "not_found"),
     "run_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
@@ -65,9 +67,10 @@ QUERY_RANGES: dict[str, tuple[int, int]] = {"limit": (1, 1000), "tolerance": (0,
 class Operation:
     """One operation of the spec.
 
-    scope: what the token needs; None for anyone. body: the model of the body.
-    reads, writes: media types, best first; without any there is no body.
-    query, headers: names that it takes. refusal: how it says no; a problem without.
+    scope: what the token needs; None for a request without credentials (SVC-001).
+    body: the model of the body. reads, writes: media types, best first; empty without a
+    body. query, headers: names that it takes. refusal_response: makes the response of a
+    refusal; a problem by default.
     """
 
     handler: Callable[[OperationCall], Awaitable[Response]]
@@ -114,10 +117,10 @@ async def perform(
         refused = error
     except StoreFailed as error:
         log.error("the store failed: %s", error)  # noqa: TRY400 - it says all
-        refused = Refused("unavailable", "The store does not answer.")
+        refused = Refused("unavailable", "The database is not available.")
     except asyncio.CancelledError:
-        # By the server alone, which ends and has waited long enough.
-        refused = Refused("unavailable", "The server is ending.")
+        # By the server alone, which shuts down and has waited long enough.
+        refused = Refused("unavailable", "The server is shutting down.")
     return (operation.refusal_response or problem_response)(refused)
 
 
@@ -153,8 +156,8 @@ def check_version(request: Request) -> None:
     if wanted is not None and not _is_supported(wanted):
         raise Refused(
             "unsupported_version",
-            f"Version {wanted[:20]} was asked for; {VERSION_MIN} to {VERSION_MAX} are "
-            "spoken here.",
+            f"Version {wanted[:20]} is not supported; supported versions: "
+            f"{VERSION_MIN} to {VERSION_MAX}.",
             requirement="VER-002",
         )
 
@@ -184,7 +187,7 @@ def _path(request: Request) -> Mapping[str, str]:
 
 
 def _query(request: Request, operation: Operation) -> Mapping[str, str]:
-    """ERR-014. A name that the operation does not have is a mistake, not a wish."""
+    """ERR-014: a name that the operation does not have is refused."""
     seen: dict[str, str] = {}
     if not request.scope["query_string"] and not operation.required_query:
         return seen
@@ -193,7 +196,7 @@ def _query(request: Request, operation: Operation) -> Mapping[str, str]:
         if name not in operation.query:
             errors.append((f"query:{name}", "this operation has no such parameter"))
         elif name in seen:
-            errors.append((f"query:{name}", "is given more than once"))
+            errors.append((f"query:{name}", "must not be repeated"))
         elif not re.fullmatch(QUERY_PATTERNS[name], value):
             errors.append((f"query:{name}", f"must match {QUERY_PATTERNS[name]}"))
         elif name in QUERY_RANGES and not _in_range(name, value):
@@ -201,7 +204,7 @@ def _query(request: Request, operation: Operation) -> Mapping[str, str]:
             errors.append((f"query:{name}", f"must be from {least} to {most}"))
         seen[name] = value
     errors += [
-        (f"query:{name}", "is missing")
+        (f"query:{name}", "is required")
         for name in operation.required_query
         if name not in seen
     ]

@@ -1,8 +1,8 @@
-"""The answer of `stream_events`: events for as long as there is somebody to read them.
+"""The response of `stream_events`: server-sent events until the run or the reader ends.
 
-A stream keeps nothing of its run but a place in its events. It looks when there is news
-and when all that it had is sent: who reads slowly is told later and of fewer changes,
-and nothing piles up here. What is told, and in which order, is decided in `events.py`.
+A stream stores only its cursor. It reads the run when there is a change and all that it
+had is sent: a slow reader receives later and fewer changes, and nothing is queued for
+it. Which events are sent, and in which order, is decided in `rules/events.py`.
 """
 
 from __future__ import annotations
@@ -17,32 +17,32 @@ from typing import Any
 import msgspec
 from starlette.responses import Response, StreamingResponse
 
-from reference_server.http.problems import Refused
-from reference_server.http.views import episode_view
 from reference_server.rules.events import Cursor, EventBatch, next_batch
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, RunHead
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.store import StoreFailed
+from reference_server.views.run_views import episode_view
 
 log = logging.getLogger("proctor.events")
 
 EVENT_STREAM = "text/event-stream"
-# Looked at and sent at a time.
+# Read and sent at a time.
 EPISODES_PER_BATCH = 100
-# After how long a reader whose stream broke off comes back.
+# After how long a reader reconnects when its stream broke.
 RETRY_MS = 1000
 # A comment is due after 15 s (EVT-008): with time to spare for a busy machine.
 KEEPALIVE_S = 10.0
-# From one look to the next, so that many workers do not have many readers look for each
-# of their episodes. What is rare is told at once, the rest within a second (EVT-004).
+# From one read to the next, so that many workers do not make many readers read for each
+# episode. A rare change is sent at once, the others within a second (EVT-004).
 PAUSE_S = 0.2
-# A proxy keeps nothing of it, and holds nothing back until it is worth a packet.
+# A proxy must neither store the stream nor buffer it.
 _HEADERS = {"Cache-Control": "no-store", "X-Accel-Buffering": "no"}
 
 
 @dataclass(frozen=True, slots=True)
 class EventStream:
-    """Somebody who is told of a run; view: the run as get_run shows it to them."""
+    """The stream of one reader; view: the run as get_run shows it to that reader."""
 
     registry: RunRegistry
     run_id: str
@@ -50,15 +50,15 @@ class EventStream:
     view: Callable[[RunHead], dict[str, Any]]
 
     async def answer(self, last_id: str | None) -> Response:
-        """The events behind that one; 204 when there are none and never will be.
+        """The events behind that one (EVT-005); 204 if none will ever follow (EVT-006).
 
-        Raises Refused and StoreFailed as the first look does. What goes wrong later
-        ends the stream: its reader comes back and is refused then.
+        Raises Refused and StoreFailed as the first read does. A later failure ends the
+        stream: its reader reconnects and is refused then.
         """
         cursor = Cursor() if last_id is None else Cursor.parse(last_id, self.run_id)
         if cursor is None:
             raise _no_event()
-        change = self.registry.change_event(self.run_id)  # before the look
+        change = self.registry.change_event(self.run_id)  # before it is read
         first = await self._read_batch(cursor)
         if first.is_last and not first.text:
             return Response(status_code=204)
@@ -70,7 +70,7 @@ class EventStream:
             if cursor.results_sent > run.scored:
                 raise _no_event()
             body = self.view(run)
-            # A reader may come back by another name of this server.
+            # A reader may reconnect under another host name of this server.
             run_body, common_body = map(
                 msgspec.json.encode, (body, body | {"endpoint": None})
             )
@@ -85,15 +85,15 @@ class EventStream:
     async def _stream_events(
         self, batch: EventBatch, change: asyncio.Event
     ) -> AsyncIterator[bytes]:
-        """What is sent, piece by piece; the next is made when the last has left."""
+        """What is sent, part by part; the next is made when the last was sent."""
         last_sent_at = last_read_at = time.monotonic()
         yield b"retry: %d\n\n%b" % (RETRY_MS, batch.text)
         try:
             while not batch.is_last:
                 has_more = batch.is_behind and bool(batch.text)
-                batch = replace(batch, text=b"")  # who waits keeps nothing of it
+                batch = replace(batch, text=b"")  # a waiting stream keeps no text
                 if has_more:
-                    await asyncio.sleep(0)  # a long history lets others have a turn
+                    await asyncio.sleep(0)  # other requests run between two batches
                 else:
                     while not await self.registry.wait_for_change(
                         change, _left_s(last_sent_at, KEEPALIVE_S)
@@ -123,6 +123,6 @@ def _no_event() -> Refused:
     return Refused(
         "invalid_request",
         "No event of this run has that id.",
-        errors=[("header:last-event-id", "is the id of an event of this run")],
+        errors=[("header:last-event-id", "must be the id of an event of this run")],
         requirement="EVT-007",
     )

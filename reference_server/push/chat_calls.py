@@ -17,7 +17,7 @@ from typing import Any
 from reference_server.generated import models
 from reference_server.push.http_calls import HttpCalls, PolicyFault
 from reference_server.push.policy_calls import Description, Turn
-from reference_server.push.policy_server_config import PolicyServerConfig
+from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.run import Run
 
 NO_ANSWER = -1.0

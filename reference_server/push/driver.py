@@ -17,15 +17,20 @@ import time
 from dataclasses import dataclass
 from typing import Any
 
-from reference_server.http.problems import Refused
 from reference_server.push.egress import EgressPolicy
 from reference_server.push.http_calls import Backoff, CallLimits, HttpCalls, PolicyFault
 from reference_server.push.key_encryption import DecryptionFailed, KeyEncryption
 from reference_server.push.policy_calls import Description, PolicyAdapter, answer_fault
 from reference_server.push.policy_protocols import PROTOCOLS
-from reference_server.push.policy_server_config import PolicyServerConfig
 from reference_server.rules import effects
-from reference_server.rules.lifecycle import Attach, Predict
+from reference_server.rules.lifecycle import (
+    ACTIVE_STATES,
+    PLAYABLE_STATES,
+    Attach,
+    Predict,
+)
+from reference_server.rules.policy_server import PolicyServerConfig
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.runs.registry import RELOAD_S, RunRegistry
 from reference_server.runs.session_executor import SessionExecutor
@@ -40,7 +45,6 @@ PAUSE_S = 0.2
 PAUSE_MOST_S = 5.0
 REFUSALS_MOST = 50
 _CAPACITY_CODES = ("no_capacity", "worker_limit")
-_PLAYABLE_STATES = ("ready", "running")
 
 
 class _RunCannotContinue(Exception):
@@ -92,7 +96,6 @@ class Driver:
         self._max_bytes = max_bytes
         self._drives: dict[str, asyncio.Task[None]] = {}
         self._closed = False
-        registry.on_change = self.on_run_changed
 
     def open(self) -> None:
         """Go on with the runs that the last process left."""
@@ -114,11 +117,11 @@ class Driver:
         if not run.is_push or self._closed:
             return
         drive = self._drives.get(run.run_id)
-        if drive is None and run.state in _PLAYABLE_STATES:
+        if drive is None and run.state in PLAYABLE_STATES:
             drive = asyncio.ensure_future(self._drive(run))
             self._drives[run.run_id] = drive
             drive.add_done_callback(lambda _: self._on_drive_done(run.run_id))
-        elif drive is not None and run.state not in (*_PLAYABLE_STATES, "stopping"):
+        elif drive is not None and run.state not in ACTIVE_STATES:
             drive.cancel()  # PUSH-014
 
     def _on_drive_done(self, run_id: str) -> None:
@@ -195,7 +198,7 @@ class Driver:
         while True:
             try:
                 run = await self._registry.get(worker.drive.run_id)
-                if run.state not in _PLAYABLE_STATES or not run.pending:
+                if run.state not in PLAYABLE_STATES or not run.pending:
                     return
                 succeeded = await self._play_session(worker, run)
                 refusals = 0

@@ -18,13 +18,14 @@ import httpcore
 import msgspec
 
 from reference_server.http.codec import JSON, decode, pointer
-from reference_server.http.problems import PROBLEM_JSON, Refused
+from reference_server.http.problems import PROBLEM_JSON
 from reference_server.push.egress import (
     AddressNotAllowed,
     CheckedBackend,
     EgressPolicy,
     HostNotResolved,
 )
+from reference_server.rules.refusal import Refused
 
 PAUSE_S = 0.5
 PAUSE_MOST_S = 30.0

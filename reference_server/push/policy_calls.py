@@ -16,9 +16,9 @@ from pydantic import BaseModel, ValidationError
 from reference_server.generated import models
 from reference_server.http.codec import pointer, validate
 from reference_server.http.dispatch import VERSION
-from reference_server.http.problems import Refused
 from reference_server.push.http_calls import HttpCalls, PolicyFault
-from reference_server.push.policy_server_config import PolicyServerConfig
+from reference_server.rules.policy_server import PolicyServerConfig
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 
 Turn = Mapping[str, Any]

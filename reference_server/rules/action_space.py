@@ -1,8 +1,8 @@
 """What a benchmark's spaces say of actions and of the conventions a policy assumes.
 
-The third part of the rules, asked by `protocol`: it knows a manifest and vectors, and
-neither runs nor sessions. Pure. A breach is a pair of a JSON pointer into the request
-and a text for people.
+Called by the guards in `lifecycle.py`. It knows a manifest and vectors, and neither
+runs nor sessions. Pure. An error is a pair of a JSON pointer into the request and a
+text for people.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ def action_errors(
 ) -> SpaceErrors:
     """Every breach of the action space, in the order of the chunk; none if it fits.
 
-    PRED-013 to PRED-017. A chunk that is too long is not looked into.
+    A chunk that is too long is not examined further (PRED-015).
     """
     if len(actions) > manifest["max_chunk"]:
         return [("/actions", f"a chunk holds at most {manifest['max_chunk']} actions")]
@@ -28,7 +28,7 @@ def action_errors(
     errors: SpaceErrors = []
     for i, values in enumerate(actions):
         at = f"/actions/{i}/values"
-        errors += [
+        errors += [  # PRED-014
             (f"{at}/{_escape(name)}", "the action space has no such name")
             for name in values
             if name not in space
@@ -37,19 +37,24 @@ def action_errors(
             if name in values:
                 errors += _vector_errors(f"{at}/{name}", values[name], entry)
             else:
-                errors.append((f"{at}/{name}", "missing; every name is sent"))
+                errors.append((f"{at}/{name}", "is missing; every name is required"))
     return errors
 
 
 def clip_actions(
     actions: Sequence[Values], manifest: Mapping[str, Any]
-) -> list[dict[str, Sequence[float]]]:
-    """PRED-018: values outside a range declared `clip` become the nearest inside."""
+) -> Sequence[Values]:
+    """PRED-018: values outside a range declared `clip` become the nearest inside.
+
+    The actions themselves when no range is declared so.
+    """
     clip = {
         name: (entry["minimum"], entry["maximum"])
         for name, entry in manifest["action_space"].items()
         if entry["out_of_range"] == "clip"
     }
+    if not clip:
+        return actions
     return [
         {name: _clip(vector, clip.get(name)) for name, vector in values.items()}
         for values in actions
@@ -59,7 +64,7 @@ def clip_actions(
 def convention_errors(
     assumes: Mapping[str, Any], manifest: Mapping[str, Any]
 ) -> SpaceErrors:
-    """Every assumption that the benchmark contradicts (ATT-010)."""
+    """Assumptions that the benchmark contradicts (ATT-010); none confirms (ATT-011)."""
     errors: SpaceErrors = []
     rate = assumes.get("control_rate_hz")
     if rate is not None and rate != manifest["control_rate_hz"]:
@@ -87,11 +92,11 @@ def convention_errors(
 def _vector_errors(
     at: str, vector: Sequence[float], entry: Mapping[str, Any]
 ) -> SpaceErrors:
-    if len(vector) != entry["size"]:
+    if len(vector) != entry["size"]:  # PRED-013
         return [(at, f"has {len(vector)} numbers, must have {entry['size']}")]
-    if not all(map(math.isfinite, vector)):
-        return [(at, "holds a number that is not finite")]
-    if entry["out_of_range"] != "refuse":
+    if not all(map(math.isfinite, vector)):  # PRED-016
+        return [(at, "contains a non-finite number")]
+    if entry["out_of_range"] != "refuse":  # PRED-017
         return []
     low, high = entry["minimum"], entry["maximum"]
     return [

@@ -1,7 +1,7 @@
-"""Runs beside a baseline: the second half of `spec/scoring.md` in code. Pure.
+"""Runs compared with a baseline: the second half of `spec/scoring.md` in code. Pure.
 
-Both runs are of one manifest, so that their episodes pair by position. It must not know
-what a run is, nor whose: it takes episodes and gives numbers.
+Both runs are of one manifest, so that their episodes pair by position. It knows neither
+runs nor accounts: it takes episodes and returns numbers.
 """
 
 from __future__ import annotations
@@ -10,12 +10,28 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.scoring import ScoredEpisode
 
 TOLERANCE = 0.05  # CMP-008: when none is given
 ROUNDING = 1e-9  # CMP-008: so that no rounding decides
 
 Pair = tuple[ScoredEpisode, ScoredEpisode]
+
+
+def manifest_mismatch(runs: Sequence[tuple[str, str]]) -> Refuse | None:
+    """CMP-009: (run_id, manifest_sha256) of the baseline and of those beside it."""
+    (baseline, manifest_sha256), *others = runs
+    mismatched = [run_id for run_id, sha256 in others if sha256 != manifest_sha256]
+    if not mismatched:
+        return None
+    text = f"{', '.join(mismatched)}: another manifest than {baseline}"
+    return Refuse(
+        "not_comparable",
+        "Episodes pair only within one manifest.",
+        "CMP-009",
+        (("query:runs", text),),
+    )
 
 
 def compare(
@@ -28,18 +44,18 @@ def compare(
         by_task[pair[1].task].append(pair)
     whole = _group(pairs)
     tasks = {task: _group(members) for task, members in by_task.items()}
-    complete = len(pairs) == len(run)
+    complete = len(pairs) == len(run)  # CMP-003
     wins = sum(_succeeds(run) > _succeeds(base) for base, run in pairs)
     losses = sum(_succeeds(run) < _succeeds(base) for base, run in pairs)
     return {
         "complete": complete,
         "release": complete and is_within([whole, *tasks.values()], tolerance),
         **whole,
-        "wins": wins,
+        "wins": wins,  # CMP-006
         "losses": losses,
         "ties": len(pairs) - wins - losses,
         "p_value": mcnemar(wins, losses),
-        "by_task": tasks,
+        "by_task": tasks,  # CMP-005
     }
 
 
@@ -62,6 +78,7 @@ def is_within(groups: Sequence[dict[str, Any]], tolerance: float) -> bool:
 def _pairs(
     baseline: Sequence[ScoredEpisode], run: Sequence[ScoredEpisode]
 ) -> Iterator[Pair]:
+    """CMP-002: the episodes that both runs have scored, by place in the manifest."""
     for pair in zip(baseline, run, strict=True):
         if all(episode.outcome is not None for episode in pair):
             yield pair
@@ -72,7 +89,7 @@ def _succeeds(episode: ScoredEpisode) -> bool:
 
 
 def _group(pairs: Sequence[Pair]) -> dict[str, Any]:
-    """Schema ComparedTask."""
+    """Schema ComparedTask (CMP-002, CMP-004)."""
     means = [_mean([pair[side] for pair in pairs]) for side in (0, 1)]
     base, run = means
     return {

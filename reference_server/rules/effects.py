@@ -1,23 +1,25 @@
 """What an accepted command or an event does to a run.
 
-The second half of the rules: `protocol.py` says whether, this file says what then. Pure
+`lifecycle.py` decides whether a command is accepted, this file what it changes. Pure
 like it: each function changes the run it is given, at the time it is given, and nothing
-else. Every change of state goes through the table.
+else. Every change of state goes through the table TRANSITIONS.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple, Protocol
 
 from reference_server.rules.lifecycle import (
+    PLAYABLE_STATES,
     TRANSITIONS,
     Attach,
     Event,
     Predict,
+    changes_state,
     lease_over,
     legal,
+    may_hand_out,
 )
 from reference_server.rules.run import Episode, Result, Run, Session, SessionEnd
 
@@ -26,16 +28,32 @@ from reference_server.rules.run import Episode, Result, Run, Session, SessionEnd
 SERVER_LEASE_S = 86_400.0
 
 
-@dataclass(frozen=True, slots=True)
-class ChunkResult:
-    """What the simulator says after a chunk; see `reference_sim`."""
+class ChunkOutcome(Protocol):
+    """What the rules read of the simulator's reply to a chunk.
 
-    executed: int
-    ended: bool
-    terminated: bool
-    truncated: bool
-    success: bool
-    score: float
+    executed: how many of its actions. ended: the episode has ended. The others are of
+    the episode after the last executed action.
+    """
+
+    @property
+    def executed(self) -> int: ...
+    @property
+    def ended(self) -> bool: ...
+    @property
+    def terminated(self) -> bool: ...
+    @property
+    def truncated(self) -> bool: ...
+    @property
+    def success(self) -> bool: ...
+    @property
+    def score(self) -> float: ...
+
+
+class Expiry(NamedTuple):
+    """closed: the sessions whose lease is over. freed_slot: one of them held a slot."""
+
+    closed: list[Session]
+    freed_slot: bool
 
 
 def apply_event(run: Run, event: Event, reason: str | None = None) -> None:
@@ -55,7 +73,8 @@ def open_session(run: Run, command: Attach, session_id: str, now: float) -> Sess
     """Take the worker's slot and an episode; the caller starts the simulator.
 
     A live session of the worker is fenced out and its episode goes over as it stands
-    (ATT-004). The session is busy until `answer` is called.
+    (ATT-004); else the session begins with seq 0 and an episode of its own (ATT-001,
+    EPI-008). The session is busy until `store_answer` is called.
     """
     old = run.workers.pop(command.worker_id, None)
     idle_timeout_s = SERVER_LEASE_S if command.by_server else run.idle_timeout_s
@@ -106,11 +125,12 @@ def confirm_delivery(session: Session, seq: int) -> None:
 
 
 def end_turn(
-    run: Run, session: Session, played: ChunkResult, now_wall: float
+    run: Run, session: Session, played: ChunkOutcome, now_wall: float
 ) -> Episode | None:
     """Account for an executed chunk. Returns the episode it ended, if it did.
 
     Then `session.episode` is the next one, or the session is done (PRED-008, PRED-009).
+    In a stopping run the episode is played to its end and scored (STOP-003).
     """
     session.busy = "turning"
     session.steps += played.executed
@@ -133,7 +153,7 @@ def end_turn(
     )
     session.steps, session.think_s = 0, 0.0
     # STOP-004: a stopping run hands out nothing any more.
-    session.episode = run.take_pending() if run.state == "running" else None
+    session.episode = run.take_pending() if may_hand_out(run) else None
     if session.episode is None:
         session.done = True
         _after_session_end(run)
@@ -141,7 +161,7 @@ def end_turn(
 
 
 def store_answer(session: Session, turn: dict[str, Any], now: float) -> None:
-    """The turn is about to leave: it is kept for a repeat and the lease starts anew."""
+    """Store the turn for a repeated request (PRED-002); the lease starts again."""
     session.turn = turn
     session.busy = None
     session.answered_at = now
@@ -156,7 +176,10 @@ def extend_lease(session: Session, now: float) -> None:
 def close_session(
     run: Run, session: Session, ended_by: SessionEnd, now_wall: float
 ) -> None:
-    """End a session; its attempt is closed unscored (EPI-002, EPI-003, EPI-004)."""
+    """End a session; its attempt is closed unscored (EPI-002, EPI-003, EPI-004).
+
+    Its slot is free at once (DET-001, LEASE-006).
+    """
     if run.workers.get(session.worker_id) is session:
         del run.workers[session.worker_id]
     run.record_end(session, ended_by)
@@ -164,6 +187,17 @@ def close_session(
     if not session.done:
         session.done = True
         _after_session_end(run)
+
+
+def abort_session(run: Run, session: Session, now_wall: float) -> bool:
+    """End a session by no fault of its policy: no attempt is counted.
+
+    Returns whether that has to be stored: a restart finds a run in play ready again
+    (CRASH-002), so that nothing is lost if only this is not.
+    """
+    session.busy, session.steps = "turning", 0
+    close_session(run, session, "unknown", now_wall)
+    return bool(run.changed) or run.state not in PLAYABLE_STATES
 
 
 def end_by_policy(run: Run, session: Session, fault: str, now_wall: float) -> None:
@@ -180,7 +214,7 @@ def fail_run(
 ) -> list[Session]:
     """The policy cannot be called (PUSH-012). Returns the sessions that ended.
 
-    That is its own doing: attempts in play count, as when a client goes away.
+    The policy causes that: attempts in play count, as when a client goes away.
     retryable: whether a resume can help.
     """
     sessions = list(run.workers.values())
@@ -191,13 +225,18 @@ def fail_run(
     return sessions
 
 
-def expire(run: Run, now: float, now_wall: float) -> list[Session]:
-    """Close every session whose lease is over; returns those that held a slot."""
+def expire(run: Run, now: float, now_wall: float) -> Expiry:
+    """Close every session whose lease is over (LEASE-001)."""
     over = [s for s in run.workers.values() if lease_over(s, now)]
-    live_sessions = [s for s in over if not s.done]
+    freed_slot = any(not session.done for session in over)
     for session in over:
         close_session(run, session, "lease_ended", now_wall)
-    return live_sessions
+    return Expiry(over, freed_slot)
+
+
+def lose_sessions(run: Run) -> None:
+    """A run that was just loaded has no session any more (CRASH-002)."""
+    apply_event(run, "last_lease_ends", "The sessions ended without a result.")
 
 
 def stop(run: Run, mode: str, now_wall: float) -> list[Session]:
@@ -210,8 +249,11 @@ def stop(run: Run, mode: str, now_wall: float) -> list[Session]:
 
 
 def resume(run: Run, queue_until_wall: float) -> None:
-    """RES-001, RES-002: back to the queue with what is scored kept."""
-    if run.state not in ("stopped", "failed"):
+    """RES-001, RES-002: back to the queue; every result stays (FAULT-003).
+
+    PUSH-013: also when the policy server failed the run.
+    """
+    if not changes_state(run, "resume_run"):
         return
     for episode in run.episodes:
         if episode.result is None and episode.faults > episode.faults_forgiven:
@@ -238,6 +280,7 @@ def record_fault(
     run.changed.add(episode.index)
     session.steps = 0
     if not unplayable:
+        # LIFE-806, LIFE-807: faults from before the last resume do not count.
         since_resume = episode.faults - episode.faults_forgiven
         if since_resume < run.manifest["max_faults"]:
             return []
@@ -252,9 +295,12 @@ def record_fault(
 def admit(
     queued: Sequence[Run], active: int, active_max: int, now_wall: float
 ) -> list[Run]:
-    """LIFE-801: which queued runs, oldest first, become ready now; they are moved."""
+    """LIFE-801: which queued runs, oldest first, become ready now; they are moved.
+
+    A run without a number is not stored yet: it is the youngest.
+    """
     admitted: list[Run] = []
-    for run in sorted(queued, key=lambda r: r.number):
+    for run in sorted(queued, key=lambda r: (r.number == 0, r.number)):
         if active + len(admitted) >= active_max:
             break
         if run.queue_until_wall <= now_wall:
@@ -271,7 +317,7 @@ def _episode_of(session: Session) -> Episode:
 def _record_result(run: Run, episode: Episode, result: Result) -> None:
     run.record_result(episode, result)
     episode.in_progress = False
-    if run.scored == len(run.episodes):
+    if run.scored == len(run.episodes):  # LIFE-804, LIFE-805
         apply_event(run, "all_scored")
 
 
@@ -298,11 +344,11 @@ def _close_attempt(
     if episode is None or episode.result is not None:
         return
     begun = session.steps > 0 or session.busy == "playing"
-    if not (counted and begun):
+    if not (counted and begun):  # EPI-002, CRASH-002
         run.return_to_pending(episode)
         return
     run.changed.add(episode.index)
-    if episode.attempt < run.manifest["max_attempts"]:
+    if episode.attempt < run.manifest["max_attempts"]:  # EPI-003; else EPI-004
         episode.attempt += 1
         run.return_to_pending(episode)
         return
@@ -321,5 +367,6 @@ def _close_attempt(
 
 def _after_session_end(run: Run) -> None:
     if not run.live_sessions:
-        reason = "Drained." if run.state == "stopping" else None
+        # A run that goes on as ready has no reason to state; one that stops has.
+        reason = None if may_hand_out(run) else "Drained."
         apply_event(run, "last_lease_ends", reason)

@@ -1,9 +1,9 @@
-"""What a reader of a run's events is told, and where it stands then (EVT).
+"""Which events of a run a stream sends next, and the cursor behind them.
 
-A reader's place follows from the `id` of the last event alone, so the server remembers
-nothing of who reads, and the same ids go on after a restart. Pure, as the rules are: it
-gets what is true of the run, as bytes that are shown, and says which of that is news.
-It must not know of requests, of the store or of time.
+A reader's place follows from the `id` of its last event alone: the server stores
+nothing about readers, and the same ids go on after a restart (EVT-005, EVT-009). Pure:
+it gets the current views of the run as bytes and returns those that the reader does not
+have yet. It knows neither requests nor the database nor time.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ _ID = re.compile(r"([0-9]{1,9})-(none|[0-9a-f]{16})-[0-9a-f]{8}")
 
 @dataclass(frozen=True, slots=True)
 class Cursor:
-    """A place in the events of a run.
+    """A place in the events of a run, the same after a restart (EVT-009).
 
-    told: how many results, in the order in which they were scored. seen: a digest of
-    the run as it was told last.
+    results_sent: how many results, in the order in which they were scored (EVT-002).
+    run_digest: a digest of the run as it was sent last.
     """
 
     results_sent: int = 0
@@ -46,7 +46,7 @@ class Cursor:
 
 @dataclass(frozen=True, slots=True)
 class EventBatch:
-    """What to tell next.
+    """What to send next.
 
     text: the events, as they are sent; maybe none. cursor: the place behind them.
     is_behind: there are more at once. is_last: nothing will ever follow.
@@ -65,12 +65,12 @@ def next_batch(
     scored: Sequence[bytes],
     common_body: bytes,
 ) -> EventBatch:
-    """What a reader at the cursor has not been told yet.
+    """What a reader at the cursor has not received yet (EVT-001, EVT-002).
 
-    shown: the run as get_run shows it. same: what of that is the same for every reader.
-    scored: the next episodes behind the cursor in the order in which they were scored,
-    as list_episodes shows them; as many as are to be told at a time. The run is told
-    when all that it counts are (EVT-003).
+    run_body: the run as get_run shows it. common_body: the part that is the same for
+    every reader. scored: the next episodes behind the cursor in the order in which they
+    were scored, as list_episodes shows them; as many as are sent at a time. The run is
+    sent when all episodes that it counts are (EVT-003).
     """
     events = []
     for episode in scored:

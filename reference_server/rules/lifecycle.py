@@ -1,21 +1,24 @@
-"""The rules of the protocol, decided.
+"""Which command a run accepts, and which states follow.
 
-Everything that makes a request legal or illegal stands in this file, but for what a
-benchmark's spaces say of an action, which is in `spaces.py`. Pure: no clock, no disk,
-no socket, no `await`; `now` is a monotonic time in seconds and comes in as an argument.
+Pure: no clock, no disk, no socket, no `await`; `now` is a monotonic time in seconds and
+comes in as an argument.
 
-`decide` answers what may happen to a command: Accept, Replay a stored turn, Wait for
-the turn in execution, or Refuse with a code of the catalogue. What an accepted command
-does to the run is in `progress.py`. Legality by state is the table TRANSITIONS (equal
-to `x-lifecycle` of the spec, as a test proves); whatever is not state is a guard, one
-small function each, called in the one order that GUARDS gives.
+`decide` returns what may happen to a command: Accept, Replay a stored turn, Wait for
+the turn in execution, or Refuse with a code of the catalogue. Legality by state is the
+table TRANSITIONS (equal to `x-lifecycle` of the spec, as a test proves). Conditions
+other than the state are guards, one small function each, called in the order of GUARDS.
+What an accepted command does to the run is in `effects.py`; what a benchmark's spaces
+say of an action, in `action_space.py`.
+
+Concurrent requests are decided one after another, each on the state that the one before
+it left (MODEL-001, MODEL-002).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, TypeAlias, get_args
 
 from reference_server.rules import action_space
 from reference_server.rules.run import Observe, Run, Session, State
@@ -34,33 +37,61 @@ Event: TypeAlias = Literal[
 # (state, event) → state; a missing key is the refusal. A failed run resumes only if it
 # is retryable: that is the one row with a condition, see `legal`.
 TRANSITIONS: dict[tuple[State, Event], State] = {
-    ("queued", "capacity"): "ready",
-    ("queued", "stop_abort"): "stopped",
-    ("queued", "stop_drain"): "stopped",
-    ("queued", "resume_run"): "queued",
-    ("queued", "fault"): "failed",
-    ("ready", "attach_worker"): "running",
-    ("ready", "stop_abort"): "stopped",
-    ("ready", "stop_drain"): "stopped",
-    ("ready", "resume_run"): "ready",
-    ("ready", "fault"): "failed",
-    ("running", "attach_worker"): "running",
-    ("running", "last_lease_ends"): "ready",
-    ("running", "all_scored"): "completed",
-    ("running", "stop_abort"): "stopped",
-    ("running", "stop_drain"): "stopping",
-    ("running", "resume_run"): "running",
-    ("running", "fault"): "failed",
-    ("stopping", "last_lease_ends"): "stopped",
-    ("stopping", "all_scored"): "completed",
-    ("stopping", "stop_abort"): "stopped",
-    ("stopping", "stop_drain"): "stopping",
-    ("stopping", "fault"): "failed",
-    ("stopped", "stop_abort"): "stopped",
-    ("stopped", "stop_drain"): "stopped",
-    ("stopped", "resume_run"): "queued",
-    ("failed", "resume_run"): "queued",
+    ("queued", "capacity"): "ready",  # LIFE-801
+    ("queued", "stop_abort"): "stopped",  # LIFE-102
+    ("queued", "stop_drain"): "stopped",  # LIFE-103
+    ("queued", "resume_run"): "queued",  # LIFE-104
+    ("queued", "fault"): "failed",  # LIFE-808
+    # queued refuses attach_worker (LIFE-101)
+    ("ready", "attach_worker"): "running",  # LIFE-201
+    ("ready", "stop_abort"): "stopped",  # LIFE-202
+    ("ready", "stop_drain"): "stopped",  # LIFE-203
+    ("ready", "resume_run"): "ready",  # LIFE-204
+    ("ready", "fault"): "failed",  # LIFE-809
+    ("running", "attach_worker"): "running",  # LIFE-301
+    ("running", "last_lease_ends"): "ready",  # LIFE-802
+    ("running", "all_scored"): "completed",  # LIFE-804
+    ("running", "stop_abort"): "stopped",  # LIFE-302
+    ("running", "stop_drain"): "stopping",  # LIFE-303
+    ("running", "resume_run"): "running",  # LIFE-304
+    ("running", "fault"): "failed",  # LIFE-806
+    ("stopping", "last_lease_ends"): "stopped",  # LIFE-803
+    ("stopping", "all_scored"): "completed",  # LIFE-805
+    ("stopping", "stop_abort"): "stopped",  # LIFE-402
+    ("stopping", "stop_drain"): "stopping",  # LIFE-403
+    ("stopping", "fault"): "failed",  # LIFE-807
+    # stopping refuses attach_worker (LIFE-401) and resume_run (LIFE-404)
+    ("stopped", "stop_abort"): "stopped",  # LIFE-502
+    ("stopped", "stop_drain"): "stopped",  # LIFE-503
+    ("stopped", "resume_run"): "queued",  # LIFE-504
+    # stopped refuses attach_worker (LIFE-501)
+    ("failed", "resume_run"): "queued",  # LIFE-604 if retryable, else LIFE-605
+    # failed refuses attach_worker (LIFE-601), stop_abort (LIFE-602) and also the event
+    # stop_drain (LIFE-603).
+    # completed refuses attach_worker (LIFE-701), stop_abort (LIFE-702) and also the
+    # events stop_drain (LIFE-703) and resume_run (LIFE-704).
 }
+
+# What follows from the table, so that no other module names states.
+# A worker may attach.
+PLAYABLE_STATES = frozenset(s for s, event in TRANSITIONS if event == "attach_worker")
+# The run waits until there is capacity for it (LIFE-801, RUN-008).
+WAITING_STATES = frozenset(s for s, event in TRANSITIONS if event == "capacity")
+# CRASH-002: sessions do not outlive the process, so a restart is what the end of the
+# last session is (LIFE-802, LIFE-803). Other states outlive a restart.
+STATES_AFTER_RESTART: Mapping[State, State] = {
+    state: after
+    for (state, event), after in TRANSITIONS.items()
+    if event == "last_lease_ends"
+}
+RESTART_REASON = "The server was restarted."
+# The run counts among those that the server plays at once.
+ACTIVE_STATES = PLAYABLE_STATES | STATES_AFTER_RESTART.keys()
+# What a stored run in one of these was when it left memory, it still is: neither
+# capacity nor the loss of its sessions changes it.
+RESTING_STATES = (
+    frozenset(get_args(State)) - WAITING_STATES - STATES_AFTER_RESTART.keys()
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,6 +185,16 @@ def legal(run: Run, event: Event) -> bool:
     return (run.state, event) in TRANSITIONS
 
 
+def changes_state(run: Run, event: Event) -> bool:
+    """Whether the table leads to another state; a row may also keep the state."""
+    return legal(run, event) and TRANSITIONS[(run.state, event)] != run.state
+
+
+def may_hand_out(run: Run) -> bool:
+    """STOP-004: a stopping run hands out no episode any more."""
+    return run.state in PLAYABLE_STATES
+
+
 def decide(run: Run, command: Command, now: float) -> Verdict:
     """The verdict of the first guard that has one; Accept when none objects.
 
@@ -167,7 +208,11 @@ def decide(run: Run, command: Command, now: float) -> Verdict:
 
 
 def lease_over(session: Session, now: float) -> bool:
-    """LEASE-001, LEASE-005: the lease runs only while the server executes nothing."""
+    """Whether the session ends because its lease has (LEASE-001), and not before.
+
+    LEASE-002: `expires_at` is `idle_timeout_s` after the last answered request.
+    LEASE-005: the lease runs only while the server executes nothing.
+    """
     return not session.busy and now > session.expires_at
 
 
@@ -186,7 +231,7 @@ def find_repeated_turn(session: Session, request_digest: str) -> Predict | None:
     return Predict(session.worker_id, session.session_id, session.seq, *session.request)
 
 
-# --- guards: (run, command, now) → a verdict, or None to let the next one look ---
+# --- guards: (run, command, now) → a verdict, or None to pass to the next guard ---
 
 
 def _event_is_legal(run: Run, command: Command, _now: float) -> Verdict | None:
@@ -210,14 +255,14 @@ def _mode_allows_caller(
         return None
     return Refuse(
         "illegal_transition",
-        "This run has mode push: the server calls its policy, and nobody else plays.",
+        "This run has mode push: the server calls its policy; workers cannot attach.",
         "PUSH-003",
         members={"state": run.state},
     )
 
 
 def _same_attach_key(run: Run, command: Attach, now: float) -> Verdict | None:
-    """ATT-002: a lost answer to attach costs nothing."""
+    """ATT-002: a repeated attach gets the same turn. ATT-008: one key wins a worker."""
     session = run.workers.get(command.worker_id)
     if session is None or session.attach_key != command.attach_key:
         return None
@@ -233,7 +278,7 @@ def _worker_is_free(run: Run, command: Attach, now: float) -> Verdict | None:
     if not (session.done or command.takeover):
         return Refuse(
             "worker_busy",
-            f"Worker {command.worker_id} has a live session and keeps it.",
+            f"Worker {command.worker_id} already has a live session.",
             "ATT-003",
         )
     # ATT-004: the successor goes on where the turn in execution will have ended; also
@@ -242,6 +287,7 @@ def _worker_is_free(run: Run, command: Attach, now: float) -> Verdict | None:
 
 
 def _below_worker_limit(run: Run, command: Attach, now: float) -> Verdict | None:
+    """ATT-006; LEASE-006: a session whose lease is over holds no slot. ATT-007."""
     others = sum(
         1
         for session in run.workers.values()
@@ -253,18 +299,19 @@ def _below_worker_limit(run: Run, command: Attach, now: float) -> Verdict | None
         return None
     return Refuse(
         "worker_limit",
-        f"The run has {others} live workers, as many as it may have.",
+        f"The run has {others} live workers, which is its maximum.",
         "ATT-006",
     )
 
 
 def _conventions_agree(run: Run, command: Attach, _now: float) -> Verdict | None:
+    """ATT-010; ATT-011: what the benchmark confirms is accepted."""
     errors = tuple(action_space.convention_errors(command.assumes or {}, run.manifest))
     if not errors:
         return None
     return Refuse(
         "convention_mismatch",
-        "The policy assumes conventions that this benchmark does not have.",
+        "The policy's assumed conventions do not match this benchmark.",
         "ATT-010",
         errors,
     )
@@ -273,6 +320,7 @@ def _conventions_agree(run: Run, command: Attach, _now: float) -> Verdict | None
 def _session_is_live(
     run: Run, command: Predict | Heartbeat, now: float
 ) -> Verdict | None:
+    """ATT-005, FAULT-006; LEASE-008: a refusal leaves the lease as it is."""
     session = run.workers.get(command.worker_id)
     ended_by = run.ended.get(command.session_id)
     if session is not None and session.session_id == command.session_id:
@@ -304,27 +352,32 @@ def _detach_target_exists(run: Run, command: Detach, now: float) -> Verdict | No
 
 
 def _repeated_seq(run: Run, command: Predict, _now: float) -> Verdict | None:
-    """Exactly once: PRED-002, PRED-003, PRED-005."""
+    """Exactly once: PRED-002, PRED-003, PRED-005.
+
+    PRED-010: also the turn that is `done`, whatever the run's state.
+    """
     session = run.workers[command.worker_id]
     if command.seq != session.seq or session.seq == 0:
         return None
     if session.request != (command.actions, command.observe):
         return Refuse(
             "seq_conflict",
-            f"Turn {command.seq} was asked for with another body; that one stands.",
+            f"Turn {command.seq} was already requested with a different body; "
+            "the first request is valid.",
             "PRED-003",
         )
     return Wait(session) if session.busy else Replay(session)
 
 
 def _expected_seq(run: Run, command: Predict, _now: float) -> Verdict | None:
+    """PRED-004; PRED-024: a refused seq stays the expected one."""
     session = run.workers[command.worker_id]
     expected = session.seq + 1
     if command.seq == expected:
         return Wait(session) if session.busy else None
     return Refuse(
         "seq_out_of_order",
-        f"Turn {command.seq} was asked for, turn {expected} is the next.",
+        f"Turn {command.seq} was requested; the next turn is {expected}.",
         "PRED-004",
         members={"expected_seq": expected},
     )
@@ -333,13 +386,14 @@ def _expected_seq(run: Run, command: Predict, _now: float) -> Verdict | None:
 def _has_an_episode(run: Run, command: Predict, _now: float) -> Verdict | None:
     if not run.workers[command.worker_id].done:
         return None
-    return Refuse(
-        "no_episode", "This session was told that no episode is left.", "PRED-011"
-    )
+    return Refuse("no_episode", "No episode is left for this session.", "PRED-011")
 
 
 def _actions_fit(run: Run, command: Predict, _now: float) -> Verdict | None:
-    """PRED-013 to PRED-017, PRED-019: one bad value refuses the whole chunk."""
+    """One bad value refuses the whole chunk (PRED-019).
+
+    PRED-013, PRED-014, PRED-015, PRED-016, PRED-017: see `action_space`.
+    """
     errors = tuple(action_space.action_errors(command.actions, run.manifest))
     if not errors:
         return None
@@ -360,8 +414,8 @@ def _event_of(command: Command) -> Event:
             return "resume_run"
 
 
-# The order is part of the rules: what was answered once is answered again before
-# anything else is asked, so a lost answer never turns into a refusal.
+# The order is part of the rules: a repeated request is answered before any other
+# condition is checked, so that a lost answer never turns into a refusal.
 GUARDS: dict[type[Command], tuple[Callable[[Run, Any, float], Verdict | None], ...]] = {
     Attach: (
         _mode_allows_caller,

@@ -1,4 +1,4 @@
-"""A run as the rules see it: plain data, no behaviour beyond what follows from it.
+"""A run as the rules see it: plain data and what follows from it.
 
 Times are monotonic seconds unless their name ends in `_at_wall` (seconds since 1970).
 Nothing here knows of databases, simulators or requests.
@@ -11,6 +11,8 @@ from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias
+
+from reference_server.rules.manifest import Manifest, Submission
 
 State: TypeAlias = Literal[
     "queued", "ready", "running", "stopping", "stopped", "failed", "completed"
@@ -28,7 +30,7 @@ ENDED_SESSIONS_MAX = 256
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """What one episode came to; written once and never changed."""
+    """The result of one episode; written once and never changed."""
 
     outcome: Outcome
     score: float
@@ -46,9 +48,9 @@ class Episode:
 
     attempt: the attempt in play, or the next one; from 1.
     faults: simulator faults so far; `faults_forgiven` of them before the last resume.
-    policy_fault: what the policy did that ended the last attempt, where we call it.
+    policy_fault: what the policy did that ended the last attempt, in mode push.
     place: of its result among those of the run, the first one 1; None without a result,
-    or with one from before this was kept.
+    or with one that is older than this column.
     """
 
     index: int
@@ -75,8 +77,8 @@ class Session:
     steps: actions executed in the attempt in play.
     busy: what the server is executing for it; its lease stands still meanwhile.
     request, turn: the last predict and its answer, kept to be repeated.
-    unheard: of a client that counts no turns, the seq it was given last and a digest of
-    what it asked for, until the answer is known to have left.
+    unconfirmed_turn: of a client that counts no turns, the seq it was given last and a
+    digest of its request, until the answer is known to have left.
     """
 
     session_id: str
@@ -101,7 +103,7 @@ class Session:
 
 @dataclass(slots=True, eq=False, weakref_slot=True)
 class RunHead:
-    """A run without its episodes: all there is to show of one that nobody plays.
+    """A run without its episodes: all there is to show of one that is not in play.
 
     manifest: the benchmark with the run's options applied; what was hashed.
     number: grows with every submit; newest first is largest first.
@@ -114,9 +116,9 @@ class RunHead:
     state: State
     reason: str | None
     retryable: bool | None
-    manifest: Mapping[str, Any]
+    manifest: Manifest
     manifest_sha256: str
-    submission: Mapping[str, Any]
+    submission: Submission
     max_workers: int
     idle_timeout_s: float
     images: Mapping[str, Any]
@@ -128,12 +130,12 @@ class RunHead:
 
     @property
     def is_push(self) -> bool:
-        """Whether this server calls the policy, and nobody else may attach."""
+        """PUSH-003: whether this server calls the policy; no worker may attach then."""
         return self.submission.get("mode") == "push"
 
     @property
     def live_sessions(self) -> list[Session]:
-        """Sessions that hold a slot: those not yet told that they are done."""
+        """Sessions that hold a slot: those that are not done."""
         return []
 
 
@@ -175,7 +177,7 @@ class Run(RunHead):
         return self.episodes[start:end]
 
     def record_result(self, episode: Episode, result: Result) -> None:
-        """EPI-005: a result is written once."""
+        """EPI-005, CRASH-001: a result is written once and stored with the run."""
         assert episode.result is None, "an episode is scored once"
         episode.result = result
         self.scored += 1
@@ -184,7 +186,10 @@ class Run(RunHead):
         self.changed.add(episode.index)
 
     def take_pending(self) -> Episode | None:
-        """EPI-001: the first unscored episode in manifest order, now in progress."""
+        """EPI-001: the first unscored episode in manifest order, now in progress.
+
+        EPI-008: it is removed, so that no other session is handed it.
+        """
         if not self.pending:
             return None
         episode = self.episodes[heapq.heappop(self.pending)]

@@ -34,20 +34,20 @@ def wilson(rate: float | None, n: int) -> dict[str, float]:
 
 def score_of(episodes: Sequence[ScoredEpisode]) -> dict[str, Any]:
     """The computed members of schema Score, for one run's episodes (at least one)."""
-    total = len(episodes)
+    total = len(episodes)  # N
     group = _group(episodes)
     scored = total - group["counts"]["unscored"]
     sum_ = _sum(episodes)
     complete = scored == total
     return {
-        "complete": complete,
-        "score": sum_ / total if complete else None,
-        "score_low": sum_ / total,
+        "complete": complete,  # SCORE-005
+        "score": sum_ / total if complete else None,  # SCORE-006
+        "score_low": sum_ / total,  # SCORE-007
         "score_high": (sum_ + (total - scored)) / total,
         **group,
         "success_interval": wilson(group["success_rate"], scored),
-        "mean_interval": wilson(group["mean"], scored),
-        "by_task": _by(episodes, attrgetter("task")),
+        "mean_interval": wilson(group["mean"], scored),  # SCORE-013
+        "by_task": _by(episodes, attrgetter("task")),  # SCORE-011
         "by_split": _by(episodes, attrgetter("split")),
     }
 
@@ -59,12 +59,14 @@ def _sum(episodes: Iterable[ScoredEpisode]) -> float:
 
 
 def _counts(episodes: Sequence[ScoredEpisode]) -> dict[str, int]:
+    """SCORE-008."""
     outcomes = [episode.outcome for episode in episodes]
     counts = {name: outcomes.count(name) for name in get_args(Outcome)}
     return {"total": len(outcomes), **counts, "unscored": outcomes.count(None)}
 
 
 def _group(episodes: Sequence[ScoredEpisode]) -> dict[str, Any]:
+    """SCORE-009: null where there is nothing to divide by."""
     counts = _counts(episodes)
     scored = counts["total"] - counts["unscored"]
     return {

@@ -1,6 +1,6 @@
-"""The benchmarks offered here, as the wire shows them.
+"""The benchmarks that this server offers, in the spec's schemas.
 
-Their content is the simulator's; the hash and the refusals are the server's.
+Their content is the simulator's; the hash and the refusals are decided here.
 """
 
 from __future__ import annotations
@@ -9,13 +9,16 @@ import asyncio
 import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 import msgspec
 
-from reference_server.http.problems import Refused
+from reference_server.rules.manifest import Manifest, Submission
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_sim import benchmark_registry
+
+CACHED_CONFIGS_MAX = 256
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +28,7 @@ class ResolvedRun:
     manifest: schema Benchmark without its hash, and `episodes` with their seeds.
     """
 
-    manifest: dict[str, Any]
+    manifest: Manifest
     manifest_sha256: str
     images: Mapping[str, Any]
 
@@ -41,9 +44,16 @@ class Benchmarks:
         found = []
         for benchmark_id in benchmark_registry.benchmark_ids():
             resolved = self._resolved(benchmark_id, None, None)
-            members = ("benchmark_id", "version", "title", "episodes_total")
-            summary = {name: resolved.manifest[name] for name in members}
-            found.append(summary | {"manifest_sha256": resolved.manifest_sha256})
+            manifest = resolved.manifest
+            found.append(
+                {
+                    "benchmark_id": manifest["benchmark_id"],
+                    "version": manifest["version"],
+                    "title": manifest["title"],
+                    "episodes_total": manifest["episodes_total"],
+                    "manifest_sha256": resolved.manifest_sha256,
+                }
+            )
         return found
 
     async def view(self, benchmark_id: str) -> dict[str, Any]:
@@ -58,8 +68,8 @@ class Benchmarks:
             "unavailable_reason": await _unavailable(benchmark_id),
         }
 
-    async def resolve(self, submission: Mapping[str, Any]) -> ResolvedRun:
-        """The manifest of a run to be; refused when the choices do not fit."""
+    async def resolve(self, submission: Submission) -> ResolvedRun:
+        """The manifest of a new run; refused when its choices do not fit (RUN-006)."""
         benchmark_id = submission["benchmark_id"]
         if benchmark_id not in benchmark_registry.benchmark_ids():
             raise Refused(
@@ -74,7 +84,7 @@ class Benchmarks:
         options, images = submission.get("options"), submission.get("images")
         try:
             return self._resolved(benchmark_id, options, images)
-        except benchmark_registry.InvalidChoice as error:
+        except benchmark_registry.InvalidChoice as error:  # RUN-007, RUN-017
             raise Refused(
                 "invalid_request",
                 "The benchmark does not offer this choice.",
@@ -90,21 +100,42 @@ class Benchmarks:
         found = benchmark_registry.resolve(
             benchmark_id, options, images, max_chunk=self._max_chunk
         )
-        return ResolvedRun(found.manifest, digest(found.manifest), found.images)
+        manifest = cast("Manifest", found.manifest)  # schema Benchmark
+        return ResolvedRun(manifest, digest(manifest), found.images)
 
 
-def world_of(run: Run) -> benchmark_registry.SimulatorConfig:
-    """What a simulator process needs to build this run's simulator.
+class SimulatorConfigs:
+    """What a simulator process needs for a run, looked up once per manifest and choice.
 
-    Refused when the benchmark is not the one that the run was submitted to: a score is
-    of one manifest.
+    A benchmark does not change while the server runs, and its manifest is long: it is
+    described and hashed again only for what is not in the cache.
     """
+
+    def __init__(self) -> None:
+        self._cache: dict[bytes, benchmark_registry.SimulatorConfig] = {}
+
+    def find(self, run: Run) -> benchmark_registry.SimulatorConfig:
+        """Refused when the benchmark is not the one that the run was submitted to.
+
+        A score is of one manifest.
+        """
+        submission = run.submission
+        choices = (submission["benchmark_id"], submission.get("options"), run.images)
+        key = msgspec.msgpack.encode((run.manifest_sha256, choices))
+        config = self._cache.get(key)
+        if config is None:
+            config = _simulator_config(run)
+            if len(self._cache) >= CACHED_CONFIGS_MAX:
+                self._cache.clear()
+            self._cache[key] = config
+        return config
+
+
+def _simulator_config(run: Run) -> benchmark_registry.SimulatorConfig:
     submission = run.submission
     benchmark_id = submission["benchmark_id"]
     if benchmark_id not in benchmark_registry.benchmark_ids():
-        raise Refused(
-            "benchmark_unavailable", f"{benchmark_id} is not offered here any more."
-        )
+        raise Refused("benchmark_unavailable", f"{benchmark_id} is no longer offered.")
     found = benchmark_registry.resolve(
         benchmark_id,
         submission.get("options"),
@@ -120,7 +151,7 @@ def world_of(run: Run) -> benchmark_registry.SimulatorConfig:
     return found.world
 
 
-def digest(manifest: Mapping[str, Any]) -> str:
+def digest(manifest: Manifest | Mapping[str, Any]) -> str:
     """The `manifest_sha256` of a manifest with its episodes."""
     canonical = msgspec.json.encode(manifest, order="deterministic")
     return hashlib.sha256(canonical).hexdigest()

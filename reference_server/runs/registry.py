@@ -1,13 +1,14 @@
 """The runs in memory and their way to and from the store.
 
-One Run object per run for as long as anyone holds it, so that every decision sees the
-same state. Carries out what the protocol decides for the control plane, wakes whoever
-waits for a change, and lets queued runs in when there is capacity.
+One Run object per run for as long as it is referenced, so that every decision sees the
+same state (MODEL-002). It stores what the rules changed, wakes requests that wait for a
+change, and admits queued runs when there is capacity. It decides no rule, and knows no
+HTTP and no SQL.
 
-Memory may be ahead of the disk while a write is on its way. Nobody is told of that:
-what is shown was taken from memory and then found stored (`rendered`). A failed write
-drops the run from memory, for the store has the truth, and its sessions end as in a
-restart.
+Memory may be ahead of the disk while a write is in progress. That is never shown: a
+view is taken from memory and returned once it is stored (`render_when_stored`;
+CRASH-001, EVT-009). A failed write drops the run from memory, because the database
+holds the valid state, and its sessions end as in a restart.
 """
 
 from __future__ import annotations
@@ -22,29 +23,45 @@ from functools import partial
 from typing import TypeVar
 from weakref import WeakValueDictionary
 
-from reference_server.http.problems import Refused
 from reference_server.rules import effects
+from reference_server.rules.lifecycle import (
+    ACTIVE_STATES,
+    RESTART_REASON,
+    RESTING_STATES,
+    STATES_AFTER_RESTART,
+    WAITING_STATES,
+)
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run, RunHead, State
+from reference_server.rules.submission import KeyUse, key_conflict, may_see_run
 from reference_server.storage.store import Store, StoreFailed
 
 log = logging.getLogger("proctor.runs")
 
-# Runs kept in memory although nobody uses them at the moment.
+# Runs kept in memory although no request uses them at the moment.
 CACHED_RUNS_MAX = 256
-ACTIVE_STATES = ("ready", "running", "stopping")
-# What a stored run in one of these was when it left memory, it still is.
-STABLE_STATES = ("ready", "stopped", "failed", "completed")
-# How long after a failed write its run is loaded again, when nobody asks for it.
+# How long after a failed write its run is loaded again without a request for it.
 RELOAD_S = 1.0
 
 Rendered = TypeVar("Rendered")
 
 
 class RunRegistry:
-    """All runs of this server, by id."""
+    """All runs of this server, by id.
 
-    def __init__(self, store: Store, active_max: int) -> None:
+    on_run_lost: ends the sessions of a run whose write failed.
+    on_change: is called with a run whose state may have changed.
+    """
+
+    def __init__(
+        self,
+        store: Store,
+        active_max: int,
+        on_run_lost: Callable[[Run], None],
+        on_change: Callable[[Run], None],
+    ) -> None:
         self._store = store
+        self._on_run_lost, self._on_change = on_run_lost, on_change
         self._active_max = active_max
         self._in_memory: WeakValueDictionary[str, Run] = WeakValueDictionary()
         self._recent: OrderedDict[str, Run] = OrderedDict()
@@ -53,7 +70,7 @@ class RunRegistry:
         self._active: set[str] = set()
         self._loading: dict[str, asyncio.Task[Run | None]] = {}
         self._saving: dict[str, asyncio.Task[bool]] = {}  # the last one of each run
-        # Only who waits for news holds them.
+        # Referenced only by the requests that wait for a change.
         self._change_events: WeakValueDictionary[str, asyncio.Event] = (
             WeakValueDictionary()
         )
@@ -61,24 +78,22 @@ class RunRegistry:
         self._reload_timers: dict[str, asyncio.TimerHandle] = {}
         self._tasks: set[asyncio.Future[object]] = set()
         self._ending = self._closed = False
-        # Set by the data plane: what to do with the sessions of a run that was lost.
-        self.on_run_lost: Callable[[Run], None] = lambda _run: None
-        # Set by who plays the push runs: looks at a run whose state may have changed.
-        self.on_change: Callable[[Run], None] = lambda _run: None
 
     async def open(self) -> None:
+        """Apply what a restart does, then load what waits for capacity."""
+        await self._store.replace_states(STATES_AFTER_RESTART, RESTART_REASON)
         self._active = set(await self._store.in_states(*ACTIVE_STATES))
-        for run_id in await self._store.in_states("queued"):
+        for run_id in await self._store.in_states(*WAITING_STATES):
             await self.get(run_id)
 
     def release_waiters(self) -> None:
-        """The server will end: nobody needs to wait for a change any more."""
+        """The server will shut down: end every wait for a change."""
         self._ending = True
         for run_id in list(self._change_events):
             self._wake(run_id)
 
     async def close(self) -> None:
-        """Wait until everything that was begun is stored; then nothing begins."""
+        """Wait until every write that was begun has ended; no other begins."""
         self._closed = True
         for timer in (self._admission_timer, *self._reload_timers.values()):
             if timer is not None:
@@ -89,7 +104,7 @@ class RunRegistry:
     async def get(self, run_id: str, account: str | None = None) -> Run:
         """The run, if the account may see it (AUTH-003, RUN-010)."""
         run = self._in_memory.get(run_id) or await self._load(run_id)
-        if run is None or account not in (None, run.account):
+        if run is None or not (account is None or may_see_run(account, run.account)):
             raise _no_run(run_id)
         self._cache(run)
         return run
@@ -108,12 +123,12 @@ class RunRegistry:
 
         scored: of those that have a result, in the order in which they were scored.
         A run that is not in memory stays out of it, and no more of it is read than is
-        shown, so that nobody pays for the size or the number of finished runs.
+        shown: the size and the number of finished runs cost nothing.
         """
         if run_id not in self._in_memory:
             found = await self._store.read_window(run_id, start, end, scored)
             if found is not None and self._is_current(found[0]):
-                if found[0].account != account:
+                if not may_see_run(account, found[0].account):
                     raise _no_run(run_id)
                 return view(*found)
         run = await self.get(run_id, account)
@@ -121,32 +136,39 @@ class RunRegistry:
         return await self.render_when_stored(run, lambda run: view(run, window(run)))
 
     def _is_current(self, head: RunHead) -> bool:
-        """Whether the run is as it was just read: nobody has taken it up meanwhile."""
-        return head.state in STABLE_STATES and head.run_id not in self._in_memory
+        """Whether the run is as it was just read: it was not loaded meanwhile."""
+        return head.state in RESTING_STATES and head.run_id not in self._in_memory
 
     async def add(self, run: Run, key: str | None, body_sha256: str) -> Run:
         """Store a new run; or the run that this Idempotency-Key made (RUN-003)."""
-        # Whoever finds it in the store, even before we hear of that, finds this object.
+        # A request that finds it in the store, even before this one, finds this object.
         self._in_memory[run.run_id] = run
-        if await self._store.insert(run, key, body_sha256):
+        self._admit(run)  # before it is stored: one submit is one transaction
+        is_stored = False
+        try:
+            is_stored = await self._store.insert(run, key, body_sha256)
+        finally:
+            if not is_stored:
+                self._in_memory.pop(run.run_id, None)
+                self._active.discard(run.run_id)
+                self._admit()
+        if is_stored:
             self._cache(run)
             self._index_by_state(run, run.state)
             self._admit()
             return run
         assert key is not None
-        found = await self._store.find_key(run.account, key)
-        assert found is not None, "an insert is refused only for a used key"
-        if found[0] != body_sha256:
-            raise Refused(
-                "idempotency_conflict",
-                f"The key made run {found[1]} from another body.",
-                requirement="RUN-004",
-            )
-        return await self.get(found[1])
+        use = await self.find_by_key(run.account, key)
+        assert use is not None, "an insert is refused only for a used key"
+        conflict = key_conflict(use, body_sha256)
+        if conflict is not None:
+            raise Refused.from_verdict(conflict)
+        return await self.get(use.run_id)
 
-    async def find_by_key(self, account: str, key: str) -> tuple[str, str] | None:
-        """(body_sha256, run_id) of what an Idempotency-Key of the account made."""
-        return await self._store.find_key(account, key)
+    async def find_by_key(self, account: str, key: str) -> KeyUse | None:
+        """What an Idempotency-Key of the account made, if it was used."""
+        found = await self._store.find_key(account, key)
+        return None if found is None else KeyUse(*found)
 
     async def page(
         self,
@@ -155,7 +177,7 @@ class RunRegistry:
         limit: int,
         view: Callable[[RunHead], Rendered],
     ) -> list[Rendered]:
-        """Views of up to `limit` runs of the account, newest first."""
+        """Up to `limit` views of the account, newest first (RUN-009, AUTH-004)."""
         ids = [run_id for _, run_id in await self._store.page(account, before, limit)]
         heads = await self._store.heads([i for i in ids if i not in self._in_memory])
         found = []
@@ -190,7 +212,7 @@ class RunRegistry:
         return not run.lost
 
     async def commit(self, run: Run) -> None:
-        """Store what changed; then tell those who wait for it.
+        """Store what changed, then wake the requests that wait for it (CRASH-001).
 
         A caller that is cancelled does not take the write with it.
         """
@@ -209,7 +231,7 @@ class RunRegistry:
         return saving
 
     def change_event(self, run_id: str) -> asyncio.Event:
-        """The next change of what get_run shows; take it before you look."""
+        """The next change of what get_run shows; take it before reading the run."""
         return self._change_events.setdefault(run_id, asyncio.Event())
 
     async def wait_for_change(self, change: asyncio.Event, timeout_s: float) -> bool:
@@ -220,7 +242,7 @@ class RunRegistry:
         except TimeoutError:
             return False
         if self._ending:
-            raise Refused("unavailable", "The server is ending.")
+            raise Refused("unavailable", "The server is shutting down.")
         return True
 
     def notify(self, run: Run) -> None:
@@ -236,7 +258,7 @@ class RunRegistry:
 
     def queue_position(self, run: RunHead) -> int | None:
         """RUN-008: 1 is next; None unless queued."""
-        if run.state != "queued":
+        if run.state not in WAITING_STATES:
             return None
         return 1 + bisect_left(self._queue, run.number)
 
@@ -247,15 +269,16 @@ class RunRegistry:
         else:
             self._active.discard(run.run_id)
         was_queued = self._queued.pop(run.run_id, None) is not None
-        if state == "queued":
+        is_queued = state in WAITING_STATES
+        if is_queued:
             self._queued[run.run_id] = run
-        if was_queued != (state == "queued"):
+        if was_queued != is_queued:
             self._update_queue(run.number, was_queued)
         if state is not None:
-            self.on_change(run)
+            self._on_change(run)
 
     def _update_queue(self, number: int, has_left: bool) -> None:
-        """A run has left the queue or come into it: those behind it have moved."""
+        """A run has left or entered the queue: those behind it have moved (RUN-008)."""
         if has_left:
             del self._queue[bisect_left(self._queue, number)]
         else:
@@ -272,22 +295,32 @@ class RunRegistry:
         if event is not None:
             event.set()
 
-    def _admit(self) -> None:
-        # Nobody pays for the length of a queue that cannot move.
+    def _admit(self, new: Run | None = None) -> None:
+        """Let runs in while there is capacity.
+
+        new: one that is not stored yet; its place is taken, and storing it is left to
+        the caller.
+        """
+        # The length of a queue that cannot move costs nothing.
         if self._closed or len(self._active) >= self._active_max:
             return
-        queued = [r for r in self._queued.values() if r.state == "queued"]
+        queued = [r for r in self._queued.values() if r.state in WAITING_STATES]
+        if new is not None and new.state in WAITING_STATES:
+            queued.append(new)
         if not queued:
             return
         now = time.time()
         admitted = effects.admit(queued, len(self._active), self._active_max, now)
         for run in admitted:
-            self._index_by_state(run, run.state)
-            self.commit_later(run)
+            if run is new:
+                self._active.add(run.run_id)
+            else:
+                self._index_by_state(run, run.state)
+                self.commit_later(run)
         self._schedule_admission(now)
 
     def _schedule_admission(self, now: float) -> None:
-        """Look again when the next hold in the queue ends."""
+        """Admit again when the next hold in the queue ends."""
         holds = [r.queue_until_wall for r in self._queued.values()]
         later = [until for until in holds if until > now]
         if self._admission_timer is not None:
@@ -299,7 +332,7 @@ class RunRegistry:
             self._admission_timer = loop.call_later(wait_s, self._admit)
 
     def run_in_background(self, work: Awaitable[object]) -> None:
-        """Do work that no request waits for, before the server ends."""
+        """Start work that no request waits for; it ends before the server does."""
         task = asyncio.ensure_future(work)
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
@@ -319,7 +352,7 @@ class RunRegistry:
             self.notify(run)
 
     async def _load(self, run_id: str) -> Run | None:
-        """The run from the store, read once however many ask for it at a time."""
+        """The run from the store, read once for all concurrent requests."""
         loading = self._loading.get(run_id)
         if loading is None:
             loading = asyncio.ensure_future(self._load_once(run_id))
@@ -333,9 +366,9 @@ class RunRegistry:
             del self._loading[run_id]
 
     def _adopt(self, loaded: Run | None) -> Run | None:
-        """A run just loaded: nobody held it, so no session of it lives."""
+        """A run just loaded was not in memory, so no session of it is live."""
         if loaded is not None:
-            effects.apply_event(loaded, "last_lease_ends", "Its sessions were lost.")
+            effects.lose_sessions(loaded)
             self._in_memory[loaded.run_id] = loaded
             self._index_by_state(loaded, loaded.state)
             self._admit()
@@ -349,7 +382,7 @@ class RunRegistry:
             self._recent.popitem(last=False)
 
     def _evict(self, run: Run) -> None:
-        """From now on the run is what the store has, and loaded when it is wanted."""
+        """Drop the run from memory: from now on it is what the store has."""
         if run.lost:
             return
         run.lost = True
@@ -358,11 +391,11 @@ class RunRegistry:
         self._index_by_state(run, None)
         # Until it is known what the store has, the run may be active and keeps a place.
         self._active.add(run.run_id)
-        self.on_run_lost(run)
+        self._on_run_lost(run)
         self._reload_later(run.run_id)
 
     def _reload_later(self, run_id: str) -> None:
-        """A run that was queued is still admitted, though nobody ask for it."""
+        """Load it again: a queued run is admitted without a request for it."""
         if not self._closed:
             loop = asyncio.get_running_loop()
             timer = loop.call_later(RELOAD_S, self._reload, run_id)

@@ -1,7 +1,7 @@
-"""Scores as they are asked for: that of a run at rest is computed once.
+"""Scores of runs; that of a run at rest is computed once.
 
-It keeps what was computed of stored results only, and these never change: as long as a
-run has as many of them, it has the same. It must not know how a score is computed.
+It caches only scores of stored results, and these never change: a run with the same
+number of results has the same ones. It does not know how a score is computed.
 """
 
 from __future__ import annotations
@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from reference_server.http import views
 from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.runs.registry import RunRegistry
+from reference_server.views import run_views
 
 CACHED_SCORES_MAX = 256
 
@@ -26,7 +26,7 @@ class ScoreCache:
         self._cache: dict[str, tuple[str, int, Json]] = {}
 
     async def get(self, registry: RunRegistry, run_id: str, account: str) -> Json:
-        """The score of the account's run. Raises Refused like `RunBook.get`."""
+        """The score, in every state (SCORE-010). Refused like `RunRegistry.get`."""
         if run_id in self._cache:
             again = await registry.read_view(run_id, account, self._cached_score)
             if again is not None:
@@ -38,8 +38,8 @@ class ScoreCache:
         return score if (state, scored) == (run.state, run.scored) else None
 
     def _compute_score(self, run: RunHead, episodes: Sequence[Episode]) -> Json:
-        score = views.score_view(run, episodes)
-        if not isinstance(run, Run):  # what only memory has may yet be lost
+        score = run_views.score_view(run, episodes)
+        if not isinstance(run, Run):  # a result that only memory has may be lost
             self._cache[run.run_id] = run.state, run.scored, score
             if len(self._cache) > CACHED_SCORES_MAX:
                 del self._cache[next(iter(self._cache))]

@@ -1,12 +1,13 @@
-"""Where sessions are played: the data plane's hands.
+"""The operations of the data plane, carried out: attach, predict, heartbeat, detach.
 
-It asks `protocol` what may happen, lets a simulator process execute, and tells
-`progress` what came of it. While a simulator executes nothing is locked: each session
-has one task at most, and whoever repeats its request waits for that task. What a
-session holds meanwhile is in `scenes.py`.
+`rules/lifecycle.py` decides whether a command is accepted, a simulator process executes
+it, and `rules/effects.py` changes the run. While a simulator executes nothing is locked
+(PRED-022, FAULT-004): each session has at most one task, and a repeated request waits
+for that task. What a session holds meanwhile is in `session_resources.py`. It knows no
+HTTP and no SQL.
 
-While work awaits anything, its session may end: then `_ensure_live` ends the work, and what
-the session held is already freed.
+While work awaits anything, its session may end: then `_ensure_live` ends the work,
+and what the session held is already freed.
 """
 
 from __future__ import annotations
@@ -18,8 +19,6 @@ import time
 from collections.abc import Awaitable
 from typing import Any
 
-from reference_server.http import turn_view
-from reference_server.http.problems import Refused
 from reference_server.rules import action_space, effects
 from reference_server.rules.lifecycle import (
     Attach,
@@ -31,11 +30,12 @@ from reference_server.rules.lifecycle import (
     Replay,
     Wait,
     decide,
-    lease_over,
 )
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.session_resources import ResourceManager, SessionResources
+from reference_server.views import turn_view
 from reference_sim.process.pool import (
     EpisodeStart,
     NoCapacity,
@@ -44,7 +44,7 @@ from reference_sim.process.pool import (
     TaskUnplayable,
 )
 
-log = logging.getLogger("proctor.stage")
+log = logging.getLogger("proctor.sessions")
 
 
 class SessionExecutor:
@@ -53,7 +53,6 @@ class SessionExecutor:
     def __init__(self, registry: RunRegistry, pool: SimulatorPool) -> None:
         self._registry = registry
         self._resources = ResourceManager(pool, registry.run_in_background, self.sweep)
-        registry.on_run_lost = self._resources.discard_sessions
 
     # --- operations of the data plane ---
 
@@ -70,18 +69,18 @@ class SessionExecutor:
         return await self._execute(resources, self._open(resources))
 
     async def predict(self, run: Run, command: Predict) -> dict[str, Any]:
-        """The turn; executed once, however often it is asked for."""
+        """The turn; executed once, however often it is requested (PRED-002)."""
         run, again = await self._decide_or_replay(run, command)
         if again is not None:
             return again
         session = run.workers[command.worker_id]
         resources = self._resources.find(session)
-        assert resources is not None, "a session that has not ended has its scene"
+        assert resources is not None, "a session that has not ended has its resources"
         effects.begin_turn(session, command, time.monotonic())
         return await self._execute(resources, self._play(resources, command))
 
     def heartbeat(self, run: Run, command: Heartbeat) -> Session:
-        """Extends the lease; returns the session."""
+        """Extend the lease (LEASE-003); returns the session."""
         verdict = decide(run, command, self.sweep(run))
         if isinstance(verdict, Refuse):
             raise Refused.from_verdict(verdict)
@@ -99,13 +98,13 @@ class SessionExecutor:
         was_live = not session.done
         effects.close_session(run, session, "detached", time.time())
         self.release_sessions([session])
-        if was_live or run.changed:  # else nothing that anybody is shown
+        if was_live or run.changed:  # else nothing that a view shows
             await self._registry.commit(run)
 
     async def _decide_or_replay(
         self, run: Run, command: Attach | Predict
     ) -> tuple[Run, dict[str, Any] | None]:
-        """The run, and the turn to show again if the command was carried out before.
+        """The run, and the turn to replay if the command was carried out before.
 
         The command is accepted as the run is now: nothing may be awaited before it is
         carried out.
@@ -124,21 +123,25 @@ class SessionExecutor:
                 case _:
                     return run, None
 
-    # --- what the control plane and the clock do to sessions ---
+    # --- ended by the control plane or by the clock ---
 
     def sweep(self, run: Run) -> float:
-        """End the sessions whose lease is over; returns the moment that decided it."""
+        """End the sessions whose lease is over; returns the time that decided it."""
         now = time.monotonic()
-        over = [s for s in run.workers.values() if lease_over(s, now)]
-        live = effects.expire(run, now, time.time())
-        self.release_sessions(over)
-        if live:
+        expired = effects.expire(run, now, time.time())
+        if expired.closed:
+            self.release_sessions(expired.closed)
+        if expired.freed_slot:
             self._registry.commit_later(run)
         return now
 
     def release_sessions(self, sessions: list[Session]) -> None:
         """Free what ended sessions hold; a simulator in execution is killed."""
         self._resources.release_sessions(sessions)
+
+    def discard_sessions(self, run: Run) -> None:
+        """End the sessions of a run that was lost, without counting anything."""
+        self._resources.discard_sessions(run)
 
     async def close(self) -> None:
         """End every session without counting anything."""
@@ -180,18 +183,10 @@ class SessionExecutor:
             await self._fault(resources, error)
             return await self._begin_turn(resources, started)
         self._ensure_live(resources)
-        outcome = effects.ChunkResult(
-            played.executed,
-            played.ended,
-            played.terminated,
-            played.truncated,
-            played.success,
-            played.score,
-        )
-        ended = effects.end_turn(run, session, outcome, time.time())
+        ended = effects.end_turn(run, session, played, time.time())
         observation, spent = played.observation, turn_view.timing(0.0, played.timing)
         if ended is not None:
-            # The result is on disk before anybody hears of it.
+            # The result is on disk before any response shows it (CRASH-001).
             await self._registry.commit(run)
             self._ensure_live(resources)
             observation = None
@@ -227,7 +222,7 @@ class SessionExecutor:
         return self._answer(resources, turn, started)
 
     async def _begin(self, resources: SessionResources) -> tuple[EpisodeStart, float]:
-        """Begin the session's episode, anew after each fault, until it fails the run.
+        """Begin the session's episode, again after each fault, until it fails the run.
 
         Returns the beginning and the seconds spent waiting for a simulator.
         """
@@ -254,7 +249,7 @@ class SessionExecutor:
             return beginning, queue_s
 
     async def _fault(self, resources: SessionResources, error: Exception) -> None:
-        """Record a fault; returns when the episode may begin again."""
+        """Record a fault (FAULT-001); returns when the episode may begin again."""
         self._ensure_live(resources)
         self._resources.return_simulator(resources, kill=True)
         run, session, episode = (
@@ -286,9 +281,12 @@ class SessionExecutor:
     async def _execute(
         self, resources: SessionResources, work: Awaitable[dict[str, Any]]
     ) -> dict[str, Any]:
-        """Run a session's work as its one task, which outlives a caller that leaves."""
+        """Run a session's one task; it goes on if the caller disconnects.
+
+        PRED-022, FAULT-004: no session waits for the task of another one.
+        """
         resources.task = asyncio.create_task(self._run_guarded(resources, work))
-        # What it fails with is looked at, also when its caller has left.
+        # Its exception is retrieved also when its caller has disconnected.
         resources.task.add_done_callback(
             lambda task: task.cancelled() or task.exception()
         )
@@ -297,7 +295,7 @@ class SessionExecutor:
     async def _run_guarded(
         self, resources: SessionResources, work: Awaitable[dict[str, Any]]
     ) -> dict[str, Any]:
-        """Whatever goes wrong, no session stays busy for ever."""
+        """Whatever fails, no session stays busy for ever."""
         try:
             return await work
         except NoCapacity as error:
@@ -314,19 +312,19 @@ class SessionExecutor:
             ) from error
 
     def _abort(self, resources: SessionResources) -> None:
-        """End a session by no fault of its policy: no attempt is counted."""
+        """End a session whose work failed by no fault of its policy."""
         session = resources.session
         if session.ended_by is None:
-            session.busy, session.steps = "turning", 0
-            effects.close_session(resources.run, session, "unknown", time.time())
+            run = resources.run
+            must_store = effects.abort_session(run, session, time.time())
             self.release_sessions([session])
-            if resources.run.changed or resources.run.state not in ("ready", "running"):
-                self._registry.commit_later(resources.run)
-            else:  # a run in play is found ready again, and nothing else has changed
-                self._registry.notify(resources.run)
+            if must_store:
+                self._registry.commit_later(run)
+            else:
+                self._registry.notify(run)
 
     async def _wait_for_turn(self, run: Run, session: Session) -> Run:
-        """The run when the session's task is over; the caller decides again then."""
+        """The run after the session's task has ended; the caller decides again then."""
         resources = self._resources.find(session)
         if resources is not None and resources.task is not None:
             await asyncio.wait([resources.task])
@@ -349,7 +347,7 @@ class SessionExecutor:
         return turn
 
     def _ensure_live(self, resources: SessionResources) -> None:
-        """After an await: is the session still the one to answer?"""
+        """After an await: refuse if the session has ended (FAULT-006)."""
         ended_by = resources.session.ended_by
         if ended_by is not None:
             raise Refused(

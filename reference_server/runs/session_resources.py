@@ -1,7 +1,7 @@
-"""What sessions hold besides their state: a simulator, a task, a look at their lease.
+"""What sessions hold besides their state: a simulator, a task and a lease timer.
 
-It lends simulators to sessions and takes them back, and knows when a lease could be
-over. It decides nothing, plays nothing and answers nobody: that is `stage.py`.
+It lends simulators to sessions and takes them back, and calls back when a lease could
+be over. It decides no rule and executes no turn: that is `session_executor.py`.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from typing import Any
 
 from reference_server.rules.lifecycle import lease_over
 from reference_server.rules.run import Run, Session
-from reference_server.runs.benchmarks import world_of
+from reference_server.runs.benchmarks import SimulatorConfigs
 from reference_sim.process.pool import SimulatorHandle, SimulatorPool
 
 
 @dataclass(slots=True, eq=False)
 class SessionResources:
-    """One session's; keeps its run in memory.
+    """What one session holds; keeps its run in memory.
 
     handle: its simulator, while it plays an episode. task: the work in execution, or
     the last one. fault: what broke in the turn in execution, schema Fault.
@@ -35,10 +35,10 @@ class SessionResources:
 
 
 class ResourceManager:
-    """The scene of every session that has not ended; without one nothing is held.
+    """The resources of every session that has not ended.
 
-    begin: does work that nobody waits for.
-    over: is called with the run of a session whose lease is over.
+    run_in_background: starts work that no request waits for.
+    on_lease_over: is called with the run of a session whose lease is over.
     """
 
     def __init__(
@@ -51,6 +51,7 @@ class ResourceManager:
         self._run_in_background = run_in_background
         self._on_lease_over = on_lease_over
         self._by_session: dict[Session, SessionResources] = {}
+        self._configs = SimulatorConfigs()
 
     def __len__(self) -> int:
         return len(self._by_session)
@@ -61,7 +62,7 @@ class ResourceManager:
     def open(
         self, run: Run, session: Session, before: Session | None
     ) -> SessionResources:
-        """The scene of a new session; the simulator of the one before goes over."""
+        """The resources of a new session, with the simulator of the one before."""
         resources = SessionResources(run, session)
         left = None if before is None else self._remove(before)
         if left is not None:
@@ -89,7 +90,7 @@ class ResourceManager:
         self.release_sessions(sessions)
 
     async def acquire_simulator(self, resources: SessionResources) -> float:
-        """Give the scene a simulator for its run, unless it has one.
+        """Lend the session a simulator for its run, unless it has one.
 
         Returns the seconds that this took. Its session may have ended meanwhile; then
         it has none. Raises NoCapacity, SimulatorFault and TaskUnplayable.
@@ -97,13 +98,13 @@ class ResourceManager:
         if resources.handle is not None:
             return 0.0
         started = time.perf_counter()
-        resources.handle = await self._pool.acquire(world_of(resources.run))
+        resources.handle = await self._pool.acquire(self._configs.find(resources.run))
         if resources.session.ended_by is not None:
             self.return_simulator(resources, kill=False)
         return time.perf_counter() - started
 
     def return_simulator(self, resources: SessionResources, *, kill: bool) -> None:
-        """Take back the simulator, if there is one: to serve others, or to be ended."""
+        """Take back the simulator, if there is one: for others, or to end it."""
         handle, resources.handle = resources.handle, None
         if handle is None:
             return
@@ -119,7 +120,7 @@ class ResourceManager:
         return resources
 
     def _schedule_lease_check(self, resources: SessionResources) -> None:
-        """Look at the lease when it could be over; one timer per session."""
+        """Check the lease when it could be over (LEASE-001); one timer per session."""
         now = time.monotonic()
         if lease_over(resources.session, now):
             self._on_lease_over(resources.run)

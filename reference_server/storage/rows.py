@@ -1,6 +1,6 @@
 """A run as rows of a database, and back: plain values, and bytes that hold JSON.
 
-It knows the names of the columns and nothing of the database; `store.py` does.
+It knows the names of the columns and nothing of the database (`store.py`).
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from typing import Any
 
 import msgspec
 
+from reference_server.rules.manifest import EpisodePlan, Manifest
 from reference_server.rules.run import Episode, Result, Run, RunHead
 
 Row = Mapping[str, Any]
@@ -21,7 +22,7 @@ EPISODE_COLUMNS = (
 )
 EpisodeRow = tuple[int, int, int, int, str | None, int | None, bytes | None]
 
-# What an object takes from its row as it stands there.
+# Columns that are members of the object under the same name.
 _COPIED_COLUMNS = (
     "run_id",
     "number",
@@ -87,7 +88,7 @@ def episode_rows(run: Run, changed: set[int]) -> list[dict[str, Any]]:
 
 
 def episodes_of(
-    plans: Sequence[Mapping[str, Any]], start: int, stored: Iterable[EpisodeRow]
+    plans: Sequence[EpisodePlan], start: int, stored: Iterable[EpisodeRow]
 ) -> list[Episode]:
     """Episodes from `start`, by their plans and what has happened to them."""
     episodes = [_from_plan(index, plan) for index, plan in enumerate(plans, start)]
@@ -96,14 +97,14 @@ def episodes_of(
     return episodes
 
 
-def episode_of(plans: Sequence[Mapping[str, Any]], row: EpisodeRow) -> Episode:
+def episode_of(plans: Sequence[EpisodePlan], row: EpisodeRow) -> Episode:
     """One episode by the plans of all and what has happened to it."""
     episode = _from_plan(row[0], plans[row[0]])
     _apply_row(episode, row)
     return episode
 
 
-def _from_plan(index: int, plan: Mapping[str, Any]) -> Episode:
+def _from_plan(index: int, plan: EpisodePlan) -> Episode:
     return Episode(index, plan["task"], plan["split"], plan["seed"])
 
 
@@ -116,7 +117,7 @@ def _apply_row(episode: Episode, row: EpisodeRow) -> None:
         episode.result = _RESULT.decode(result)
 
 
-def _columns_of(row: Row, manifest: Mapping[str, Any]) -> dict[str, Any]:
+def _columns_of(row: Row, manifest: Manifest) -> dict[str, Any]:
     """The members of a RunHead, but for its counts."""
     decoded = {
         "manifest": manifest,
@@ -126,14 +127,14 @@ def _columns_of(row: Row, manifest: Mapping[str, Any]) -> dict[str, Any]:
     return {name: row[name] for name in _COPIED_COLUMNS} | decoded
 
 
-def head_of(row: Row, manifest: Mapping[str, Any]) -> RunHead:
+def head_of(row: Row, manifest: Manifest) -> RunHead:
     """`row` has every column of the run; `manifest` is shared and never changed."""
     total = len(manifest["episodes"])
     columns = _columns_of(row, manifest)
     return RunHead(**columns, total=total, scored=row["scored"])
 
 
-def run_of(row: Row, manifest: Mapping[str, Any], stored: Iterable[EpisodeRow]) -> Run:
+def run_of(row: Row, manifest: Manifest, stored: Iterable[EpisodeRow]) -> Run:
     """The run with all its episodes, of which `stored` differ from their plans."""
     episodes = episodes_of(manifest["episodes"], 0, stored)
     return Run(**_columns_of(row, manifest), episodes=episodes)

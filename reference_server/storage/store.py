@@ -1,8 +1,8 @@
 """What outlives the process: the one module that knows the database.
 
 SQLAlchemy over SQLite by default; a URL makes it PostgreSQL. It stores and returns
-runs and holds no rule. Sessions are not here: they end with the process, and a run
-that was in play is found ready again (CRASH-002).
+runs and holds no rule: what a restart does to runs is a table that it is given.
+Sessions are not stored: they end with the process.
 """
 
 from __future__ import annotations
@@ -19,12 +19,13 @@ import msgspec
 import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncConnection, AsyncEngine, create_async_engine
 
-from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.rules.manifest import Manifest
+from reference_server.rules.run import Episode, Run, RunHead, State
 from reference_server.storage import rows
 
 Found = TypeVar("Found")
 
-# Looks at a file that go on at once.
+# Reads of the database file that run at once.
 READER_THREADS = 4
 # Decoded manifests kept, for all the runs that share them.
 CACHED_MANIFESTS_MAX = 64
@@ -48,7 +49,7 @@ _runs = sa.Table(
     sa.Column("created_at_wall", sa.Float, nullable=False),
     sa.Column("updated_at_wall", sa.Float, nullable=False),
     sa.Column("queue_until_wall", sa.Float, nullable=False),
-    # How many of its episodes have a result; NULL from before there was this column.
+    # How many of its episodes have a result; NULL in rows older than this column.
     sa.Column("scored", sa.Integer),
     sa.Index("runs_of_account", "account", "number"),
 )
@@ -70,7 +71,7 @@ _episodes = sa.Table(
     sa.Column("faults_forgiven", sa.Integer, nullable=False),
     sa.Column("result", sa.LargeBinary),
     sa.Column("policy_fault", sa.Text),
-    # Of its result among those of the run; NULL from before there was this column.
+    # Of its result among those of the run; NULL in rows older than this column.
     sa.Column("place", sa.Integer),
 )
 _keys = sa.Table(
@@ -111,7 +112,7 @@ _EPISODES_SCORED = (
 
 
 class StoreFailed(Exception):
-    """The database did not do what it was asked; nothing of it was stored."""
+    """The database failed; nothing of the transaction was stored."""
 
 
 class Store:
@@ -129,19 +130,19 @@ class Store:
         self._exclusive = asyncio.Lock() if shared else contextlib.nullcontext()
         if self._url.get_backend_name() == "sqlite":
             sa.event.listen(self._engine.sync_engine, "connect", _tune_sqlite)
-        # The async driver goes to its thread and back for each step of a query. To read
-        # a file one way there and back is enough, for all the queries of one look.
+        # The async driver switches to its thread and back for each step of a query. For
+        # reads of a file one switch is enough for all queries of one read.
         self._read_engine: sa.Engine | None = None
-        # Not the loop's own threads: a slow look-up of a name may hold those.
+        # Not the loop's own threads: a slow DNS look-up may occupy those.
         self._reader_threads = ThreadPoolExecutor(READER_THREADS, "store")
         if self._url.get_backend_name() == "sqlite" and not shared:
             self._read_engine = sa.create_engine(self._url.set(drivername="sqlite"))
             sa.event.listen(self._read_engine, "connect", _set_query_only)
             sa.event.listen(self._read_engine, "begin", _begin)
-        self._manifest_cache: dict[str, Mapping[str, Any]] = {}
+        self._manifest_cache: dict[str, Manifest] = {}
 
     async def open(self) -> None:
-        """Make the tables and end what the last process left in play."""
+        """Create the tables and the columns that are missing."""
         if self._url.get_backend_name() == "sqlite" and self._url.database:
             try:
                 Path(self._url.database).parent.mkdir(parents=True, exist_ok=True)
@@ -150,12 +151,6 @@ class Store:
         async with self._transaction() as connection:
             await connection.run_sync(_tables.create_all)
             await connection.run_sync(_add_missing_columns)
-            for before, after in (("running", "ready"), ("stopping", "stopped")):
-                await connection.execute(
-                    _runs.update()
-                    .where(_runs.c.state == before)
-                    .values(state=after, reason="The server was started anew.")
-                )
 
     async def close(self) -> None:
         await self._engine.dispose()
@@ -169,7 +164,7 @@ class Store:
             async with self._exclusive, self._engine.begin() as connection:
                 yield connection
         except (sa.exc.SQLAlchemyError, OSError) as error:
-            # A server that cannot be reached is told by its driver, not by SQLAlchemy.
+            # An unreachable server is reported by its driver, not by SQLAlchemy.
             raise StoreFailed(_one_line(error)) from error
 
     async def _read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
@@ -220,7 +215,7 @@ class Store:
         return True
 
     async def save(self, run: Run) -> None:
-        """Commit the run's state and the episodes that changed since the last save."""
+        """Commit the run's state and the episodes that changed since (CRASH-001)."""
         async with self._write_lock:
             # Read inside the lock and before any other await: a later save never
             # overtakes an earlier one, and state and episodes are of one moment.
@@ -284,14 +279,14 @@ class Store:
 
     def _heads(
         self, connection: sa.Connection, run_ids: Sequence[str]
-    ) -> Iterator[tuple[rows.Row, Mapping[str, Any]]]:
+    ) -> Iterator[tuple[rows.Row, Manifest]]:
         """Each run's row and manifest."""
         rows = connection.execute(_HEADS, {"run_ids": run_ids}).mappings().all()
         for row in rows:
             yield dict(row), self._manifest(connection, row["manifest_sha256"])
 
-    def _manifest(self, connection: sa.Connection, sha256: str) -> Mapping[str, Any]:
-        """The one decoded copy of a manifest; several threads may ask at a time."""
+    def _manifest(self, connection: sa.Connection, sha256: str) -> Manifest:
+        """The one decoded copy of a manifest; several threads may call at a time."""
         manifest = self._manifest_cache.get(sha256)
         if manifest is None:
             known = {"manifest_sha256": sha256}
@@ -304,7 +299,10 @@ class Store:
     async def page(
         self, account: str, before: int | None, limit: int
     ) -> list[tuple[int, str]]:
-        """(number, run_id) of an account's runs, newest first, below a number."""
+        """(number, run_id) of an account's runs, newest first, below a number.
+
+        AUTH-004: of this account only. RUN-009: numbers never change.
+        """
         query = sa.select(_runs.c.number, _runs.c.run_id).where(
             _runs.c.account == account
         )
@@ -316,6 +314,16 @@ class Store:
             return [(n, r) for n, r in connection.execute(query)]
 
         return await self._read(fetch)
+
+    async def replace_states(self, states: Mapping[State, State], reason: str) -> None:
+        """Move every run in one of these states to the state beside it."""
+        async with self._write_lock, self._transaction() as connection:
+            for before, after in states.items():
+                await connection.execute(
+                    _runs.update()
+                    .where(_runs.c.state == before)
+                    .values(state=after, reason=reason)
+                )
 
     async def in_states(self, *states: str) -> list[str]:
         """Ids of all runs in these states, oldest first."""
@@ -332,7 +340,7 @@ def _run_in_connection(
 
 
 def _add_missing_columns(connection: sa.Connection) -> None:
-    """A database of the time before a column gets it, empty."""
+    """Add the columns that an older database does not have, empty."""
     for table in _tables.sorted_tables:
         columns = sa.inspect(connection).get_columns(table.name)
         present = {column["name"] for column in columns}
@@ -356,7 +364,7 @@ def _tune_sqlite(connection: Any, _record: object) -> None:
 
 
 def _set_query_only(connection: Any, _record: object) -> None:
-    connection.isolation_level = None  # `_begin` says when a transaction begins
+    connection.isolation_level = None  # `_begin` begins the transaction
     connection.execute("PRAGMA query_only=ON").close()
 
 

@@ -76,7 +76,7 @@ class Calibration:
         }
         if self._task != "echo":
             return Observation(state)
-        height, width, _ = self._pattern.shape
+        height, width, _ = self._pattern.shape  # ENC-005
         pattern = FRAME_BUFFER.allocate(height, width)
         np.add(self._pattern, np.uint8(self._count % 256), out=pattern)
         return Observation(state, {"pattern": pattern}, TENSORS)

@@ -125,9 +125,9 @@ def encode_tensor(tensor: NDArray[np.generic]) -> EncodedTensor:
 
 
 def _compress(pixels: NDArray[np.uint8], codec: str) -> memoryview:
-    if codec == "jpeg":
+    if codec == "jpeg":  # ENC-007
         return memoryview(_jpeg(pixels))
-    if codec != "png":
+    if codec != "png":  # ENC-006
         raise ValueError(f"no image codec {codec!r}")
     image = Image.fromarray(pixels.squeeze(axis=2) if pixels.shape[2] == 1 else pixels)
     file = io.BytesIO()

@@ -80,7 +80,7 @@ class SimulatorHandle:
         self, actions: Sequence[Mapping[str, Sequence[float]]], *, observe_all: bool
     ) -> ChunkReply:
         """Execute until the chunk or the episode ends."""
-        command = simulator_main.Play([dict(action) for action in actions], observe_all)
+        command = simulator_main.Play(actions, observe_all)
         played = await self._request(command, ChunkReply)
         if played.observations:
             last = played.observations[-1]

@@ -20,7 +20,7 @@ import struct
 import sys
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, Never
 
 import msgspec
@@ -60,7 +60,7 @@ class Begin(msgspec.Struct, tag="begin"):
 
 
 class Play(msgspec.Struct, tag="play"):
-    actions: Sequence[dict[str, Sequence[float]]]
+    actions: Sequence[Mapping[str, Sequence[float]]]
     observe_all: bool
 
 

@@ -10,11 +10,12 @@ from starlette.responses import Response
 
 from reference_server import app
 from reference_server.generated.problem_codes import PROBLEMS
-from reference_server.http import auth, codec, dispatch, handlers, problems, views
-from reference_server.http.problems import Refused
+from reference_server.http import auth, codec, dispatch, handlers, problems
 from reference_server.rules import effects, scoring
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.runs.registry import RunRegistry
+from reference_server.views import run_views
 from tests.mutants import mutant, put
 
 
@@ -27,7 +28,7 @@ def change_score(change: Any) -> None:
         change(score, episodes)
         return score
 
-    put(views, "score_of", wrong)
+    put(run_views, "score_of", wrong)
 
 
 @mutant(
@@ -51,7 +52,7 @@ def leaves_abandoned_episodes_out() -> None:
             else right(episodes)
         )
 
-    put(views, "score_of", wrong)
+    put(run_views, "score_of", wrong)
 
 
 @mutant("SCORE-006")
@@ -237,13 +238,13 @@ def does_not_say_when_to_retry() -> None:
 @mutant("SVC-003")
 def sends_numbers_as_text() -> None:
     """Generated clients cannot read the run."""
-    right = views.run_view
+    right = run_views.run_view
 
     def wrong(*arguments: Any) -> dict[str, Any]:
         body = right(*arguments)
         return body | {"live_workers": str(body["live_workers"])}
 
-    put(views, "run_view", wrong)
+    put(run_views, "run_view", wrong)
 
 
 @mutant("ENC-001")

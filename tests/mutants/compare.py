@@ -8,11 +8,12 @@ from typing import Any
 
 from starlette.responses import Response
 
-from reference_server.http import auth, handlers, views
+from reference_server.http import auth
 from reference_server.http.dispatch import OperationCall
 from reference_server.http.handlers import Handlers
-from reference_server.http.problems import Refused
 from reference_server.rules import comparison
+from reference_server.rules.refusal import Refused
+from reference_server.views import run_views
 from tests.mutants import mutant, put
 
 Entry = dict[str, Any]
@@ -33,13 +34,13 @@ def change_entry(change: Callable[[Entry, Any, Any], None]) -> None:
 @mutant("CMP-001")
 def sorts_compared_runs() -> None:
     """Who asks for three runs reads the numbers of the first at the second."""
-    right = views.comparison_view
+    right = run_views.comparison_view
 
     def wrong(*arguments: Any) -> dict[str, Any]:
         body = right(*arguments)
         return body | {"runs": sorted(body["runs"], key=lambda e: str(e["run_id"]))}
 
-    put(views, "comparison_view", wrong)
+    put(run_views, "comparison_view", wrong)
 
 
 @mutant("CMP-002")
@@ -128,7 +129,7 @@ def releases_whatever_is_better() -> None:
 @mutant("CMP-009")
 def compares_different_manifests() -> None:
     """Episodes that have nothing in common are subtracted from each other."""
-    put(handlers, "_check_same_manifest", lambda *_runs: None)
+    put(comparison, "manifest_mismatch", lambda _runs: None)
     put(comparison, "_pairs", lambda baseline, run: list(_scored(baseline, run)))
 
 
@@ -144,7 +145,7 @@ def compares_runs_of_any_account() -> None:
     right = Handlers.compare_runs
 
     async def wrong(self: Handlers, call: OperationCall) -> Response:
-        run = await self.registry.get(call.query["baseline"])
+        run = await self.service.registry.get(call.query["baseline"])
         call.caller = auth.Caller(run.account, auth.SCOPES)
         return await right(self, call)
 
@@ -158,7 +159,7 @@ def refuses_to_compare_queued_runs() -> None:
 
     async def wrong(self: Handlers, call: OperationCall) -> Response:
         for run_id in call.query["runs"].split(","):
-            run = await self.registry.get(run_id, call.account)
+            run = await self.service.registry.get(run_id, call.account)
             if run.state == "queued" and run.submission["options"].get("queue_s"):
                 raise Refused("illegal_transition", "The run is queued.")
         return await right(self, call)

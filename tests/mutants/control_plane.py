@@ -7,14 +7,16 @@ from typing import Any
 
 from starlette.responses import Response
 
-from reference_server.http import auth, codec, dispatch, handlers, problems, views
+from reference_server.http import auth, codec, dispatch, handlers, problems
 from reference_server.http.handlers import Handlers
-from reference_server.http.problems import Refused
 from reference_server.rules import scoring
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
+from reference_server.runs.service import RunService
 from reference_server.storage.store import Store
+from reference_server.views import run_views
 from reference_sim import benchmark_registry
 from tests.mutants import mutant, put
 
@@ -142,14 +144,14 @@ def hashes_a_benchmark_anew_each_time() -> None:
 
 def spoil_run(change: Any) -> None:
     """Let `change(body, run)` spoil every run that is shown."""
-    right = views.run_view
+    right = run_views.run_view
 
     def wrong(run: Run, *rest: Any) -> dict[str, Any]:
         body = right(run, *rest)
         change(body, run)
         return body
 
-    put(views, "run_view", wrong)
+    put(run_views, "run_view", wrong)
 
 
 @mutant("RUN-001")
@@ -288,9 +290,9 @@ def names_an_endpoint_without_a_host() -> None:
 
 
 def _unlimited(*names: str) -> None:
-    right = Handlers.prepare_run
+    right = RunService.prepare_run
 
-    async def wrong(self: Handlers, account: str, submission: dict[str, Any]) -> Run:
+    async def wrong(self: RunService, account: str, submission: dict[str, Any]) -> Run:
         wanted = {name: submission.pop(name) for name in names if name in submission}
         run = await right(self, account, submission)
         for name, value in wanted.items():
@@ -298,7 +300,7 @@ def _unlimited(*names: str) -> None:
         submission.update(wanted)
         return run
 
-    put(Handlers, "prepare_run", wrong)
+    put(RunService, "prepare_run", wrong)
 
 
 @mutant("RUN-015")
@@ -347,7 +349,7 @@ def hides_scores_until_the_end() -> None:
     right = Handlers.get_score
 
     async def wrong(self: Handlers, call: Any) -> Response:
-        run = await self._run(call)
+        run = await self.service.get_run(call.account, call.path["run_id"])
         if run.state == "stopped":
             raise Refused("illegal_transition", "Not while stopped.")
         return await right(self, call)
@@ -367,4 +369,4 @@ def counts_abandoned_episodes_as_failures() -> None:
         counts["abandoned"] = 0
         return score
 
-    put(views, "score_of", wrong)
+    put(run_views, "score_of", wrong)

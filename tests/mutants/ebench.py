@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 from starlette.responses import Response
 
-from reference_server.http.problems import Refused
 from reference_server.profiles.ebench import actions as ebench_messages
 from reference_server.profiles.ebench import (
     handlers,
@@ -22,6 +21,7 @@ from reference_server.profiles.ebench import (
 from reference_server.profiles.ebench.handlers import EbenchHandlers
 from reference_server.rules import effects, lifecycle
 from reference_server.rules.lifecycle import Detach, Predict
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from tests.mutants import mutant, put
 

@@ -9,13 +9,14 @@ from typing import Any
 
 from starlette.responses import Response
 
-from reference_server.http import event_streams, views
+from reference_server.http import event_streams
 from reference_server.http.event_streams import EventStream
 from reference_server.rules import events
 from reference_server.rules.events import Cursor, EventBatch
 from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.store import Store
+from reference_server.views import run_views
 from tests.mutants import Patch, mutant, put
 
 
@@ -37,7 +38,7 @@ def with_short_keepalive(patch: Patch) -> Patch:
 @with_short_keepalive
 def sends_only_the_ids_of_episodes() -> None:
     """Who follows a run has to ask for each result after all."""
-    right = views.episode_view
+    right = run_views.episode_view
     names = ("episode_id", "index", "task")
 
     def wrong(episode: Episode) -> dict[str, Any]:

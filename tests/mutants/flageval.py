@@ -13,7 +13,6 @@ from starlette.responses import Response
 from reference_server.http import auth
 from reference_server.http.codec import JSON
 from reference_server.http.dispatch import OperationCall
-from reference_server.http.problems import Refused
 from reference_server.profiles.flageval import handlers, requests, responses
 from reference_server.profiles.flageval.handlers import FlagevalHandlers
 from reference_server.profiles.flageval.requests import (
@@ -21,6 +20,7 @@ from reference_server.profiles.flageval.requests import (
     RequestReference,
 )
 from reference_server.profiles.flageval.responses import EvaluationView
+from reference_server.rules.refusal import Refused
 from tests.mutants import mutant, put
 
 Json = dict[str, Any]

@@ -13,10 +13,10 @@ from starlette.types import Receive, Scope, Send
 
 from reference_server import app
 from reference_server.http import codec, dispatch, problems
-from reference_server.http.handlers import Handlers
-from reference_server.http.problems import Refused
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.runs.benchmarks import Benchmarks
+from reference_server.runs.service import RunService
 from tests.mutants import mutant, put
 
 
@@ -162,13 +162,13 @@ def does_not_say_which_methods_are_allowed() -> None:
 @mutant("ERR-012")
 def fails_on_text_outside_latin() -> None:
     """A name in Chinese makes the server fail."""
-    right = Handlers.prepare_run
+    right = RunService.prepare_run
 
-    async def wrong(self: Handlers, account: str, submission: dict[str, Any]) -> Run:
+    async def wrong(self: RunService, account: str, submission: dict[str, Any]) -> Run:
         submission["policy"]["name"].encode("latin-1")
         return await right(self, account, submission)
 
-    put(Handlers, "prepare_run", wrong)
+    put(RunService, "prepare_run", wrong)
 
 
 @mutant("ERR-014")

@@ -13,6 +13,7 @@ from reference_server.push.driver import Driver
 from reference_server.push.http_calls import HttpCalls, PolicyFault
 from reference_server.push.policy_calls import ProctorPolicy
 from reference_server.rules import effects, lifecycle
+from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.run import Run, Session
 from tests.mutants import mutant, put
 from tests.mutants.turns import no_guard, replace_guard
@@ -94,16 +95,14 @@ def ignores_the_answer_to_reset() -> None:
 @mutant("PUSH-007")
 def ignores_max_concurrent() -> None:
     """A policy on one graphics card is asked by sixteen workers and runs out of it."""
-    right = policy_server_config.PolicyServerConfig.from_run
+    right = PolicyServerConfig.from_run
 
     def wrong(run: Run) -> Any:
         config = right(run)
         changed = {name: getattr(config, name) for name in config.__slots__}
-        return policy_server_config.PolicyServerConfig(
-            **changed | {"max_concurrent": run.max_workers}
-        )
+        return PolicyServerConfig(**changed | {"max_concurrent": run.max_workers})
 
-    put(policy_server_config.PolicyServerConfig, "from_run", wrong)
+    put(PolicyServerConfig, "from_run", wrong)
 
 
 @mutant("PUSH-008")
@@ -217,12 +216,10 @@ def continues_calling_after_a_stop() -> None:
         except asyncio.CancelledError:
             if run.state == "stopped":
                 await asyncio.sleep(0.1)
-                async with self._calls(
-                    policy_server_config.PolicyServerConfig.from_run(run), None
-                ) as again:
+                async with self._calls(PolicyServerConfig.from_run(run), None) as again:
                     await policy_calls.ProctorPolicy(
                         run,
-                        policy_server_config.PolicyServerConfig.from_run(run),
+                        PolicyServerConfig.from_run(run),
                         again,
                     ).describe()
             raise

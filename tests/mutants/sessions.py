@@ -7,11 +7,11 @@ import time
 from dataclasses import replace
 from typing import Any
 
-from reference_server.http.problems import Refused
 from reference_server.rules import effects, lifecycle
 from reference_server.rules.lifecycle import GUARDS, Attach, Detach, Refuse, Verdict
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
-from reference_server.runs import session_executor, session_resources
+from reference_server.runs import session_resources
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.runs.session_resources import ResourceManager, SessionResources
 from tests.mutants import mutant, put
@@ -143,7 +143,7 @@ def refuses_to_attach_without_pending_episodes() -> None:
 
 
 def _change_lease_over(wrong: Any) -> None:
-    for module in (lifecycle, effects, session_resources, session_executor):
+    for module in (lifecycle, effects, session_resources):
         put(module, "lease_over", wrong)
 
 

@@ -10,12 +10,12 @@ from typing import Any
 
 from msgspec.structs import replace as changed
 
-from reference_server.http import turn_view, views
 from reference_server.rules import action_space, effects
 from reference_server.rules.lifecycle import Heartbeat
 from reference_server.rules.run import Run, Session, SessionEnd
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage import rows
+from reference_server.views import run_views, turn_view
 from reference_sim.process.pool import SimulatorHandle
 from tests.mutants import mutant, put
 
@@ -205,7 +205,7 @@ def judges_every_step() -> None:
 @mutant("CAL-002", "SCORE-001", "SVC-003")
 def scores_more_than_one() -> None:
     """One episode can outweigh the others."""
-    for module in (turn_view, views):
+    for module in (turn_view, run_views):
         right = module.result_view
 
         def wrong(episode: Any, right: Any = right) -> dict[str, Any]:

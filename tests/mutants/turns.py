@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from reference_server.http import turn_view
 from reference_server.rules import action_space, effects, lifecycle
 from reference_server.rules.lifecycle import (
     GUARDS,
@@ -19,6 +18,7 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.run import Run, Session
 from reference_server.runs.session_executor import SessionExecutor
+from reference_server.views import turn_view
 from tests.mutants import mutant, put
 
 SpaceErrors = list[tuple[str, str]]

@@ -32,6 +32,7 @@ OWN_TESTS = {
     ),
     "reference_server/profiles/ebench/pickle_reader.py": ("test_pickle_reader.py",),
     "reference_server/rules/scoring.py": ("test_scoring.py",),
+    "reference_server/rules/submission.py": ("test_submission.py",),
     "reference_server/rules/action_space.py": ("test_action_space.py",),
     "conformance/oracle/expected_comparison.py": ("test_expected_comparison.py",),
     "conformance/oracle/allowed_answers.py": (

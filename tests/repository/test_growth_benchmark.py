@@ -6,10 +6,10 @@ from pathlib import Path
 
 from benchmarks.filled_databases import READY_RUNS, DatabaseCase, fill
 from benchmarks.storage_growth import DATABASE_CASES, report
-from reference_server.http import views
-from reference_server.rules.run import Episode, RunHead
+from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.store import Store
+from reference_server.views import run_views
 from tests.support.server.server_parts import count_rows
 
 
@@ -21,13 +21,16 @@ def test_a_filled_database_contains_valid_runs(tmp_path: Path) -> None:
     assert count_rows(path, "manifests") == 1
 
     def view(run: RunHead, episodes: Sequence[Episode]) -> tuple[str, int, bool]:
-        score = views.score_view(run, episodes)
+        score = run_views.score_view(run, episodes)
         return run.state, run.scored, bool(score["complete"])
+
+    def ignore(_run: Run) -> None:
+        pass
 
     async def look() -> None:
         store = Store(f"sqlite+aiosqlite:///{path}")
         await store.open()
-        registry = RunRegistry(store, active_max=1000)
+        registry = RunRegistry(store, 1000, ignore, ignore)
         for number in range(3):
             run_id = f"completed_{number}"
             found = await registry.read_view(run_id, "bench", view, end=None)

@@ -5,6 +5,7 @@ The lifecycle and the problems of the house are those of the specification.
 """
 
 import ast
+import graphlib
 import itertools
 import re
 import subprocess
@@ -26,6 +27,7 @@ from tests.support.imports import (
     files_of_package,
     importers_of,
     imports,
+    module_of,
     name_of,
     tops,
 )
@@ -66,6 +68,73 @@ def test_the_packages_are_found() -> None:
 # --- layers ---
 
 PURE = sorted(path.stem for path in (ROOT / "reference_server" / "rules").glob("*.py"))
+
+
+# folder of reference_server → the other parts that it may import. A part is a folder or
+# a module of reference_server, or the package reference_sim.
+MAY_IMPORT: dict[str, set[str]] = {
+    "generated": set(),
+    "rules": {"generated"},
+    "storage": {"rules"},
+    "views": {"generated", "reference_sim", "rules"},
+    "runs": {"generated", "reference_sim", "rules", "storage", "views"},
+    "push": {"generated", "http", "rules", "runs", "storage"},
+    "http": {"generated", "rules", "runs", "settings", "storage", "views"},
+    "profiles": {"generated", "http", "push", "rules", "runs", "settings", "views"},
+}
+# Of these two, a folder above them may know only what is named here.
+ONLY: dict[tuple[str, str], set[str]] = {
+    ("http", "storage"): {"StoreFailed"},
+    ("push", "storage"): {"StoreFailed"},
+    ("push", "http"): {"JSON", "PROBLEM_JSON", "VERSION"}
+    | {"codec", "decode", "pointer", "validate"},
+}
+
+
+def test_every_folder_of_the_server_has_its_rule() -> None:
+    server = ROOT / "reference_server"
+    folders = {p.name for p in server.iterdir() if (p / "__init__.py").is_file()}
+    assert folders == set(MAY_IMPORT)
+
+
+@pytest.mark.parametrize("folder", MAY_IMPORT)
+def test_a_folder_imports_only_what_its_rule_allows(folder: str) -> None:
+    found: set[str] = set()
+    names: dict[tuple[str, str], set[str]] = {}
+    for path in (ROOT / "reference_server" / folder).rglob("*.py"):
+        for module in imports(path, module_of(path)):
+            parts = module.split(".")
+            if parts[0] == "reference_server" and len(parts) > 1:
+                found.add(parts[1])
+                if len(parts) > 3:
+                    names.setdefault((folder, parts[1]), set()).add(parts[-1])
+            elif parts[0] in PACKAGES:
+                found.add(parts[0])
+    assert found - {folder} <= MAY_IMPORT[folder]
+    for pair, allowed in ONLY.items():
+        assert names.get(pair, set()) <= allowed
+
+
+def imported_on_load(path: Path) -> set[str]:
+    """Modules of ours that a file needs to be imported: not those inside functions."""
+    module = module_of(path)
+    found: set[str] = set()
+    for node in ast.parse(path.read_text()).body:
+        if isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            for alias in node.names:
+                inner = f"{node.module}.{alias.name}"
+                found.add(inner if inner in MODULES else node.module)
+        elif isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+    return {name for name in found if name in MODULES} - {module}
+
+
+MODULES = {module_of(path): path for path in files_of_package(*PACKAGES)}
+
+
+def test_no_modules_import_each_other_in_a_cycle() -> None:
+    graph = {name: imported_on_load(path) for name, path in MODULES.items()}
+    graphlib.TopologicalSorter(graph).prepare()  # raises CycleError with the cycle
 
 
 @pytest.mark.parametrize("name", PURE)

@@ -284,7 +284,7 @@ def test_requirement_ids_have_one_format() -> None:
 # --- the routes ---
 
 NOTHING: Any = None
-TABLE = Handlers(Settings(), NOTHING, NOTHING, NOTHING).table()
+TABLE = Handlers(Settings(), NOTHING).table()
 DESCRIBED = {
     (path, method.upper()): described
     for path, method, described in operations(DOCUMENT)

@@ -15,7 +15,7 @@ from pydantic.fields import FieldInfo
 from pydantic_settings import CliSettingsSource
 
 from reference_server.http.auth import BadTokens, Tokens
-from reference_server.http.problems import Refused
+from reference_server.rules.refusal import Refused
 from reference_server.settings import Settings
 from tests.support.paths import ROOT
 

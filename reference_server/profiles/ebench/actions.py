@@ -15,8 +15,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from reference_server.http.problems import Refused
 from reference_server.rules import action_space
+from reference_server.rules.refusal import Refused
 
 Values: TypeAlias = dict[str, list[float]]
 ReadLastCommand: TypeAlias = Callable[[], Mapping[str, Sequence[float]]]

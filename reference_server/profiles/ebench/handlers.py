@@ -20,7 +20,6 @@ from reference_server.generated import models
 from reference_server.http import codec
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.http.handlers import Handlers
-from reference_server.http.problems import Refused
 from reference_server.profiles.ebench import (
     actions,
     pickle_reader,
@@ -55,6 +54,7 @@ from reference_server.rules.lifecycle import (
     find_repeated_turn,
     legal,
 )
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
 
 CONTROL = "/api/v1/benchmark/onlineEvaluation"

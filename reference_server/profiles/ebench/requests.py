@@ -12,9 +12,9 @@ import numpy as np
 from pydantic import BaseModel, Field
 
 from reference_server.http.dispatch import PATH_PATTERNS
-from reference_server.http.problems import Refused
 from reference_server.profiles.ebench import pickle_writer
 from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 
 

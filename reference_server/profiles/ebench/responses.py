@@ -11,12 +11,12 @@ from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
 from reference_server.generated.problem_codes import PROBLEMS
-from reference_server.http import views
 from reference_server.http.codec import JSON
 from reference_server.http.dispatch import OperationCall
-from reference_server.http.problems import Refused
 from reference_server.profiles.ebench import actions, pickle_writer
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
+from reference_server.views import run_views
 
 PICKLE = "application/octet-stream"
 
@@ -78,7 +78,7 @@ def worker_view(
 
 def results_of(run: Run) -> dict[str, float]:
     """Mean score of each task that has one."""
-    by_task = views.score_view(run, run.episodes)["by_task"]
+    by_task = run_views.score_view(run, run.episodes)["by_task"]
     means = {task: group["mean"] for task, group in by_task.items()}
     return {task: mean for task, mean in means.items() if mean is not None}
 

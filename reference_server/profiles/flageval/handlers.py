@@ -19,7 +19,6 @@ from reference_server.http import codec
 from reference_server.http.codec import JSON
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.http.handlers import Handlers
-from reference_server.http.problems import Refused
 from reference_server.profiles.flageval.requests import (
     DiffsRequest,
     EvaluationRequest,
@@ -38,6 +37,7 @@ from reference_server.profiles.flageval.responses import (
 )
 from reference_server.push.chat_calls import is_answered_in_words
 from reference_server.rules.lifecycle import Event, Stop, legal
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 
 Body = TypeVar("Body", bound=BaseModel)
@@ -86,7 +86,8 @@ class FlagevalHandlers:
             existing = await self.handlers.registry.find_by_key(
                 call.account, idempotency_key(info.eval_model)
             )
-            if existing is not None and existing[0] != requested.digest(number):
+            digest = requested.digest(number)
+            if existing is not None and existing.body_sha256 != digest:
                 raise Refused(
                     "idempotency_conflict",
                     f"An evaluation of another body is named {info.eval_model}.",
@@ -192,7 +193,7 @@ class FlagevalHandlers:
         )
         if existing is None:
             return None
-        return (await self._evaluated(call, existing[1]))[0]
+        return (await self._evaluated(call, existing.run_id))[0]
 
     async def _evaluated(
         self, call: OperationCall, request_id: str

@@ -16,7 +16,7 @@ from pydantic import BaseModel, Field
 
 from reference_server.generated import models
 from reference_server.http import codec
-from reference_server.http.problems import Refused
+from reference_server.rules.refusal import Refused
 
 NO_KEY = "EMPTY"
 QUESTIONS = "question_answering"

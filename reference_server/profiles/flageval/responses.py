@@ -14,12 +14,12 @@ import msgspec
 from starlette.responses import Response
 
 from reference_server.generated.problem_codes import PROBLEMS
-from reference_server.http import views
 from reference_server.http.codec import JSON
-from reference_server.http.problems import Refused
 from reference_server.rules import comparison
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, RunHead
 from reference_server.rules.scoring import ScoredEpisode, score_of
+from reference_server.views import run_views
 
 Status = Literal["S", "F", "C", "OOR", "R"]
 BASELINE = "-nvidia-origin"
@@ -62,7 +62,7 @@ class EvaluationView:
             run.submission.get("labels", {}).get("base_model_name", ""),
             status_of(run, episodes),
             run.manifest_sha256,
-            views.scored_episodes(episodes),
+            run_views.scored_episodes(episodes),
         )
 
     @property

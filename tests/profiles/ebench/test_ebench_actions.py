@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from reference_server.http.problems import Refused
 from reference_server.profiles.ebench.actions import actions, observation
 from reference_server.profiles.ebench.requests import Chunk
+from reference_server.rules.refusal import Refused
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.mobile_bimanual.benchmark import BENCHMARKS
 

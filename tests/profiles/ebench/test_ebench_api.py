@@ -46,7 +46,7 @@ def fuzzed(server: ReferenceServer) -> Iterator[EbenchClient]:
 def test_the_profile_is_off_unless_asked_for() -> None:
     nothing: Any = None
     without_profile, asked = (
-        Handlers(Settings(profiles=chosen), nothing, nothing, nothing)
+        Handlers(Settings(profiles=chosen), nothing)
         for chosen in (Settings().profiles, "ebench")
     )
     assert profile_tables(without_profile) == {}

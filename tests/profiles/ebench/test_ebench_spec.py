@@ -20,7 +20,7 @@ from tests.support.paths import ROOT
 SPEC = ROOT / "spec"
 DOCUMENT: dict[str, Any] = yaml.safe_load((SPEC / "profiles/ebench.yaml").read_text())
 NOTHING: Any = None
-TABLE = EbenchHandlers(Handlers(Settings(), NOTHING, NOTHING, NOTHING)).table()
+TABLE = EbenchHandlers(Handlers(Settings(), NOTHING)).table()
 DESCRIBED = {
     (path, method.upper()): described
     for path, item in DOCUMENT["paths"].items()

@@ -289,7 +289,7 @@ def test_the_profile_is_offered_only_when_enabled(server: ReferenceServer) -> No
         assert client.get("/evaldiffs?request_id=none").json()["err_code"] == 1
     nothing: Any = None
     for asked, paths in (("", 0), ("flageval", 6)):
-        routes = Handlers(Settings(profiles=asked), nothing, nothing, nothing)
+        routes = Handlers(Settings(profiles=asked), nothing)
         assert len(profile_tables(routes)) == paths
 
 

@@ -26,7 +26,7 @@ from reference_server.http.codec import (
     read_body,
     validate,
 )
-from reference_server.http.problems import Refused
+from reference_server.rules.refusal import Refused
 
 DEEP = 10**6
 NOW = datetime.now(UTC)

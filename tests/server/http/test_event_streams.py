@@ -15,11 +15,12 @@ import pytest
 from starlette.responses import StreamingResponse
 
 from conformance.client.event_reader import Event, EventParser
-from reference_server.http import event_streams, views
+from reference_server.http import event_streams
 from reference_server.http.event_streams import EPISODES_PER_BATCH, EventStream
 from reference_server.rules import effects as rules
 from reference_server.rules.run import Run, RunHead
 from reference_server.storage.store import StoreFailed
+from reference_server.views import run_views
 from tests.support.server.event_lists import indices, kinds
 from tests.support.server.server_parts import (
     BlockedCall,
@@ -35,7 +36,7 @@ MANY = 1000
 
 
 def view(run: RunHead) -> dict[str, Any]:
-    return views.run_view(run, "http://here", None)
+    return run_views.run_view(run, "http://here", None)
 
 
 def make_event_stream(
@@ -107,7 +108,7 @@ def test_a_stream_carries_each_change(tmp_path: Path) -> None:
         await score_episodes(parts, run, 2)
         events = await stream.events()
         assert (kinds(events), indices(events)) == (["episode", "run"], [2])
-        assert events[0].body == views.episode_view(run.episodes[2])
+        assert events[0].body == run_views.episode_view(run.episodes[2])
         assert events[1].body == view(run)
         await complete_run(parts, run)
         last = await stream.rest()

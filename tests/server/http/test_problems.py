@@ -3,8 +3,9 @@
 import msgspec
 
 from reference_server.generated import models
-from reference_server.http.problems import RETRY_AFTER_S, Refused, problem_response
+from reference_server.http.problems import RETRY_AFTER_S, problem_response
 from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.refusal import Refused
 
 
 def test_a_problem_states_the_error_and_the_next_step() -> None:
@@ -29,9 +30,7 @@ def test_a_problem_states_retry_after_and_authentication() -> None:
     for code in ("worker_limit", "no_capacity"):
         busy = problem_response(Refused(code, "Full."))
         assert busy.headers["retry-after"] == str(RETRY_AFTER_S)
-    later = problem_response(
-        Refused("unavailable", "Soon.", headers={"Retry-After": "9"})
-    )
+    later = problem_response(Refused("unavailable", "Soon."), {"Retry-After": "9"})
     assert later.headers["retry-after"] == "9"
     unauthenticated = problem_response(Refused("unauthenticated", "Who?"))
     assert unauthenticated.headers["www-authenticate"] == "Bearer"

@@ -86,7 +86,8 @@ def test_unreadable_text_is_no_answer(said: str) -> None:
 )
 def test_values_outside_the_action_space_are_no_answer(said: str, answer: Any) -> None:
     run, nothing = make_run(), cast("Any", None)
-    run.manifest = benchmark_registry.resolve("question_answering").manifest
+    manifest: Any = benchmark_registry.resolve("question_answering").manifest
+    run.manifest = manifest
     assert ChatPolicy(run, nothing, nothing)._values(read_answer(said)) == answer
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from conformance.policy.scripted import PolicyCall, PolicyReply, ScriptedPolicy
 from reference_server.generated import models
-from reference_server.http.problems import PROBLEM_JSON, Refused
+from reference_server.http.problems import PROBLEM_JSON
 from reference_server.push import driver
 from reference_server.push.driver import Driver
 from reference_server.push.egress import EgressPolicy
@@ -19,8 +19,9 @@ from reference_server.push.http_calls import Backoff, CallLimits, HttpCalls, Pol
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_calls import Description, ProctorPolicy, answer_fault
 from reference_server.push.policy_protocols import PROTOCOLS
-from reference_server.push.policy_server_config import PolicyServerConfig
 from reference_server.rules.lifecycle import Attach
+from reference_server.rules.policy_server import PolicyServerConfig
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.storage.store import StoreFailed
 from reference_sim.process.pool import NoCapacity, SimulatorPool
@@ -73,9 +74,15 @@ def push_run() -> Run:
 
 
 def make_driver(parts: ServerParts) -> Driver:
-    return Driver(
-        parts.registry, parts.executor, EgressPolicy("all"), KeyEncryption(), 65536
+    return make_driver_with(parts, KeyEncryption())
+
+
+def make_driver_with(parts: ServerParts, key_encryption: KeyEncryption) -> Driver:
+    driver = Driver(
+        parts.registry, parts.executor, EgressPolicy("all"), key_encryption, 65536
     )
+    parts.on_change = driver.on_run_changed
+    return driver
 
 
 async def wait_until_completed(parts: ServerParts) -> Run:
@@ -301,9 +308,7 @@ def test_a_key_in_the_assumptions_is_redacted(
 
     async def scenario(parts: ServerParts) -> None:
         key_encryption = KeyEncryption()
-        push_driver = Driver(
-            parts.registry, parts.executor, EgressPolicy("all"), key_encryption, 65536
-        )
+        push_driver = make_driver_with(parts, key_encryption)
         run = push_run()
         asked = ORDER | {"sealed_key": key_encryption.encrypt(SLASHED)}
         run.submission = {**run.submission, "policy_server": asked}

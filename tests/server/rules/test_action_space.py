@@ -86,6 +86,13 @@ def test_values_are_clipped_only_where_that_is_declared() -> None:
     assert clipped[1] == ACTION | {"head": [0.0]}
 
 
+def test_actions_are_not_copied_where_nothing_is_clipped() -> None:
+    space = {"arm": MANIFEST["action_space"]["arm"]}
+    actions = [{"arm": [9.0, -9.0]}]
+    clipped = action_space.clip_actions(actions, {"action_space": space})
+    assert clipped is actions
+
+
 @pytest.mark.parametrize("value", [0.0, -0.0, 5e-324, 0.1, 1.0])
 def test_values_inside_the_range_are_unchanged(value: float) -> None:
     (clipped,) = action_space.clip_actions([ACTION | {"head": [value]}], MANIFEST)

@@ -14,7 +14,13 @@ from referencing import Registry, Resource
 from reference_server.generated import models
 from reference_server.http.dispatch import QUERY_RANGES
 from reference_server.rules import comparison
-from reference_server.rules.comparison import TOLERANCE, compare, is_within, mcnemar
+from reference_server.rules.comparison import (
+    TOLERANCE,
+    compare,
+    is_within,
+    manifest_mismatch,
+    mcnemar,
+)
 from reference_server.rules.run import Outcome
 from reference_server.rules.scoring import ScoredEpisode
 from tests.support.paths import ROOT
@@ -194,6 +200,14 @@ def test_the_tolerance_applies_to_every_group(
     differences: list[float], is_so: bool
 ) -> None:
     assert is_within([{"difference": d} for d in differences], 0.25) == is_so
+
+
+def test_runs_of_another_manifest_are_named() -> None:
+    assert manifest_mismatch([("a", "1"), ("b", "1")]) is None
+    refuse = manifest_mismatch([("a", "1"), ("b", "2"), ("c", "1"), ("d", "3")])
+    assert refuse is not None
+    assert (refuse.code, refuse.requirement) == ("not_comparable", "CMP-009")
+    assert refuse.errors == (("query:runs", "b, d: another manifest than a"),)
 
 
 # --- what the specification says of the request ---

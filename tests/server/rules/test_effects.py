@@ -235,7 +235,7 @@ def test_expire_ends_every_overdue_lease() -> None:
     early, late = start_session(run, "a"), start_session(run, "b", NOW + 5)
     busy = start_session(run, "c")
     effects.begin_turn(busy, Predict("c", "s", 1, [ACTION]), NOW)
-    assert effects.expire(run, NOW + 10.5, WALL) == [early]
+    assert effects.expire(run, NOW + 10.5, WALL) == ([early], True)
     assert early.ended_by == "lease_ended"
     assert run.live_sessions == [late, busy]
 
@@ -244,7 +244,7 @@ def test_expire_does_not_report_a_session_that_is_done() -> None:
     run = make_run(1)
     session = start_session(run)
     play_turn(run, session, chunk_result(1, ended=True))
-    assert effects.expire(run, NOW + 99, WALL) == []
+    assert effects.expire(run, NOW + 99, WALL) == ([session], False)
     assert run.workers == {}
 
 
@@ -367,3 +367,40 @@ def test_the_number_of_remembered_ended_sessions_is_bounded() -> None:
     assert len(run.ended) == run_state.ENDED_SESSIONS_MAX
     assert "s0" not in run.ended
     assert "s1" in run.ended
+
+
+# --- what a restart or a lost run does ---
+
+
+@pytest.mark.parametrize(
+    ("state", "after"),
+    [("running", "ready"), ("stopping", "stopped"), ("ready", "ready")],
+)
+def test_a_run_that_was_loaded_has_no_session(state: State, after: State) -> None:
+    run = make_run(state=state)
+    effects.lose_sessions(run)
+    assert run.state == after
+    assert (run.reason is None) == (state == after)
+
+
+def test_an_aborted_session_counts_no_attempt_and_needs_no_write() -> None:
+    run = make_run()
+    session = start_session(run)
+    play_turn(run, session, chunk_result())
+    assert not effects.abort_session(run, session, WALL)
+    assert (run.state, run.episodes[0].attempt, run.changed) == ("ready", 1, set())
+    assert session.ended_by == "unknown"
+
+
+def test_an_aborted_session_of_a_stopping_run_needs_a_write() -> None:
+    run = make_run()
+    session = start_session(run)
+    effects.stop(run, "drain", WALL)
+    assert effects.abort_session(run, session, WALL)
+    assert (run.state, run.reason) == ("stopped", "Drained.")
+
+
+def test_a_run_without_a_number_is_admitted_last() -> None:
+    runs = [make_run(state="queued", number=number) for number in (0, 2, 1)]
+    admitted = effects.admit(runs, 0, 2, WALL)
+    assert [run.number for run in admitted] == [1, 2]

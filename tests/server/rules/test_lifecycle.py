@@ -23,6 +23,7 @@ from reference_server.rules.lifecycle import (
     Resume,
     Stop,
     Wait,
+    changes_state,
     decide,
     lease_over,
     legal,
@@ -341,3 +342,37 @@ def test_every_guard_is_called() -> None:
     section = source.partition("# --- guards")[2].partition("def _event_of")[0]
     written = re.findall(r"^def (\w+)\(", section, re.MULTILINE)
     assert {guard.__name__ for guard in called} == set(written)
+
+
+# --- what follows from the table ---
+
+
+def test_sets_of_states_follow_from_the_table() -> None:
+    assert {"ready", "running"} == lifecycle.PLAYABLE_STATES
+    assert {"queued"} == lifecycle.WAITING_STATES
+    assert {"ready", "running", "stopping"} == lifecycle.ACTIVE_STATES
+    assert {"ready", "stopped", "failed", "completed"} == lifecycle.RESTING_STATES
+    after = {"running": "ready", "stopping": "stopped"}
+    assert after == lifecycle.STATES_AFTER_RESTART
+
+
+@pytest.mark.parametrize(
+    ("state", "retryable", "changes"),
+    [
+        ("running", None, False),
+        ("stopped", None, True),
+        ("failed", True, True),
+        ("failed", False, False),
+        ("completed", None, False),
+    ],
+)
+def test_a_resume_changes_only_runs_that_do_not_go_on(
+    state: State, retryable: bool | None, changes: bool
+) -> None:
+    run = make_run(state=state, retryable=retryable)
+    assert changes_state(run, "resume_run") == changes
+
+
+def test_a_stopping_run_hands_out_nothing() -> None:
+    assert lifecycle.may_hand_out(make_run(state="running"))
+    assert not lifecycle.may_hand_out(make_run(state="stopping"))

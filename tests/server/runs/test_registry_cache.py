@@ -8,12 +8,12 @@ from typing import Any
 
 import pytest
 
-from reference_server.http import views
 from reference_server.rules import effects
-from reference_server.rules.lifecycle import Attach, Detach
+from reference_server.rules.lifecycle import RESTING_STATES, Attach, Detach
 from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.runs import registry
 from reference_server.storage.store import StoreFailed
+from reference_server.views import run_views
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
@@ -58,7 +58,7 @@ def runs_in_memory(parts: ServerParts) -> list[str]:
 # --- a look ---
 
 
-@pytest.mark.parametrize("state", registry.STABLE_STATES)
+@pytest.mark.parametrize("state", sorted(RESTING_STATES))
 def test_reading_a_stable_run_does_not_load_it(tmp_path: Path, state: str) -> None:
     async def scenario(parts: ServerParts) -> None:
         await insert_runs(parts, finished_run(state=state))
@@ -68,13 +68,13 @@ def test_reading_a_stable_run_does_not_load_it(tmp_path: Path, state: str) -> No
         assert page == (state, 3, ["e0001"])
         assert await look("run_1", "alice", run_summary, 2, 9) == (state, 3, ["e0002"])
         assert await look("run_1", "alice", run_summary, 3, 9) == (state, 3, [])
-        everything = await look("run_1", "alice", views.score_view, end=None)
+        everything = await look("run_1", "alice", run_views.score_view, end=None)
         assert await parts.registry.page("alice", None, 9, lambda run: run.scored) == [
             3
         ]
         assert runs_in_memory(parts) == []
         run = await parts.registry.get("run_1")
-        assert views.score_view(run, run.episodes) == everything
+        assert run_views.score_view(run, run.episodes) == everything
         assert await look("run_1", "alice", run_summary, 1, 2) == page
 
     run_scenarios(tmp_path, scenario)
@@ -82,8 +82,8 @@ def test_reading_a_stable_run_does_not_load_it(tmp_path: Path, state: str) -> No
 
 def test_views_from_memory_and_store_are_equal(tmp_path: Path) -> None:
     def whole(run: RunHead, episodes: Sequence[Episode]) -> list[object]:
-        shown_state = [views.episode_view(episode) for episode in episodes]
-        return [views.run_view(run, "http://x", None), shown_state]
+        shown_state = [run_views.episode_view(episode) for episode in episodes]
+        return [run_views.run_view(run, "http://x", None), shown_state]
 
     async def scenario(parts: ServerParts) -> None:
         run = calibration_run("score", "echo", "count", state="stopped")
@@ -311,7 +311,7 @@ def test_eviction_does_not_repeat_episodes(
             )
             assert counted[1] == len(counted[2]) == number + 1
         body = await parts.registry.read_view(
-            "run_1", "alice", views.score_view, end=None
+            "run_1", "alice", run_views.score_view, end=None
         )
         assert (body["state"], body["score"]) == ("completed", 10 / 32)
 

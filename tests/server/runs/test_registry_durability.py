@@ -5,15 +5,9 @@ import gc
 from pathlib import Path
 
 import pytest
-from starlette.requests import Request
 
-from reference_server.http.auth import Caller
-from reference_server.http.dispatch import OperationCall
-from reference_server.http.handlers import Handlers
 from reference_server.rules.lifecycle import Attach, Resume
 from reference_server.rules.run import RunHead
-from reference_server.runs.benchmarks import Benchmarks
-from reference_server.settings import Settings
 from reference_server.storage.store import StoreFailed
 from tests.support.server.server_parts import (
     BlockedCall,
@@ -26,15 +20,6 @@ from tests.support.server.server_parts import (
     run_scenarios,
 )
 from tests.support.servers import TIMEOUT_S
-
-
-def make_call(run_id: str) -> OperationCall:
-    request = Request({"type": "http", "headers": []})
-    caller = Caller("alice", frozenset({"read", "run"}))
-    return OperationCall(
-        request, {"run_id": run_id}, {}, {}, "application/json", caller
-    )
-
 
 # --- what is shown is stored ---
 
@@ -142,9 +127,8 @@ def test_a_refusal_states_only_stored_states(
         )
         await blocked.wait_until_reached()
         assert run.state == "completed"
-        routes = Handlers(Settings(), Benchmarks(64), parts.registry, parts.executor)
         resuming = asyncio.create_task(
-            routes._run_accepting(make_call(run.run_id), Resume())
+            parts.service._run_accepting("alice", run.run_id, Resume())
         )
         blocked.open()
         await asyncio.wait([last])

@@ -7,12 +7,12 @@ from typing import Any
 
 import pytest
 
-from reference_server.http import views
 from reference_server.rules import effects
 from reference_server.rules.run import Run
 from reference_server.runs import scores
 from reference_server.runs.scores import ScoreCache
 from reference_server.storage.store import StoreFailed
+from reference_server.views import run_views
 from tests.support.server.server_parts import (
     RESULT,
     BlockedCall,
@@ -29,13 +29,13 @@ from tests.support.server.server_parts import (
 def record_computed_scores(patch: pytest.MonkeyPatch) -> list[str]:
     """The ids of the runs whose score is computed from now on."""
     computed: list[str] = []
-    right = views.score_view
+    right = run_views.score_view
 
     def note(run: Any, episodes: Any) -> dict[str, Any]:
         computed.append(run.run_id)
         return right(run, episodes)
 
-    patch.setattr(views, "score_view", note)
+    patch.setattr(run_views, "score_view", note)
     return computed
 
 

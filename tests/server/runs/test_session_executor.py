@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from reference_server.http.problems import Refused
 from reference_server.rules.lifecycle import Attach, Heartbeat
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.runs import session_executor as stage_module
 from reference_sim.process.pool import SimulatorHandle

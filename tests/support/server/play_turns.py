@@ -1,13 +1,14 @@
 """What the tests of `progress` do over and over: open a session, play a turn."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 from hypothesis import strategies as st
 
 from reference_server.rules import effects
 from reference_server.rules import run as run_state
-from reference_server.rules.effects import ChunkResult
+from reference_server.rules.effects import ChunkOutcome
 from reference_server.rules.lifecycle import (
     Attach,
     Predict,
@@ -19,11 +20,21 @@ WALL = 5000.0
 Draw = Callable[[st.SearchStrategy[Any]], Any]
 
 
+@dataclass(frozen=True)
+class Played:
+    executed: int
+    ended: bool
+    terminated: bool
+    truncated: bool
+    success: bool
+    score: float
+
+
 def chunk_result(
     executed: int = 1, *, ended: bool = False, **changes: Any
-) -> ChunkResult:
+) -> ChunkOutcome:
     facts = {"terminated": ended, "truncated": False, "success": False, "score": 0.5}
-    return ChunkResult(executed, ended, **facts | changes)
+    return Played(executed, ended, **facts | changes)
 
 
 def start_session(run: Run, worker_id: str = "w", now: float = NOW) -> Session:
@@ -33,7 +44,7 @@ def start_session(run: Run, worker_id: str = "w", now: float = NOW) -> Session:
 
 
 def play_turn(
-    run: Run, session: Session, outcome: ChunkResult, now: float = NOW
+    run: Run, session: Session, outcome: ChunkOutcome, now: float = NOW
 ) -> run_state.Episode | None:
     command = Predict(session.worker_id, session.session_id, session.seq + 1, [ACTION])
     effects.begin_turn(session, command, now)

@@ -14,12 +14,15 @@ from typing import Any
 
 import pytest
 
-from reference_server.http.problems import Refused
+from reference_server.push.policy_server_config import PolicyServerValidator
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Predict
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Result, Run
-from reference_server.runs.benchmarks import digest
+from reference_server.rules.submission import SubmissionLimits
+from reference_server.runs.benchmarks import Benchmarks, digest
 from reference_server.runs.registry import RunRegistry
+from reference_server.runs.service import RunService
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.store import Store
 from reference_sim import benchmark_registry
@@ -73,6 +76,8 @@ class ServerParts:
     registry: RunRegistry
     pool: SimulatorPool
     executor: SessionExecutor
+    service: RunService
+    on_change: Callable[[Run], None] = lambda _run: None
 
     @contextmanager
     def reject_writes(self) -> Iterator[None]:
@@ -94,8 +99,24 @@ async def open_server_parts(
     path: Path, active_max: int = 10
 ) -> AsyncIterator[ServerParts]:
     store = Store(f"sqlite+aiosqlite:///{path}")
-    registry, pool = RunRegistry(store, active_max), SimulatorPool(4, 0, TIMEOUT_S)
-    parts = ServerParts(path, store, registry, pool, SessionExecutor(registry, pool))
+
+    def on_run_lost(run: Run) -> None:
+        executor.discard_sessions(run)
+
+    def on_change(run: Run) -> None:
+        parts.on_change(run)
+
+    registry = RunRegistry(store, active_max, on_run_lost, on_change)
+    pool = SimulatorPool(4, 0, TIMEOUT_S)
+    executor = SessionExecutor(registry, pool)
+    service = RunService(
+        SubmissionLimits(16, 600.0),
+        Benchmarks(64),
+        registry,
+        executor,
+        PolicyServerValidator().validate_and_encrypt,
+    )
+    parts = ServerParts(path, store, registry, pool, executor, service)
     await store.open()
     await registry.open()
     try:

@@ -1,4 +1,7 @@
-"""Runs, episodes and scores as the wire shows them, in the generated models."""
+"""Runs, episodes and scores in the spec's schemas, as plain data.
+
+It shows what is so and decides nothing; which run an account may see is decided before.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,7 @@ from functools import lru_cache
 from typing import Any
 
 from reference_server.generated import models
-from reference_server.push.policy_server_config import PolicyServerConfig
+from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.run import Episode, RunHead
 from reference_server.rules.scoring import ScoredEpisode, score_of
 
@@ -21,7 +24,7 @@ def timestamp(at_wall: float) -> str:
 
 @lru_cache(maxsize=64)
 def _format_second(at_wall: int) -> str:
-    """Every turn tells a time, and most of them one within few seconds."""
+    """Cached: every turn carries a time, mostly one within few seconds."""
     return datetime.fromtimestamp(at_wall, UTC).replace(tzinfo=None).isoformat()
 
 
@@ -44,7 +47,7 @@ def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> dict[st
         endpoint=endpoint,
         queue_position=queue_position,
         live_workers=len(run.live_sessions),
-        progress=models.Progress(
+        progress=models.Progress(  # RUN-014
             episodes_total=run.total,
             episodes_scored=run.scored,
             episodes_in_progress=in_progress,
@@ -106,7 +109,7 @@ def episode_view(episode: Episode) -> dict[str, Any]:
 def comparison_view(
     baseline: RunHead, tolerance: float, entries: list[dict[str, Any]]
 ) -> dict[str, Any]:
-    """Schema Comparison; entries: schema ComparedRun each."""
+    """Schema Comparison; entries: schema ComparedRun each, in order (CMP-001)."""
     return {
         "baseline": baseline.run_id,
         "benchmark_id": baseline.manifest["benchmark_id"],

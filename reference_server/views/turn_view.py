@@ -1,7 +1,7 @@
-"""A turn as the wire shows it: schema Turn as plain data, blobs as bytes.
+"""Schema Turn as plain data, blobs as bytes.
 
 Plain data and not models on purpose: a turn may carry megabytes of pixels, which pass
-from the simulator to the socket without being looked at.
+from the simulator to the socket unread.
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ import time
 from collections.abc import Mapping
 from typing import Any
 
-from reference_server.http.views import result_view, timestamp
 from reference_server.rules.run import Episode, Session
+from reference_server.views.run_views import result_view, timestamp
 from reference_sim.process.pool import ChunkReply, Timing
 
 
@@ -26,17 +26,18 @@ def turn_view(
     fault: Mapping[str, Any] | None = None,
     spent: Mapping[str, float] | None = None,
 ) -> dict[str, Any]:
-    """The turn that a session gets now; `add_lease_and_total` adds lease and total time.
+    """The turn of a session now; `add_lease_and_total` adds lease and total time.
 
     left: actions of the chunk that were not executed. ended: the episode that this
-    turn ended; the session has the next one already.
+    turn ended; the session has the next one already. EPI-007: a seed is shown only in
+    the result of an ended episode.
     """
     body: dict[str, Any] = {
         "session_id": session.session_id,
         "seq": session.seq,
-        "executed_steps": played.executed if played else 0,
-        "stopped_early": left > 0 and played is not None,
-        "rewards": list(played.rewards) if played else [],
+        "executed_steps": played.executed if played else 0,  # PRED-001, ATT-001
+        "stopped_early": left > 0 and played is not None,  # PRED-007
+        "rewards": list(played.rewards) if played else [],  # PRED-021
         "terminated": played.terminated if played else False,
         "truncated": played.truncated if played else False,
         "done": session.done,
@@ -47,7 +48,7 @@ def turn_view(
     if observation is not None:
         body["observation"] = observation
     if observations is not None:
-        body["observations"] = observations
+        body["observations"] = observations  # PRED-012
     if ended is not None:
         body["episode_result"] = result_view(ended)
     if fault is not None:
@@ -62,7 +63,7 @@ def add_lease_and_total(body: dict[str, Any], session: Session, total_s: float) 
 
 
 def lease_view(session: Session) -> dict[str, Any]:
-    """Schema Lease. The lease runs on the monotonic clock; people read the other."""
+    """Schema Lease. The lease runs on the monotonic clock; the view shows wall time."""
     left_s = session.expires_at - time.monotonic()
     return {
         "expires_at": timestamp(time.time() + left_s),
@@ -71,7 +72,10 @@ def lease_view(session: Session) -> dict[str, Any]:
 
 
 def timing(queue_s: float, *spent: Timing) -> dict[str, float]:
-    """Schema Timing without its total: what the simulator spent, summed over calls."""
+    """Schema Timing without its total: the simulator's seconds, summed over calls.
+
+    PRED-023: each part lies within the total, which is measured around all of them.
+    """
     return {
         "queue_s": queue_s,
         "simulate_s": sum(t.simulate_s for t in spent),

@@ -1,0 +1,64 @@
+"""The members of a manifest and of a submission that the server reads, as types.
+
+Both are the spec's schemas Benchmark and SubmitRun as plain data. A manifest is hashed
+as it is, so members that are not named here stay in it. A submission is validated by
+the generated models before it gets this type.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal, NotRequired, TypedDict
+
+
+class VectorSpace(TypedDict):
+    """Schema VectorSpace: one named vector of an action or a state."""
+
+    size: int
+    minimum: Sequence[float]
+    maximum: Sequence[float]
+    out_of_range: Literal["refuse", "clip"]
+
+
+class ObservationSpace(TypedDict):
+    state: Mapping[str, Mapping[str, Any]]
+
+
+class EpisodePlan(TypedDict):
+    """One episode of the manifest."""
+
+    task: str
+    split: str
+    seed: int
+
+
+class Manifest(TypedDict):
+    """Schema Benchmark without its hash, and the episodes with their seeds."""
+
+    benchmark_id: str
+    version: str
+    title: str
+    episodes_total: int
+    episodes: Sequence[EpisodePlan]
+    control_rate_hz: float
+    max_steps: int
+    max_chunk: int
+    max_attempts: int
+    max_faults: int
+    success_rule: str
+    action_space: Mapping[str, VectorSpace]
+    observation_space: ObservationSpace
+
+
+class Submission(TypedDict):
+    """Schema SubmitRun, with `policy_server` as it is stored."""
+
+    benchmark_id: str
+    policy: Mapping[str, Any]
+    mode: NotRequired[Literal["pull", "push"]]
+    options: NotRequired[Mapping[str, Any]]
+    images: NotRequired[Mapping[str, Any]]
+    labels: NotRequired[Mapping[str, str]]
+    max_workers: NotRequired[int]
+    idle_timeout_s: NotRequired[float]
+    policy_server: NotRequired[Mapping[str, Any]]

@@ -1,0 +1,48 @@
+"""A refusal: why a request is not carried out, as an exception.
+
+Every layer raises it. It names one of the codes of `x-problems`; how a code becomes an
+HTTP response is decided in `http/problems.py` and in the profiles, not here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from reference_server.rules.lifecycle import Refuse
+
+
+class Refused(Exception):
+    """A request that is answered with a problem.
+
+    code: one of x-problems. detail: what happened, for people; what to do is added
+    from the catalogue. errors: (JSON pointer, text) pairs. members: further members
+    of schema Problem.
+    """
+
+    def __init__(
+        self,
+        code: str,
+        detail: str,
+        *,
+        errors: Iterable[tuple[str, str]] = (),
+        requirement: str | None = None,
+        members: Mapping[str, Any] | None = None,
+    ) -> None:
+        super().__init__(detail)
+        self.code = code
+        self.detail = detail
+        self.errors = tuple(errors)
+        self.requirement = requirement
+        self.members = dict(members or {})
+
+    @classmethod
+    def from_verdict(cls, verdict: Refuse) -> Refused:
+        """The refusal that a guard decided."""
+        return cls(
+            verdict.code,
+            verdict.detail,
+            errors=verdict.errors,
+            requirement=verdict.requirement,
+            members=verdict.members,
+        )

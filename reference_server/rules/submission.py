@@ -1,0 +1,75 @@
+"""What a submit decides: limits, defaults, idempotency. Pure.
+
+Whether the benchmark offers what is chosen is decided in `runs/benchmarks.py`; how a
+policy server may be called, in `push/`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.manifest import Submission
+
+
+@dataclass(frozen=True, slots=True)
+class SubmissionLimits:
+    """The most that one run is granted, and what it gets when it requests nothing."""
+
+    max_workers: int
+    idle_timeout_s_max: float
+
+
+@dataclass(frozen=True, slots=True)
+class GrantedLimits:
+    max_workers: int
+    idle_timeout_s: float
+
+
+def grant_limits(
+    submission: Submission, limits: SubmissionLimits
+) -> GrantedLimits | Refuse:
+    """The limits of the new run: those of the server by default."""
+    max_workers = submission.get("max_workers", limits.max_workers)
+    idle_timeout_s = submission.get("idle_timeout_s", limits.idle_timeout_s_max)
+    errors = []
+    if max_workers > limits.max_workers:  # RUN-015
+        errors.append(("/max_workers", f"at most {limits.max_workers}"))
+    if idle_timeout_s > limits.idle_timeout_s_max:  # LEASE-007
+        errors.append(("/idle_timeout_s", f"at most {limits.idle_timeout_s_max}"))
+    if errors:
+        return Refuse(
+            "invalid_request",
+            "The requested limits exceed this server's maximum.",
+            errors=tuple(errors),
+        )
+    return GrantedLimits(max_workers, idle_timeout_s)
+
+
+def queue_s(submission: Submission) -> float:
+    """How long the submitter keeps the run in the queue (calibration only)."""
+    return float(submission.get("options", {}).get("queue_s", 0.0))
+
+
+@dataclass(frozen=True, slots=True)
+class KeyUse:
+    """What an account's Idempotency-Key made (RUN-005: a key is the account's own)."""
+
+    body_sha256: str
+    run_id: str
+
+
+def key_conflict(use: KeyUse, body_sha256: str) -> Refuse | None:
+    """A used key returns its run for the same body (RUN-003); else RUN-004."""
+    if use.body_sha256 == body_sha256:
+        return None
+    return Refuse(
+        "idempotency_conflict",
+        f"The key made run {use.run_id} from another body.",
+        "RUN-004",
+    )
+
+
+def may_see_run(account: str, owner: str) -> bool:
+    """AUTH-003: a run of another account is answered like one that does not exist."""
+    return account == owner

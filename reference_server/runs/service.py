@@ -1,0 +1,266 @@
+"""The use cases: what a caller can do with runs, whichever API the request came by.
+
+The HTTP handlers and the profiles call it with an account and plain arguments. It asks
+the rules what is allowed, and lets the registry and the session executor carry it out.
+It knows no HTTP: no request, no header, no status. Views are plain data in the spec's
+schemas. All methods raise Refused, and StoreFailed when the database fails.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import secrets
+import time
+from collections.abc import Awaitable, Callable, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from typing import Any, Literal, cast
+
+import msgspec
+
+from reference_server.rules import comparison, effects
+from reference_server.rules.lifecycle import (
+    Attach,
+    Detach,
+    Heartbeat,
+    Predict,
+    Refuse,
+    Resume,
+    Stop,
+    changes_state,
+    decide,
+)
+from reference_server.rules.manifest import Submission
+from reference_server.rules.refusal import Refused
+from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.rules.submission import (
+    KeyUse,
+    SubmissionLimits,
+    grant_limits,
+    key_conflict,
+    queue_s,
+)
+from reference_server.runs.benchmarks import Benchmarks
+from reference_server.runs.registry import RunRegistry
+from reference_server.runs.scores import ScoreCache
+from reference_server.runs.session_executor import SessionExecutor
+from reference_server.views import run_views, turn_view
+
+Json = dict[str, Any]
+# Completes a submission and refuses a policy server that cannot be called.
+SubmissionValidator = Callable[[Json], Awaitable[Json]]
+
+
+@dataclass(frozen=True, slots=True)
+class RunService:
+    """The use cases over one server's parts."""
+
+    limits: SubmissionLimits
+    benchmarks: Benchmarks
+    registry: RunRegistry
+    executor: SessionExecutor
+    validate_submission: SubmissionValidator
+    scores: ScoreCache = field(default_factory=ScoreCache)
+
+    # --- control plane ---
+
+    async def submit_run(
+        self, account: str, submission: Json, idempotency_key: str | None = None
+    ) -> Run:
+        """A new run, or the one that the key made; submission: schema SubmitRun."""
+        run = await self.prepare_run(account, submission)
+        return await self.store_run(run, idempotency_key, body_digest(submission))
+
+    async def prepare_run(self, account: str, submission: Json) -> Run:
+        """The run that a submission makes, checked and not stored yet."""
+        # Validated by the generated models before it came here.
+        checked = cast("Submission", await self.validate_submission(submission))
+        resolved = await self.benchmarks.resolve(checked)
+        granted = grant_limits(checked, self.limits)
+        if isinstance(granted, Refuse):
+            raise Refused.from_verdict(granted)
+        now = time.time()
+        return Run(
+            run_id=f"run_{secrets.token_hex(12)}",
+            number=0,
+            account=account,
+            state="queued",  # RUN-002; ready if there is capacity (LIFE-801)
+            reason=None,
+            retryable=None,
+            manifest=resolved.manifest,
+            manifest_sha256=resolved.manifest_sha256,
+            submission=checked,
+            max_workers=granted.max_workers,
+            idle_timeout_s=granted.idle_timeout_s,
+            images=resolved.images,
+            created_at_wall=now,
+            updated_at_wall=now,
+            queue_until_wall=now + queue_s(checked),
+            episodes=[
+                Episode(index, plan["task"], plan["split"], plan["seed"])
+                for index, plan in enumerate(resolved.manifest["episodes"])
+            ],
+        )
+
+    async def store_run(
+        self, run: Run, idempotency_key: str | None, body_sha256: str
+    ) -> Run:
+        """Store a prepared run; or return the one that the key made of this body."""
+        return await self.registry.add(run, idempotency_key, body_sha256)
+
+    async def find_by_key(self, account: str, idempotency_key: str) -> KeyUse | None:
+        """What an Idempotency-Key of the account made, if it was used."""
+        return await self.registry.find_by_key(account, idempotency_key)
+
+    async def check_key(
+        self, account: str, idempotency_key: str, body_sha256: str
+    ) -> None:
+        """Refused when the key made a run of another body (RUN-004)."""
+        use = await self.find_by_key(account, idempotency_key)
+        conflict = None if use is None else key_conflict(use, body_sha256)
+        if conflict is not None:
+            raise Refused.from_verdict(conflict)
+
+    async def stop_run(
+        self, account: str, run_id: str, mode: Literal["abort", "drain"] = "abort"
+    ) -> Run:
+        """The run, stopped (abort) or stopping (drain)."""
+        run = await self._run_accepting(account, run_id, Stop(mode))
+        self.executor.release_sessions(effects.stop(run, mode, time.time()))
+        await self.registry.commit(run)
+        return run
+
+    async def resume_run(self, account: str, run_id: str) -> Run:
+        """The run, in the queue again; unchanged when it goes on already."""
+        run = await self._run_accepting(account, run_id, Resume())
+        if changes_state(run, "resume_run"):
+            effects.resume(run, time.time() + queue_s(run.submission))
+            await self.registry.commit(run)
+        return run
+
+    async def compare_runs(
+        self,
+        account: str,
+        run_ids: Sequence[str],
+        tolerance: float = comparison.TOLERANCE,
+    ) -> Json:
+        """Schema Comparison; the first run is the baseline.
+
+        CMP-001: in the order named. CMP-010: of runs that the account may see. CMP-011:
+        in every state.
+        """
+        runs, scored = [], []
+        for run_id in run_ids:
+            read = partial(self.registry.read_view, run_id, account, end=None)
+            run, episodes = await read(
+                lambda run, all_: (run, run_views.scored_episodes(all_))
+            )
+            runs.append(run)
+            scored.append(episodes)
+        mismatch = comparison.manifest_mismatch(
+            [(run.run_id, run.manifest_sha256) for run in runs]
+        )
+        if mismatch is not None:
+            raise Refused.from_verdict(mismatch)
+        entries = [
+            {"run_id": run_id} | comparison.compare(scored[0], episodes, tolerance)
+            for run_id, episodes in zip(run_ids[1:], scored[1:], strict=True)
+        ]
+        return run_views.comparison_view(runs[0], tolerance, entries)
+
+    # --- views ---
+
+    async def get_run(self, account: str, run_id: str) -> Run:
+        """The run in memory, with every lease that is over ended.
+
+        What is shown of it goes through `render_when_stored`: memory may be ahead of
+        the database.
+        """
+        run = await self.registry.get(run_id, account)
+        self.executor.sweep(run)
+        return run
+
+    async def view_run(self, account: str, run_id: str, endpoint: str) -> Json:
+        """Schema Run, of what is stored."""
+        view = partial(self.current_view, endpoint)
+        return await self.registry.read_view(run_id, account, view)
+
+    async def view_stored(self, run: Run, endpoint: str) -> Json:
+        """Schema Run of a run that was just changed, once the change is stored."""
+        view = partial(self._run_view, endpoint)
+        return await self.registry.render_when_stored(run, view)
+
+    async def list_runs(
+        self, account: str, before: int | None, limit: int, endpoint: str
+    ) -> list[tuple[int, Json]]:
+        """(number, schema Run) of the account's runs below a number, newest first."""
+
+        def view(run: RunHead) -> tuple[int, Json]:
+            return run.number, self._run_view(endpoint, run)
+
+        return await self.registry.page(account, before, limit, view)
+
+    async def list_episodes(
+        self, account: str, run_id: str, start: int, end: int
+    ) -> tuple[list[Json], int]:
+        """Schema Episode from start to end (EPI-006), and how many there are."""
+
+        def view(run: RunHead, page: Sequence[Episode]) -> tuple[list[Json], int]:
+            return [run_views.episode_view(episode) for episode in page], run.total
+
+        return await self.registry.read_view(run_id, account, view, start, end)
+
+    async def get_score(self, account: str, run_id: str) -> Json:
+        """Schema Score."""
+        return await self.scores.get(self.registry, run_id, account)
+
+    def current_view(self, endpoint: str, run: RunHead, *_: object) -> Json:
+        """Schema Run with every lease that is over ended first."""
+        if isinstance(run, Run):  # else no session of it is live
+            self.executor.sweep(run)
+        return self._run_view(endpoint, run)
+
+    def _run_view(self, endpoint: str, run: RunHead) -> Json:
+        position = self.registry.queue_position(run)
+        return run_views.run_view(run, endpoint, position)
+
+    # --- data plane ---
+
+    async def attach_worker(self, account: str, run_id: str, command: Attach) -> Json:
+        """Schema Turn: the session's latest; turn 0 for a new session."""
+        run = await self.registry.get(run_id, account)
+        return await self.executor.attach(run, command)
+
+    async def predict(self, account: str, run_id: str, command: Predict) -> Json:
+        """Schema Turn; executed once, however often it is requested."""
+        run = await self.registry.get(run_id, account)
+        return await self.executor.predict(run, command)
+
+    async def heartbeat(self, account: str, run_id: str, command: Heartbeat) -> Json:
+        """Schema Lease, extended."""
+        run = await self.registry.get(run_id, account)
+        return turn_view.lease_view(self.executor.heartbeat(run, command))
+
+    async def detach_worker(self, account: str, run_id: str, command: Detach) -> None:
+        """End the session; what has ended already stays ended."""
+        run = await self.registry.get(run_id, account)
+        await self.executor.detach(run, command)
+
+    async def _run_accepting(
+        self, account: str, run_id: str, command: Stop | Resume
+    ) -> Run:
+        """The run, for which the rules accept the command now."""
+        while True:
+            run = await self.registry.get(run_id, account)
+            verdict = decide(run, command, self.executor.sweep(run))
+            if not isinstance(verdict, Refuse):
+                return run
+            # A refusal shows the state that forbids it: it may not be lost then.
+            if await self.registry.is_stored(run):
+                raise Refused.from_verdict(verdict)
+
+
+def body_digest(submission: Json) -> str:
+    """RUN-003: equal JSON values are the same body, however they were written."""
+    canonical = msgspec.json.encode(submission, order="deterministic")
+    return hashlib.sha256(canonical).hexdigest()

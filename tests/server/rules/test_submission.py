@@ -1,0 +1,75 @@
+"""What a submit decides: limits, defaults, keys, and which account sees a run."""
+
+from typing import Any
+
+import pytest
+
+from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.submission import (
+    GrantedLimits,
+    KeyUse,
+    SubmissionLimits,
+    grant_limits,
+    key_conflict,
+    may_see_run,
+    queue_s,
+)
+
+LIMITS = SubmissionLimits(4, 60.0)
+
+
+def submission(**members: Any) -> Any:
+    return {"benchmark_id": "calibration", "policy": {"name": "p"}} | members
+
+
+@pytest.mark.parametrize(
+    ("members", "granted"),
+    [
+        ({}, GrantedLimits(4, 60.0)),
+        ({"max_workers": 1}, GrantedLimits(1, 60.0)),
+        ({"idle_timeout_s": 5.0}, GrantedLimits(4, 5.0)),
+        ({"max_workers": 4, "idle_timeout_s": 60.0}, GrantedLimits(4, 60.0)),
+    ],
+)
+def test_limits_up_to_the_maximum_are_granted(
+    members: dict[str, Any], granted: GrantedLimits
+) -> None:
+    assert grant_limits(submission(**members), LIMITS) == granted
+
+
+@pytest.mark.parametrize(
+    ("members", "pointers"),
+    [
+        ({"max_workers": 5}, ["/max_workers"]),
+        ({"idle_timeout_s": 60.5}, ["/idle_timeout_s"]),
+        (
+            {"max_workers": 9, "idle_timeout_s": 99.0},
+            ["/max_workers", "/idle_timeout_s"],
+        ),
+    ],
+)
+def test_larger_limits_are_refused(
+    members: dict[str, Any], pointers: list[str]
+) -> None:
+    refuse = grant_limits(submission(**members), LIMITS)
+    assert isinstance(refuse, Refuse)
+    assert refuse.code == "invalid_request"
+    assert [pointer for pointer, _ in refuse.errors] == pointers
+
+
+def test_a_run_stays_in_the_queue_only_when_that_is_requested() -> None:
+    assert queue_s(submission()) == 0.0
+    assert queue_s(submission(options={"queue_s": 2})) == 2.0
+
+
+def test_a_used_key_is_for_one_body() -> None:
+    use = KeyUse("digest", "run_1")
+    assert key_conflict(use, "digest") is None
+    refuse = key_conflict(use, "other")
+    assert refuse is not None
+    assert (refuse.code, refuse.requirement) == ("idempotency_conflict", "RUN-004")
+
+
+def test_an_account_sees_its_own_runs() -> None:
+    assert may_see_run("alice", "alice")
+    assert not may_see_run("alice", "bob")
