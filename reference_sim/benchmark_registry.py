@@ -80,8 +80,8 @@ class ResolvedBenchmark:
 def add(references: str, say: Callable[[str], None]) -> None:
     """Offers benchmarks of the user's own beside ours, after trying them.
 
-    references: see docs/benchmarks.md, comma-separated. say: is given lines for people.
-    Blocks for seconds. Raises BadBenchmark, and has then added those before.
+    references: see docs/host/benchmarks.md, comma-separated. say: is given lines for
+    people. Blocks for seconds. Raises BadBenchmark, and has then added those before.
     """
     from reference_sim.gymnasium import registration
 

@@ -1,4 +1,4 @@
-"""Any Gymnasium environment as a benchmark; see docs/benchmarks.md.
+"""Any Gymnasium environment as a benchmark; see docs/host/benchmarks.md.
 
 `benchmark_file` reads what the user wrote, `environments` makes the environment (and is
 alone in importing Gymnasium), `entries` translates its spaces, `simulator` plays it,

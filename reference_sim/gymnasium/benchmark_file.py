@@ -1,7 +1,7 @@
 """What the user says of a benchmark: a TOML file, or a short name on the command line.
 
-docs/benchmarks.md is its manual. Nothing of an environment is known here; what a file
-leaves open is settled by `check`, which has one.
+docs/host/benchmarks.md is its manual. Nothing of an environment is known here; what a
+file leaves open is settled by `check`, which has one.
 """
 
 from __future__ import annotations
