@@ -81,7 +81,7 @@ class ResolvedBenchmark:
 def add(references: str, say: Callable[[str], None]) -> None:
     """Add the user's own benchmarks, after checking them.
 
-    references: see docs/benchmarks.md, comma-separated. say: called with progress
+    references: see docs/host/benchmarks.md, comma-separated. say: called with progress
     messages. Blocks for seconds. Raises BadBenchmark; earlier references are then
     already added.
     """

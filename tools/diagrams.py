@@ -1,8 +1,8 @@
 """The pictures of docs/contribute/architecture.md, as Mermaid text that GitHub draws.
 
 `make docs` writes them between their marks: the lifecycle from `x-lifecycle` of
-spec/openapi.yaml, and which part of the reference server imports which, from its
-source. A test fails when the page is out of date. The other text is written by hand.
+spec/openapi.yaml, and which folder of the server imports which, from its source. A test
+fails when the page is out of date. The other text is written by hand.
 """
 
 from __future__ import annotations
@@ -21,8 +21,6 @@ PAGE = ROOT / "docs" / "contribute" / "architecture.md"
 SPEC = ROOT / "spec" / "openapi.yaml"
 SERVER = ROOT / "reference_server"
 SIMULATORS = "reference_sim"
-# Wiring and data are imported by nearly everything, and would hide the rest.
-NOT_DRAWN = {"app", "settings", "generated", "__init__", "__main__"}
 # Events that a request brings are drawn as such, the others happen by themselves.
 EVENT_LABELS = {
     "stop_abort": "stop_run abort",
@@ -92,17 +90,20 @@ def _statements(node: ast.AST) -> Iterator[ast.AST]:
 
 
 def part_of(module: str) -> str | None:
-    """The part of the server that a module is in; the simulators are one part."""
+    """The folder of the server that a module is in; the simulators are one part.
+
+    None for generated modules, which nearly everything imports.
+    """
     names = module.split(".")
     if names[0] == SIMULATORS:
         return SIMULATORS
-    if names[0] != SERVER.name or len(names) < 2 or names[1] in NOT_DRAWN:
+    if names[0] != SERVER.name or len(names) < 2 or names[1] == "generated":
         return None
-    return names[1]
+    return names[1] if (SERVER / names[1]).is_dir() else None
 
 
 def imports_diagram() -> str:
-    """Which part of the reference server imports which."""
+    """Which folder of the reference server imports which."""
     arrows: set[tuple[str, str]] = set()
     for path in sorted(SERVER.rglob("*.py")):
         module = path.relative_to(ROOT).with_suffix("").as_posix().replace("/", ".")

@@ -284,7 +284,7 @@ def _event(rules: Rules, model: RunModel, event: str) -> RunModel:
 
 
 def apply_automatic_events(rules: Rules, model: RunModel) -> RunModel:
-    """LIFE-802 to LIFE-805: what must follow at once."""
+    """LIFE-802, LIFE-803, LIFE-804, LIFE-805: what must follow at once."""
     if model.all_scored:
         return _event(rules, model, "all_scored")
     if not any(s.status == "live" for s in model.sessions):

@@ -97,7 +97,10 @@ def turn(
 
 
 def action_faults(benchmark: Mapping[str, Any], actions: Any) -> list[str]:
-    """List how actions do not fit the benchmark; as PRED-013 to PRED-017 have it."""
+    """List how actions do not fit the benchmark.
+
+    The same as a server refuses: PRED-013, PRED-014, PRED-015, PRED-016, PRED-017.
+    """
     found: list[str] = []
     if len(actions) > benchmark["max_chunk"]:
         found.append(f"{len(actions)} actions, at most {benchmark['max_chunk']}")

@@ -1,7 +1,7 @@
 """The command line of `proctor`: every command, flag and help text.
 
 Flags take precedence over environment variables. Values are checked here as far as that
-is possible without a server. docs/command.md names every flag.
+is possible without a server. docs/evaluate/command.md names every flag.
 
 Why argparse: it is part of Python, so the client needs no further dependency. The flags
 are declarations in any library; another one would not make this module shorter.

@@ -2,8 +2,8 @@
 
 A TOML file with two tables. `[observation]` has an entry for each key of the policy's
 request, `[action]` locates the numbers in its answer, and `[action.values]` assigns
-them to the vectors of the action space. docs/policies.md explains every member. Nothing
-in such a file is executed.
+them to the vectors of the action space. docs/evaluate/policies.md explains every
+member. Nothing in such a file is executed.
 """
 
 from __future__ import annotations

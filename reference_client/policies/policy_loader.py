@@ -55,7 +55,7 @@ def _openpi(url: str, mapping: PolicyMapping | None) -> Callable[[], Policy]:
     if mapping is None:
         raise BadPolicy(
             "openpi: needs --mapping FILE, which maps observation and action names; "
-            "docs/policies.md lists mapping files"
+            "docs/evaluate/policies.md lists mapping files"
         )
     return lambda: _MappedPolicy(OpenpiClient.connect_to(url).infer, mapping)
 

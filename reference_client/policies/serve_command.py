@@ -1,6 +1,6 @@
 """`proctor serve-policy`: serves a policy over HTTP, for runs in push mode.
 
-Accepts the policies of `proctor run --policy`; docs/push.md has an example.
+Accepts the policies of `proctor run --policy`; docs/evaluate/push.md has an example.
 """
 
 from __future__ import annotations

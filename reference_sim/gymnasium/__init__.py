@@ -1,4 +1,4 @@
-"""Any Gymnasium environment as a benchmark; see docs/benchmarks.md.
+"""Any Gymnasium environment as a benchmark; see docs/host/benchmarks.md.
 
 `benchmark_file` parses the user's file, `environments` makes the environment (only this
 module imports Gymnasium), `entries` converts its spaces, `simulator` plays it, `plan`

@@ -1,6 +1,6 @@
 """The user's description of a benchmark: a TOML file or a short reference.
 
-Documented in docs/benchmarks.md. This module knows no environment; what a file omits is
+Documented in docs/host/benchmarks.md. This module knows no environment; what a file omits is
 completed by `check`, from the environment.
 """
 

@@ -7,6 +7,7 @@ from typing import Any
 from reference_server.rules import effects
 from reference_server.rules.run import Episode, Run, Session
 from tests.mutants import mutant, put
+from tests.mutants.turns import change_turn
 
 
 @mutant("EPI-001")
@@ -46,6 +47,18 @@ def counts_no_attempt() -> None:
         right(run, session, now_wall, counted=counted and False)
 
     put(effects, "_close_attempt", wrong)
+
+
+@mutant("EPI-005")
+def answers_another_result_than_it_stores() -> None:
+    """A client's log of an episode and the server's list disagree about its end."""
+
+    def wrong(body: dict[str, Any], _session: Session) -> None:
+        result = body.get("episode_result")
+        if result is not None:
+            body["episode_result"] = result | {"finished_at": "2000-01-01T00:00:00Z"}
+
+    change_turn(wrong)
 
 
 @mutant("EPI-008")

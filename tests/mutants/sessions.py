@@ -203,6 +203,22 @@ def counts_its_own_time_against_the_lease() -> None:
     _change_lease_over(wrong)
 
 
+@mutant("LEASE-006")
+def keeps_the_slot_when_the_lease_ends() -> None:
+    """A client that crashed blocks the only slot of its run for ever."""
+    right = lifecycle._below_worker_limit
+
+    def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
+        expired = sum(reason == "lease_ended" for reason in run.ended.values())
+        run.max_workers -= expired
+        try:
+            return right(run, command, now)
+        finally:
+            run.max_workers += expired
+
+    replace_guard(right, wrong)
+
+
 @mutant("LEASE-008")
 def extends_the_lease_on_refused_requests() -> None:
     """A client in an endless loop of errors keeps its slot."""

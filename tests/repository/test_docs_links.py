@@ -148,3 +148,17 @@ def test_constants_that_a_guide_names_exist(page: Path) -> None:
     assert {
         n for n in names if not re.search(rf"^{n}\b", sources, re.MULTILINE)
     } == set()
+
+
+def test_make_knows_the_commands_of_every_page() -> None:
+    makefile = (ROOT / "Makefile").read_text()
+    targets = set(re.findall(r"^([a-z-]+):", makefile, re.MULTILINE))
+    named = {
+        command
+        for page in PAGES
+        for command in re.findall(
+            r"(?:^ +|`)make ([a-z][a-z-]+)(?![\w-])", page.read_text(), re.MULTILINE
+        )
+    }
+    assert len(named) > 10
+    assert named - targets == set()

@@ -67,16 +67,11 @@ def test_a_place_is_listed_once() -> None:
     assert citations(source, "f.py") == {"ATT-001": [Place("f.py", "f")]}
 
 
-@pytest.mark.parametrize(
-    "text",
-    ["PRED-013 to PRED-017", "PRED-013–PRED-017", "`PRED-013` to `PRED-017`"],
-)
-def test_ranges_are_found(text: str) -> None:
-    assert traceability.RANGE.search(text)
+@pytest.mark.parametrize("between", [" to ", "–", "-", "..", " through ", "` to `"])
+def test_ranges_are_found(between: str) -> None:
+    assert traceability.RANGE.search(f"PRED-013{between}PRED-017")
 
 
-@pytest.mark.parametrize(
-    "text", ["PRED-013, PRED-014", "PRED-013 and PRED-017", "PRED-013 leads to x"]
-)
-def test_lists_are_no_ranges(text: str) -> None:
-    assert traceability.RANGE.search(text) is None
+@pytest.mark.parametrize("between", [", ", " and ", " leads to ", "\nto "])
+def test_lists_are_no_ranges(between: str) -> None:
+    assert not traceability.RANGE.search(f"PRED-013{between}PRED-017")

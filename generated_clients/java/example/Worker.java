@@ -14,7 +14,7 @@ import proctor.client.model.*;
 /**
  * A worker loop on the generated client: the least that a policy needs to be evaluated.
  *
- * <p>The same loop stands in every language of generated_clients/; see docs/clients.md.
+ * <p>The same loop stands in every language of generated_clients/; see docs/implement/clients.md.
  */
 public final class Worker {
     static final long PATIENCE_MS = 60_000;

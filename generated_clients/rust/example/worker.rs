@@ -1,5 +1,5 @@
 //! A worker loop on the generated client: the least that a policy needs to be evaluated.
-//! The same loop stands in every language of generated_clients/; see docs/clients.md.
+//! The same loop stands in every language of generated_clients/; see docs/implement/clients.md.
 
 use std::fmt;
 use std::future::Future;

@@ -3,7 +3,7 @@
  *     npm ci && npm run build && node dist/example/worker.js URL TOKEN [RUN_ID]
  *
  * It plays the benchmark `calibration` with a scripted policy, or goes on with a run. The
- * same loop stands in every language of generated_clients/; see docs/clients.md.
+ * same loop stands in every language of generated_clients/; see docs/implement/clients.md.
  */
 
 import { randomUUID } from "node:crypto";

@@ -19,7 +19,7 @@ from reference_sim.mujoco.kinematics import ArmKinematics
 from reference_sim.mujoco.world import Vector
 
 PICTURE_CAMERA = "front"
-PICTURE_MOMENTS = {  # task → share of an episode: where docs/tasks.md shows it
+PICTURE_MOMENTS = {  # task → the share of an episode that its picture shows
     "reach": 0.7,
     "push": 0.45,
     "lift_cube": 1.0,

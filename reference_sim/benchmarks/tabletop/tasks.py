@@ -2,8 +2,8 @@
 
 A task defines how an episode begins, which stages lead to its goal, and the goal: one
 predicate of the scene. The docstring of a class is its goal in words, for
-docs/tasks.md. The manifest lists the tasks from here, so this module imports MuJoCo for
-types only. The expert needs a plan for each task (plans.py).
+docs/evaluate/tasks.md. The manifest lists the tasks from here, so this module imports
+MuJoCo for types only. The expert needs a plan for each task (plans.py).
 """
 
 from __future__ import annotations
