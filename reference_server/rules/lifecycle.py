@@ -216,21 +216,6 @@ def lease_over(session: Session, now: float) -> bool:
     return not session.busy and now > session.expires_at
 
 
-def find_repeated_turn(session: Session, request_digest: str) -> Predict | None:
-    """The last turn once more, if a client that counts none means that (EBE-013).
-
-    asked: a digest of what the client sent. It means the last turn when it sends the
-    same again and the answer did not reach it; anything else is a turn of its own, as
-    is what a policy chooses again after it has heard (EBE-014).
-    """
-    if session.request is None or session.unconfirmed_turn != (
-        session.seq,
-        request_digest,
-    ):
-        return None
-    return Predict(session.worker_id, session.session_id, session.seq, *session.request)
-
-
 # --- guards: (run, command, now) → a verdict, or None to pass to the next guard ---
 
 

@@ -19,7 +19,8 @@ from reference_server.profiles.ebench import (
     responses,
 )
 from reference_server.profiles.ebench.handlers import EbenchHandlers
-from reference_server.rules import effects, lifecycle
+from reference_server.profiles.ebench.lost_answers import LostAnswers
+from reference_server.rules import lifecycle
 from reference_server.rules.lifecycle import Detach, Predict
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
@@ -261,13 +262,13 @@ def executes_part_of_a_refused_step() -> None:
 @mutant("EBE-013")
 def executes_a_lost_step_again() -> None:
     """A robot moves twice because an answer did not arrive."""
-    put(handlers, "find_repeated_turn", lambda _session, _asked: None)
+    put(LostAnswers, "find_repeated_turn", lambda _self, _session, _digest: None)
 
 
 @mutant("EBE-014")
 def takes_an_equal_action_for_a_repeated_one() -> None:
     """A policy that waits in one place never sees time pass."""
-    put(effects, "confirm_delivery", lambda _session, _seq: None)
+    put(LostAnswers, "confirm_delivery", lambda _self, _session, _seq: None)
 
 
 @mutant("EBE-022")

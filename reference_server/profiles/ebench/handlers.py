@@ -10,7 +10,7 @@ from __future__ import annotations
 import asyncio
 import secrets
 from collections.abc import Awaitable, Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any, TypeAlias
 
@@ -25,6 +25,7 @@ from reference_server.profiles.ebench import (
     pickle_reader,
     pickle_writer,
 )
+from reference_server.profiles.ebench.lost_answers import LostAnswers
 from reference_server.profiles.ebench.requests import (
     Chunk,
     CreateTask,
@@ -43,7 +44,6 @@ from reference_server.profiles.ebench.responses import (
     status_of,
     worker_view,
 )
-from reference_server.rules import effects
 from reference_server.rules.lifecycle import (
     Attach,
     Detach,
@@ -51,7 +51,6 @@ from reference_server.rules.lifecycle import (
     Refuse,
     Stop,
     decide,
-    find_repeated_turn,
     legal,
 )
 from reference_server.rules.refusal import Refused
@@ -77,6 +76,7 @@ class EbenchHandlers:
     """The operations, over the routes of this server."""
 
     handlers: Handlers
+    lost_answers: LostAnswers = field(default_factory=LostAnswers)
 
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation."""
@@ -190,7 +190,7 @@ class EbenchHandlers:
     async def step(self, call: OperationCall) -> Response:
         run, turns = await self._step_all(call)
         return ConfirmedResponse(
-            await self._worker_views(run, turns), call, _on_delivered(run, turns)
+            await self._worker_views(run, turns), call, self._on_delivered(run, turns)
         )
 
     async def step_chunk(self, call: OperationCall) -> Response:
@@ -201,7 +201,7 @@ class EbenchHandlers:
             "executed_steps": max(t.get("executed_steps", 0) for t in turns.values()),
             "stopped_early": any(map(_is_stopped_early, turns.values())),
         }
-        return ConfirmedResponse(body, call, _on_delivered(run, turns))
+        return ConfirmedResponse(body, call, self._on_delivered(run, turns))
 
     async def _step_all(self, call: OperationCall) -> tuple[Run, dict[str, Turn]]:
         """One turn of each worker: all are accepted before any begins."""
@@ -221,7 +221,7 @@ class EbenchHandlers:
         if not session.done:  # nothing is asked of actions that nobody will execute
             actions.check_length(chunk.actions, run.manifest, chunk.at)
         digest = chunk.digest()
-        command = find_repeated_turn(session, digest)
+        command = self.lost_answers.find_repeated_turn(session, digest)
         if command is None and session.done and not session.busy:
             return partial(self._last_turn, session)
         if command is None:
@@ -237,7 +237,7 @@ class EbenchHandlers:
     async def _play(
         self, run: Run, session: Session, command: Predict, digest: str
     ) -> Turn:
-        effects.await_confirmation(session, command, digest)
+        self.lost_answers.await_confirmation(session, command, digest)
         return await self.handlers.executor.predict(run, command)
 
     async def _open(self, run: Run, worker_id: str, takeover: bool = False) -> Turn:
@@ -290,17 +290,18 @@ class EbenchHandlers:
             worker: worker_view(run, turn, results) for worker, turn in turns.items()
         }
 
+    def _on_delivered(self, run: Run, turns: Mapping[str, Turn]) -> Callable[[], None]:
+        """What to do once the answer was sent to a connected client (EBE-014)."""
+        sessions = [
+            (run.workers.get(i), turn.get("seq", 0)) for i, turn in turns.items()
+        ]
 
-def _on_delivered(run: Run, turns: Mapping[str, Turn]) -> Callable[[], None]:
-    """What to do when the client was there to take the answer."""
-    sessions = [(run.workers.get(i), turn.get("seq", 0)) for i, turn in turns.items()]
+        def on_delivered() -> None:
+            for session, seq in sessions:
+                if session is not None:
+                    self.lost_answers.confirm_delivery(session, seq)
 
-    def on_delivered() -> None:
-        for session, seq in sessions:
-            if session is not None:
-                effects.confirm_delivery(session, seq)
-
-    return on_delivered
+        return on_delivered
 
 
 def _is_stopped_early(turn: Turn) -> bool:

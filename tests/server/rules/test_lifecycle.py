@@ -285,40 +285,6 @@ def test_an_action_must_fit() -> None:
     assert [at for at, _ in refused.errors] == ["/actions/1/values/grip/0"]
 
 
-# --- clients that count no turns ---
-
-
-def test_an_unconfirmed_turn_is_recognised_when_repeated() -> None:
-    """EBE-013, EBE-014: the same question, and nobody heard the answer."""
-    run = make_run()
-    session = add_session(run, unconfirmed_turn=(3, "asked"))
-    again = lifecycle.find_repeated_turn(session, "asked")
-    assert again == predict(3)
-    assert isinstance(decide(run, again, NOW), Replay)
-    assert lifecycle.find_repeated_turn(session, "asked otherwise") is None
-    session.seq = 4  # by a client that counts
-    assert lifecycle.find_repeated_turn(session, "asked") is None
-
-
-@pytest.mark.parametrize("unconfirmed_turn", [None, (2, "asked"), (4, "asked")])
-def test_a_confirmed_turn_is_not_a_repeat(
-    unconfirmed_turn: tuple[int, str] | None,
-) -> None:
-    assert (
-        lifecycle.find_repeated_turn(
-            add_session(make_run(), unconfirmed_turn=unconfirmed_turn), "asked"
-        )
-        is None
-    )
-
-
-def test_no_turn_can_be_repeated_before_the_first() -> None:
-    session = add_session(
-        make_run(), seq=0, request=None, unconfirmed_turn=(0, "asked")
-    )
-    assert lifecycle.find_repeated_turn(session, "asked") is None
-
-
 # --- all together ---
 
 
