@@ -10,8 +10,8 @@ from collections.abc import Callable
 
 from reference_server.http.dispatch import Operation
 from reference_server.http.handlers import Handlers
-from reference_server.profiles.ebench.handlers import EbenchHandlers
-from reference_server.profiles.flageval.handlers import FlagevalHandlers
+from reference_server.profiles.ebench.task_handlers import EbenchHandlers
+from reference_server.profiles.flageval.evaluation_handlers import FlagevalHandlers
 
 
 def profile_tables(handlers: Handlers) -> dict[str, dict[str, Operation]]:

@@ -10,16 +10,16 @@ from typing import Any
 import numpy as np
 from starlette.responses import Response
 
-from reference_server.profiles.ebench import actions as ebench_messages
 from reference_server.profiles.ebench import (
-    handlers,
+    message_conversion,
     pickle_reader,
     pickle_writer,
-    requests,
-    responses,
+    task_handlers,
+    task_requests,
+    task_responses,
 )
-from reference_server.profiles.ebench.handlers import EbenchHandlers
 from reference_server.profiles.ebench.lost_answers import LostAnswers
+from reference_server.profiles.ebench.task_handlers import EbenchHandlers
 from reference_server.rules import lifecycle
 from reference_server.rules.lifecycle import Detach, Predict
 from reference_server.rules.refusal import Refused
@@ -35,8 +35,8 @@ SCORE_AT = 5  # among calibration's numbers by name
 @mutant("EBE-001")
 def takes_another_benchmark_for_the_task() -> None:
     """A policy is evaluated on what nobody asked for."""
-    wrong = {**handlers.BENCHMARK_SETS, "calibration": "mobile_bimanual_state"}
-    put(handlers, "BENCHMARK_SETS", wrong)
+    wrong = {**task_handlers.BENCHMARK_SETS, "calibration": "mobile_bimanual_state"}
+    put(task_handlers, "BENCHMARK_SETS", wrong)
 
 
 @mutant("EBE-002")
@@ -44,10 +44,10 @@ def refuses_a_task_without_a_message() -> None:
     """The client prints an error that says nothing."""
 
     def wrong(refused: Refused) -> Response:
-        body = json.loads(bytes(responses.refusal_response(refused).body))
-        return responses.envelope(None, body["code"], "")
+        body = json.loads(bytes(task_responses.refusal_response(refused).body))
+        return task_responses.envelope(None, body["code"], "")
 
-    put(handlers, "refusal_response", wrong)
+    put(task_handlers, "refusal_response", wrong)
 
 
 @mutant("EBE-003")
@@ -58,7 +58,7 @@ def calls_a_queued_task_ready() -> None:
     def wrong(run: Run, event: Any) -> bool:
         return run.state == "queued" or right(run, event)
 
-    put(handlers, "legal", wrong)
+    put(task_handlers, "legal", wrong)
 
 
 @mutant("EBE-004")
@@ -70,7 +70,7 @@ def gives_a_resumed_task_another_id() -> None:
         response = await right(self, call)
         if not call.body.task_id:
             return response
-        return responses.envelope({"task_id": f"{call.body.task_id}-2"})
+        return task_responses.envelope({"task_id": f"{call.body.task_id}-2"})
 
     put(EbenchHandlers, "create_task", wrong)
 
@@ -92,7 +92,7 @@ def lacks_one_of_two_stop_paths() -> None:
 
     def wrong(self: EbenchHandlers) -> Any:
         table = right(self)
-        del table[f"{handlers.RUN_PATH}/stop"]
+        del table[f"{task_handlers.RUN_PATH}/stop"]
         return table
 
     put(EbenchHandlers, "table", wrong)
@@ -101,14 +101,14 @@ def lacks_one_of_two_stop_paths() -> None:
 @mutant("EBE-019")
 def counts_episodes_in_progress_as_completed() -> None:
     """A run seems nearer to its end than it is."""
-    right = responses.status_of
+    right = task_responses.status_of
 
     def wrong(run: Run) -> dict[str, Any]:
         status = right(run)
         status["completed_episodes"] += status["in_progress_episodes"]
         return status
 
-    put(handlers, "status_of", wrong)
+    put(task_handlers, "status_of", wrong)
 
 
 # --- workers ---
@@ -167,7 +167,7 @@ def executes_actions_of_a_lost_episode() -> None:
 
         async def work() -> Any:
             turn = await self._open(run, worker_id)
-            actions = ebench_messages.actions(
+            actions = message_conversion.read_actions(
                 chunk.actions, run.manifest, dict, chunk.at
             )
             command = Predict(worker_id, turn["session_id"], 1, actions)
@@ -197,47 +197,47 @@ def opens_its_endpoint_to_every_account() -> None:
 @mutant("EBE-008")
 def executes_a_list_of_steps_backwards() -> None:
     """A robot does last things first."""
-    right = requests.read_chunks
+    right = task_requests.read_chunks
 
     def wrong(body: Any, run: Run) -> Any:
         return right(body[::-1] if isinstance(body, list) else body, run)
 
-    put(handlers, "read_chunks", wrong)
+    put(task_handlers, "read_chunks", wrong)
 
 
 @mutant("EBE-023")
 def never_reports_a_chunk_as_stopped_early() -> None:
     """A policy believes that it is still in the episode it planned for."""
-    put(handlers, "_is_stopped_early", lambda _turn: False)
+    put(task_handlers, "_is_stopped_early", lambda _turn: False)
 
 
 @mutant("EBE-009")
 def omits_the_result_of_an_episode() -> None:
     """The client's folder of results stays empty."""
-    right = responses.worker_view
+    right = task_responses.worker_view
 
     def wrong(*arguments: Any) -> dict[str, Any]:
         return right(*arguments) | {"episode_result": None}
 
-    put(handlers, "worker_view", wrong)
+    put(task_handlers, "worker_view", wrong)
 
 
 @mutant("EBE-010")
 def ends_a_run_without_metrics() -> None:
     """The client prints an empty table at the end."""
-    put(handlers, "results_of", lambda _run: {})
+    put(task_handlers, "results_of", lambda _run: {})
 
 
 @mutant("EBE-011")
 def reads_numbers_in_single_precision() -> None:
     """A target is met by less than the policy commanded."""
-    right = ebench_messages._numbers
+    right = message_conversion._numbers
 
     def wrong(value: Any, at: str, size: int) -> list[float]:
         with np.errstate(over="ignore"):
             return [float(np.float32(number)) for number in right(value, at, size)]
 
-    put(ebench_messages, "_numbers", wrong)
+    put(message_conversion, "_numbers", wrong)
 
 
 @mutant("EBE-012")
@@ -274,7 +274,7 @@ def takes_an_equal_action_for_a_repeated_one() -> None:
 @mutant("EBE-022")
 def shares_scores_among_the_workers_of_a_step() -> None:
     """What one worker achieves depends on another one's luck."""
-    right = requests.read_chunks
+    right = task_requests.read_chunks
 
     def wrong(body: Any, run: Run) -> Any:
         chunks = right(body, run)
@@ -285,7 +285,7 @@ def shares_scores_among_the_workers_of_a_step() -> None:
                 one[SCORE_AT] = mean
         return chunks
 
-    put(handlers, "read_chunks", wrong)
+    put(task_handlers, "read_chunks", wrong)
 
 
 # --- pickles ---

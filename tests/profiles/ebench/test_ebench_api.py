@@ -19,7 +19,7 @@ from hypothesis import strategies as st
 
 from reference_server.http.handlers import Handlers
 from reference_server.profiles import profile_tables
-from reference_server.profiles.ebench.handlers import EbenchHandlers
+from reference_server.profiles.ebench.task_handlers import EbenchHandlers
 from reference_server.settings import Settings
 from tests.conftest import TIMEOUT_S, ReferenceServer
 from tests.support.profiles.ebench_client import (

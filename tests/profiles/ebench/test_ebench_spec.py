@@ -13,7 +13,7 @@ import yaml
 
 from conformance.specification.ledger import load_ledger
 from reference_server.http.handlers import Handlers
-from reference_server.profiles.ebench.handlers import EbenchHandlers
+from reference_server.profiles.ebench.task_handlers import EbenchHandlers
 from reference_server.settings import Settings
 from tests.support.paths import ROOT
 

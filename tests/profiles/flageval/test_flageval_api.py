@@ -12,7 +12,7 @@ import pytest
 from conformance.policy.chat import ChatRequest, ScriptedChat
 from reference_server.http.handlers import Handlers
 from reference_server.profiles import profile_tables
-from reference_server.profiles.flageval.responses import TOLERANCE, status_of
+from reference_server.profiles.flageval.evaluation_responses import TOLERANCE, status_of
 from reference_server.rules.run import Episode
 from reference_server.settings import Settings
 from tests.conftest import TIMEOUT_S, TOKENS, ReferenceServer, make_run

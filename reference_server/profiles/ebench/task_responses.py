@@ -13,7 +13,7 @@ from starlette.types import Receive, Scope, Send
 from reference_server.generated.problem_codes import PROBLEMS
 from reference_server.http.codec import JSON
 from reference_server.http.dispatch import OperationCall
-from reference_server.profiles.ebench import actions, pickle_writer
+from reference_server.profiles.ebench import message_conversion, pickle_writer
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.views import run_views
@@ -70,9 +70,9 @@ def worker_view(
     ended = turn.get("episode_result")
     metric = {ended["task"]: ended["score"]} if ended else None
     return {
-        "obs": None if turn["done"] else actions.observation(turn, *of),
+        "obs": None if turn["done"] else message_conversion.observation_view(turn, *of),
         "metric": results if turn["done"] else metric,
-        "episode_result": ended and actions.episode_result(ended, *of),
+        "episode_result": ended and message_conversion.episode_result_view(ended, *of),
     }
 
 

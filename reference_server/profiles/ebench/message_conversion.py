@@ -38,7 +38,7 @@ _CAMERAS = {
 # --- actions ---
 
 
-def actions(
+def read_actions(
     chunk: Sequence[Any],
     manifest: Mapping[str, Any],
     last: ReadLastCommand,
@@ -181,7 +181,7 @@ def _invalid_action(at: str, text: str) -> Refused:
 # --- observations ---
 
 
-def observation(turn: Mapping[str, Any], run_id: str, benchmark_id: str) -> Any:
+def observation_view(turn: Mapping[str, Any], run_id: str, benchmark_id: str) -> Any:
     """What EBench calls obs, of a turn that has an observation."""
     episode, seen = turn["episode"], turn["observation"]
     state = dict(seen["state"])
@@ -207,7 +207,7 @@ def observation(turn: Mapping[str, Any], run_id: str, benchmark_id: str) -> Any:
     return found
 
 
-def episode_result(
+def episode_result_view(
     result: Mapping[str, Any], run_id: str, benchmark_id: str
 ) -> dict[str, Any]:
     return {

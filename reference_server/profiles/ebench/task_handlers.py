@@ -21,12 +21,12 @@ from reference_server.http import codec
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.http.handlers import Handlers
 from reference_server.profiles.ebench import (
-    actions,
+    message_conversion,
     pickle_reader,
     pickle_writer,
 )
 from reference_server.profiles.ebench.lost_answers import LostAnswers
-from reference_server.profiles.ebench.requests import (
+from reference_server.profiles.ebench.task_requests import (
     Chunk,
     CreateTask,
     Ready,
@@ -35,7 +35,7 @@ from reference_server.profiles.ebench.requests import (
     read_worker_ids,
     schema_error,
 )
-from reference_server.profiles.ebench.responses import (
+from reference_server.profiles.ebench.task_responses import (
     PICKLE,
     ConfirmedResponse,
     envelope,
@@ -219,13 +219,13 @@ class EbenchHandlers:
         if session is None:  # these actions were chosen in an episode that is over
             return partial(self._open, run, worker_id)
         if not session.done:  # nothing is asked of actions that nobody will execute
-            actions.check_length(chunk.actions, run.manifest, chunk.at)
+            message_conversion.check_length(chunk.actions, run.manifest, chunk.at)
         digest = chunk.digest()
         command = self.lost_answers.find_repeated_turn(session, digest)
         if command is None and session.done and not session.busy:
             return partial(self._last_turn, session)
         if command is None:
-            made = actions.actions(
+            made = message_conversion.read_actions(
                 chunk.actions, run.manifest, partial(_last_command, session), chunk.at
             )
             command = Predict(worker_id, session.session_id, session.seq + 1, made)

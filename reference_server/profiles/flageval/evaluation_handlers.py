@@ -19,7 +19,7 @@ from reference_server.http import codec
 from reference_server.http.codec import JSON
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.http.handlers import Handlers
-from reference_server.profiles.flageval.requests import (
+from reference_server.profiles.flageval.evaluation_requests import (
     DiffsRequest,
     EvaluationRequest,
     ProgressRequest,
@@ -27,7 +27,7 @@ from reference_server.profiles.flageval.requests import (
     idempotency_key,
     translate_refusal,
 )
-from reference_server.profiles.flageval.responses import (
+from reference_server.profiles.flageval.evaluation_responses import (
     BASELINE,
     TOLERANCE,
     EvaluationView,
