@@ -12,7 +12,7 @@ from typing import Literal
 from pydantic import Field, field_validator
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
-from reference_server.push.egress import EgressPolicy
+from reference_server.allowed_networks import AllowedNetworks
 
 
 class Settings(BaseSettings):
@@ -116,7 +116,7 @@ class Settings(BaseSettings):
     @field_validator("allow_private_policies")
     @classmethod
     def _check_networks(cls, text: str) -> str:
-        EgressPolicy(text).close()
+        AllowedNetworks.parse(text)  # raises ValueError
         return text
 
     @property

@@ -246,6 +246,31 @@ class RunService:
         run = await self.registry.get(run_id, account)
         await self.executor.detach(run, command)
 
+    # --- push runs: what the driver does besides attach and predict ---
+
+    async def end_attempt_by_policy(
+        self, run_id: str, worker_id: str, session_id: str, fault: str
+    ) -> bool:
+        """End a session by a fault of its policy (PUSH-010).
+
+        False if the session has ended already: stopped, or lost.
+        """
+        run = await self.registry.get(run_id)
+        session = run.workers.get(worker_id)
+        if session is None or session.session_id != session_id:
+            return False
+        effects.end_by_policy(run, session, fault, time.time())
+        self.executor.release_sessions([session])
+        await self.registry.commit(run)
+        return True
+
+    async def fail_run(self, run_id: str, reason: str, *, retryable: bool) -> None:
+        """End a push run whose policy cannot be called (PUSH-012)."""
+        run = await self.registry.get(run_id)
+        ended = effects.fail_run(run, reason, time.time(), retryable=retryable)
+        self.executor.release_sessions(ended)
+        await self.registry.commit(run)
+
     async def _run_accepting(
         self, account: str, run_id: str, command: Stop | Resume
     ) -> Run:

@@ -35,7 +35,7 @@ from reference_server.profiles.flageval.evaluation_responses import (
     refusal_response,
     success_response,
 )
-from reference_server.push.chat_calls import is_answered_in_words
+from reference_server.push.chat_calls import is_playable_by_chat
 from reference_server.rules.lifecycle import Event, Stop, legal
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
@@ -168,7 +168,7 @@ class FlagevalHandlers:
             raise Refused(
                 "invalid_request", refused.detail, errors=[("/mode", "names none")]
             ) from refused
-        if not is_answered_in_words(benchmark):
+        if not is_playable_by_chat(benchmark):
             raise Refused(
                 "invalid_request",
                 f"{requested.benchmark_id} is not answered in words.",

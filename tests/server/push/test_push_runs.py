@@ -339,6 +339,6 @@ def test_a_lost_encryption_key_fails_the_run(
         run = wait_for_state(client, run_id)
         resumed = client.post(f"/v1/runs/{run_id}/resume")
     assert (run["state"], run["retryable"]) == ("failed", False)
-    assert "Submit the run anew" in run["reason"]
+    assert "Submit the run again" in run["reason"]
     assert resumed.json()["code"] == "illegal_transition"
     server.end(signal.SIGKILL)
