@@ -94,6 +94,9 @@ RESTING_STATES = (
 )
 
 
+Availability: TypeAlias = Literal["open", "waiting", "completed", "closed"]
+
+
 @dataclass(frozen=True, slots=True)
 class Attach:
     worker_id: str
@@ -205,6 +208,15 @@ def decide(run: Run, command: Command, now: float) -> Verdict:
         if verdict is not None:
             return verdict
     return Accept()
+
+
+def availability(run: Run) -> Availability:
+    """Whether workers may attach: now, with capacity, never again, after a resume."""
+    if run.state in PLAYABLE_STATES:
+        return "open"
+    if run.state in WAITING_STATES:
+        return "waiting"
+    return "completed" if run.state == "completed" else "closed"
 
 
 def lease_over(session: Session, now: float) -> bool:

@@ -21,12 +21,14 @@ import msgspec
 from reference_server.rules import comparison, effects
 from reference_server.rules.lifecycle import (
     Attach,
+    Availability,
     Detach,
     Heartbeat,
     Predict,
     Refuse,
     Resume,
     Stop,
+    availability,
     changes_state,
     decide,
 )
@@ -180,6 +182,15 @@ class RunService:
         self.executor.sweep(run)
         return run
 
+    async def get_availability(
+        self, account: str, run_id: str
+    ) -> tuple[Run, Availability]:
+        """The run as it is stored, and whether workers may attach to it."""
+        run = await self.registry.get(run_id, account)
+        return await self.registry.render_when_stored(
+            run, lambda run: (run, availability(run))
+        )
+
     async def view_run(self, account: str, run_id: str, endpoint: str) -> Json:
         """Schema Run, of what is stored."""
         view = partial(self.current_view, endpoint)
@@ -235,6 +246,21 @@ class RunService:
         """Schema Turn; executed once, however often it is requested."""
         run = await self.registry.get(run_id, account)
         return await self.executor.predict(run, command)
+
+    async def find_refused(
+        self, account: str, run_id: str, commands: Sequence[Predict]
+    ) -> tuple[Predict, Refuse] | None:
+        """The first of several predicts that would be refused now; None if none is.
+
+        For an API that sends them together and executes all or none.
+        """
+        run = await self.registry.get(run_id, account)
+        now = self.executor.sweep(run)
+        for command in commands:
+            verdict = decide(run, command, now)
+            if isinstance(verdict, Refuse):
+                return command, verdict
+        return None
 
     async def heartbeat(self, account: str, run_id: str, command: Heartbeat) -> Json:
         """Schema Lease, extended."""

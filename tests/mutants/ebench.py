@@ -1,4 +1,4 @@
-"""Mutants of EBench's door."""
+"""Mutants of the profile `ebench`."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ from reference_server.profiles.ebench import (
 )
 from reference_server.profiles.ebench.lost_answers import LostAnswers
 from reference_server.profiles.ebench.task_handlers import EbenchHandlers
-from reference_server.rules import lifecycle
 from reference_server.rules.lifecycle import Detach, Predict
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
+from reference_server.runs.service import RunService
 from tests.mutants import mutant, put
 
 SCORE_AT = 5  # among calibration's numbers by name
@@ -53,12 +53,13 @@ def refuses_a_task_without_a_message() -> None:
 @mutant("EBE-003")
 def calls_a_queued_task_ready() -> None:
     """Workers come too early and are turned away."""
-    right = lifecycle.legal
+    right = RunService.get_availability
 
-    def wrong(run: Run, event: Any) -> bool:
-        return run.state == "queued" or right(run, event)
+    async def wrong(self: RunService, *arguments: Any) -> Any:
+        run, available = await right(self, *arguments)
+        return run, "open" if available == "waiting" else available
 
-    put(task_handlers, "legal", wrong)
+    put(RunService, "get_availability", wrong)
 
 
 @mutant("EBE-004")
@@ -138,7 +139,7 @@ def begins_an_episode_anew_at_every_reset() -> None:
         session = run.workers.get(worker_id)
         if takeover and session is not None:
             detach = Detach(worker_id, session.session_id)
-            await self.handlers.executor.detach(run, detach)
+            await self.service.detach_worker(run.account, run.run_id, detach)
         return await right(self, run, worker_id, takeover)
 
     put(EbenchHandlers, "_open", wrong)
@@ -157,13 +158,11 @@ def ignores_kill_requests() -> None:
 @mutant("EBE-017")
 def executes_actions_of_a_lost_episode() -> None:
     """A new episode begins with an action that was chosen in another one."""
-    right = EbenchHandlers._turn
+    right = EbenchHandlers._prepare_step
 
-    def wrong(
-        self: EbenchHandlers, run: Run, worker_id: str, chunk: Any, now: float
-    ) -> Any:
+    def wrong(self: EbenchHandlers, run: Run, worker_id: str, chunk: Any) -> Any:
         if worker_id in run.workers:
-            return right(self, run, worker_id, chunk, now)
+            return right(self, run, worker_id, chunk)
 
         async def work() -> Any:
             turn = await self._open(run, worker_id)
@@ -171,11 +170,11 @@ def executes_actions_of_a_lost_episode() -> None:
                 chunk.actions, run.manifest, dict, chunk.at
             )
             command = Predict(worker_id, turn["session_id"], 1, actions)
-            return await self.handlers.executor.predict(run, command)
+            return await self.service.predict(run.account, run.run_id, command)
 
-        return work
+        return task_handlers._Step(work)
 
-    put(EbenchHandlers, "_turn", wrong)
+    put(EbenchHandlers, "_prepare_step", wrong)
 
 
 @mutant("EBE-021")
@@ -184,7 +183,7 @@ def opens_its_endpoint_to_every_account() -> None:
     right = EbenchHandlers._run
 
     async def wrong(self: EbenchHandlers, call: Any) -> Run:
-        run = await self.handlers.registry.get(call.path["run_id"])
+        run = await self.service.registry.get(call.path["run_id"])
         caller = dataclasses.replace(call.caller, account=run.account)
         return await right(self, dataclasses.replace(call, caller=caller))
 
@@ -243,7 +242,7 @@ def reads_numbers_in_single_precision() -> None:
 @mutant("EBE-012")
 def executes_part_of_a_refused_step() -> None:
     """A refused step was executed by half of the workers."""
-    right = EbenchHandlers._turn
+    right = EbenchHandlers._prepare_step
 
     def wrong(self: EbenchHandlers, *arguments: Any) -> Any:
         try:
@@ -254,9 +253,13 @@ def executes_part_of_a_refused_step() -> None:
         async def work() -> Any:
             raise error
 
-        return work
+        return task_handlers._Step(work)
 
-    put(EbenchHandlers, "_turn", wrong)
+    async def find_none(_self: RunService, *_: Any) -> None:
+        """Every step may begin; those that do not fit are refused one by one."""
+
+    put(EbenchHandlers, "_prepare_step", wrong)
+    put(RunService, "find_refused", find_none)
 
 
 @mutant("EBE-013")

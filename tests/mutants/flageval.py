@@ -1,4 +1,4 @@
-"""Mutants of FlagEval's wire: what a script would read wrong or send in vain."""
+"""Mutants of the profile `flageval`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from typing import Any
 import msgspec
 from starlette.responses import Response
 
-from reference_server.http import auth
 from reference_server.http.codec import JSON
 from reference_server.http.dispatch import OperationCall
 from reference_server.profiles.flageval import (
@@ -173,7 +172,7 @@ def reports_success_without_resuming() -> None:
     """A script waits for a night for what was never begun."""
 
     async def wrong(self: FlagevalHandlers, call: OperationCall) -> Response:
-        await self._evaluated(call, call.body.request_id)
+        await self._evaluated(call.account, call.body.request_id)
         return evaluation_responses.success_response()
 
     put(FlagevalHandlers, "resume", wrong)
@@ -202,11 +201,8 @@ def shows_results_to_every_account() -> None:
     """Who knows a request_id reads the results of others."""
     right = FlagevalHandlers._evaluated
 
-    async def wrong(
-        self: FlagevalHandlers, call: OperationCall, request_id: str
-    ) -> Any:
-        run = await self.handlers.registry.get(request_id.split(".", maxsplit=1)[0])
-        call = replace(call, caller=auth.Caller(run.account, auth.SCOPES))
-        return await right(self, call, request_id)
+    async def wrong(self: FlagevalHandlers, _account: str, request_id: str) -> Any:
+        run = await self.service.registry.get(request_id.split(".", maxsplit=1)[0])
+        return await right(self, run.account, request_id)
 
     put(FlagevalHandlers, "_evaluated", wrong)

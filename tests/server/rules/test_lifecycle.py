@@ -23,6 +23,7 @@ from reference_server.rules.lifecycle import (
     Resume,
     Stop,
     Wait,
+    availability,
     changes_state,
     decide,
     lease_over,
@@ -283,6 +284,19 @@ def test_an_action_must_fit() -> None:
     refused = expect_refuse(run, predict(4, ACTION, ACTION | {"grip": [2.0]}))
     assert (refused.code, refused.requirement) == ("invalid_request", None)
     assert [at for at, _ in refused.errors] == ["/actions/1/values/grip/0"]
+
+
+@pytest.mark.parametrize("state", typing.get_args(State))
+def test_workers_may_attach_now_later_or_never(state: State) -> None:
+    """The states are the table's: attach is legal, or will be with capacity."""
+    run = make_run(state=state, retryable=False)
+    if legal(run, "attach_worker"):
+        expected = "open"
+    elif legal(run, "capacity"):
+        expected = "waiting"
+    else:
+        expected = "completed" if state == "completed" else "closed"
+    assert availability(run) == expected
 
 
 # --- all together ---
