@@ -365,10 +365,10 @@ BOMBS: dict[str, tuple[bytes, str]] = {
     "marks": (b"(" * (OPCODES_MAX + 1) + b".", "opcodes"),
     "empty arrays": (dump_pickle([[np.zeros(0)] * 2000] * 2000), "values"),
     "one text often": (b"](X" + MEGABYTE + b"q\x00" + b"h\x00" * 99 + b"e.", "text"),
-    "one buffer": (BUFFER + b"h\x00(h\x01h\x02h\x03VC\ntR" * 99 + b"e.", "grows"),
+    "one buffer": (BUFFER + b"h\x00(h\x01h\x02h\x03VC\ntR" * 99 + b"e.", "expands"),
     "a shape": (filled(b"(\x8b" + MEGABYTE + b"q\x00h\x00h\x00t") + b".", "shape"),
-    "a memo": (b"N" + COLLIDING + b".", "place"),
-    "bytes of one text": (LATIN + b"](" + b"h\x00h\x03R" * 1000 + b"e.", "grows"),
+    "a memo": (b"N" + COLLIDING + b".", "memo index"),
+    "bytes of one text": (LATIN + b"](" + b"h\x00h\x03R" * 1000 + b"e.", "expands"),
 }
 
 
