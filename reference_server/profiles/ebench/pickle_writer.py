@@ -13,7 +13,7 @@ from typing import Any
 
 
 def write(value: Any) -> bytes:
-    """A pickle of dicts, lists, strings, numbers, booleans and None.
+    """EBE-020: a pickle of dicts, lists, strings, numbers, booleans and None.
 
     bytes are written as text and must be UTF-8. Raises TypeError for anything else.
     """

@@ -248,6 +248,7 @@ class EbenchHandlers:
     async def _play(
         self, run: Run, session: Session, command: Predict, digest: str
     ) -> Turn:
+        """EBE-022: the predict of every client, so that it is scored like any other."""
         self.lost_answers.await_confirmation(session, command, digest)
         return await self.service.predict(run.account, run.run_id, command)
 

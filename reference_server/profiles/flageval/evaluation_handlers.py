@@ -84,7 +84,7 @@ class FlagevalHandlers:
         requested.check()
         images = await self._images(requested)
         runs: list[Run] = []
-        for number, info in enumerate(requested.eval_infos):
+        for number in range(len(requested.eval_infos)):
             submission = requested.submission(number, images)
             try:
                 runs.append(await self.service.prepare_run(call.account, submission))
