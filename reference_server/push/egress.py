@@ -79,7 +79,7 @@ class EgressPolicy:
 class CheckedBackend(httpcore.AsyncNetworkBackend):
     """Opens httpcore's connections, only to addresses that the egress policy allows.
 
-    PUSH-015: each connection resolves and checks anew, whatever was checked before.
+    PUSH-015: each connection resolves and checks again, whatever was checked before.
     """
 
     def __init__(self, egress: EgressPolicy) -> None:

@@ -1,4 +1,4 @@
-"""Mutants of the other direction: the server that calls the policy."""
+"""Mutants of push runs, in which the server calls the policy."""
 
 from __future__ import annotations
 

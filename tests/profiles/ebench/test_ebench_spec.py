@@ -1,4 +1,4 @@
-"""The profile's document against itself, the kit's ledger and the adapter's routes."""
+"""spec/profiles/ebench.yaml against itself, the kit's ledger and the handlers."""
 
 from __future__ import annotations
 

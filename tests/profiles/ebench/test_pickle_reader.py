@@ -1,7 +1,7 @@
-"""Pickles of strangers: plain data is read as written, and nothing else does anything.
+"""Pickles from outside: plain data is read as written, and nothing is executed.
 
-Attacks are made with `pickle` itself or opcode by opcode. Each would leave a file
-behind, were anything of it executed.
+Attacks are made with `pickle` itself or opcode by opcode. Each would create a file if
+any part of it were executed.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""FlagEval's wire, as its scripts use it, over push runs of a scripted chat model."""
+"""FlagEval's API as its scripts use it, over push runs of a scripted chat model."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What FlagEval's wire refuses: used names, what cannot be meant, what is not there."""
+"""What FlagEval's API refuses: names in use, invalid bodies, unknown requests."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A chat model as a policy: what it is asked, how it is read, what is a fault."""
+"""A chat model as a policy: its requests, how its text is read, what is a fault."""
 
 import base64
 import io

@@ -1,5 +1,5 @@
-"""The driver without a network: how long its workers wait, what it does when the store
-fails, and that no part of a key is in what a policy server made it say.
+"""The driver without a network: pauses of its workers, failures of the database, and
+that no part of an API key is in a text that comes from a policy server.
 """
 
 import asyncio

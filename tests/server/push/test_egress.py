@@ -1,6 +1,6 @@
-"""Where policies are called: public addresses, and what the operator allows.
+"""Egress: only public addresses are called, and those that the operator allows.
 
-A name that resolves otherwise a moment later, or a redirect, changes nothing.
+A name that resolves to another address later, or a redirect, changes nothing.
 """
 
 import asyncio

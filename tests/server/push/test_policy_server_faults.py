@@ -1,5 +1,5 @@
-"""Policy servers that are down, slow, wrong or hostile: each ends its attempt with a
-reason that the submitter can read, nothing of it is executed, and nothing hangs.
+"""Policy servers that are down, slow, wrong or hostile: each fault ends its attempt
+with a reason for the submitter, nothing of the answer is executed, and nothing hangs.
 """
 
 import itertools

@@ -1,5 +1,5 @@
-"""Runs that the server plays by calling a policy: to the score, through stops, failures
-and restarts, and with a key that nobody else ever reads.
+"""Runs that the server plays by calling a policy: scores, stops, failures, restarts,
+and an API key that is in no answer.
 """
 
 import json

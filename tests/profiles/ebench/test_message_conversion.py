@@ -1,4 +1,4 @@
-"""EBench's numbers in our names and back: order, units, what is relative to what."""
+"""EBench's actions and observations, converted: order, units, relative actions."""
 
 from __future__ import annotations
 
