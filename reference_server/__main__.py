@@ -1,12 +1,19 @@
-"""`python -m reference_server`: serve, and say how to call it."""
+"""`python -m reference_server`: start the server and print how to call it.
+
+Reads the settings, opens the listening socket, checks that the database and the
+encryption key can be used, and runs uvicorn. A failure to start is one line on stderr
+and an exit code; the parts of the server are put together in `app`.
+"""
 
 from __future__ import annotations
 
+import argparse
 import asyncio
 import contextlib
 import socket
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import ClassVar
 
 import uvicorn
 from pydantic import ValidationError
@@ -21,8 +28,27 @@ from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
 
 
+class HelpFormatter(argparse.RawDescriptionHelpFormatter):
+    """`--help` without the defaults that are empty, and with readable placeholders."""
+
+    _PLACEHOLDERS: ClassVar[Mapping[str, str]] = {
+        "str": "TEXT",
+        "int": "N",
+        "float": "SECONDS",
+    }
+
+    def _get_help_string(self, action: argparse.Action) -> str:
+        return (action.help or "").removesuffix(" (default: )")
+
+    def _metavar_formatter(
+        self, action: argparse.Action, default_metavar: str
+    ) -> Callable[[int], tuple[str, ...]]:
+        names = super()._metavar_formatter(action, default_metavar)
+        return lambda size: tuple(self._PLACEHOLDERS.get(n, n) for n in names(size))
+
+
 class Server(uvicorn.Server):
-    """uvicorn, which says that it serves only when it does, and when it ends."""
+    """uvicorn, with a message when it accepts requests and a callback when it ends."""
 
     def __init__(
         self,
@@ -45,10 +71,10 @@ class Server(uvicorn.Server):
 
 
 def main() -> int:
-    """Returns the exit code; every failure to start is one line."""
+    """Returns the exit code; a failure to start is 2 and one line on stderr."""
     try:
         source: CliSettingsSource[Settings] = CliSettingsSource(
-            Settings, cli_parse_args=sys.argv[1:]
+            Settings, cli_parse_args=sys.argv[1:], formatter_class=HelpFormatter
         )
         settings = Settings(_cli_settings_source=source)
         secret = None
@@ -64,10 +90,10 @@ def main() -> int:
     except BadBenchmark as error:
         print(f"proctor: {error}", file=sys.stderr)
         return 2
-    except KeyboardInterrupt:  # trying them may take a minute
+    except KeyboardInterrupt:  # loading benchmarks may take a minute
         return 130
     family = socket.AF_INET6 if ":" in settings.host else socket.AF_INET
-    # asyncio sets TCP_NODELAY only where the protocol is named; without it each answer
+    # asyncio sets TCP_NODELAY only if the protocol is given; without it each response
     # waits 40 ms for an acknowledgement.
     with socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP) as listener:
         return _serve(listener, settings, tokens, secret)
@@ -94,7 +120,7 @@ def _serve(
         app = build(settings, tokens)
         runner = asyncio.Runner()
         runner.run(_check_store(settings.database_url))
-        runner.close()  # not on failure: the driver's thread may have a last word
+        runner.close()  # not on failure: a thread of the database driver may be alive
     except StoreFailed as error:
         print(
             f"proctor: cannot use the database ({error}); choose another with "
@@ -117,13 +143,13 @@ def _serve(
         access_log=False,
         server_header=False,
         timeout_graceful_shutdown=5,
-        timeout_keep_alive=75,  # a policy may think for longer than the usual 5 s
+        timeout_keep_alive=75,  # a policy may take longer than the default of 5 s
     )
     port = listener.getsockname()[1]
     server = Server(
         config, _startup_message(settings.host, port, secret), app.on_shutdown
     )
-    # uvicorn ends in order and then raises Ctrl-C again.
+    # uvicorn shuts down in order and then raises Ctrl-C again.
     with contextlib.suppress(KeyboardInterrupt):
         server.run(sockets=[listener])
     return 0 if server.started else 1
@@ -140,7 +166,7 @@ async def _check_store(url: str) -> None:
 def _startup_message(host: str, port: int, secret: str | None) -> str:
     name = f"[{host}]" if ":" in host else host
     url = f"http://{name}:{port}"
-    lines = [f"Proctor serves at {url}"]
+    lines = [f"Proctor is listening at {url}"]
     if secret is not None:
         lines += [
             f"token: {secret}",

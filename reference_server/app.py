@@ -20,11 +20,10 @@ from reference_server.http.dispatch import VERSION, Operation, perform
 from reference_server.http.handlers import Handlers
 from reference_server.http.problems import problem_response
 from reference_server.profiles import profile_tables
-from reference_server.push.driver import Driver
+from reference_server.push.driver import PROTOCOLS, Driver
 from reference_server.push.egress import EgressPolicy
 from reference_server.push.key_encryption import KeyEncryption
-from reference_server.push.policy_protocols import PROTOCOLS
-from reference_server.push.policy_server_config import PolicyServerValidator
+from reference_server.push.policy_server_validator import PolicyServerValidator
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.submission import SubmissionLimits
@@ -59,7 +58,6 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     executor = SessionExecutor(registry, pool)
     egress = EgressPolicy(settings.allow_private_policies)
     key_encryption = KeyEncryption(settings.sealing_key_path)
-    driver = Driver(registry, executor, egress, key_encryption, settings.max_body_bytes)
     policy_server_validator = PolicyServerValidator(
         egress, key_encryption, tuple(PROTOCOLS)
     )
@@ -71,6 +69,7 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         policy_server_validator.validate_and_encrypt,
     )
     handlers = Handlers(settings, service)
+    driver = Driver(service, egress, key_encryption, settings.max_body_bytes)
 
     @asynccontextmanager
     async def lifespan(_app: Any) -> AsyncIterator[None]:

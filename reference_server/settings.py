@@ -1,7 +1,9 @@
-"""Settings, from flags and from the environment (`PROCTOR_…`); flags win.
+"""The settings of the server, from flags and environment variables; flags win.
 
-Every field is a flag and a variable; its description is its documentation, from which
-`docs/settings.md` is written.
+Every field is a flag (`--max-workers`) and a variable (`PROCTOR_MAX_WORKERS`). Its
+description is its documentation: `--help` prints it, and the page of settings in docs/
+is generated from it. Only validation here: what a setting does is decided where it is
+used.
 """
 
 from __future__ import annotations
@@ -12,7 +14,7 @@ from typing import Literal
 from pydantic import Field, field_validator
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
-from reference_server.push.egress import EgressPolicy
+from reference_server.allowed_networks import AllowedNetworks
 
 
 class Settings(BaseSettings):
@@ -29,86 +31,89 @@ class Settings(BaseSettings):
 
     host: str = Field("127.0.0.1", description="Address to listen on.")
     port: int = Field(
-        8460, ge=0, le=65535, description="Port to listen on; 0 takes a free one."
+        8460, ge=0, le=65535, description="Port to listen on; 0 chooses a free port."
     )
     public_url: str = Field(
         "",
         pattern=r"^(https?://\S+)?$",
-        description="Base URL under which clients reach this server, for run.endpoint; "
-        "taken from each request when empty.",
+        description="Base URL at which clients reach this server, used in "
+        "run.endpoint. If empty, it is taken from each request.",
     )
     database: str = Field(
         "var/proctor.sqlite",
-        description="Path of the SQLite file, or a SQLAlchemy URL.",
+        description="Path of an SQLite file, or a SQLAlchemy URL.",
     )
     benchmarks: str = Field(
         "",
-        description="Benchmarks of your own beside ours, comma-separated: "
-        "gymnasium:ID, a TOML file, a folder of them, FILE.py:CLASS, or "
-        "metaworld_mt50; see benchmarks.md.",
+        description="Additional benchmarks, comma-separated: gymnasium:ID, a TOML "
+        "file, a folder of TOML files, FILE.py:CLASS, or metaworld_mt50.",
     )
     tokens: str = Field(
         "",
-        description="Comma-separated account:scopes:token, scopes being read, run or "
-        "read+run, token being the secret or sha256=<hex of it>; without any, "
-        "one token is made and printed.",
+        description="Bearer tokens, comma-separated, each account:scopes:token. scopes "
+        "is read, run or read+run; token is the secret or sha256=<its hex digest>. If "
+        "empty, one token is generated and printed.",
     )
     profiles: str = Field(
         "",
         pattern=r"^((ebench|flageval)(,(ebench|flageval))*)?$",
-        description="Wires of other houses to offer beside our own, comma-separated: "
-        "ebench (see ebench.md), flageval.",
+        description="Third-party API profiles to enable, comma-separated: ebench, "
+        "flageval.",
     )
     allow_private_policies: str = Field(
         "",
-        description="Networks in which policy servers of push runs are called although "
-        "they are not public, comma-separated, such as 127.0.0.1 or 10.0.0.0/8; all "
-        "for every address.",
+        description="Non-public networks in which this server may call policy servers, "
+        "comma-separated, for example 127.0.0.1 or 10.0.0.0/8; all allows every "
+        "address.",
     )
     sealing_key: str = Field(
         "",
-        description="File with the key that seals the API keys of policy servers in "
-        "the database, made when it is missing; beside an SQLite file when empty, and "
-        "with another database until the server ends.",
+        description="File with the key that encrypts API keys of policy servers in the "
+        "database; created if missing. If empty, a file next to the SQLite file; with "
+        "another database, a key in memory that is lost when the server stops.",
     )
     max_workers: int = Field(
-        16, ge=1, le=1024, description="Most live workers of one run."
+        16, ge=1, le=1024, description="Maximum live workers per run."
     )
     max_active_runs: int = Field(
-        1000, ge=1, description="Runs that are ready or running at once; others queue."
+        1000,
+        ge=1,
+        description="Maximum runs ready or running; others are queued.",
     )
     max_simulators: int = Field(
-        64, ge=1, description="Simulator processes at once, over all runs."
+        64, ge=1, description="Maximum simulator processes, over all runs."
     )
     spare_simulators: int = Field(
-        2, ge=0, description="Idle simulator processes kept ready."
+        2, ge=0, description="Idle simulator processes that are kept started."
     )
     turn_timeout_s: float = Field(
         60.0,
         gt=0,
         allow_inf_nan=False,
-        description="A simulator busy for longer in one turn is killed.",
+        description="Maximum time of a simulator for one turn; then it is killed.",
     )
     idle_timeout_s_max: float = Field(
         600.0,
         ge=1,
         allow_inf_nan=False,
-        description="Longest lease a run may ask for, and the default.",
+        description="Maximum lease of a session, and the default.",
     )
     wait_s_max: int = Field(
-        30, ge=0, le=600, description="Longest wait that a long-poll is granted."
+        30, ge=0, le=600, description="Maximum wait of a long-poll, in seconds."
     )
     max_body_bytes: int = Field(
-        8 * 2**20, ge=2**16, description="Larger request bodies are refused."
+        8 * 2**20, ge=2**16, description="Maximum size of a request body."
     )
-    max_chunk: int = Field(64, ge=4, le=4096, description="Most actions in one turn.")
+    max_chunk: int = Field(
+        64, ge=4, le=4096, description="Maximum actions in one turn."
+    )
     log_level: Literal["critical", "error", "warning", "info", "debug", "trace"] = (
-        Field("warning", description="uvicorn's log level.")
+        Field("warning", description="Log level of the HTTP server (uvicorn).")
     )
 
     @property
     def enabled_profiles(self) -> list[Literal["ebench", "flageval"]]:
-        """`profiles` one by one, none twice."""
+        """The names in `profiles`, without repetitions."""
         known: tuple[Literal["ebench", "flageval"], ...] = ("ebench", "flageval")
         chosen = self.profiles.split(",")
         return [name for name in known if name in chosen]
@@ -116,12 +121,12 @@ class Settings(BaseSettings):
     @field_validator("allow_private_policies")
     @classmethod
     def _check_networks(cls, text: str) -> str:
-        EgressPolicy(text).close()
+        AllowedNetworks.parse(text)  # raises ValueError
         return text
 
     @property
     def sealing_key_path(self) -> Path | None:
-        """Where the key is that seals secrets at rest; None for one of this process."""
+        """The file of the key that encrypts API keys; None for a key in memory."""
         if self.sealing_key:
             return Path(self.sealing_key)
         if "://" in self.database or ":memory:" in self.database:

@@ -52,7 +52,6 @@ NO_DECIDING_LINE: Mapping[str, str] = {
     "MODEL-001": "holds of all rules together",
     "MODEL-002": "holds of all rules together, at the same time",
     "RES-003": "follows from RES-001, RES-002 and seeds that fix an episode",
-    "EBE-022": "follows from the profile's use of the same runs",
 }
 NO_DECIDING_LINE_BY_PROFILE: Mapping[str, str] = {
     POLICY: "obeyed by policy servers; the evaluation server does not decide it",

@@ -11,7 +11,6 @@ import time
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from functools import partial
-from typing import Any
 
 from starlette.responses import Response
 
@@ -25,13 +24,9 @@ from reference_server.http.dispatch import (
 )
 from reference_server.http.event_streams import EVENT_STREAM, EventStream
 from reference_server.rules import comparison
-from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict, Stop
+from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
-from reference_server.runs.benchmarks import Benchmarks
-from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
-from reference_server.runs.session_executor import SessionExecutor
 from reference_server.settings import Settings
 from reference_server.views import run_views
 
@@ -260,32 +255,6 @@ class Handlers:
         command = Detach(call.path["worker_id"], call.query["session_id"])
         await self.service.detach_worker(call.account, call.path["run_id"], command)
         return Response(status_code=204)
-
-    # --- what the profiles call until they call the service ---
-
-    @property
-    def benchmarks(self) -> Benchmarks:
-        return self.service.benchmarks
-
-    @property
-    def registry(self) -> RunRegistry:
-        return self.service.registry
-
-    @property
-    def executor(self) -> SessionExecutor:
-        return self.service.executor
-
-    async def create_run(self, account: str, submission: dict[str, Any]) -> Run:
-        return await self.service.submit_run(account, submission)
-
-    async def prepare_run(self, account: str, submission: dict[str, Any]) -> Run:
-        return await self.service.prepare_run(account, submission)
-
-    async def apply_stop(self, call: OperationCall, stop: Stop) -> Run:
-        return await self.service.stop_run(call.account, call.path["run_id"], stop.mode)
-
-    async def apply_resume(self, call: OperationCall) -> Run:
-        return await self.service.resume_run(call.account, call.path["run_id"])
 
     def base_url(self, call: OperationCall) -> str:
         """RUN-016: where the caller reaches this server; without a slash at the end."""

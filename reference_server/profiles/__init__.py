@@ -1,7 +1,10 @@
-"""Wires of other houses, offered beside our own when the setting `profiles` asks.
+"""Third-party API profiles, enabled by the setting `profiles`.
 
-An adapter turns their words into ours and back. It calls the same routes, book, stage
-and rules, and has no state, no SQL and no decision on a lifecycle of its own.
+A profile offers the HTTP API of another evaluation system over the runs of this server.
+Its handlers translate requests into calls of `runs/service.py`, like those of
+`http/handlers.py`, and the results into that system's responses. It has no SQL and no
+decision on the lifecycle of its own: whether a run or a session allows something is
+decided by the rules. State of its own is only in `ebench/lost_answers.py`.
 """
 
 from __future__ import annotations
@@ -10,12 +13,12 @@ from collections.abc import Callable
 
 from reference_server.http.dispatch import Operation
 from reference_server.http.handlers import Handlers
-from reference_server.profiles.ebench.handlers import EbenchHandlers
-from reference_server.profiles.flageval.handlers import FlagevalHandlers
+from reference_server.profiles.ebench.task_handlers import EbenchHandlers
+from reference_server.profiles.flageval.evaluation_handlers import FlagevalHandlers
 
 
 def profile_tables(handlers: Handlers) -> dict[str, dict[str, Operation]]:
-    """path → method → operation, of every profile that the settings ask for."""
+    """path → method → operation, of every enabled profile."""
     adapters: dict[str, Callable[[Handlers], EbenchHandlers | FlagevalHandlers]]
     adapters = {"ebench": EbenchHandlers, "flageval": FlagevalHandlers}
     table: dict[str, dict[str, Operation]] = {}

@@ -1,5 +1,9 @@
-"""The other direction: this server calls the policy. See docs/push.md.
+"""Push runs: this server calls the policy (the profile `push`; see docs/push.md).
 
-`driver` plays a run as workers do, `policy` speaks policy.yaml, `calls` is HTTP with
-every bound that a stranger's server needs, `addresses` says where it may connect.
+`driver` plays each run as workers would. `policy_calls` is the protocol of
+spec/policy.yaml, `chat_calls` that of chat completions; both send their calls through
+`http_calls`, which bounds every call. `egress` decides which addresses may be
+connected to, `backoff` how long to pause between attempts, `key_encryption` keeps API
+keys unreadable in the database, and `policy_server_validator` checks what a submission
+says of its policy server.
 """

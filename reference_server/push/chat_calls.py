@@ -1,10 +1,10 @@
-"""A policy that is a chat model: asked by question and picture, answered in words.
+"""A policy that is a chat model: an instruction and images in, an answer as text out.
 
-Speaks the chat completions that OpenAI's, vLLM's and most other servers offer, for
-benchmarks whose actions are answers: `choice`, `number` and `point`, -1 for those that
-are not given; and for `calibration`, as calibration.md says. How words become an answer
-is written in docs/question-answering.md; what cannot be read is no answer, and no
-fault. It must not know which answer is right.
+Uses the chat completions API that OpenAI, vLLM and most other servers offer, for
+benchmarks whose actions are answers (`choice`, `number` and `point`, -1 for those that
+are not given) and for `calibration`, as calibration.md says. How a text becomes an
+answer is in docs/question-answering.md; a text that cannot be read is "no answer" and
+not a fault (CHAT-003). It must not know which answer is correct.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ NO_ANSWER = -1.0
 ANSWER_SIZES = {"choice": 1, "number": 1, "point": 2}
 MEDIA_TYPES = {"png": "image/png", "jpeg": "image/jpeg"}
 _UNSUPPORTED_CODEC = (
-    "A chat model is shown png or jpeg; submit the run with one of these."
+    "Chat models accept png or jpeg images only; set images.codec to one of these."
 )
 
 _REASONING_END = "</think>"
@@ -37,7 +37,7 @@ _POINT = re.compile(rf"[(\[]?\s*({_DECIMAL})(?:\s*,\s*|\s+)({_DECIMAL})\s*[)\]]?
 
 
 class ChatPolicy:
-    """One run's. It has no memory: each turn is a conversation of its own."""
+    """The chat model of one run. Each turn is a conversation of its own."""
 
     def __init__(self, run: Run, config: PolicyServerConfig, calls: HttpCalls) -> None:
         self._run = run
@@ -45,11 +45,11 @@ class ChatPolicy:
         self._calls = calls
 
     async def describe(self) -> Description:
-        """Nothing is asked: chat servers agree on one path. Raises PolicyFault."""
-        if not is_answered_in_words(self._run.manifest):
+        """No call is made: chat servers share no path for it. Raises PolicyFault."""
+        if not is_playable_by_chat(self._run.manifest):
             raise PolicyFault(
-                f"{self._run.manifest['benchmark_id']} is not answered in words: a "
-                "chat model plays benchmarks such as question_answering."
+                f"A chat model cannot play {self._run.manifest['benchmark_id']}: its "
+                "actions are not answers (choice, number, point)."
             )
         if not self._is_calibration and self._run.images["codec"] not in MEDIA_TYPES:
             raise PolicyFault(_UNSUPPORTED_CODEC)
@@ -60,9 +60,10 @@ class ChatPolicy:
         return bool(self._run.manifest["benchmark_id"] == "calibration")
 
     async def reset(self, turn: Turn) -> None:
-        """There is nothing to forget."""
+        """A chat model has no state to reset."""
 
     async def predict(self, turn: Turn) -> models.Predict:
+        """CHAT-001: one POST for each turn."""
         answer = await self._calls.post("/chat/completions", self._question(turn))
         values = self._values(read_answer(_content(answer)))
         return models.Predict(
@@ -72,7 +73,7 @@ class ChatPolicy:
         )
 
     def _values(self, answer: dict[str, list[float]]) -> dict[str, list[float]]:
-        """The answer as an action; one beyond what can be said is none."""
+        """The answer as an action; a value above its maximum counts as no answer."""
         space = self._run.manifest["action_space"]
         if self._is_calibration:
             score = min(max(answer["number"][0], 0.0), 1.0)
@@ -85,37 +86,41 @@ class ChatPolicy:
         return answer
 
     def _question(self, turn: Turn) -> dict[str, Any]:
-        """The request: our members win over what the submitter asks to be sent."""
-        pictures = [
+        """The body of a request (CHAT-001); `generation` never replaces `messages`."""
+        images = [
             _image_part(image) for image in turn["observation"]["images"].values()
         ]
         text = {"type": "text", "text": turn["episode"]["instruction"]}
         body: dict[str, Any] = {
-            # A number of tokens is a whole one, and so it is written.
+            # A number of tokens is an integer and must be written as one.
             name: int(value) if value == int(value) else value
             for name, value in self._config.generation.items()
         }
         if self._config.model is not None:
             body["model"] = self._config.model
-        return body | {"messages": [{"role": "user", "content": [*pictures, text]}]}
+        return body | {"messages": [{"role": "user", "content": [*images, text]}]}
 
 
-def is_answered_in_words(manifest: Mapping[str, Any]) -> bool:
-    """Whether a chat model can play the benchmark at all."""
+def is_playable_by_chat(manifest: Mapping[str, Any]) -> bool:
+    """Whether a chat model can play the benchmark: its actions are answers."""
     space = manifest["action_space"]
     sizes = {name: entry["size"] for name, entry in space.items()}
     return manifest["benchmark_id"] == "calibration" or sizes == ANSWER_SIZES
 
 
 def read_answer(text: str) -> dict[str, list[float]]:
-    """The action that a model's words are: at most one of its entries is an answer."""
+    """The text of a model as an action, in which at most one entry is an answer.
+
+    CHAT-002: reads the last line that is not blank after the last `</think>`.
+    """
+    # CHAT-003: what is not recognised below stays "no answer".
     values = {name: [NO_ANSWER] * size for name, size in ANSWER_SIZES.items()}
     answer_text = text.rpartition(_REASONING_END)[2].strip()
     line = (
         answer_text.splitlines()[-1].strip().strip(_DECORATION) if answer_text else ""
     )
     line = _LABEL.sub("", line, count=1) if _LABEL.match(line) else line
-    # The one full stop may stand inside of what is around the answer, or behind it.
+    # The full stop may be inside or after the decoration of the answer.
     line = line.strip(_DECORATION).removesuffix(".").strip(_DECORATION)
     if choice := _CHOICE.fullmatch(line):
         letter = (choice[1] or choice[2]).upper()
@@ -137,12 +142,15 @@ def _image_part(image: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _content(answer: Any) -> str:
-    """The words of a chat completion; none of them is an answer like any other."""
+    """CHAT-004: the text of a chat completion. Raises PolicyFault if it is none.
+
+    A completion without text (`content` is null) is an empty text: no answer, no fault.
+    """
     try:
         content = answer["choices"][0]["message"]["content"]
     except (LookupError, TypeError) as error:
         raise PolicyFault(
-            "The model's answer is no chat completion: it has no "
+            "The model's answer is not a chat completion: it has no "
             "/choices/0/message/content."
         ) from error
     return content if isinstance(content, str) else ""

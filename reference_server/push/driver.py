@@ -1,10 +1,12 @@
-"""Plays the runs with mode `push`: workers of this server that ask a policy server.
+"""Plays the runs with mode `push`: workers of this server that call a policy server.
 
-A client of the stage like any other: it attaches, asks the policy, predicts, and what
-was scored, counted or stopped follows from the same rules. It holds no rule but how
-long a policy may fail: an attempt ends with its fault; a policy server that does not
-describe itself after a fault, or has faulted `max_faults` times without a turn in
-between, fails the run, which can be resumed.
+PUSH-001: a worker attaches, gets actions from the policy and sends them as `predict`,
+through the same use cases as any other client; what is scored, counted or stopped
+follows from the same rules. One decision is made here: how long a policy may fail. A
+fault ends the attempt; a policy server that does not answer `describe` after a fault,
+or has faulted `max_faults` times without an executed turn in between, fails the run,
+which can be resumed (PUSH-012). It must not know HTTP or a policy protocol: those are
+in `http_calls` and behind `PolicyAdapter`.
 """
 
 from __future__ import annotations
@@ -13,16 +15,21 @@ import asyncio
 import contextlib
 import logging
 import secrets
-import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from reference_server.push.backoff import Backoff
+from reference_server.push.chat_calls import ChatPolicy
 from reference_server.push.egress import EgressPolicy
-from reference_server.push.http_calls import Backoff, CallLimits, HttpCalls, PolicyFault
+from reference_server.push.http_calls import CallLimits, HttpCalls, PolicyFault
 from reference_server.push.key_encryption import DecryptionFailed, KeyEncryption
-from reference_server.push.policy_calls import Description, PolicyAdapter, answer_fault
-from reference_server.push.policy_protocols import PROTOCOLS
-from reference_server.rules import effects
+from reference_server.push.policy_calls import (
+    Description,
+    PolicyAdapter,
+    ProctorPolicy,
+    answer_fault,
+)
 from reference_server.rules.lifecycle import (
     ACTIVE_STATES,
     PLAYABLE_STATES,
@@ -32,25 +39,27 @@ from reference_server.rules.lifecycle import (
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
-from reference_server.runs.registry import RELOAD_S, RunRegistry
-from reference_server.runs.session_executor import SessionExecutor
+from reference_server.runs.registry import RELOAD_S
+from reference_server.runs.service import RunService
 from reference_server.storage.store import StoreFailed
 
 log = logging.getLogger("proctor.push")
 
-# How long a worker pauses, at first and at most, that the server itself turned away or
-# whose policy went wrong; and how often it may be turned away before that is taken for
-# a defect. A server without a free simulator frees one in time.
-PAUSE_S = 0.2
-PAUSE_MOST_S = 5.0
-REFUSALS_MOST = 50
+# The policy protocols, each a name of schema PolicyProtocol.
+PROTOCOLS: dict[str, Callable[[Run, PolicyServerConfig, HttpCalls], PolicyAdapter]] = {
+    "proctor": ProctorPolicy,
+    "openai_chat": ChatPolicy,
+}
+# How often in a row this server may refuse its own worker before that is taken for a
+# defect. Refusals for lack of capacity do not count: a simulator becomes free in time.
+REFUSALS_MAX = 50
 _CAPACITY_CODES = ("no_capacity", "worker_limit")
 
 
 class _RunCannotContinue(Exception):
-    """The run cannot go on now; the message is its reason.
+    """The run cannot continue now; the message is its reason.
 
-    for_good: nor will it after a resume.
+    permanent: nor can it after a resume.
     """
 
     def __init__(self, reason: str, *, permanent: bool = False) -> None:
@@ -60,7 +69,7 @@ class _RunCannotContinue(Exception):
 
 @dataclass(slots=True)
 class _Drive:
-    """One run in play. faults: of the policy since a turn was last executed."""
+    """One run being played. faults: of the policy since the last executed turn."""
 
     run_id: str
     policy: PolicyAdapter
@@ -71,7 +80,7 @@ class _Drive:
 
 @dataclass(slots=True)
 class _Worker:
-    """pauses: since it last had a turn executed."""
+    """backoff: restarted by every executed turn."""
 
     worker_id: str
     drive: _Drive
@@ -79,18 +88,17 @@ class _Worker:
 
 
 class Driver:
-    """Every push run of this server that has capacity."""
+    """Plays every push run of this server that is ready or running."""
 
     def __init__(
         self,
-        registry: RunRegistry,
-        executor: SessionExecutor,
+        service: RunService,
         egress: EgressPolicy,
         key_encryption: KeyEncryption,
         max_bytes: int,
     ) -> None:
-        self._registry = registry
-        self._executor = executor
+        self._service = service
+        self._registry = service.registry
         self._egress = egress
         self._key_encryption = key_encryption
         self._max_bytes = max_bytes
@@ -98,12 +106,12 @@ class Driver:
         self._closed = False
 
     def open(self) -> None:
-        """Go on with the runs that the last process left."""
+        """PUSH-017: continue the runs that the last process left unfinished."""
         for run_id in self._registry.active():
             self._registry.run_in_background(self._check_run(run_id))
 
     async def close(self) -> None:
-        """End every call and drive; their runs are found ready again."""
+        """Cancel every call; the runs are continued at the next start."""
         self._closed = True
         drives = list(self._drives.values())
         for drive in drives:
@@ -113,7 +121,10 @@ class Driver:
         self._egress.close()
 
     def on_run_changed(self, run: Run) -> None:
-        """Something of the run has changed: begin to play it, or end that."""
+        """Start to play the run, or stop playing it, as its state requires now.
+
+        PUSH-013: a resumed run becomes ready, which starts it again.
+        """
         if not run.is_push or self._closed:
             return
         drive = self._drives.get(run.run_id)
@@ -125,12 +136,12 @@ class Driver:
             drive.cancel()  # PUSH-014
 
     def _on_drive_done(self, run_id: str) -> None:
-        """A run that was stopped and resumed meanwhile is played on."""
+        """Check again: the run may have been stopped and resumed meanwhile."""
         del self._drives[run_id]
         self._schedule_check(run_id)
 
     async def _check_run(self, run_id: str) -> None:
-        """Now or when it can be loaded: nobody else may ever do that (PUSH-017)."""
+        """PUSH-017: now, or when it can be loaded; no request may ever load it."""
         try:
             self.on_run_changed(await self._registry.get(run_id))
         except StoreFailed:
@@ -155,7 +166,9 @@ class Driver:
             await self._fail_run(run.run_id, str(error), retryable=not error.permanent)
         except Exception:
             log.exception("run %s could not be played", run.run_id)
-            await self._fail_run(run.run_id, "The server has a defect; see its log.")
+            await self._fail_run(
+                run.run_id, "Internal server error; see the server log."
+            )
 
     def _decrypt_key(self, config: PolicyServerConfig) -> str | None:
         if config.sealed_key is None:
@@ -164,8 +177,8 @@ class Driver:
             return self._key_encryption.decrypt(config.sealed_key)
         except DecryptionFailed as error:
             raise _RunCannotContinue(
-                "The API key of the policy server cannot be read any more: this server "
-                "has lost the key that sealed it. Submit the run anew.",
+                "The API key of the policy server cannot be decrypted: the encryption "
+                "key is lost. Submit the run again.",
                 permanent=True,
             ) from error
 
@@ -181,11 +194,12 @@ class Driver:
     async def _play_all(
         self, drive: _Drive, config: PolicyServerConfig, left: int
     ) -> None:
+        # PUSH-007: a worker has one call in flight.
         workers = min(config.max_concurrent, drive.description.max_sessions, left)
         try:
             async with asyncio.TaskGroup() as group:
                 for number in range(1, workers + 1):
-                    backoff = Backoff(PAUSE_S, PAUSE_MOST_S)
+                    backoff = Backoff.between_sessions()
                     worker = _Worker(f"push-{number}", drive, backoff)
                     group.create_task(self._run_worker(worker))
         except* (PolicyFault, _RunCannotContinue) as errors:
@@ -193,7 +207,7 @@ class Driver:
             raise _RunCannotContinue(reason) from errors
 
     async def _run_worker(self, worker: _Worker) -> None:
-        """Play one session after another, until there is nothing left for it."""
+        """Play one session after another, until no episode is left for the worker."""
         refusals = 0
         while True:
             try:
@@ -210,25 +224,25 @@ class Driver:
                 await asyncio.sleep(worker.backoff.next_s())
 
     def _handle_refusal(self, drive: _Drive, refused: Refused, refusals: int) -> None:
-        """The server refused its own worker: raises unless that will pass."""
+        """This server refused its own worker: raises unless waiting can help."""
         if refused.code in ("convention_mismatch", "benchmark_unavailable"):
             details = "; ".join(f"{at} {text}" for at, text in refused.errors)
             redacted = drive.calls.redact_key(details)
             raise _RunCannotContinue(f"{refused.detail} {redacted}".strip())
-        if refusals > REFUSALS_MOST:
+        if refusals > REFUSALS_MAX:
             raise _RunCannotContinue(
-                f"The server refused its own worker: {refused.detail}"
+                f"The server rejected its own worker: {refused.detail}"
             )
 
     async def _play_session(self, worker: _Worker, run: Run) -> bool:
-        """Whether it came to its end without a fault of the policy."""
+        """Play until the session is done; False if the policy's fault ended it."""
         command = Attach(
             worker.worker_id,
             secrets.token_urlsafe(16),
             assumes=worker.drive.description.assumes,
             by_server=True,
         )
-        turn = await self._executor.attach(run, command)
+        turn = await self._service.attach_worker(run.account, run.run_id, command)
         session_id = turn["session_id"]
         try:
             await self._play(worker, run, turn)
@@ -252,7 +266,7 @@ class Driver:
                 by_server=True,
             )
             try:
-                turn = await self._executor.predict(run, command)
+                turn = await self._service.predict(run.account, run.run_id, command)
             except Refused as refused:
                 if refused.code == "invalid_request":
                     raise answer_fault(refused, drive.calls) from refused
@@ -263,14 +277,14 @@ class Driver:
     async def _handle_policy_fault(
         self, worker: _Worker, run: Run, session_id: str, fault: PolicyFault
     ) -> None:
-        """End the attempt; then see whether the policy is still there."""
+        """PUSH-010: end the attempt, then check that the policy server answers."""
         log.info("run %s, %s: %s", run.run_id, worker.worker_id, fault)
-        drive, session = worker.drive, run.workers.get(worker.worker_id)
-        if session is None or session.session_id != session_id:
-            return  # stopped, or lost, meanwhile
-        effects.end_by_policy(run, session, str(fault), time.time())
-        self._executor.release_sessions([session])
-        await self._registry.commit(run)
+        ended = await self._service.end_attempt_by_policy(
+            run.run_id, worker.worker_id, session_id, str(fault)
+        )
+        if not ended:
+            return
+        drive = worker.drive
         drive.faults += 1
         if drive.faults >= run.manifest["max_faults"]:
             raise fault
@@ -279,16 +293,13 @@ class Driver:
     async def _fail_run(
         self, run_id: str, reason: str, *, retryable: bool = True
     ) -> None:
-        """PUSH-012: the run fails, and can be resumed if that helps."""
-        # What cannot be stored is forgotten; the run is played on when it is loaded.
+        """PUSH-012: the run fails; retryable unless a resume cannot help."""
+        # If it cannot be stored, the run is played again once it is loaded.
         with contextlib.suppress(Refused, StoreFailed):
-            run = await self._registry.get(run_id)
-            ended = effects.fail_run(run, reason, time.time(), retryable=retryable)
-            self._executor.release_sessions(ended)
-            await self._registry.commit(run)
+            await self._service.fail_run(run_id, reason, retryable=retryable)
 
 
 def _as_refused(error: Refused | StoreFailed) -> Refused:
     if isinstance(error, Refused):
         return error
-    return Refused("unavailable", "The store does not answer.")
+    return Refused("unavailable", "The database is not available.")

@@ -1,8 +1,9 @@
-"""Where this server may connect to when a stranger tells it a URL.
+"""Egress: the addresses this server may connect to when a submitter gives it a URL.
 
-Only to public addresses, and to networks that the operator names. A name is resolved
-where the connection is made, and the connection goes to the address that was looked at:
-a name that resolves otherwise a moment later changes nothing. Knows nothing of runs.
+PUSH-015: only public addresses, and networks that the operator allows. A host name is
+resolved when the connection is opened, and the connection goes to the address that was
+checked: a name that resolves to another address a moment later changes nothing. It must
+not know runs, policies or HTTP.
 """
 
 from __future__ import annotations
@@ -11,72 +12,59 @@ import asyncio
 import socket
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
-from ipaddress import (
-    IPv4Address,
-    IPv4Network,
-    IPv6Address,
-    IPv6Network,
-    ip_address,
-    ip_network,
-)
-from typing import TypeAlias
+from ipaddress import IPv4Address, IPv6Network, ip_address
 
 import httpcore
 
-Address: TypeAlias = IPv4Address | IPv6Address
-Network: TypeAlias = IPv4Network | IPv6Network
+from reference_server.allowed_networks import Address, AllowedNetworks
 
-ALL_NETWORKS = "all"
-# A translator would carry what follows these 96 bits into its IPv4 network.
+# NAT64: a translator forwards to the IPv4 address in the last 32 bits.
 _NAT64 = IPv6Network("64:ff9b::/96")
-# All that is given out for use in public. Elsewhere are other forms of IPv4 addresses
-# (a local translator's, compatible ones), which end in whatever network there is.
+# All IPv6 addresses that are assigned for public use. Outside of it are other forms of
+# IPv4 addresses (of a local translator, IPv4-compatible), which may lead anywhere.
 _PUBLIC_6 = IPv6Network("2000::/3")
 
 
 class AddressNotAllowed(Exception):
-    """The address is not public, and the operator has not named its network."""
+    """The address is not public, and the operator has not allowed its network."""
 
 
 class HostNotResolved(Exception):
-    """The name has no address."""
+    """The host name cannot be resolved to an address."""
 
 
 class EgressPolicy:
-    """Says which addresses are connected to.
+    """Decides which addresses may be connected to, and resolves host names.
 
-    allowed: networks, comma-separated (`10.0.0.0/8, 127.0.0.1`), that are admitted
-    although they are not public; `all` admits every address. Raises ValueError.
+    allowed: networks that may be called although they are not public, as text (see
+    `AllowedNetworks.parse`). Raises ValueError.
     """
 
     def __init__(self, allowed: str = "") -> None:
-        names = [name.strip() for name in allowed.split(",") if name.strip()]
-        self._allows_all = ALL_NETWORKS in names
-        self._networks = [ip_network(n) for n in names if n != ALL_NETWORKS]
-        # Resolvers block, and a stranger's may take its time: threads of their own.
+        self._allowed = AllowedNetworks.parse(allowed)
+        # Resolving blocks and may be slow: it has threads of its own.
         self._threads = ThreadPoolExecutor(4, thread_name_prefix="resolve")
 
     def close(self) -> None:
         self._threads.shutdown(wait=False, cancel_futures=True)
 
     def allows(self, address: Address) -> bool:
+        """PUSH-015: whether the address is public, or in an allowed network."""
         effective = _effective_address(address)
-        if self._allows_all or any(
-            _network_has_any(n, {address, effective}) for n in self._networks
-        ):
+        if self._allowed.contains_any({address, effective}):
             return True
         is_assigned = effective.version == 4 or effective in _PUBLIC_6
         return is_assigned and effective.is_global and not effective.is_multicast
 
     async def resolve(self, host: str, port: int) -> list[str]:
-        """All addresses of a host, each of them admitted.
+        """All addresses of a host, each of them allowed.
 
-        Raises NotAllowed when any is not, and Unresolved.
+        Raises AddressNotAllowed when any is not, and HostNotResolved.
         """
         found = _literal_address(host) or await self._resolved(host, port)
         if not all(self.allows(address) for address in found):
             raise AddressNotAllowed(
-                f"{host} is in a network that this server does not call policies in"
+                f"{host} is not in a network that this server is allowed to call"
             )
         return [str(address) for address in found]
 
@@ -85,11 +73,14 @@ class EgressPolicy:
         try:
             return await loop.run_in_executor(self._threads, _resolve, host, port)
         except (OSError, UnicodeError) as error:
-            raise HostNotResolved(f"{host} has no address") from error
+            raise HostNotResolved(f"{host} cannot be resolved") from error
 
 
 class CheckedBackend(httpcore.AsyncNetworkBackend):
-    """Makes httpcore's connections, to addresses that the gate admits."""
+    """Opens httpcore's connections, only to addresses that the egress policy allows.
+
+    PUSH-015: each connection resolves and checks again, whatever was checked before.
+    """
 
     def __init__(self, egress: EgressPolicy) -> None:
         self._egress = egress
@@ -103,7 +94,7 @@ class CheckedBackend(httpcore.AsyncNetworkBackend):
         local_address: str | None = None,
         socket_options: Iterable[httpcore.SOCKET_OPTION] | None = None,
     ) -> httpcore.AsyncNetworkStream:
-        """Raises NotAllowed, Unresolved and httpcore.ConnectError."""
+        """Raises AddressNotAllowed, HostNotResolved and httpcore.ConnectError."""
         failed: Exception | None = None
         for address in await self._egress.resolve(host, port):
             try:
@@ -112,14 +103,14 @@ class CheckedBackend(httpcore.AsyncNetworkBackend):
                 )
             except (httpcore.ConnectError, httpcore.ConnectTimeout) as error:
                 failed = error
-        raise failed or HostNotResolved(f"{host} has no address")
+        raise failed or HostNotResolved(f"{host} cannot be resolved")
 
     async def sleep(self, seconds: float) -> None:
         await self._backend.sleep(seconds)
 
 
 def _literal_address(host: str) -> list[Address]:
-    """The address that a host is written as: it needs no resolver."""
+    """The address that a host is written as, if it is one; else an empty list."""
     try:
         return [_address(host.removeprefix("[").removesuffix("]"))]
     except ValueError:
@@ -132,7 +123,7 @@ def _resolve(host: str, port: int) -> list[Address]:
 
 
 def _address(text: str) -> Address:
-    # A scope (`fe80::1%eth0`) is the machine's own business.
+    # A scope (`fe80::1%eth0`) names an interface of this machine: not part of it.
     return ip_address(str(ip_address(text)).partition("%")[0])
 
 
@@ -143,7 +134,3 @@ def _effective_address(address: Address) -> Address:
     if address in _NAT64:
         return IPv4Address(int(address) & 0xFFFFFFFF)
     return address.ipv4_mapped or address.sixtofour or address
-
-
-def _network_has_any(network: Network, addresses: set[Address]) -> bool:
-    return any(a.version == network.version and a in network for a in addresses)

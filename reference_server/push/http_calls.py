@@ -1,15 +1,15 @@
-"""HTTP calls to a server that nobody here vouches for.
+"""HTTP calls to a policy server, which is not trusted: every call is bounded.
 
-Every call ends: it has one deadline from the connection to the last byte, its answer
-has a greatest size, redirects and compressed bodies are not taken, and only so many
-calls are in flight. What was not answered is asked again with the same bytes, after a
-pause. It knows JSON and no protocol.
+One deadline covers a call from the connection to the last byte of the response
+(PUSH-009), a response has a maximum size, redirects (PUSH-011) and compressed bodies
+are refused, and the number of calls in flight is limited (PUSH-007). A call without a
+complete response is repeated with the same bytes after a pause (PUSH-008; the pauses
+are `backoff`'s). It must not know a policy protocol: it sends and returns JSON.
 """
 
 from __future__ import annotations
 
 import asyncio
-import random
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Self
@@ -19,6 +19,7 @@ import msgspec
 
 from reference_server.http.codec import JSON, decode, pointer
 from reference_server.http.problems import PROBLEM_JSON
+from reference_server.push.backoff import CALL_PAUSE_MAX_S, Backoff
 from reference_server.push.egress import (
     AddressNotAllowed,
     CheckedBackend,
@@ -27,15 +28,13 @@ from reference_server.push.egress import (
 )
 from reference_server.rules.refusal import Refused
 
-PAUSE_S = 0.5
-PAUSE_MOST_S = 30.0
 _PROBLEM_TEXT_MAX = 200
 
 
 class PolicyFault(Exception):
-    """What a policy server did wrong, in words for the submitter of the run.
+    """A fault of the policy server; the message is for the submitter of the run.
 
-    again: it did not answer, or asked to come again: the same call may be repeated,
+    retryable: it did not answer, or answered 429 or 5xx: the same call may be repeated,
     not before `after_s` seconds.
     """
 
@@ -47,26 +46,9 @@ class PolicyFault(Exception):
         self.after_s = after_s
 
 
-class Backoff:
-    """Ever longer ones: many that were turned away together come back one by one."""
-
-    def __init__(self, first_s: float, most_s: float) -> None:
-        self._first_s = self._next_s = first_s
-        self._most_s = most_s
-
-    def next_s(self) -> float:
-        pause_s = self._next_s * random.uniform(0.8, 1.2)
-        self._next_s = min(2 * self._next_s, self._most_s)
-        return pause_s
-
-    def reset(self) -> None:
-        """From the first one again."""
-        self._next_s = self._first_s
-
-
 @dataclass(frozen=True, slots=True)
 class CallLimits:
-    """What a call may cost; `max_bytes` is of an answer."""
+    """The bounds of a call; `max_bytes` is the maximum size of a response."""
 
     timeout_s: float
     max_concurrent: int
@@ -75,7 +57,7 @@ class CallLimits:
 
 
 class HttpCalls:
-    """Calls to the server at `url`, over connections that are kept."""
+    """Calls to the server at `url`, over connections that are reused."""
 
     def __init__(
         self, url: str, egress: EgressPolicy, limits: CallLimits, key: str | None
@@ -83,7 +65,7 @@ class HttpCalls:
         self._url = url
         self._limits = limits
         self._key = key
-        self._slots = asyncio.Semaphore(limits.max_concurrent)
+        self._slots = asyncio.Semaphore(limits.max_concurrent)  # PUSH-007
         self._pool = httpcore.AsyncConnectionPool(
             max_connections=limits.max_concurrent,
             network_backend=CheckedBackend(egress),
@@ -96,29 +78,30 @@ class HttpCalls:
         await self._pool.aclose()
 
     async def get(self, path: str) -> Any:
-        """The JSON at a path. Raises PolicyFault."""
+        """GET a path; the JSON of the response. Raises PolicyFault."""
         return await self._call_with_retries("GET", path, None)
 
     async def post(self, path: str, body: Mapping[str, Any]) -> Any:
-        """The JSON that answers a body. Raises PolicyFault."""
+        """POST a body; the JSON of the response. Raises PolicyFault."""
         return await self._call_with_retries("POST", path, msgspec.json.encode(body))
 
     def redact_key(self, text: str) -> str:
-        """A text of the policy server's for its submitter, before anything is cut off.
+        """PUSH-005, FLE-006: a text from the policy server without the API key in it.
 
-        It may say the key (PUSH-005), also in a JSON pointer.
+        Apply it before the text is cut. The key may also appear in a JSON pointer.
         """
         if self._key is None:
             return text
         for reported in (self._key, pointer([self._key]).removeprefix("/")):
-            text = text.replace(reported, "(its API key)")
+            text = text.replace(reported, "[API key removed]")
         return text
 
     async def _call_with_retries(
         self, method: str, path: str, content: bytes | None
     ) -> Any:
+        """PUSH-008: each attempt sends the same bytes; `content` is encoded once."""
         left = self._limits.max_retries
-        backoff = Backoff(PAUSE_S, PAUSE_MOST_S)
+        backoff = Backoff.between_calls()
         while True:
             try:
                 async with self._slots:
@@ -136,19 +119,19 @@ class HttpCalls:
     ) -> Any:
         timeout_s = self._limits.timeout_s
         try:
-            async with asyncio.timeout(timeout_s):
+            async with asyncio.timeout(timeout_s):  # PUSH-009
                 return await self._send_once(method, path, content)
         except TimeoutError as error:
-            text = f"gave no whole answer within {timeout_s:g} s"
+            text = f"did not answer completely within {timeout_s:g} s"
             raise PolicyFault(text, retryable=True) from error
         except AddressNotAllowed as error:
-            raise PolicyFault(f"is not called: {error}") from error
+            raise PolicyFault(f"is not allowed: {error}") from error
         except HostNotResolved as error:
             raise PolicyFault(f"is not found: {error}", retryable=True) from error
         except (httpcore.NetworkError, httpcore.TimeoutException, OSError) as error:
-            raise PolicyFault("is not reached", retryable=True) from error
+            raise PolicyFault("is unreachable", retryable=True) from error
         except httpcore.RemoteProtocolError as error:
-            text = "broke off, or does not speak HTTP"
+            text = "closed the connection or did not answer with HTTP"
             raise PolicyFault(text, retryable=True) from error
 
     async def _send_once(self, method: str, path: str, content: bytes | None) -> Any:
@@ -184,7 +167,7 @@ class HttpCalls:
             text = f"answered with status {status}{self._reason(headers, body)}"
             raise PolicyFault(text)
         if headers.get("content-encoding", "identity") != "identity":
-            raise PolicyFault("compressed its answer, which was not asked for")
+            raise PolicyFault("sent a compressed answer")
         if _media_type(headers) != JSON:
             reported = self.redact_key(headers.get("content-type", ""))
             printable = _printable(reported.partition(";")[0].strip()[:60])
@@ -192,10 +175,10 @@ class HttpCalls:
         try:
             return decode(body, JSON)
         except Refused as error:
-            raise PolicyFault(f"answered what is no JSON ({error.detail})") from error
+            raise PolicyFault(f"answered with invalid JSON ({error.detail})") from error
 
     def _reason(self, headers: Mapping[str, str], body: bytes) -> str:
-        """What a problem says, if the answer is one: its author wants to read it."""
+        """The code and detail of an RFC 9457 problem, if the response is one."""
         if _media_type(headers) != PROBLEM_JSON:
             return ""
         try:
@@ -225,7 +208,7 @@ def _is_map(value: object) -> bool:
 def _retry_after_s(headers: Mapping[str, str]) -> float:
     text = headers.get("retry-after", "")
     is_seconds = text.isascii() and text.isdigit() and len(text) < 6
-    return min(float(text), PAUSE_MOST_S) if is_seconds else 0.0
+    return min(float(text), CALL_PAUSE_MAX_S) if is_seconds else 0.0
 
 
 def _with_context(url: str, path: str, fault: PolicyFault, tries: int) -> PolicyFault:

@@ -1,8 +1,9 @@
-"""API keys of policy servers at rest: sealed, so that the database gives none away.
+"""Encrypts the API keys of policy servers before they are stored (PUSH-016, FLE-017).
 
-The sealing key is a file beside the database, made at the first start and readable by
-its owner alone. A copy of the database without it holds no secret. Authenticated
-encryption is Fernet's (`cryptography`); nothing of it is ours.
+The encryption key is a file next to the database, created at the first start with
+access for its owner only: a copy of the database without that file reveals no API key.
+The encryption is Fernet of the library `cryptography`; no cryptography is implemented
+here. It must not know runs or submissions.
 """
 
 from __future__ import annotations
@@ -14,18 +15,21 @@ from cryptography.fernet import Fernet, InvalidToken
 
 
 class DecryptionFailed(Exception):
-    """The text was sealed with another key, or is none of ours."""
+    """The text was encrypted with another key, or by another program."""
 
 
 class KeyEncryption:
-    """Seals texts with the key in a file; without a file, until the process ends."""
+    """Encrypts texts with the key in a file.
+
+    Without a file the key is in memory, and what it encrypted is lost with the process.
+    """
 
     def __init__(self, path: Path | None = None) -> None:
         self._path = path
         self._fernet = Fernet(Fernet.generate_key())
 
     def open(self) -> None:
-        """Read or make the file. Raises OSError, and ValueError if it has no key."""
+        """Read or create the file. Raises OSError, and ValueError if it has no key."""
         if self._path is not None:
             self._fernet = Fernet(_key(self._path))
 
@@ -33,7 +37,7 @@ class KeyEncryption:
         return self._fernet.encrypt(secret.encode()).decode()
 
     def decrypt(self, encrypted: str) -> str:
-        """Raises SealBroken."""
+        """Raises DecryptionFailed."""
         try:
             return self._fernet.decrypt(encrypted.encode()).decode()
         except InvalidToken as error:
@@ -41,13 +45,13 @@ class KeyEncryption:
 
 
 def _key(path: Path) -> bytes:
-    """The key in the file, made with it; two servers that start at once agree."""
+    """The key in the file, created if missing; two servers that start at once agree."""
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f"{path.name}.{os.getpid()}")
     temporary.touch(mode=0o600)
     try:
         temporary.write_bytes(Fernet.generate_key())
-        # Appears whole or not at all, and never in place of one that is there.
+        # Atomic: the file appears complete or not at all, and never replaces another.
         os.link(temporary, path)
     except FileExistsError:
         pass

@@ -1,8 +1,9 @@
-"""A policy as the driver asks it, and the one that speaks policy.yaml.
+"""The interface of a policy for the driver, and its implementation for policy.yaml.
 
-Another protocol is another class with these methods and a line in `protocols`. What a
-policy answers is checked here against the schema; whether its actions fit the benchmark
-is decided where it always is, in `protocol`.
+Another policy protocol is another class with the methods of `PolicyAdapter` and an
+entry in `driver.PROTOCOLS`. Responses are checked here against the schemas; whether the
+actions fit the benchmark is decided by the rules, as for any worker. It must not know
+runs beyond the manifest, or sessions beyond their turns.
 """
 
 from __future__ import annotations
@@ -28,28 +29,31 @@ _ERRORS_SHOWN_MAX = 3
 
 @dataclass(frozen=True, slots=True)
 class Description:
-    """max_sessions: episodes it plays at a time. assumes: schema Assumptions."""
+    """max_sessions: sessions it plays in parallel. assumes: schema Assumptions."""
 
     max_sessions: int
     assumes: Mapping[str, Any] | None = None
 
 
 class PolicyAdapter(Protocol):
-    """One run's. Every method raises PolicyFault, and none takes longer than the run's
-    order allows. Sessions are told apart by the `session_id` of their turns."""
+    """The policy of one run.
+
+    Every method raises PolicyFault, and takes no longer than the calls of the run's
+    `policy_server` may. A turn belongs to the session of its `session_id`.
+    """
 
     async def describe(self) -> Description:
-        """Asked before anything else, and again after a fault: is it there?"""
+        """Called before anything else, and after a fault to see whether it answers."""
 
     async def reset(self, turn: Turn) -> None:
         """Returns when the policy is ready for the attempt that the turn begins."""
 
     async def predict(self, turn: Turn) -> models.Predict:
-        """The actions for a turn, under the seq after its own."""
+        """The actions for a turn, with the turn's seq plus one."""
 
 
 class ProctorPolicy:
-    """A policy server of policy.yaml."""
+    """A policy server that implements policy.yaml (PUSH-001)."""
 
     def __init__(self, run: Run, _config: PolicyServerConfig, calls: HttpCalls) -> None:
         self._run = run
@@ -62,12 +66,14 @@ class ProctorPolicy:
         if not _number(supported.min) <= _number(VERSION) <= _number(supported.max):
             least, most = map(self._calls.redact_key, (supported.min, supported.max))
             raise PolicyFault(
-                f"The policy server speaks {least[:20]} to {most[:20]}, not {VERSION}."
+                f"The policy server supports versions {least[:20]} to {most[:20]}, not "
+                f"{VERSION}."
             )
         assumes = received.model_dump().get("assumes")
         return Description(received.max_sessions, assumes)
 
     async def reset(self, turn: Turn) -> None:
+        """PUSH-006: returns once the acknowledgement names this very attempt."""
         run, episode = self._run, turn["episode"]
         manifest = {k: v for k, v in run.manifest.items() if k != "episodes"}
         body = {
@@ -81,7 +87,7 @@ class ProctorPolicy:
         ready = self._read(models.PolicyReset, answer, "reset")
         received = (ready.session_id, ready.episode_id, ready.attempt)
         if received != (turn["session_id"], episode["episode_id"], episode["attempt"]):
-            raise PolicyFault("The policy acknowledged another reset than it was sent.")
+            raise PolicyFault("The policy acknowledged a different reset.")
 
     async def predict(self, turn: Turn) -> models.Predict:
         answer = await self._calls.post("/v1/policy/predict", turn)
@@ -90,11 +96,11 @@ class ProctorPolicy:
         except Refused as refused:
             raise answer_fault(refused, self._calls) from refused
         if (predict.session_id, predict.seq) != (turn["session_id"], turn["seq"] + 1):
-            raise PolicyFault("The policy answered another turn than it was asked for.")
+            raise PolicyFault("The policy answered a different turn.")
         return predict
 
     def _read(self, model: type[Answer], answer: Any, operation: str) -> Answer:
-        """An answer by its schema, with what the schema does not know passed over."""
+        """The response as its schema; members that the schema lacks are ignored."""
         try:
             return model.model_validate(answer, strict=True, extra="ignore")
         except ValidationError as error:
@@ -102,13 +108,13 @@ class ProctorPolicy:
             errors = [(pointer(f["loc"]), f["msg"]) for f in faults]
             details = _format_errors(errors, self._calls)
             raise PolicyFault(
-                f"The policy's answer to {operation} is not as policy.yaml says: "
+                f"The policy's answer to {operation} does not match policy.yaml: "
                 f"{details}."
             ) from error
 
 
 def answer_fault(refused: Refused, calls: HttpCalls) -> PolicyFault:
-    """An answer of predict that the schema or the benchmark refuses (PUSH-010)."""
+    """The fault for an answer that the schema or the benchmark refuses (PUSH-010)."""
     details = _format_errors(refused.errors, calls) or refused.detail
     return PolicyFault(f"The policy's answer to predict was refused: {details}.")
 
@@ -121,4 +127,4 @@ def _format_errors(errors: Any, calls: HttpCalls) -> str:
 
 def _number(version: str) -> tuple[int, int]:
     major, _, minor = version.partition(".")
-    return int(major[:9]), int(minor[:9])  # longer ones are nobody's versions
+    return int(major[:9]), int(minor[:9])  # no version has more digits

@@ -109,21 +109,6 @@ def begin_turn(session: Session, command: Predict, now: float) -> None:
     session.think_s += max(0.0, now - session.answered_at)
 
 
-def await_confirmation(session: Session, command: Predict, request_digest: str) -> None:
-    """A client that counts no turns asked for this one; see `protocol.repeated`.
-
-    While a turn is played, its own answer is the one that may be lost.
-    """
-    if not session.busy or command.seq == session.seq:
-        session.unconfirmed_turn = (command.seq, request_digest)
-
-
-def confirm_delivery(session: Session, seq: int) -> None:
-    """The answer has left, and its client was still there to take it."""
-    if session.unconfirmed_turn is not None and session.unconfirmed_turn[0] == seq:
-        session.unconfirmed_turn = None
-
-
 def end_turn(
     run: Run, session: Session, played: ChunkOutcome, now_wall: float
 ) -> Episode | None:

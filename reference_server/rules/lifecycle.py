@@ -94,6 +94,9 @@ RESTING_STATES = (
 )
 
 
+Availability: TypeAlias = Literal["open", "waiting", "completed", "closed"]
+
+
 @dataclass(frozen=True, slots=True)
 class Attach:
     worker_id: str
@@ -207,6 +210,15 @@ def decide(run: Run, command: Command, now: float) -> Verdict:
     return Accept()
 
 
+def availability(run: Run) -> Availability:
+    """Whether workers may attach: now, with capacity, never again, after a resume."""
+    if run.state in PLAYABLE_STATES:
+        return "open"
+    if run.state in WAITING_STATES:
+        return "waiting"
+    return "completed" if run.state == "completed" else "closed"
+
+
 def lease_over(session: Session, now: float) -> bool:
     """Whether the session ends because its lease has (LEASE-001), and not before.
 
@@ -214,21 +226,6 @@ def lease_over(session: Session, now: float) -> bool:
     LEASE-005: the lease runs only while the server executes nothing.
     """
     return not session.busy and now > session.expires_at
-
-
-def find_repeated_turn(session: Session, request_digest: str) -> Predict | None:
-    """The last turn once more, if a client that counts none means that (EBE-013).
-
-    asked: a digest of what the client sent. It means the last turn when it sends the
-    same again and the answer did not reach it; anything else is a turn of its own, as
-    is what a policy chooses again after it has heard (EBE-014).
-    """
-    if session.request is None or session.unconfirmed_turn != (
-        session.seq,
-        request_digest,
-    ):
-        return None
-    return Predict(session.worker_id, session.session_id, session.seq, *session.request)
 
 
 # --- guards: (run, command, now) → a verdict, or None to pass to the next guard ---

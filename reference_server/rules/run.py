@@ -70,15 +70,13 @@ class Episode:
         return f"e{self.index:04d}"
 
 
-@dataclass(slots=True, eq=False)
+@dataclass(slots=True, eq=False, weakref_slot=True)
 class Session:
     """One attachment of a worker.
 
     steps: actions executed in the attempt in play.
     busy: what the server is executing for it; its lease stands still meanwhile.
     request, turn: the last predict and its answer, kept to be repeated.
-    unconfirmed_turn: of a client that counts no turns, the seq it was given last and a
-    digest of its request, until the answer is known to have left.
     """
 
     session_id: str
@@ -95,7 +93,6 @@ class Session:
     seq: int = 0
     request: tuple[Sequence[Mapping[str, Sequence[float]]], Observe] | None = None
     turn: dict[str, Any] | None = None
-    unconfirmed_turn: tuple[int, str] | None = None
     busy: Busy | None = None
     done: bool = False
     ended_by: SessionEnd | None = None

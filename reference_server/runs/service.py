@@ -21,12 +21,14 @@ import msgspec
 from reference_server.rules import comparison, effects
 from reference_server.rules.lifecycle import (
     Attach,
+    Availability,
     Detach,
     Heartbeat,
     Predict,
     Refuse,
     Resume,
     Stop,
+    availability,
     changes_state,
     decide,
 )
@@ -180,6 +182,15 @@ class RunService:
         self.executor.sweep(run)
         return run
 
+    async def get_availability(
+        self, account: str, run_id: str
+    ) -> tuple[Run, Availability]:
+        """The run as it is stored, and whether workers may attach to it."""
+        run = await self.registry.get(run_id, account)
+        return await self.registry.render_when_stored(
+            run, lambda run: (run, availability(run))
+        )
+
     async def view_run(self, account: str, run_id: str, endpoint: str) -> Json:
         """Schema Run, of what is stored."""
         view = partial(self.current_view, endpoint)
@@ -236,6 +247,21 @@ class RunService:
         run = await self.registry.get(run_id, account)
         return await self.executor.predict(run, command)
 
+    async def find_refused(
+        self, account: str, run_id: str, commands: Sequence[Predict]
+    ) -> tuple[Predict, Refuse] | None:
+        """The first of several predicts that would be refused now; None if none is.
+
+        For an API that sends them together and executes all or none.
+        """
+        run = await self.registry.get(run_id, account)
+        now = self.executor.sweep(run)
+        for command in commands:
+            verdict = decide(run, command, now)
+            if isinstance(verdict, Refuse):
+                return command, verdict
+        return None
+
     async def heartbeat(self, account: str, run_id: str, command: Heartbeat) -> Json:
         """Schema Lease, extended."""
         run = await self.registry.get(run_id, account)
@@ -245,6 +271,31 @@ class RunService:
         """End the session; what has ended already stays ended."""
         run = await self.registry.get(run_id, account)
         await self.executor.detach(run, command)
+
+    # --- push runs: what the driver does besides attach and predict ---
+
+    async def end_attempt_by_policy(
+        self, run_id: str, worker_id: str, session_id: str, fault: str
+    ) -> bool:
+        """End a session by a fault of its policy (PUSH-010).
+
+        False if the session has ended already: stopped, or lost.
+        """
+        run = await self.registry.get(run_id)
+        session = run.workers.get(worker_id)
+        if session is None or session.session_id != session_id:
+            return False
+        effects.end_by_policy(run, session, fault, time.time())
+        self.executor.release_sessions([session])
+        await self.registry.commit(run)
+        return True
+
+    async def fail_run(self, run_id: str, reason: str, *, retryable: bool) -> None:
+        """End a push run whose policy cannot be called (PUSH-012)."""
+        run = await self.registry.get(run_id)
+        ended = effects.fail_run(run, reason, time.time(), retryable=retryable)
+        self.executor.release_sessions(ended)
+        await self.registry.commit(run)
 
     async def _run_accepting(
         self, account: str, run_id: str, command: Stop | Resume

@@ -1,4 +1,4 @@
-"""Mutants of the chat models' protocol: what is asked, and how words are read."""
+"""Mutants of the protocol openai_chat: its requests, and how answers are read."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Mutants of EBench's door."""
+"""Mutants of the profile `ebench`."""
 
 from __future__ import annotations
 
@@ -10,19 +10,20 @@ from typing import Any
 import numpy as np
 from starlette.responses import Response
 
-from reference_server.profiles.ebench import actions as ebench_messages
 from reference_server.profiles.ebench import (
-    handlers,
+    message_conversion,
     pickle_reader,
     pickle_writer,
-    requests,
-    responses,
+    task_handlers,
+    task_requests,
+    task_responses,
 )
-from reference_server.profiles.ebench.handlers import EbenchHandlers
-from reference_server.rules import effects, lifecycle
+from reference_server.profiles.ebench.lost_answers import LostAnswers
+from reference_server.profiles.ebench.task_handlers import EbenchHandlers
 from reference_server.rules.lifecycle import Detach, Predict
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
+from reference_server.runs.service import RunService
 from tests.mutants import mutant, put
 
 SCORE_AT = 5  # among calibration's numbers by name
@@ -34,8 +35,8 @@ SCORE_AT = 5  # among calibration's numbers by name
 @mutant("EBE-001")
 def takes_another_benchmark_for_the_task() -> None:
     """A policy is evaluated on what nobody asked for."""
-    wrong = {**handlers.BENCHMARK_SETS, "calibration": "mobile_bimanual_state"}
-    put(handlers, "BENCHMARK_SETS", wrong)
+    wrong = {**task_handlers.BENCHMARK_SETS, "calibration": "mobile_bimanual_state"}
+    put(task_handlers, "BENCHMARK_SETS", wrong)
 
 
 @mutant("EBE-002")
@@ -43,21 +44,22 @@ def refuses_a_task_without_a_message() -> None:
     """The client prints an error that says nothing."""
 
     def wrong(refused: Refused) -> Response:
-        body = json.loads(bytes(responses.refusal_response(refused).body))
-        return responses.envelope(None, body["code"], "")
+        body = json.loads(bytes(task_responses.refusal_response(refused).body))
+        return task_responses.envelope(None, body["code"], "")
 
-    put(handlers, "refusal_response", wrong)
+    put(task_handlers, "refusal_response", wrong)
 
 
 @mutant("EBE-003")
 def calls_a_queued_task_ready() -> None:
     """Workers come too early and are turned away."""
-    right = lifecycle.legal
+    right = RunService.get_availability
 
-    def wrong(run: Run, event: Any) -> bool:
-        return run.state == "queued" or right(run, event)
+    async def wrong(self: RunService, *arguments: Any) -> Any:
+        run, available = await right(self, *arguments)
+        return run, "open" if available == "waiting" else available
 
-    put(handlers, "legal", wrong)
+    put(RunService, "get_availability", wrong)
 
 
 @mutant("EBE-004")
@@ -69,7 +71,7 @@ def gives_a_resumed_task_another_id() -> None:
         response = await right(self, call)
         if not call.body.task_id:
             return response
-        return responses.envelope({"task_id": f"{call.body.task_id}-2"})
+        return task_responses.envelope({"task_id": f"{call.body.task_id}-2"})
 
     put(EbenchHandlers, "create_task", wrong)
 
@@ -91,7 +93,7 @@ def lacks_one_of_two_stop_paths() -> None:
 
     def wrong(self: EbenchHandlers) -> Any:
         table = right(self)
-        del table[f"{handlers.RUN_PATH}/stop"]
+        del table[f"{task_handlers.RUN_PATH}/stop"]
         return table
 
     put(EbenchHandlers, "table", wrong)
@@ -100,14 +102,14 @@ def lacks_one_of_two_stop_paths() -> None:
 @mutant("EBE-019")
 def counts_episodes_in_progress_as_completed() -> None:
     """A run seems nearer to its end than it is."""
-    right = responses.status_of
+    right = task_responses.status_of
 
     def wrong(run: Run) -> dict[str, Any]:
         status = right(run)
         status["completed_episodes"] += status["in_progress_episodes"]
         return status
 
-    put(handlers, "status_of", wrong)
+    put(task_handlers, "status_of", wrong)
 
 
 # --- workers ---
@@ -137,7 +139,7 @@ def begins_an_episode_anew_at_every_reset() -> None:
         session = run.workers.get(worker_id)
         if takeover and session is not None:
             detach = Detach(worker_id, session.session_id)
-            await self.handlers.executor.detach(run, detach)
+            await self.service.detach_worker(run.account, run.run_id, detach)
         return await right(self, run, worker_id, takeover)
 
     put(EbenchHandlers, "_open", wrong)
@@ -156,25 +158,23 @@ def ignores_kill_requests() -> None:
 @mutant("EBE-017")
 def executes_actions_of_a_lost_episode() -> None:
     """A new episode begins with an action that was chosen in another one."""
-    right = EbenchHandlers._turn
+    right = EbenchHandlers._prepare_step
 
-    def wrong(
-        self: EbenchHandlers, run: Run, worker_id: str, chunk: Any, now: float
-    ) -> Any:
+    def wrong(self: EbenchHandlers, run: Run, worker_id: str, chunk: Any) -> Any:
         if worker_id in run.workers:
-            return right(self, run, worker_id, chunk, now)
+            return right(self, run, worker_id, chunk)
 
         async def work() -> Any:
             turn = await self._open(run, worker_id)
-            actions = ebench_messages.actions(
+            actions = message_conversion.read_actions(
                 chunk.actions, run.manifest, dict, chunk.at
             )
             command = Predict(worker_id, turn["session_id"], 1, actions)
-            return await self.handlers.executor.predict(run, command)
+            return await self.service.predict(run.account, run.run_id, command)
 
-        return work
+        return task_handlers._Step(work)
 
-    put(EbenchHandlers, "_turn", wrong)
+    put(EbenchHandlers, "_prepare_step", wrong)
 
 
 @mutant("EBE-021")
@@ -183,7 +183,7 @@ def opens_its_endpoint_to_every_account() -> None:
     right = EbenchHandlers._run
 
     async def wrong(self: EbenchHandlers, call: Any) -> Run:
-        run = await self.handlers.registry.get(call.path["run_id"])
+        run = await self.service.registry.get(call.path["run_id"])
         caller = dataclasses.replace(call.caller, account=run.account)
         return await right(self, dataclasses.replace(call, caller=caller))
 
@@ -196,53 +196,53 @@ def opens_its_endpoint_to_every_account() -> None:
 @mutant("EBE-008")
 def executes_a_list_of_steps_backwards() -> None:
     """A robot does last things first."""
-    right = requests.read_chunks
+    right = task_requests.read_chunks
 
     def wrong(body: Any, run: Run) -> Any:
         return right(body[::-1] if isinstance(body, list) else body, run)
 
-    put(handlers, "read_chunks", wrong)
+    put(task_handlers, "read_chunks", wrong)
 
 
 @mutant("EBE-023")
 def never_reports_a_chunk_as_stopped_early() -> None:
     """A policy believes that it is still in the episode it planned for."""
-    put(handlers, "_is_stopped_early", lambda _turn: False)
+    put(task_handlers, "_is_stopped_early", lambda _turn: False)
 
 
 @mutant("EBE-009")
 def omits_the_result_of_an_episode() -> None:
     """The client's folder of results stays empty."""
-    right = responses.worker_view
+    right = task_responses.worker_view
 
     def wrong(*arguments: Any) -> dict[str, Any]:
         return right(*arguments) | {"episode_result": None}
 
-    put(handlers, "worker_view", wrong)
+    put(task_handlers, "worker_view", wrong)
 
 
 @mutant("EBE-010")
 def ends_a_run_without_metrics() -> None:
     """The client prints an empty table at the end."""
-    put(handlers, "results_of", lambda _run: {})
+    put(task_handlers, "results_of", lambda _run: {})
 
 
 @mutant("EBE-011")
 def reads_numbers_in_single_precision() -> None:
     """A target is met by less than the policy commanded."""
-    right = ebench_messages._numbers
+    right = message_conversion._numbers
 
     def wrong(value: Any, at: str, size: int) -> list[float]:
         with np.errstate(over="ignore"):
             return [float(np.float32(number)) for number in right(value, at, size)]
 
-    put(ebench_messages, "_numbers", wrong)
+    put(message_conversion, "_numbers", wrong)
 
 
 @mutant("EBE-012")
 def executes_part_of_a_refused_step() -> None:
     """A refused step was executed by half of the workers."""
-    right = EbenchHandlers._turn
+    right = EbenchHandlers._prepare_step
 
     def wrong(self: EbenchHandlers, *arguments: Any) -> Any:
         try:
@@ -253,27 +253,31 @@ def executes_part_of_a_refused_step() -> None:
         async def work() -> Any:
             raise error
 
-        return work
+        return task_handlers._Step(work)
 
-    put(EbenchHandlers, "_turn", wrong)
+    async def find_none(_self: RunService, *_: Any) -> None:
+        """Every step may begin; those that do not fit are refused one by one."""
+
+    put(EbenchHandlers, "_prepare_step", wrong)
+    put(RunService, "find_refused", find_none)
 
 
 @mutant("EBE-013")
 def executes_a_lost_step_again() -> None:
     """A robot moves twice because an answer did not arrive."""
-    put(handlers, "find_repeated_turn", lambda _session, _asked: None)
+    put(LostAnswers, "find_repeated_turn", lambda _self, _session, _digest: None)
 
 
 @mutant("EBE-014")
 def takes_an_equal_action_for_a_repeated_one() -> None:
     """A policy that waits in one place never sees time pass."""
-    put(effects, "confirm_delivery", lambda _session, _seq: None)
+    put(LostAnswers, "confirm_delivery", lambda _self, _session, _seq: None)
 
 
 @mutant("EBE-022")
 def shares_scores_among_the_workers_of_a_step() -> None:
     """What one worker achieves depends on another one's luck."""
-    right = requests.read_chunks
+    right = task_requests.read_chunks
 
     def wrong(body: Any, run: Run) -> Any:
         chunks = right(body, run)
@@ -284,7 +288,7 @@ def shares_scores_among_the_workers_of_a_step() -> None:
                 one[SCORE_AT] = mean
         return chunks
 
-    put(handlers, "read_chunks", wrong)
+    put(task_handlers, "read_chunks", wrong)
 
 
 # --- pickles ---

@@ -1,4 +1,4 @@
-"""Mutants of FlagEval's wire: what a script would read wrong or send in vain."""
+"""Mutants of the profile `flageval`."""
 
 from __future__ import annotations
 
@@ -10,16 +10,19 @@ from typing import Any
 import msgspec
 from starlette.responses import Response
 
-from reference_server.http import auth
 from reference_server.http.codec import JSON
 from reference_server.http.dispatch import OperationCall
-from reference_server.profiles.flageval import handlers, requests, responses
-from reference_server.profiles.flageval.handlers import FlagevalHandlers
-from reference_server.profiles.flageval.requests import (
+from reference_server.profiles.flageval import (
+    evaluation_handlers,
+    evaluation_requests,
+    evaluation_responses,
+)
+from reference_server.profiles.flageval.evaluation_handlers import FlagevalHandlers
+from reference_server.profiles.flageval.evaluation_requests import (
     EvaluationRequest,
     RequestReference,
 )
-from reference_server.profiles.flageval.responses import EvaluationView
+from reference_server.profiles.flageval.evaluation_responses import EvaluationView
 from reference_server.rules.refusal import Refused
 from tests.mutants import mutant, put
 
@@ -60,14 +63,14 @@ def returns_evaluations_in_another_order() -> None:
 @mutant("FLE-002")
 def omits_err_message() -> None:
     """Scripts written from the document find no reason."""
-    right = responses.refusal_response
+    right = evaluation_responses.refusal_response
 
     def wrong(refused: Refused) -> Response:
         body = json.loads(bytes(right(refused).body))
         del body["err_message"]
         return Response(msgspec.json.encode(body), media_type=JSON)
 
-    put(handlers, "refusal_response", wrong)
+    put(evaluation_handlers, "refusal_response", wrong)
 
 
 @mutant("FLE-003")
@@ -85,7 +88,7 @@ def refuses_a_repeat() -> None:
 @mutant("FLE-005")
 def ignores_generation_settings() -> None:
     """Every model is asked at the temperature of its server."""
-    put(requests, "_generation", lambda _text, _at: {})
+    put(evaluation_requests, "_generation", lambda _text, _at: {})
 
 
 @mutant("FLE-006")
@@ -120,13 +123,13 @@ def ignores_the_query() -> None:
 @mutant("FLE-009")
 def reports_retryable_failures_as_final() -> None:
     """A model server that was restarted is not waited for."""
-    right = responses.status_of
+    right = evaluation_responses.status_of
 
     def wrong(*arguments: Any) -> str:
         status = right(*arguments)
         return "F" if status == "OOR" else status
 
-    put(responses, "status_of", wrong)
+    put(evaluation_responses, "status_of", wrong)
 
 
 @mutant("FLE-010")
@@ -169,8 +172,8 @@ def reports_success_without_resuming() -> None:
     """A script waits for a night for what was never begun."""
 
     async def wrong(self: FlagevalHandlers, call: OperationCall) -> Response:
-        await self._evaluated(call, call.body.request_id)
-        return responses.success_response()
+        await self._evaluated(call.account, call.body.request_id)
+        return evaluation_responses.success_response()
 
     put(FlagevalHandlers, "resume", wrong)
 
@@ -198,11 +201,8 @@ def shows_results_to_every_account() -> None:
     """Who knows a request_id reads the results of others."""
     right = FlagevalHandlers._evaluated
 
-    async def wrong(
-        self: FlagevalHandlers, call: OperationCall, request_id: str
-    ) -> Any:
-        run = await self.handlers.registry.get(request_id.split(".", maxsplit=1)[0])
-        call = replace(call, caller=auth.Caller(run.account, auth.SCOPES))
-        return await right(self, call, request_id)
+    async def wrong(self: FlagevalHandlers, _account: str, request_id: str) -> Any:
+        run = await self.service.registry.get(request_id.split(".", maxsplit=1)[0])
+        return await right(self, run.account, request_id)
 
     put(FlagevalHandlers, "_evaluated", wrong)

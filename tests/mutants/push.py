@@ -1,4 +1,4 @@
-"""Mutants of the other direction: the server that calls the policy."""
+"""Mutants of push runs, in which the server calls the policy."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 
 import httpcore
 
-from reference_server.push import policy_calls, policy_server_config
+from reference_server.push import policy_calls, policy_server_validator
 from reference_server.push.driver import Driver
 from reference_server.push.http_calls import HttpCalls, PolicyFault
 from reference_server.push.policy_calls import ProctorPolicy
@@ -35,17 +35,17 @@ def plays_only_the_first_action_of_a_chunk() -> None:
 @mutant("PUSH-002")
 def accepts_a_policy_server_without_push_mode() -> None:
     """A run waits for ever for workers, while its submitter waits for calls."""
-    put(policy_server_config, "_errors", lambda _submission: iter(()))
-    right = policy_server_config.PolicyServerValidator.validate_and_encrypt
+    put(policy_server_validator, "_errors", lambda _submission: iter(()))
+    right = policy_server_validator.PolicyServerValidator.validate_and_encrypt
 
     async def wrong(
-        self: policy_server_config.PolicyServerValidator, submission: dict[str, Any]
+        self: policy_server_validator.PolicyServerValidator, submission: dict[str, Any]
     ) -> Any:
         if submission.get("mode") == "push" and "policy_server" not in submission:
             submission = submission | {"mode": "pull"}
         return await right(self, submission)
 
-    put(policy_server_config.PolicyServerValidator, "validate_and_encrypt", wrong)
+    put(policy_server_validator.PolicyServerValidator, "validate_and_encrypt", wrong)
 
 
 @mutant("PUSH-003")
@@ -129,7 +129,7 @@ def has_no_total_call_timeout() -> None:
         try:
             return await self._send_once(method, path, content)
         except (httpcore.NetworkError, httpcore.RemoteProtocolError, OSError) as error:
-            raise PolicyFault("is not reached", retryable=True) from error
+            raise PolicyFault("is unreachable", retryable=True) from error
 
     put(HttpCalls, "_call_with_deadline", wrong)
 
@@ -177,7 +177,7 @@ def fails_finally_when_the_policy_is_unreachable() -> None:
 
     def wrong(run: Run, reason: str, now_wall: float, **more: bool) -> Any:
         sessions = right(run, reason, now_wall, **more)
-        if run.state == "failed" and "is not reached" in reason:
+        if run.state == "failed" and "is unreachable" in reason:
             run.retryable = False
         return sessions
 

@@ -30,6 +30,7 @@ OWN_TESTS = {
         "test_lifecycle.py",
         "test_push_run_rules.py",
     ),
+    "reference_server/profiles/ebench/lost_answers.py": ("test_lost_answers.py",),
     "reference_server/profiles/ebench/pickle_reader.py": ("test_pickle_reader.py",),
     "reference_server/rules/scoring.py": ("test_scoring.py",),
     "reference_server/rules/submission.py": ("test_submission.py",),

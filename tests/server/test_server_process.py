@@ -142,7 +142,7 @@ def test_the_printed_command_works(tmp_path: Path) -> None:
             )
         finally:
             server.terminate()
-    assert serves.startswith("Proctor serves at http://127.0.0.1:")
+    assert serves.startswith("Proctor is listening at http://127.0.0.1:")
     assert token.split()[0] == "token:"
     assert token.split()[1] in line
     assert serves.split()[-1] in line

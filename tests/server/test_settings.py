@@ -1,6 +1,6 @@
 """Settings: what each means, where it may come from, and docs/host/settings.md.
 
-`python tests/server/test_settings.py` writes the page anew.
+`python -m tests.server.test_settings` writes the page anew.
 """
 
 import os
@@ -23,7 +23,7 @@ PAGE = ROOT / "docs" / "host" / "settings.md"
 HEAD = """# Settings of the reference server
 
 Each is a flag of `python -m reference_server` and a variable of its environment; where
-both are given, the flag wins. Written by `python tests/server/test_settings.py` from
+both are given, the flag wins. Written by `python -m tests.server.test_settings` from
 `reference_server/settings.py`.
 
 | name | flag | environment | default | values | meaning |
@@ -67,7 +67,7 @@ def page() -> str:
 
 def test_the_page_is_up_to_date() -> None:
     assert PAGE.read_text() == page(), (
-        "python tests/server/test_settings.py writes it anew"
+        "python -m tests.server.test_settings writes it anew"
     )
 
 

@@ -1,7 +1,7 @@
-"""What the tests of push runs build: runs, and policy servers that misbehave.
+"""Builds push runs for tests, and policy servers that misbehave.
 
-`conformance.policy.scripted` is the policy server; what no HTTP library would send
-comes from a bare socket.
+`conformance.policy.scripted` is the policy server; bytes that no HTTP library would
+send come from a plain socket.
 """
 
 import contextlib

@@ -1,1 +1,1 @@
-"""EBench's API as a profile."""
+"""The profile `ebench`: the API of EBench (spec/profiles/ebench.yaml)."""

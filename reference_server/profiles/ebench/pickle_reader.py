@@ -1,13 +1,18 @@
-"""Pickles of plain data, read without running them.
+"""Reads pickles of plain data without executing them (EBE-011, EBE-015).
 
-EBench's client speaks pickle, a language whose programs may call anything. Here nothing
-is called: arguments of opcodes are read by `pickletools`, which runs none, and a
-machine with a stack of its own knows the few that plain data is made of. Numpy's arrays
-and numbers are recognised by the pattern in which numpy writes them and made with
-`frombuffer`; whatever else is named, is refused. Depth, number of values, text and
-bytes are bounded, and what a pickle refers to many times counts as often.
+EBench's client sends pickles, and a pickle is a program that may call anything. Why
+this is our own code and not `pickle.Unpickler` with a restricted `find_class`: that one
+restricts names, and bounds nothing. It builds every object before a limit can be
+checked, so that a short pickle that converts one text again and again, or nests or
+repeats its parts, takes all memory or time. Here the limits below are checked before
+something is built: opcodes, values, depth, text, bytes, sizes of arrays.
 
-Knows nothing of requests, and must not import `pickle`.
+The arguments of opcodes are decoded by `pickletools`, which executes nothing; a small
+stack machine knows the few opcodes of plain data. Numpy's arrays and numbers are
+recognised by the pattern in which numpy writes them, and made with `frombuffer`. Any
+other name is refused. A value that a pickle refers to many times counts as many times.
+
+Must not know requests, and must not import `pickle`.
 """
 
 from __future__ import annotations
@@ -23,25 +28,25 @@ from numpy.typing import NDArray
 
 OPCODES_MAX = 400_000
 VALUES_MAX = 400_000
-TEXT_MAX = 2**22  # characters, each as often as it is seen
+TEXT_MAX = 2**22  # characters, repeated references included
 DEPTH_MAX = 16
 DIMENSIONS_MAX = 8
 INTEGER_MAX = 2**64
 KEY_MAX = 2**31  # larger numbers as keys could be chosen to collide
-AXIS_LENGTH_MAX = 2**31  # of an array; the product of longer numbers takes long
+AXIS_LENGTH_MAX = 2**31  # of an array; multiplying longer numbers takes long
 
 _DTYPES = {f"{kind}{size}" for kind in "iu" for size in (1, 2, 4, 8)}
 _DTYPES |= {"b1", "f2", "f4", "f8"}
-_DTYPE_STATE = (None, None, None, -1, -1, 0)  # no fields, no alignment of its own
-_EMPTY: tuple[int, ...] = (0,)  # what numpy writes for an array that is to be filled
+_DTYPE_STATE = (None, None, None, -1, -1, 0)  # no fields, no alignment
+_EMPTY: tuple[int, ...] = (0,)  # what numpy writes before it sets the data
 
 
 class BadPickle(ValueError):
-    """What is no pickle of plain values and numpy arrays; the text says why."""
+    """Not a pickle of plain values and numpy arrays; the message says why."""
 
 
 class _Name(str):
-    """A global that numpy's pattern names; nothing stands behind it."""
+    """A global of numpy's pattern: a marker only, no object is behind it."""
 
     __slots__ = ()
 
@@ -69,19 +74,19 @@ _NAMES: Mapping[tuple[str, str], _Name] = {
 
 
 class _Dtype:
-    """A dtype; complete when its byte order is told."""
+    """A dtype; complete once its byte order is set."""
 
     def __init__(self, code: str) -> None:
         self.code = code
         self.order = ""
 
     def get(self) -> np.dtype[Any]:
-        _require(self.order, "a dtype without a byte order")
+        _require(self.order, "a dtype without byte order")
         return np.dtype(self.order + self.code)
 
 
 class _Array:
-    """An array; numpy's older pattern makes it first and fills it later."""
+    """An array; numpy's older pattern creates it first and sets its data later."""
 
     def __init__(self) -> None:
         self.filled: NDArray[Any] | None = None
@@ -99,18 +104,19 @@ def read(body: bytes) -> Any:
     except BadPickle:
         raise
     except (LookupError, TypeError, ValueError, OverflowError) as error:
-        # A stack that runs dry, a key that cannot be one, text that is no Unicode.
+        # Stack underflow, an unhashable key, text that is not valid Unicode.
         raise BadPickle(f"malformed, {str(error)[:200]!a}") from error
 
 
 class _Machine:
-    """A stack, its marks, and what was put aside; one for each pickle."""
+    """The stack machine of one pickle: stack, marks and memo."""
 
     def __init__(self, size: int) -> None:
         self.stack: list[Any] = []
         self._outer_stacks: list[list[Any]] = []
         self.memo: dict[int, Any] = {}
-        self._bytes_left = 2 * size  # text becomes bytes once, and bytes an array once
+        # Each byte sent may become bytes from text once, and an array once.
+        self._bytes_left = 2 * size
 
     def run(self, body: bytes) -> Any:
         data = BytesIO(body)
@@ -120,14 +126,13 @@ class _Machine:
                 break
             found = _OPCODES.get(code)
             if found is None:
-                raise BadPickle(f"the opcode {code!r} is not read here")
+                raise BadPickle(f"the opcode {code!r} is not supported")
             read_argument, handler = found
             handler(self, read_argument(data))
         else:
             raise BadPickle(f"more than {OPCODES_MAX} opcodes")
-        _require(
-            len(self.stack) == 1 and not self._outer_stacks, "its end is not its end"
-        )
+        is_complete = len(self.stack) == 1 and not self._outer_stacks
+        _require(is_complete, "it has data left on the stack at STOP")
         return self.stack[0]
 
     def mark(self) -> None:
@@ -139,52 +144,54 @@ class _Machine:
         return items
 
     def last(self, count: int) -> list[Any]:
-        _require(len(self.stack) >= count, "the stack runs dry")
+        _require(len(self.stack) >= count, "stack underflow")
         items = self.stack[-count:]
         del self.stack[-count:]
         return items
 
     def name(self, module: Any, name: Any) -> None:
-        _require(type(module) is str and type(name) is str, "a name that is no text")
+        _require(type(module) is str and type(name) is str, "a name that is not text")
         found = _NAMES.get((module, name))
         if found is None:
             raise BadPickle(
                 f"it names {module[:60]!a} {name[:60]!a}; only plain values "
-                "and numpy arrays are read"
+                "and numpy arrays are allowed"
             )
         self.stack.append(found)
 
     def call(self) -> None:
-        """What numpy's pattern would call, and nothing else."""
+        """REDUCE: only the calls of numpy's pattern (EBE-015)."""
         arguments, called = self.stack.pop(), self.stack.pop()
-        _require(isinstance(called, _Name), "it calls something")
+        _require(isinstance(called, _Name), "it calls an object that is not allowed")
         _require(isinstance(arguments, tuple), "it calls without arguments")
         self.stack.append(_CALLS[called](self, *arguments))
 
     def fill(self) -> None:
-        """Complete a dtype or an array that was made before."""
+        """BUILD: complete a dtype or an array that was created before."""
         state, made = self.stack.pop(), self.stack[-1]
-        _require(isinstance(state, tuple), "a state that is none of numpy's")
+        _require(isinstance(state, tuple), "a state that is not numpy's")
         if isinstance(made, _Dtype) and not made.order:
             version, order, *rest = state
-            _require(version == 3 and tuple(rest) == _DTYPE_STATE, "a strange dtype")
-            _require(order in ("<", ">", "|", "="), "a strange byte order")
+            _require(
+                version == 3 and tuple(rest) == _DTYPE_STATE, "an unsupported dtype"
+            )
+            _require(order in ("<", ">", "|", "="), "an unsupported byte order")
             made.order = order
         elif isinstance(made, _Array) and made.filled is None:
             version, shape, dtype, is_fortran, data = state
-            _require(version == 1, "a strange array")
+            _require(version == 1, "an unsupported array")
             made.filled = self.array(data, dtype, shape, "F" if is_fortran else "C")
         else:
-            raise BadPickle("it sets the state of something")
+            raise BadPickle("it sets the state of an object that is not allowed")
 
     def encoded(self, text: Any, codec: Any) -> bytes:
-        _require(isinstance(text, str) and codec == "latin1", "a strange encoding")
+        _require(isinstance(text, str) and codec == "latin1", "an unsupported encoding")
         self._spend(len(text))
         encoded: bytes = text.encode("latin-1")
         return encoded
 
     def array(self, data: Any, dtype: Any, shape: Any, order: Any) -> NDArray[Any]:
-        """As numpy reads it; charged again for each time that it is made."""
+        """The array; its bytes are counted each time that it is made."""
         _require(isinstance(data, bytes | bytearray), "an array without its bytes")
         _require(isinstance(dtype, _Dtype), "an array without a dtype")
         _require(
@@ -194,7 +201,7 @@ class _Machine:
             all(type(n) is int and 0 <= n < AXIS_LENGTH_MAX for n in shape),
             "a bad shape",
         )
-        _require(order in ("C", "F"), "a strange order")
+        _require(order in ("C", "F"), "an unsupported memory order")
         kind = dtype.get()
         size = math.prod(shape) * kind.itemsize
         _require(size == len(data), "an array of another size")
@@ -203,9 +210,9 @@ class _Machine:
         return array.astype(kind.newbyteorder("="), copy=False)
 
     def _spend(self, count: int) -> None:
-        """Take from how many bytes may be made of those that came."""
+        """Count bytes that are made against the limit."""
         self._bytes_left -= count
-        _require(self._bytes_left >= 0, "it grows")
+        _require(self._bytes_left >= 0, "it expands to too many bytes")
 
 
 def _require(condition: object, otherwise: str) -> None:
@@ -214,13 +221,15 @@ def _require(condition: object, otherwise: str) -> None:
 
 
 def _dtype(_: _Machine, code: Any, align: Any, copy: Any) -> _Dtype:
-    _require(isinstance(code, str) and code in _DTYPES, "a dtype that is no number's")
-    _require(align in (0, 1) and copy in (0, 1), "a strange dtype")
+    _require(isinstance(code, str) and code in _DTYPES, "a dtype that is not numeric")
+    _require(align in (0, 1) and copy in (0, 1), "an unsupported dtype")
     return _Dtype(code)
 
 
 def _reconstruct(_: _Machine, kind: Any, shape: Any, code: Any) -> _Array:
-    _require(kind is _NDARRAY and shape == _EMPTY and code == b"b", "a strange array")
+    _require(
+        kind is _NDARRAY and shape == _EMPTY and code == b"b", "an unsupported array"
+    )
     return _Array()
 
 
@@ -248,7 +257,7 @@ _Handler: TypeAlias = Callable[[_Machine, Any], None]
 
 
 def _ignore(_machine: _Machine, _argument: Any) -> None:
-    """PROTO and FRAME say how what follows is written."""
+    """PROTO and FRAME: what follows is read without them."""
 
 
 def _push(machine: _Machine, argument: Any) -> None:
@@ -281,15 +290,18 @@ def _dict(machine: _Machine, _: Any) -> None:
 
 def _extend(machine: _Machine, items: list[Any]) -> None:
     target = machine.stack[-1]
-    _require(type(target) is list, "it appends to what is no list")
+    _require(type(target) is list, "it appends to no list")
     target += items
 
 
 def _set(target: Any, items: list[Any]) -> None:
-    _require(type(target) is dict and len(items) % 2 == 0, "it sets items of no dict")
+    _require(
+        type(target) is dict and len(items) % 2 == 0,
+        "it sets items of no dict",
+    )
     for key, value in zip(items[::2], items[1::2], strict=True):
         is_number = type(key) is int and abs(key) < KEY_MAX
-        _require(type(key) is str or is_number, "a key that is no string")
+        _require(type(key) is str or is_number, "a key that is not a string")
         target[key] = value
 
 
@@ -304,12 +316,12 @@ def _set_many(machine: _Machine, _: Any) -> None:
 
 
 def _put(machine: _Machine, index: int) -> None:
-    _require(0 <= index < KEY_MAX, "a strange place to remember it")
+    _require(0 <= index < KEY_MAX, "an unsupported memo index")
     machine.memo[index] = machine.stack[-1]
 
 
 def _read_global(data: BytesIO) -> tuple[str, str]:
-    """Two lines; `pickletools` would undo escapes in them."""
+    """The two lines of GLOBAL as they are; `pickletools` would decode escapes."""
     module, name = (data.readline().decode("ascii") for _ in range(2))
     return module.removesuffix("\n"), name.removesuffix("\n")
 
@@ -363,7 +375,7 @@ _Opcode: TypeAlias = tuple[Callable[[BytesIO], Any], _Handler]
 
 
 def _opcodes() -> Iterator[tuple[bytes, _Opcode]]:
-    """Of each opcode that is read: what reads its argument, and what it does."""
+    """For each supported opcode: the reader of its argument, and its handler."""
     for opcode in pickletools.opcodes:
         if opcode.name in _HANDLERS:
             reader: Any = opcode.arg.reader if opcode.arg else lambda _: None
@@ -376,7 +388,7 @@ _OPCODES = dict(_opcodes())
 
 
 class _Tree:
-    """What was read, copied out: shared parts count as often as they are seen."""
+    """The result, copied: a part that is referenced many times counts many times."""
 
     def __init__(self) -> None:
         self._left = VALUES_MAX
@@ -386,7 +398,7 @@ class _Tree:
         array = value.filled if isinstance(value, _Array) else None
         self._left -= 1 if array is None else max(array.size, 1)
         _require(self._left >= 0, f"more than {VALUES_MAX} values")
-        _require(depth <= DEPTH_MAX, "it is nested too deeply, or in itself")
+        _require(depth <= DEPTH_MAX, "it is nested too deeply, or contains itself")
         if array is not None:
             return array
         if type(value) in (list, tuple):
@@ -399,10 +411,10 @@ class _Tree:
         if type(value) is str:
             self._text_left -= len(value)
             _require(self._text_left >= 0, f"more than {TEXT_MAX} characters of text")
-            value.encode()  # a lone surrogate is no text
+            value.encode()  # raises for a lone surrogate, which is not valid text
             return value
         plain = value is None or type(value) in (bool, int, float)
-        _require(plain, f"a bare {type(value).__name__.strip('_')} is no value")
+        _require(plain, f"a bare {type(value).__name__.strip('_')} is not a value")
         _require(
             type(value) is not int or abs(value) < INTEGER_MAX, "too large a number"
         )

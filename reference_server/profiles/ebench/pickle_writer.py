@@ -1,6 +1,8 @@
-"""Pickles of plain data, written without `pickle`: nothing in them can be called.
+"""Writes pickles of plain data without the module `pickle` (EBE-020).
 
-Protocol 2, which every Python 3 reads. The other direction is `ebench_unpickle.py`.
+Of the language only the opcodes of plain values are written: a client can read the
+result with an unpickler that permits no names. Protocol 2, which every Python 3 reads.
+Reading is in `pickle_reader`. Must not know requests or runs.
 """
 
 from __future__ import annotations
@@ -11,9 +13,9 @@ from typing import Any
 
 
 def write(value: Any) -> bytes:
-    """A pickle of dicts, lists, strings, numbers, booleans and None.
+    """EBE-020: a pickle of dicts, lists, strings, numbers, booleans and None.
 
-    Text in UTF-8 may come as bytes.
+    bytes are written as text and must be UTF-8. Raises TypeError for anything else.
     """
     return b"".join((b"\x80\x02", *_written(value), b"."))
 

@@ -1,1 +1,1 @@
-"""FlagEval's API as a profile."""
+"""The profile `flageval`: the API of FlagEval (spec/profiles/flageval.yaml)."""

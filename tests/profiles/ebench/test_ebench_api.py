@@ -1,7 +1,7 @@
-"""EBench's wire against our server: tasks, workers, steps, endings, and lost answers.
+"""EBench's API on our server: tasks, workers, steps, ends of episodes, lost answers.
 
-Most runs are of `calibration`, submitted by our own door, because that has options:
-`action` is its vectors one after another, by name.
+Most runs are on `calibration` and submitted by `submit_run`, because that has options:
+`action` holds the vectors of its action space one after another, sorted by name.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from hypothesis import strategies as st
 
 from reference_server.http.handlers import Handlers
 from reference_server.profiles import profile_tables
-from reference_server.profiles.ebench.handlers import EbenchHandlers
+from reference_server.profiles.ebench.task_handlers import EbenchHandlers
 from reference_server.settings import Settings
 from tests.support.profiles.ebench_client import (
     EbenchClient,

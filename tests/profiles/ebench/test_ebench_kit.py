@@ -1,4 +1,4 @@
-"""The kit on our own server with EBench's door open, and the kit's own pickles."""
+"""The kit on our server with the profile `ebench`, and the kit's own pickles."""
 
 from __future__ import annotations
 

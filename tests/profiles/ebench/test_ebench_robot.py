@@ -1,4 +1,4 @@
-"""EBench's robot, played through its own wire on our mobile bimanual benchmarks."""
+"""EBench's robot, played through EBench's API on our mobile bimanual benchmarks."""
 
 from __future__ import annotations
 

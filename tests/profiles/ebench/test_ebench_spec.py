@@ -1,4 +1,4 @@
-"""The profile's document against itself, the kit's ledger and the adapter's routes."""
+"""spec/profiles/ebench.yaml against itself, the kit's ledger and the handlers."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import yaml
 
 from conformance.specification.ledger import load_ledger
 from reference_server.http.handlers import Handlers
-from reference_server.profiles.ebench.handlers import EbenchHandlers
+from reference_server.profiles.ebench.task_handlers import EbenchHandlers
 from reference_server.settings import Settings
 from tests.support.paths import ROOT
 

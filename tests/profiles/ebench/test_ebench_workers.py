@@ -1,4 +1,4 @@
-"""EBench's workers: sixteen at once, killed, idle, stopped, resumed, and unheard."""
+"""EBench's workers: sixteen at once, killed, idle, stopped, resumed, disconnected."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Pickles of strangers: plain data is read as written, and nothing else does anything.
+"""Pickles from outside: plain data is read as written, and nothing is executed.
 
-Attacks are made with `pickle` itself or opcode by opcode. Each would leave a file
-behind, were anything of it executed.
+Attacks are made with `pickle` itself or opcode by opcode. Each would create a file if
+any part of it were executed.
 """
 
 from __future__ import annotations
@@ -359,10 +359,10 @@ BOMBS: dict[str, tuple[bytes, str]] = {
     "marks": (b"(" * (OPCODES_MAX + 1) + b".", "opcodes"),
     "empty arrays": (dump_pickle([[np.zeros(0)] * 2000] * 2000), "values"),
     "one text often": (b"](X" + MEGABYTE + b"q\x00" + b"h\x00" * 99 + b"e.", "text"),
-    "one buffer": (BUFFER + b"h\x00(h\x01h\x02h\x03VC\ntR" * 99 + b"e.", "grows"),
+    "one buffer": (BUFFER + b"h\x00(h\x01h\x02h\x03VC\ntR" * 99 + b"e.", "expands"),
     "a shape": (filled(b"(\x8b" + MEGABYTE + b"q\x00h\x00h\x00t") + b".", "shape"),
-    "a memo": (b"N" + COLLIDING + b".", "place"),
-    "bytes of one text": (LATIN + b"](" + b"h\x00h\x03R" * 1000 + b"e.", "grows"),
+    "a memo": (b"N" + COLLIDING + b".", "memo index"),
+    "bytes of one text": (LATIN + b"](" + b"h\x00h\x03R" * 1000 + b"e.", "expands"),
 }
 
 

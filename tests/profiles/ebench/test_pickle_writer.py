@@ -1,4 +1,4 @@
-"""What we pickle is a pickle to everybody, and names nothing."""
+"""The pickles that we write can be read by `pickle`, and name nothing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""FlagEval's wire, as its scripts use it, over push runs of a scripted chat model."""
+"""FlagEval's API as its scripts use it, over push runs of a scripted chat model."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import pytest
 from conformance.policy.chat import ChatRequest, ScriptedChat
 from reference_server.http.handlers import Handlers
 from reference_server.profiles import profile_tables
-from reference_server.profiles.flageval.responses import TOLERANCE, status_of
+from reference_server.profiles.flageval.evaluation_responses import TOLERANCE, status_of
 from reference_server.rules.run import Episode
 from reference_server.settings import Settings
 from tests.support.paths import ROOT

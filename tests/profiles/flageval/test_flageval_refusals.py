@@ -1,4 +1,4 @@
-"""What FlagEval's wire refuses: used names, what cannot be meant, what is not there."""
+"""What FlagEval's API refuses: names in use, invalid bodies, unknown requests."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ def test_a_repeated_request_makes_no_second_evaluation(
     answer = post_evaluation(
         client, model_info(chat, "e-new"), model_info(chat, "e-once", batch_size=2)
     )
-    assert is_refused(answer, "/eval_infos/1/eval_model is used once")
+    assert is_refused(answer, "/eval_infos/1/eval_model must be unique in the account")
     answer = post_evaluation(
         client, model_info(chat, "e-twice"), model_info(chat, "e-twice")
     )
-    assert is_refused(answer, "/eval_infos/1/eval_model stands there twice")
+    assert is_refused(answer, "/eval_infos/1/eval_model must be unique")
     runs = client.get("/v1/runs", params={"limit": 1000}).json()["runs"]
     names = [run["policy"]["name"] for run in runs]
     # What was refused has begun nothing, not even the part that was right.
@@ -49,9 +49,9 @@ def test_a_repeated_request_makes_no_second_evaluation(
         ({"domain": "Audio"}, "/domain"),
         ({"region": "nowhere"}, "/region"),
         ({"eval_infos": []}, "/eval_infos"),
-        ({"domain": "NLP", "mode": ""}, "NLP has no datasets here"),
-        ({"mode": "no_such_thing"}, "/mode names none"),
-        ({"mode": "tabletop_state"}, "/mode names no questions"),
+        ({"domain": "NLP", "mode": ""}, "NLP needs `mode`"),
+        ({"mode": "no_such_thing"}, "/mode is not a known benchmark"),
+        ({"mode": "tabletop_state"}, "/mode must name a question-answering benchmark"),
         ({"user_id": "seven"}, "/user_id"),
         ({"special_event": "y" * 201}, "/special_event"),
     ],
@@ -75,7 +75,7 @@ def test_an_invalid_evaluation_is_refused(
     [
         ({"eval_model": ""}, "/eval_infos/0/eval_model"),
         ({"eval_model": None}, "/eval_infos/0/eval_model"),
-        ({"eval_url": "http://127.0.0.1:1/v1"}, "/eval_infos/0/eval_url ends with"),
+        ({"eval_url": "http://127.0.0.1:1/v1"}, "/eval_infos/0/eval_url must end with"),
         ({"eval_url": "ftp://x/chat/completions"}, "/eval_infos/0/eval_url"),
         ({"eval_url": "http://10.0.0.1/v1/chat/completions"}, "/eval_infos/0/eval_url"),
         ({"num_concurrent": 0}, "/eval_infos/0/num_concurrent"),
@@ -83,8 +83,8 @@ def test_an_invalid_evaluation_is_refused(
         ({"batch_size": "many"}, "/eval_infos/0/batch_size"),
         ({"thinking": "yes"}, "/eval_infos/0/thinking"),
         ({"retry_time": 0}, "/eval_infos/0/retry_time"),
-        ({"gen_kwargs": "temperature"}, "/eval_infos/0/gen_kwargs is name=number"),
-        ({"gen_kwargs": "stop=\n"}, "/eval_infos/0/gen_kwargs is name=number"),
+        ({"gen_kwargs": "temperature"}, "/eval_infos/0/gen_kwargs must be name=number"),
+        ({"gen_kwargs": "stop=\n"}, "/eval_infos/0/gen_kwargs must be name=number"),
         ({"model": ""}, "/eval_infos/0/model"),
         ({"tokenizer": "t" * 201}, "/eval_infos/0/tokenizer"),
         ({"api_key": KEY + "\n"}, "/eval_infos/0/api_key"),
@@ -137,4 +137,4 @@ def test_other_datasets_are_not_compared(
     }
     other = client.post("/v1/runs", json=body).json()["run_id"]
     answer = post(client, "/evaluation_diffs", request_ids=[ours, other])
-    assert is_refused(answer, "i-native: other datasets")
+    assert is_refused(answer, "i-native: the datasets differ")

@@ -1,4 +1,4 @@
-"""A chat model as a policy: what it is asked, how it is read, what is a fault."""
+"""A chat model as a policy: its requests, how its text is read, what is a fault."""
 
 import base64
 import io
@@ -168,7 +168,7 @@ def test_an_invalid_completion_is_a_fault(
     chat.body = {"choices": []}
     run = wait_for_state(client, submit_chat_run(client, chat, "score"))
     assert (run["state"], run["retryable"]) == ("failed", True)
-    assert "is no chat completion" in run["reason"]
+    assert "is not a chat completion" in run["reason"]
 
 
 def test_an_unreachable_model_fails_the_run_and_a_resume_continues(
@@ -195,7 +195,7 @@ def test_a_chat_model_cannot_play_a_robot_benchmark(
     run_id = client.post("/v1/runs", json=body).json()["run_id"]
     run = wait_for_state(client, run_id)
     assert run["state"] == "failed"
-    assert "tabletop_state is not answered in words" in run["reason"]
+    assert "A chat model cannot play tabletop_state" in run["reason"]
     assert chat.requests == []
 
 

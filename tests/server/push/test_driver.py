@@ -1,5 +1,5 @@
-"""The driver without a network: how long its workers wait, what it does when the store
-fails, and that no part of a key is in what a policy server made it say.
+"""The driver without a network: pauses of its workers, failures of the database, and
+that no part of an API key is in a text that comes from a policy server.
 """
 
 import asyncio
@@ -13,12 +13,12 @@ from conformance.policy.scripted import PolicyCall, PolicyReply, ScriptedPolicy
 from reference_server.generated import models
 from reference_server.http.problems import PROBLEM_JSON
 from reference_server.push import driver
-from reference_server.push.driver import Driver
+from reference_server.push.backoff import Backoff
+from reference_server.push.driver import PROTOCOLS, Driver
 from reference_server.push.egress import EgressPolicy
-from reference_server.push.http_calls import Backoff, CallLimits, HttpCalls, PolicyFault
+from reference_server.push.http_calls import CallLimits, HttpCalls, PolicyFault
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_calls import Description, ProctorPolicy, answer_fault
-from reference_server.push.policy_protocols import PROTOCOLS
 from reference_server.rules.lifecycle import Attach
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.refusal import Refused
@@ -78,9 +78,7 @@ def make_driver(parts: ServerParts) -> Driver:
 
 
 def make_driver_with(parts: ServerParts, key_encryption: KeyEncryption) -> Driver:
-    driver = Driver(
-        parts.registry, parts.executor, EgressPolicy("all"), key_encryption, 65536
-    )
+    driver = Driver(parts.service, EgressPolicy("all"), key_encryption, 65536)
     parts.on_change = driver.on_run_changed
     return driver
 
@@ -293,7 +291,7 @@ def test_a_key_in_a_refused_action_name_is_redacted() -> None:
     refused = Refused("invalid_request", "No.", errors=[(at, "is no name")])
     assert str(answer_fault(refused, calls)) == (
         "The policy's answer to predict was refused: "
-        "/actions/0/values/(its API key) is no name."
+        "/actions/0/values/[API key removed] is no name."
     )
 
 
@@ -313,7 +311,7 @@ def test_a_key_in_the_assumptions_is_redacted(
         asked = ORDER | {"sealed_key": key_encryption.encrypt(SLASHED)}
         run.submission = {**run.submission, "policy_server": asked}
         await parts.registry.add(run, None, "")
-        with pytest.raises(AssertionError, match=r"/assumes/action/\(its API key\)"):
+        with pytest.raises(AssertionError, match=r"/action/\[API key removed\]"):
             await wait_until_completed(parts)
         await push_driver.close()
 

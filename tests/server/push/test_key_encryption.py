@@ -1,4 +1,4 @@
-"""The API keys of policy servers at rest."""
+"""API keys of policy servers are encrypted in the database."""
 
 import subprocess
 import sys

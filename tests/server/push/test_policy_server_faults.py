@@ -1,5 +1,5 @@
-"""Policy servers that are down, slow, wrong or hostile: each ends its attempt with a
-reason that the submitter can read, nothing of it is executed, and nothing hangs.
+"""Policy servers that are down, slow, wrong or hostile: each fault ends its attempt
+with a reason for the submitter, nothing of the answer is executed, and nothing hangs.
 """
 
 import itertools
@@ -43,12 +43,12 @@ def policy() -> Iterator[ScriptedPolicy]:
 BARE = {
     "endless_body": "answered more than 65536 bytes",
     "endless_chunks": "answered more than 65536 bytes",
-    "endless_headers": "broke off, or does not speak HTTP",
-    "slow_bytes": r"gave no whole answer within 0\.5 s",
-    "no_answer": r"gave no whole answer within 0\.5 s",
-    "not_http": "broke off, or does not speak HTTP",
-    "close_at_once": "broke off|not reached",
-    "truncated_body": "broke off",
+    "endless_headers": "closed the connection or did not answer with HTTP",
+    "slow_bytes": r"did not answer completely within 0\.5 s",
+    "no_answer": r"did not answer completely within 0\.5 s",
+    "not_http": "closed the connection or did not answer with HTTP",
+    "close_at_once": "closed the connection|is unreachable",
+    "truncated_body": "closed the connection",
 }
 
 
@@ -71,13 +71,13 @@ def test_a_refused_connection_fails_the_run(push_server: ReferenceServer) -> Non
         port = listener.getsockname()[1]
     run = play_push_run(push_server, f"http://127.0.0.1:{port}", max_retries=1)
     assert (run["state"], run["retryable"]) == ("failed", True)
-    assert "is not reached (policy, 2 times)" in run["reason"]
+    assert "is unreachable (policy, 2 times)" in run["reason"]
 
 
 def test_a_name_without_address_fails_the_run(push_server: ReferenceServer) -> None:
     run = play_push_run(push_server, "http://nobody.invalid/")
     assert (run["state"], run["retryable"]) == ("failed", True)
-    assert "nobody.invalid has no address" in run["reason"]
+    assert "nobody.invalid cannot be resolved" in run["reason"]
 
 
 Wrong = Callable[[PolicyCall], PolicyReply]
@@ -106,18 +106,18 @@ DESCRIPTIONS: dict[str, tuple[Wrong, str]] = {
     "gzip": (status(200, Content_Encoding="gzip"), "compressed"),
     "html": (body(b"<html>", "text/html"), "answered with text/html"),
     "no_type": (body(b"{}", ""), "no media type"),
-    "no_json": (body(b"{'name': 1}"), "no JSON"),
-    "nothing": (body(b""), "no JSON"),
-    "deep": (body(b"[" * 60000), "no JSON"),
-    "list": (body(b"[]"), "not as policy.yaml says"),
-    "null": (body(b"null"), "not as policy.yaml says"),
+    "no_json": (body(b"{'name': 1}"), "invalid JSON"),
+    "nothing": (body(b""), "invalid JSON"),
+    "deep": (body(b"[" * 60000), "invalid JSON"),
+    "list": (body(b"[]"), "does not match policy.yaml"),
+    "null": (body(b"null"), "does not match policy.yaml"),
     "future": (
         description_with(protocol={"min": "9.0", "max": "9.1"}),
-        "speaks 9.0 to 9.1",
+        "versions 9.0 to 9.1",
     ),
     "digits": (
         description_with(protocol={"min": "9" * 9999 + ".0", "max": "1.0"}),
-        "speaks",
+        "supports versions",
     ),
     "no_room": (description_with(max_sessions=0), "/max_sessions"),
     "huge_room": (description_with(max_sessions=10**9), "/max_sessions"),
@@ -169,9 +169,9 @@ def values(answer: dict[str, Any]) -> dict[str, Any]:
 
 
 ANSWERS: dict[str, tuple[Wrong, str]] = {
-    "nan": (encoded(b'"score": [1]', b'"score": [NaN]'), "no JSON"),
-    "infinity": (encoded(b'"score": [1]', b'"score": [1e999]'), "no JSON"),
-    "surrogate": (encoded(b'"score"', b'"\\ud800"'), "no JSON"),
+    "nan": (encoded(b'"score": [1]', b'"score": [NaN]'), "invalid JSON"),
+    "infinity": (encoded(b'"score": [1]', b'"score": [1e999]'), "invalid JSON"),
+    "surrogate": (encoded(b'"score"', b'"\\ud800"'), "invalid JSON"),
     "text": (
         answer_with(lambda a: values(a).update(score="1")),
         "/actions/0/values/score",
@@ -190,8 +190,8 @@ ANSWERS: dict[str, tuple[Wrong, str]] = {
         answer_with(lambda a: a.update(actions=a["actions"] * 65)),
         "/actions",
     ),
-    "session": (answer_with(lambda a: a.update(session_id="x")), "another turn"),
-    "seq": (answer_with(lambda a: a.update(seq=7)), "another turn"),
+    "session": (answer_with(lambda a: a.update(session_id="x")), "a different turn"),
+    "seq": (answer_with(lambda a: a.update(seq=7)), "a different turn"),
     "observe": (answer_with(lambda a: a.update(observe="some")), "/observe"),
     "list": (lambda _: PolicyReply([]), "refused"),
     "redirect": (status(307, Location="http://127.0.0.1:1/"), "redirects"),
@@ -217,9 +217,9 @@ def test_a_bad_answer_ends_the_attempt_unexecuted(
 
 
 RESETS: dict[str, tuple[Callable[[dict[str, Any]], Any], str]] = {
-    "session": (lambda a: a.update(session_id="x"), "another reset"),
-    "episode": (lambda a: a.update(episode_id="e0099"), "another reset"),
-    "attempt": (lambda a: a.update(attempt=2), "another reset"),
+    "session": (lambda a: a.update(session_id="x"), "a different reset"),
+    "episode": (lambda a: a.update(episode_id="e0099"), "a different reset"),
+    "attempt": (lambda a: a.update(attempt=2), "a different reset"),
     "missing": (lambda a: a.pop("attempt"), "/attempt"),
 }
 

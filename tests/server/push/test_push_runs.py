@@ -1,5 +1,5 @@
-"""Runs that the server plays by calling a policy: to the score, through stops, failures
-and restarts, and with a key that nobody else ever reads.
+"""Runs that the server plays by calling a policy: scores, stops, failures, restarts,
+and an API key that is in no answer.
 """
 
 import json
@@ -339,6 +339,6 @@ def test_a_lost_encryption_key_fails_the_run(
         run = wait_for_state(client, run_id)
         resumed = client.post(f"/v1/runs/{run_id}/resume")
     assert (run["state"], run["retryable"]) == ("failed", False)
-    assert "Submit the run anew" in run["reason"]
+    assert "Submit the run again" in run["reason"]
     assert resumed.json()["code"] == "illegal_transition"
     server.end(signal.SIGKILL)

@@ -87,25 +87,6 @@ def test_a_heartbeat_extends_the_lease_and_keeps_the_think_time() -> None:
     assert session.think_s == 7.0
 
 
-def test_a_turn_is_unconfirmed_until_its_answer_is_delivered() -> None:
-    session = start_session(make_run())
-    effects.confirm_delivery(session, 0)  # nothing was asked
-    effects.await_confirmation(session, Predict("w", "s", 1, [ACTION]), "asked")
-    effects.confirm_delivery(session, 2)
-    assert session.unconfirmed_turn == (1, "asked")
-    effects.confirm_delivery(session, 1)
-    assert session.unconfirmed_turn is None
-
-
-def test_a_turn_in_play_stays_the_unconfirmed_one() -> None:
-    session = start_session(make_run())
-    first, next_ = (Predict("w", "s", seq, [ACTION]) for seq in (1, 2))
-    effects.await_confirmation(session, first, "first")
-    effects.begin_turn(session, first, 0.0)
-    effects.await_confirmation(session, next_, "next")
-    assert session.unconfirmed_turn == (1, "first")
-
-
 # --- episodes ---
 
 

@@ -23,6 +23,7 @@ from reference_server.rules.lifecycle import (
     Resume,
     Stop,
     Wait,
+    availability,
     changes_state,
     decide,
     lease_over,
@@ -285,38 +286,17 @@ def test_an_action_must_fit() -> None:
     assert [at for at, _ in refused.errors] == ["/actions/1/values/grip/0"]
 
 
-# --- clients that count no turns ---
-
-
-def test_an_unconfirmed_turn_is_recognised_when_repeated() -> None:
-    """EBE-013, EBE-014: the same question, and nobody heard the answer."""
-    run = make_run()
-    session = add_session(run, unconfirmed_turn=(3, "asked"))
-    again = lifecycle.find_repeated_turn(session, "asked")
-    assert again == predict(3)
-    assert isinstance(decide(run, again, NOW), Replay)
-    assert lifecycle.find_repeated_turn(session, "asked otherwise") is None
-    session.seq = 4  # by a client that counts
-    assert lifecycle.find_repeated_turn(session, "asked") is None
-
-
-@pytest.mark.parametrize("unconfirmed_turn", [None, (2, "asked"), (4, "asked")])
-def test_a_confirmed_turn_is_not_a_repeat(
-    unconfirmed_turn: tuple[int, str] | None,
-) -> None:
-    assert (
-        lifecycle.find_repeated_turn(
-            add_session(make_run(), unconfirmed_turn=unconfirmed_turn), "asked"
-        )
-        is None
-    )
-
-
-def test_no_turn_can_be_repeated_before_the_first() -> None:
-    session = add_session(
-        make_run(), seq=0, request=None, unconfirmed_turn=(0, "asked")
-    )
-    assert lifecycle.find_repeated_turn(session, "asked") is None
+@pytest.mark.parametrize("state", typing.get_args(State))
+def test_workers_may_attach_now_later_or_never(state: State) -> None:
+    """The states are the table's: attach is legal, or will be with capacity."""
+    run = make_run(state=state, retryable=False)
+    if legal(run, "attach_worker"):
+        expected = "open"
+    elif legal(run, "capacity"):
+        expected = "waiting"
+    else:
+        expected = "completed" if state == "completed" else "closed"
+    assert availability(run) == expected
 
 
 # --- all together ---

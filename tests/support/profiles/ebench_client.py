@@ -1,7 +1,7 @@
-"""A client of EBench's wire, as facts about it say: it pickles with `pickle`.
+"""A client of EBench's API that behaves like EBench's own: it uses `pickle`.
 
-For tests only: it unpickles what our own server wrote. It keeps no state but its names.
-The server of most of these tests is here too.
+For tests only: it unpickles what our own server wrote. Its only state is its names.
+The fixture with the server of most of these tests is here too.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What the tests of FlagEval's wire share: a server, a model, and a client's words."""
+"""Shared by the tests of FlagEval's API: a server, a model, a client's requests."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from reference_server.push.policy_server_config import PolicyServerValidator
+from reference_server.push.policy_server_validator import PolicyServerValidator
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Predict
 from reference_server.rules.refusal import Refused

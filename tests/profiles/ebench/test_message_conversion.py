@@ -1,4 +1,4 @@
-"""EBench's numbers in our names and back: order, units, what is relative to what."""
+"""EBench's actions and observations, converted: order, units, relative actions."""
 
 from __future__ import annotations
 
@@ -10,8 +10,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from reference_server.profiles.ebench.actions import actions, observation
-from reference_server.profiles.ebench.requests import Chunk
+from reference_server.profiles.ebench.message_conversion import (
+    observation_view,
+    read_actions,
+)
+from reference_server.profiles.ebench.task_requests import Chunk
 from reference_server.rules.refusal import Refused
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.mobile_bimanual.benchmark import BENCHMARKS
@@ -35,7 +38,7 @@ def convert_actions(
         return last
 
     at = [f"/{number}/0" for number in range(len(chunk))]
-    return actions(chunk, manifest, before, at)
+    return read_actions(chunk, manifest, before, at)
 
 
 def refused_pointer(*chunk: Any, manifest: Json = JOINTS) -> str:
@@ -227,7 +230,7 @@ EPISODE = {"instruction": "Go.", "step": 0, "task": "fetch", "episode_id": "e000
 def convert_observation(**parts: Any) -> Any:
     empty: Json = {"state": {}, "images": {}, "tensors": {}}
     turn = {"episode": EPISODE, "observation": empty | parts}
-    return observation(turn, "run_1", "bench")
+    return observation_view(turn, "run_1", "bench")
 
 
 def values(array: Json) -> list[Any]:

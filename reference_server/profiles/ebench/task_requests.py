@@ -1,4 +1,7 @@
-"""What EBench's client asks, read from the bodies of its requests."""
+"""The requests of EBench's client: their schemas, and what they name, checked.
+
+Reads bodies that are decoded already; must not know sessions, turns or responses.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +22,7 @@ from reference_server.rules.run import Run
 
 
 class CreateTask(BaseModel):
-    """Members are absent when empty; others than these are passed over."""
+    """The body of createTask; empty members are absent, unknown ones are ignored."""
 
     task_id: str = ""
     model_name: str = ""
@@ -56,17 +59,17 @@ class Workers(BaseModel):
 
 @dataclass(frozen=True, slots=True)
 class Chunk:
-    """A worker's actions as they came, and where each stood."""
+    """A worker's actions as they were sent, and the JSON pointer to each."""
 
     actions: Sequence[Any]
     at: Sequence[str]
 
     def digest(self) -> str:
-        """Equal for what is sent again as it was."""
+        """Equal for equal actions: how a repeated step is recognised (EBE-013)."""
         return hashlib.sha256(pickle_writer.write(_plain(self.actions))).hexdigest()
 
-    def refused(self, verdict: Refuse) -> Refused:
-        """A refusal of what was made of it, pointing at what was sent."""
+    def translate_refusal(self, verdict: Refuse) -> Refused:
+        """The refusal of the converted actions, with pointers into the request."""
         refused = Refused.from_verdict(verdict)
         refused.errors = tuple(self._error(*error) for error in refused.errors)
         return refused
@@ -89,20 +92,20 @@ def _plain(value: Any) -> Any:
 
 
 def read_chunks(body: Any, run: Run) -> dict[str, Chunk]:
-    """Of each worker its actions, from one step or from a list of them."""
+    """EBE-008: each worker's actions in order, from one step or a list of steps."""
     steps = body if isinstance(body, list) else [body]
     actions: dict[str, list[Any]] = {}
     at: dict[str, list[str]] = {}
     for number, step in enumerate(steps):
         place = f"/{number}" if isinstance(body, list) else ""
         if not isinstance(step, dict):
-            raise schema_error(place, "is a dict from worker ids to actions")
+            raise schema_error(place, "must be a dict from worker ids to actions")
         ids = read_worker_ids(list(step), run)
         for worker_id, action in zip(ids, step.values(), strict=True):
             actions.setdefault(worker_id, []).append(action)
             at.setdefault(worker_id, []).append(f"{place}/{worker_id}")
     if not actions:
-        raise schema_error("", "names no worker")
+        raise schema_error("", "must name at least one worker")
     return {i: Chunk(chunk, at[i]) for i, chunk in actions.items()}
 
 
@@ -110,13 +113,13 @@ def read_worker_ids(named: Sequence[Any], run: Run) -> list[str]:
     ids = [str(one) if type(one) in (str, int) else "" for one in named]
     pattern, _ = PATH_PATTERNS["worker_id"]
     if not all(re.fullmatch(pattern, one) for one in ids) or len(set(ids)) < len(ids):
-        raise schema_error("/worker_ids", f"each matches {pattern} and stands once")
+        raise schema_error("/worker_ids", f"each must match {pattern} and be unique")
     if len(ids) > run.max_workers:
-        raise schema_error("/worker_ids", f"are {run.max_workers} at most in this run")
+        raise schema_error("/worker_ids", f"must be at most {run.max_workers}")
     return ids
 
 
 def schema_error(at: str, text: str) -> Refused:
     return Refused(
-        "invalid_request", "The body breaks its schema.", errors=[(at, text)]
+        "invalid_request", "The body does not match its schema.", errors=[(at, text)]
     )

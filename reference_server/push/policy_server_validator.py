@@ -1,7 +1,9 @@
-"""What a submission says of the policy server that its run is played with.
+"""Checks the member `policy_server` of a submission, and encrypts its API key.
 
-What cannot be meant is refused here; what was left open is filled in, and shown to the
-submitter as it is carried out. The API key stands in it sealed, and is in no view.
+PUSH-002 and the other combinations that no schema expresses are decided here. Defaults
+are filled in by `rules/policy_server.py`. It must not call the policy server: the only
+network access is to resolve its host name, so that a forbidden address is refused at
+submit; what counts is the check at every connection, in `egress`.
 """
 
 from __future__ import annotations
@@ -24,9 +26,9 @@ _RESOLVE_TIMEOUT_S = 2.0
 
 
 class PolicyServerValidator:
-    """Takes the orders of submissions: refuses what cannot be meant, seals the key.
+    """Refuses invalid combinations, and replaces the API key by its encrypted form.
 
-    protocols: those that a policy can be asked in here.
+    protocols: the policy protocols that this server can use.
     """
 
     def __init__(
@@ -40,18 +42,22 @@ class PolicyServerValidator:
         self._protocols = protocols
 
     async def validate_and_encrypt(self, submission: dict[str, Any]) -> dict[str, Any]:
-        """The submission as it is stored: no key in it can be read (PUSH-016)."""
+        """The submission as it is stored, with its key encrypted (PUSH-016, FLE-017).
+
+        Raises Refused.
+        """
         requested = submission.get("policy_server")
         errors = list(_errors(submission))
         if requested is not None and requested["protocol"] not in self._protocols:
-            supported = " and ".join(self._protocols) or "no protocol"
-            errors.append(("/policy_server/protocol", f"{supported} is spoken here"))
+            supported = ", ".join(self._protocols) or "none"
+            text = f"is not supported; supported protocols: {supported}"
+            errors.append(("/policy_server/protocol", text))
         if requested is not None and not errors:
             errors += await self._address_errors(requested["url"])
         if errors:
             raise Refused(
                 "invalid_request",
-                "The policy server cannot be called like that.",
+                "The policy_server configuration is invalid.",
                 errors=errors,
             )
         if requested is None or "api_key" not in requested:
@@ -61,7 +67,10 @@ class PolicyServerValidator:
         return submission | {"policy_server": stored}
 
     async def _address_errors(self, url: str) -> list[tuple[str, str]]:
-        """Told at once where it can be; what counts is looked at with every call."""
+        """PUSH-015: a forbidden address is refused at submit, where it is known then.
+
+        Every connection is checked again, see `egress.CheckedBackend`.
+        """
         at = "/policy_server/url"
         try:
             target = httpcore.URL(url)
@@ -71,23 +80,23 @@ class PolicyServerValidator:
         except AddressNotAllowed as error:
             return [(at, str(error))]
         except ValueError:
-            return [(at, "is no URL")]
+            return [(at, "is not a URL")]
         except (HostNotResolved, TimeoutError):
-            pass  # its name may be there when the run is played
+            pass  # the name may be resolvable when the run is played
         return []
 
 
 def _errors(submission: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """(pointer, text) of what cannot be meant (PUSH-002)."""
+    """(JSON pointer, text) of each invalid combination (PUSH-002)."""
     is_push = submission.get("mode") == "push"
     requested = submission.get("policy_server")
     if is_push and requested is None:
-        yield "/policy_server", "is missing: with mode push the server calls a policy"
+        yield "/policy_server", "is required with mode push: the server calls a policy"
     elif requested is not None and not is_push:
-        yield "/policy_server", "is for mode push; without it workers attach"
+        yield "/policy_server", "is allowed only with mode push"
     elif (
         requested
         and requested["protocol"] != "openai_chat"
         and "generation" in requested
     ):
-        yield "/policy_server/generation", "is for the protocol openai_chat"
+        yield "/policy_server/generation", "is allowed only with protocol openai_chat"

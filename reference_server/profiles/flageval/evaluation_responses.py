@@ -1,7 +1,8 @@
-"""What a FlagEval client is answered: status letters, datasets, differences.
+"""The responses to FlagEval's client: status letters, datasets, differences.
 
-A dataset is a task of the benchmark, an accuracy the mean score of its episodes, and a
-difference and `release` are those of `comparison`.
+A dataset is a task of the benchmark, an accuracy the mean score of its episodes, and
+`diff` and `release` are computed by `rules/comparison.py`. Views of runs as plain data;
+must not read requests.
 """
 
 from __future__ import annotations
@@ -24,18 +25,18 @@ from reference_server.views import run_views
 Status = Literal["S", "F", "C", "OOR", "R"]
 BASELINE = "-nvidia-origin"
 TOLERANCE = comparison.TOLERANCE
-# Of several evaluations together: the first that one of them has.
+# The status of several evaluations together: the first of these that one has.
 _STATUS_PRIORITY: tuple[Status, ...] = ("R", "F", "OOR", "C", "S")
 
 
 def success_response(**members: Any) -> Response:
-    """Success, with both names that the message has in their documents."""
+    """Success; the message has both names that FlagEval's documents give it."""
     envelope = {"err_code": 0, "err_msg": "success", "err_message": "success"}
     return Response(msgspec.json.encode(envelope | members), media_type=JSON)
 
 
 def refusal_response(refused: Refused) -> Response:
-    """Always status 200: `err_code` 1 says that it was refused, the message why."""
+    """FLE-002: always status 200, with `err_code` 1 and the reason under both names."""
     faults = "; ".join(f"{at or 'the body'} {text}" for at, text in refused.errors)
     parts = [refused.detail, faults and f"{faults}.", PROBLEMS[refused.code]["act"]]
     text = " ".join(filter(None, parts))
@@ -45,7 +46,7 @@ def refusal_response(refused: Refused) -> Response:
 
 @dataclass(frozen=True, slots=True)
 class EvaluationView:
-    """One evaluation as it stands: a run, in the words of this wire."""
+    """One evaluation: a run in FlagEval's terms."""
 
     run_id: str
     eval_model: str
@@ -76,13 +77,13 @@ class EvaluationView:
         return by_task
 
     def compare_with(self, base: EvaluationView | None) -> dict[str, Any] | None:
-        """Schema ComparedRun; None without a baseline of the same manifest."""
+        """Schema ComparedRun (FLE-010, FLE-011); None without a comparable baseline."""
         if base is None or base.manifest_sha256 != self.manifest_sha256:
             return None
         return comparison.compare(base.episodes, self.episodes, TOLERANCE)
 
     def result(self, base: EvaluationView | None) -> dict[str, Any]:
-        """EvalResult: what evaldiffs says of it."""
+        """EvalResult, for evaldiffs (FLE-007, FLE-010, FLE-011)."""
         compared = self.compare_with(base)
         details = [
             {
@@ -97,10 +98,10 @@ class EvaluationView:
         return {"status": self.status, "details": details, "release": release}
 
     def diff(self, base: EvaluationView) -> dict[str, Any]:
-        """What evaluation_diffs says of it. Raises Refused."""
+        """For evaluation_diffs (FLE-015). Raises Refused."""
         compared = self.compare_with(base)
         if compared is None:
-            raise Refused("not_comparable", f"{self.eval_model}: other datasets.")
+            raise Refused("not_comparable", f"{self.eval_model}: the datasets differ.")
         details = [
             {
                 "dataset": task,
@@ -114,7 +115,7 @@ class EvaluationView:
 
 
 def status_of(run: RunHead, episodes: Sequence[Episode]) -> Status:
-    """Success, failure, cancelled, out of retries, or running."""
+    """FLE-009: success, failed, cancelled, out of retries, or running."""
     if run.state == "completed":
         return "S"
     if run.state in ("stopped", "stopping"):
@@ -127,7 +128,7 @@ def status_of(run: RunHead, episodes: Sequence[Episode]) -> Status:
 
 
 def progress(evaluations: Sequence[EvaluationView]) -> dict[str, Any]:
-    """How far all of a request's evaluations are, together."""
+    """FLE-014: the progress of all evaluations of a request together."""
     statuses = {one.status for one in evaluations}
     status = next(letter for letter in _STATUS_PRIORITY if letter in statuses)
     open_, done, total = [], 0, 0

@@ -1,8 +1,10 @@
-"""The profile `ebench`: what EBench's public client calls, over our own runs.
+"""The HTTP handlers of the profile `ebench`: what EBench's public client calls.
 
-A task is a run, a worker's connection is its session, and what a step may do is asked
-of `protocol` like any predict. A session and its count of turns are read from the run,
-for this wire has neither. See spec/profiles/ebench.yaml and docs/ebench.md.
+A task of EBench is a run, a worker's connection is a session, and a step is a predict.
+EBench's requests have neither a session nor a count of turns: both are read from the
+run. Each handler translates a request into calls of `runs/service.py` and the result
+back; whether something is allowed is decided there and in the rules. See
+spec/profiles/ebench.yaml and docs/ebench.md.
 """
 
 from __future__ import annotations
@@ -10,7 +12,7 @@ from __future__ import annotations
 import asyncio
 import secrets
 from collections.abc import Awaitable, Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field
 from functools import partial
 from typing import Any, TypeAlias
 
@@ -21,11 +23,12 @@ from reference_server.http import codec
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.http.handlers import Handlers
 from reference_server.profiles.ebench import (
-    actions,
+    message_conversion,
     pickle_reader,
     pickle_writer,
 )
-from reference_server.profiles.ebench.requests import (
+from reference_server.profiles.ebench.lost_answers import LostAnswers
+from reference_server.profiles.ebench.task_requests import (
     Chunk,
     CreateTask,
     Ready,
@@ -34,7 +37,7 @@ from reference_server.profiles.ebench.requests import (
     read_worker_ids,
     schema_error,
 )
-from reference_server.profiles.ebench.responses import (
+from reference_server.profiles.ebench.task_responses import (
     PICKLE,
     ConfirmedResponse,
     envelope,
@@ -43,40 +46,44 @@ from reference_server.profiles.ebench.responses import (
     status_of,
     worker_view,
 )
-from reference_server.rules import effects
-from reference_server.rules.lifecycle import (
-    Attach,
-    Detach,
-    Predict,
-    Refuse,
-    Stop,
-    decide,
-    find_repeated_turn,
-    legal,
-)
+from reference_server.rules.lifecycle import Attach, Detach, Predict
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
+from reference_server.runs.service import RunService
 
 CONTROL = "/api/v1/benchmark/onlineEvaluation"
 RUN_PATH = "/eval-server/{run_id}"
 ENDPOINT = f"{RUN_PATH}/api/predict/{{benchmark_id}}"
-# A track of theirs → ours; our own ids are benchmark sets as well.
+# Benchmark set of EBench → benchmark_id; a benchmark_id is accepted as well (EBE-001).
 BENCHMARK_SETS = {
     "ebench_generalist": "mobile_bimanual",
     "ebench_mobile_manip": "mobile_bimanual_mobile_manip",
     "ebench_table_top_manip": "mobile_bimanual_table_top_manip",
 }
-PICKLE_INLINE_BYTES = 2**16  # larger ones are read beside the event loop
+PICKLE_INLINE_BYTES = 2**16  # larger ones are read in a thread
 
 Turn: TypeAlias = Mapping[str, Any]
 Work: TypeAlias = Callable[[], Awaitable[Turn]]
 
 
 @dataclass(frozen=True, slots=True)
+class _Step:
+    """A worker's part of a step. command: the predict that `work` makes, if any."""
+
+    work: Work
+    command: Predict | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class EbenchHandlers:
-    """The operations, over the routes of this server."""
+    """The operations of EBench over the use cases of this server."""
 
     handlers: Handlers
+    lost_answers: LostAnswers = field(default_factory=LostAnswers)
+
+    @property
+    def service(self) -> RunService:
+        return self.handlers.service
 
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation."""
@@ -100,18 +107,16 @@ class EbenchHandlers:
             },
             f"{ENDPOINT}/kill": {"POST": workers(self.kill)},
             f"{ENDPOINT}/stop": {"POST": stop},
-            f"{RUN_PATH}/stop": {"POST": stop},
+            f"{RUN_PATH}/stop": {"POST": stop},  # EBE-018: both paths
         }
 
     # --- control plane ---
 
     async def create_task(self, call: OperationCall) -> Response:
-        """A new run; or, with the id of an old one, that run resumed."""
+        """A new run (EBE-001); with a `task_id`, that run resumed (EBE-004)."""
         requested: CreateTask = call.body
         if requested.task_id:
-            run = await self.handlers.apply_resume(
-                replace(call, path={"run_id": requested.task_id})
-            )
+            run = await self.service.resume_run(call.account, requested.task_id)
             return envelope({"task_id": run.run_id})
         wanted = requested.benchmark_set or "ebench_generalist"
         submission = {
@@ -119,19 +124,21 @@ class EbenchHandlers:
             "policy": requested.policy(),
         }
         checked = codec.validate(models.SubmitRun, submission).model_dump()
-        run = await self.handlers.create_run(call.account, checked)
+        run = await self.service.submit_run(call.account, checked)
         return envelope({"task_id": run.run_id})
 
     async def ready(self, call: OperationCall) -> Response:
-        run = await self.handlers.registry.get(call.body.task_id, call.account)
-        run = await self.handlers.registry.render_when_stored(run, lambda run: run)
-        is_open = legal(run, "attach_worker") or run.state == "completed"
-        if not is_open and run.state != "queued":
+        """EBE-003: false while queued; a completed task is ready to answer "done"."""
+        run, available = await self.service.get_availability(
+            call.account, call.body.task_id
+        )
+        if available == "closed":
             raise Refused(
                 "illegal_transition",
                 f"The task is {run.state} ({run.reason or 'no reason is known'}); "
-                "createTask with its task_id goes on with it.",
+                "call createTask with its task_id to resume it.",
             )
+        is_open = available != "waiting"
         path = ENDPOINT.format(
             run_id=run.run_id, benchmark_id=run.manifest["benchmark_id"]
         )
@@ -139,41 +146,41 @@ class EbenchHandlers:
         return envelope({"ready": is_open, "endpoint": endpoint})
 
     async def stop(self, call: OperationCall) -> Response:
-        run = await self.handlers.apply_stop(self._check_run_id(call), Stop("abort"))
+        run = await self.service.stop_run(call.account, _run_id(call))
         return envelope({"run_id": run.run_id})
 
     # --- data plane ---
 
     async def docs(self, call: OperationCall) -> Response:
+        """EBE-005: EBench's client calls it to see whether the endpoint answers."""
         run = await self._run(call)
-        return HTMLResponse(f"<p>EBench's wire to the run {run.run_id}.</p>")
+        return HTMLResponse(f"<p>EBench API of run {run.run_id}.</p>")
 
     async def status(self, call: OperationCall) -> Response:
         run = await self._run(call)
-        self.handlers.executor.sweep(run)
         return call.answer(
-            {"data": await self.handlers.registry.render_when_stored(run, status_of)}
+            {"data": await self.service.registry.render_when_stored(run, status_of)}
         )
 
     async def create_workers(self, call: OperationCall) -> Response:
         run = await self._run(call)
         ids = read_worker_ids(call.body.data.worker_ids, run)
-        self.handlers.executor.sweep(run)
         new = [i for i in ids if i not in run.workers]
         await _gather({i: partial(self._open, run, i) for i in new})
         return call.answer({"data": {"success": True}})
 
     async def kill(self, call: OperationCall) -> Response:
+        """EBE-016: ends the session of each worker that has one."""
         run = await self._run(call)
         for worker_id in read_worker_ids(call.body.data.worker_ids, run):
             session = run.workers.get(worker_id)
             if session is not None:
                 command = Detach(worker_id, session.session_id)
-                await self.handlers.executor.detach(run, command)
+                await self.service.detach_worker(call.account, run.run_id, command)
         return call.answer({"data": {"success": True}})
 
     async def reset(self, call: OperationCall) -> Response:
-        """Each worker's observation as it stands; a live session is taken over."""
+        """EBE-006, EBE-007: each worker's observation; live sessions are taken over."""
         run = await self._run(call)
         requested = await self._pickle(call)
         if not isinstance(requested, dict) or not isinstance(
@@ -188,66 +195,71 @@ class EbenchHandlers:
         return Response(body, media_type=PICKLE)
 
     async def step(self, call: OperationCall) -> Response:
+        """EBE-008: one turn of each worker."""
         run, turns = await self._step_all(call)
         return ConfirmedResponse(
-            await self._worker_views(run, turns), call, _on_delivered(run, turns)
+            await self._worker_views(run, turns), call, self._on_delivered(run, turns)
         )
 
     async def step_chunk(self, call: OperationCall) -> Response:
-        """A list of steps where EBench's own server takes it, told in its way."""
+        """EBE-023: `step` with a list, and how much of it was executed."""
         run, turns = await self._step_all(call)
         body = {
             "obs": await self._worker_views(run, turns),
             "executed_steps": max(t.get("executed_steps", 0) for t in turns.values()),
             "stopped_early": any(map(_is_stopped_early, turns.values())),
         }
-        return ConfirmedResponse(body, call, _on_delivered(run, turns))
+        return ConfirmedResponse(body, call, self._on_delivered(run, turns))
 
     async def _step_all(self, call: OperationCall) -> tuple[Run, dict[str, Turn]]:
-        """One turn of each worker: all are accepted before any begins."""
+        """One turn of each worker: all are checked before any is executed (EBE-012)."""
         run = await self._run(call)
-        chunks = read_chunks(await self._pickle(call), run)
-        now = self.handlers.executor.sweep(run)
-        turns = {i: self._turn(run, i, chunk, now) for i, chunk in chunks.items()}
-        return run, await _gather(turns)
+        body = await self._pickle(call)
+        run = await self._run(call)  # leases may have ended while the body came
+        chunks = read_chunks(body, run)
+        steps = {i: self._prepare_step(run, i, chunk) for i, chunk in chunks.items()}
+        commands = [s.command for s in steps.values() if s.command is not None]
+        found = await self.service.find_refused(call.account, run.run_id, commands)
+        if found is not None:
+            command, verdict = found
+            raise chunks[command.worker_id].translate_refusal(verdict)
+        return run, await _gather({i: step.work for i, step in steps.items()})
 
     # --- what a worker does ---
 
-    def _turn(self, run: Run, worker_id: str, chunk: Chunk, now: float) -> Work:
-        """What a step means for one worker; nothing has happened yet."""
+    def _prepare_step(self, run: Run, worker_id: str, chunk: Chunk) -> _Step:
+        """What a step means for one worker; nothing is executed yet."""
         session = run.workers.get(worker_id)
-        if session is None:  # these actions were chosen in an episode that is over
-            return partial(self._open, run, worker_id)
-        if not session.done:  # nothing is asked of actions that nobody will execute
-            actions.check_length(chunk.actions, run.manifest, chunk.at)
+        if session is None:  # EBE-017: the actions were chosen in an ended session
+            return _Step(partial(self._open, run, worker_id))
+        if not session.done:  # EBE-010: else the actions are not executed, nor checked
+            message_conversion.check_length(chunk.actions, run.manifest, chunk.at)
         digest = chunk.digest()
-        command = find_repeated_turn(session, digest)
-        if command is None and session.done and not session.busy:
-            return partial(self._last_turn, session)
+        command = self.lost_answers.find_repeated_turn(session, digest)
+        if command is None and session.done and not session.busy:  # EBE-010
+            return _Step(partial(self._last_turn, session))
         if command is None:
-            made = actions.actions(
+            made = message_conversion.read_actions(
                 chunk.actions, run.manifest, partial(_last_command, session), chunk.at
             )
             command = Predict(worker_id, session.session_id, session.seq + 1, made)
-        verdict = decide(run, command, now)
-        if isinstance(verdict, Refuse):
-            raise chunk.refused(verdict)
-        return partial(self._play, run, session, command, digest)
+        return _Step(partial(self._play, run, session, command, digest), command)
 
     async def _play(
         self, run: Run, session: Session, command: Predict, digest: str
     ) -> Turn:
-        effects.await_confirmation(session, command, digest)
-        return await self.handlers.executor.predict(run, command)
+        """EBE-022: the predict of every client, so that it is scored like any other."""
+        self.lost_answers.await_confirmation(session, command, digest)
+        return await self.service.predict(run.account, run.run_id, command)
 
     async def _open(self, run: Run, worker_id: str, takeover: bool = False) -> Turn:
         command = Attach(worker_id, secrets.token_hex(16), takeover)
         try:
-            return await self.handlers.executor.attach(run, command)
+            return await self.service.attach_worker(run.account, run.run_id, command)
         except Refused as refused:
             if refused.members.get("state") != "completed":
                 raise
-            return {"done": True}  # there is nothing to play any more
+            return {"done": True}  # EBE-010: no episode is left
 
     async def _last_turn(self, session: Session) -> Turn:
         assert session.turn is not None, "a session that is not busy has its turn"
@@ -255,21 +267,15 @@ class EbenchHandlers:
 
     # --- from requests and to answers ---
 
-    def _check_run_id(self, call: OperationCall) -> OperationCall:
-        """The call, which does not name one run here and another one there."""
-        for named in (call.headers.get("run_id"), call.query.get("run_id")):
-            if named is not None and named != call.path["run_id"]:
-                raise Refused("not_found", f"The run {named} has another endpoint.")
-        return call
-
     async def _run(self, call: OperationCall) -> Run:
-        run_id = self._check_run_id(call).path["run_id"]
-        run = await self.handlers.registry.get(run_id, call.account)
+        """The run of the endpoint, if it is the account's (EBE-021)."""
+        run = await self.service.get_run(call.account, _run_id(call))
         if run.manifest["benchmark_id"] != call.path["benchmark_id"]:
-            raise Refused("not_found", "The run has another endpoint.")
+            raise Refused("not_found", "The run does not belong to this endpoint.")
         return run
 
     async def _pickle(self, call: OperationCall) -> Any:
+        """The value in the pickle of the body (EBE-015)."""
         codec.media_type_of(call.request, (PICKLE,))
         limit = self.handlers.settings.max_body_bytes
         body = await codec.read_body(call.request, limit)
@@ -285,31 +291,43 @@ class EbenchHandlers:
     ) -> dict[str, Any]:
         results: dict[str, float] = {}
         if any(turn["done"] for turn in turns.values()):
-            results = await self.handlers.registry.render_when_stored(run, results_of)
+            results = await self.service.registry.render_when_stored(run, results_of)
         return {
             worker: worker_view(run, turn, results) for worker, turn in turns.items()
         }
 
+    def _on_delivered(self, run: Run, turns: Mapping[str, Turn]) -> Callable[[], None]:
+        """What to do once the answer was sent to a connected client (EBE-014)."""
+        sessions = [
+            (run.workers.get(i), turn.get("seq", 0)) for i, turn in turns.items()
+        ]
 
-def _on_delivered(run: Run, turns: Mapping[str, Turn]) -> Callable[[], None]:
-    """What to do when the client was there to take the answer."""
-    sessions = [(run.workers.get(i), turn.get("seq", 0)) for i, turn in turns.items()]
+        def on_delivered() -> None:
+            for session, seq in sessions:
+                if session is not None:
+                    self.lost_answers.confirm_delivery(session, seq)
 
-    def on_delivered() -> None:
-        for session, seq in sessions:
-            if session is not None:
-                effects.confirm_delivery(session, seq)
+        return on_delivered
 
-    return on_delivered
+
+def _run_id(call: OperationCall) -> str:
+    """That of the path; header and query may repeat it, and not name another run."""
+    run_id = call.path["run_id"]
+    for named in (call.headers.get("run_id"), call.query.get("run_id")):
+        if named is not None and named != run_id:
+            raise Refused(
+                "not_found", f"The run {named} does not belong to this endpoint."
+            )
+    return run_id
 
 
 def _is_stopped_early(turn: Turn) -> bool:
-    """Whether the rest of a chunk would have been for another episode."""
+    """Whether an episode ended, or the chunk was cut, before its last action."""
     return "episode_result" in turn or bool(turn["done"] or turn.get("stopped_early"))
 
 
 async def _gather(works: Mapping[str, Work]) -> dict[str, Turn]:
-    """All at the same time; what one fails with is raised when all have ended."""
+    """Run all concurrently; the first error is raised when all have ended."""
     begun = (work() for work in works.values())
     ended = await asyncio.gather(*begun, return_exceptions=True)
     turns: dict[str, Turn] = {}
@@ -321,10 +339,12 @@ async def _gather(works: Mapping[str, Work]) -> dict[str, Turn]:
 
 
 def _last_command(session: Session) -> Mapping[str, Sequence[float]]:
-    """What relative actions add to: the last command, or the start of the episode."""
+    """What relative actions are added to: the last command, or the initial state."""
     if session.request is not None and (session.steps or session.busy):
         return session.request[0][-1]
     if session.turn is None:
-        raise Refused("worker_busy", "The worker's first observation is not there yet.")
+        raise Refused(
+            "worker_busy", "The worker's first observation is not available yet."
+        )
     state: Mapping[str, Sequence[float]] = session.turn["observation"]["state"]
     return state

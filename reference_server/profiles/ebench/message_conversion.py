@@ -1,9 +1,9 @@
-"""EBench's observations and actions, made of ours and back.
+"""Converts EBench's actions into ours, and our observations into EBench's.
 
-Its robot lift2 is that of our mobile bimanual benchmarks: the numbers are the same in
-another order, and the base turns in degrees. Any other benchmark is spoken to plainly:
-`action` holds the vectors of its action space one after another, by name. Pure: knows
-messages and manifests, and neither runs nor requests.
+EBench's robot lift2 is that of our mobile bimanual benchmarks: the same numbers in
+another order, with the rotation of the base in degrees. For any other benchmark
+`action` holds the vectors of the action space one after another, sorted by name. Pure:
+must not know runs or requests, only messages and manifests.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from reference_server.rules.refusal import Refused
 Values: TypeAlias = dict[str, list[float]]
 ReadLastCommand: TypeAlias = Callable[[], Mapping[str, Sequence[float]]]
 
-NUMBERS_MAX = 4096  # in one action; more fit no robot
+NUMBERS_MAX = 4096  # in one action; no robot has more
 LIFT2 = "lift2"
 _JOINTS = {"joint_position": 12, "gripper": 4, "base_motion": 3}
 _POSES = {"left_ee_pose": 7, "right_ee_pose": 7, "gripper": 4, "base_motion": 3}
@@ -38,7 +38,7 @@ _CAMERAS = {
 # --- actions ---
 
 
-def actions(
+def read_actions(
     chunk: Sequence[Any],
     manifest: Mapping[str, Any],
     last: ReadLastCommand,
@@ -46,14 +46,15 @@ def actions(
 ) -> list[Values]:
     """A worker's actions in the names of its benchmark's action space.
 
-    last: gives what was commanded last, or what is measured at an episode's start, by
-    the same names; asked only for relative actions. at: JSON pointers to the actions.
+    last: returns the last command, or the initial state of the episode, by the same
+    names; called only for relative actions. at: JSON pointers to the actions. Raises
+    Refused.
     """
     sizes = {name: entry["size"] for name, entry in manifest["action_space"].items()}
     made: list[Values] = []
     for action, pointer in zip(chunk, at, strict=True):
         if not isinstance(action, dict) or "action" not in action:
-            raise _invalid_action(pointer, "an action is a dict with a member `action`")
+            raise _invalid_action(pointer, "must be a dict with a member `action`")
         before = _previous_command(made, last)
         if sizes in (_JOINTS, _POSES):
             made.append(_lift2_action(action, sizes == _POSES, before, pointer))
@@ -65,14 +66,14 @@ def actions(
 def check_length(
     chunk: Sequence[Any], manifest: Mapping[str, Any], at: Sequence[str]
 ) -> None:
-    """Refuses a chunk that is too long before work goes into it."""
+    """Refuse a chunk that is too long, before it is converted."""
     if len(chunk) > manifest["max_chunk"]:
         [(_, text)] = action_space.action_errors(chunk, manifest)
         raise _invalid_action(at[0], text)
 
 
 def _previous_command(made: list[Values], last: ReadLastCommand) -> ReadLastCommand:
-    """Relative to the action before, which may stand in the same chunk."""
+    """What a relative action is added to: the action before it, also of this chunk."""
     return (lambda: made[-1]) if made else last
 
 
@@ -84,12 +85,12 @@ def _lift2_action(
     if type(control) is not str or control != wanted:
         raise _invalid_action(
             f"{at}/control_type",
-            f"is {wanted} on this benchmark; the other one is a benchmark_set of its "
-            "own (mobile_bimanual, mobile_bimanual_ee)",
+            f"must be {wanted} on this benchmark; the other control type has its own "
+            "benchmark_set (mobile_bimanual, mobile_bimanual_ee)",
         )
     if not _read_flag(action, "base_is_rel", True, at):
         raise _invalid_action(
-            f"{at}/base_is_rel", "only steps of the base are executed here"
+            f"{at}/base_is_rel", "must be true: only relative base motion is supported"
         )
     base = _numbers(action.get("base_motion", [0.0, 0.0, 0.0]), f"{at}/base_motion", 3)
     made: Values = {"base_motion": [base[0], base[1], math.radians(base[2])]}
@@ -97,13 +98,13 @@ def _lift2_action(
     if not poses:
         n = _numbers(action["action"], f"{at}/action", 16)
         joints, fingers = n[0:6] + n[8:14], n[6:8] + n[14:16]
-        if relative:  # its arms; grippers are absolute
+        if relative:  # the arms; grippers are always absolute
             joints = _sum(joints, last()["joint_position"])
         return made | {"joint_position": joints, "gripper": fingers}
     hands = action["action"]
     if not isinstance(hands, list) or len(hands) != 2:
         raise _invalid_action(
-            f"{at}/action", "is (position, quaternion, gripper) of each hand"
+            f"{at}/action", "must be (position, quaternion, gripper) of each hand"
         )
     made["gripper"] = []
     for index, (name, hand) in enumerate(zip(_HANDS, hands, strict=True)):
@@ -116,7 +117,7 @@ def _lift2_action(
 def _read_flag(action: dict[str, Any], name: str, absent: bool, at: str) -> bool:
     flag = action.get(name, absent)
     if type(flag) not in (bool, int):
-        raise _invalid_action(f"{at}/{name}", "is a boolean")
+        raise _invalid_action(f"{at}/{name}", "must be a boolean")
     return bool(flag)
 
 
@@ -126,7 +127,7 @@ def _plain_action(action: dict[str, Any], sizes: Mapping[str, int], at: str) -> 
 
 
 def _numbers(value: Any, at: str, size: int) -> list[float]:
-    """A vector, flat, however its numbers are put together."""
+    """EBE-011: a flat vector, from numbers, lists and arrays nested in any way."""
     numbers = [float(number) for number in _flat(value, at)]
     if len(numbers) != size:
         raise _invalid_action(at, f"has {len(numbers)} numbers, must have {size}")
@@ -139,12 +140,14 @@ def _flat(value: Any, at: str) -> Iterable[float]:
             yield from _flat(item, at)
     elif isinstance(value, np.ndarray) and value.dtype.kind in "iuf":
         if value.size > NUMBERS_MAX:
-            raise _invalid_action(at, f"has {value.size} numbers")
+            raise _invalid_action(
+                at, f"has {value.size} numbers, must have at most {NUMBERS_MAX}"
+            )
         yield from value.ravel().tolist()
     elif type(value) in (int, float):
         yield value
     else:
-        raise _invalid_action(at, "is made of numbers")
+        raise _invalid_action(at, "must contain numbers only")
 
 
 def _sum(one: Sequence[float], other: Sequence[float]) -> list[float]:
@@ -152,7 +155,7 @@ def _sum(one: Sequence[float], other: Sequence[float]) -> list[float]:
 
 
 def _compose_pose(delta: Sequence[float], pose: Sequence[float]) -> list[float]:
-    """A pose (position, quaternion wxyz) after a motion in the frame it is told in."""
+    """A pose (position, quaternion wxyz) after a motion `delta` in the same frame."""
     dw, (dx, dy, dz) = delta[3], delta[4:7]
     w, (x, y, z) = pose[3], pose[4:7]
     turned = [
@@ -164,8 +167,8 @@ def _compose_pose(delta: Sequence[float], pose: Sequence[float]) -> list[float]:
     axis, point = np.array([dx, dy, dz]), np.array(pose[:3])
     norm = dw * dw + dx * dx + dy * dy + dz * dz
     if norm == 0:
-        return [math.nan] * 7  # no rotation: refused like any number that is none
-    with np.errstate(all="ignore"):  # what is not finite any more is refused as well
+        return [math.nan] * 7  # no rotation: refused by the rules as not finite
+    with np.errstate(all="ignore"):  # overflow is refused by the rules as not finite
         twice = 2 / norm * np.cross(axis, np.cross(axis, point) + dw * point)
     return [*(point + twice + np.array(delta[:3])).tolist(), *turned]
 
@@ -181,8 +184,8 @@ def _invalid_action(at: str, text: str) -> Refused:
 # --- observations ---
 
 
-def observation(turn: Mapping[str, Any], run_id: str, benchmark_id: str) -> Any:
-    """What EBench calls obs, of a turn that has an observation."""
+def observation_view(turn: Mapping[str, Any], run_id: str, benchmark_id: str) -> Any:
+    """EBench's `obs`, of a turn that has an observation."""
     episode, seen = turn["episode"], turn["observation"]
     state = dict(seen["state"])
     is_lift2 = {*_STATES, *_HANDS} <= set(state)
@@ -207,7 +210,7 @@ def observation(turn: Mapping[str, Any], run_id: str, benchmark_id: str) -> Any:
     return found
 
 
-def episode_result(
+def episode_result_view(
     result: Mapping[str, Any], run_id: str, benchmark_id: str
 ) -> dict[str, Any]:
     return {
@@ -219,7 +222,7 @@ def episode_result(
 
 
 def _episode_id(episode: Mapping[str, Any], run_id: str, benchmark_id: str) -> str:
-    """A path, for its client keeps a folder of each."""
+    """A path: EBench's client has a folder for each episode."""
     return f"{benchmark_id}/{run_id}/{episode['task']}/{episode['episode_id']}"
 
 
@@ -239,7 +242,7 @@ def _image(image: Mapping[str, Any]) -> dict[str, Any]:
 def _array(dtype: str, shape: Sequence[int], data: Any) -> dict[str, Any]:
     return {
         "type": "numpy_array",
-        "data": b64encode(data),  # written as text, as it is
+        "data": b64encode(data),  # bytes are written as text
         "dtype": dtype,
         "shape": list(shape),
     }

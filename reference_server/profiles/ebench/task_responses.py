@@ -1,4 +1,8 @@
-"""What EBench's client is answered: envelopes, workers' observations, a status."""
+"""The responses to EBench's client: envelopes, workers' observations, a status.
+
+Views of runs and turns as plain data, and the ASGI responses that carry them. Must not
+read requests beyond whether their client is still connected.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +17,7 @@ from starlette.types import Receive, Scope, Send
 from reference_server.generated.problem_codes import PROBLEMS
 from reference_server.http.codec import JSON
 from reference_server.http.dispatch import OperationCall
-from reference_server.profiles.ebench import actions, pickle_writer
+from reference_server.profiles.ebench import message_conversion, pickle_writer
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.views import run_views
@@ -22,14 +26,14 @@ PICKLE = "application/octet-stream"
 
 
 def envelope(data: Any, code: int = 0, msg: str = "success") -> Response:
-    """Always status 200: what went wrong is told by `code` and `msg`."""
+    """EBE-002: always status 200; `code` 0 is success, `msg` says what went wrong."""
     trace_id = secrets.token_hex(16)
     body = {"code": code, "msg": msg, "trace_id": trace_id, "data": data}
     return Response(msgspec.json.encode(body), media_type=JSON)
 
 
 def refusal_response(refused: Refused) -> Response:
-    """A refusal in an envelope; `code` is the status it would have elsewhere."""
+    """EBE-002: a refusal in an envelope; `code` is the HTTP status of its problem."""
     entry = PROBLEMS[refused.code]
     faults = "; ".join(f"{at or 'the body'} {text}" for at, text in refused.errors)
     parts = [refused.detail, faults and f"{faults}.", entry["act"]]
@@ -37,7 +41,10 @@ def refusal_response(refused: Refused) -> Response:
 
 
 class ConfirmedResponse(Response):
-    """An answer that notes whether its client was still there to take it."""
+    """A response that reports when it was sent to a client that was connected.
+
+    EBE-013, EBE-014: an answer counts as lost unless `on_delivered` is called.
+    """
 
     def __init__(
         self, value: Any, call: OperationCall, on_delivered: Callable[[], None]
@@ -47,9 +54,9 @@ class ConfirmedResponse(Response):
         self._on_delivered = on_delivered
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """ASGI: who has left before the last byte was sent has not got the answer.
+        """ASGI: checks the connection before the last byte.
 
-        After that byte nothing is asked any more: many clients leave when they have it.
+        Not after it: many clients disconnect as soon as they have the last byte.
         """
         start = {"status": self.status_code, "headers": self.raw_headers}
         await send({"type": "http.response.start", **start})
@@ -65,25 +72,26 @@ class ConfirmedResponse(Response):
 def worker_view(
     run: Run, turn: Mapping[str, Any], results: Mapping[str, float]
 ) -> dict[str, Any]:
-    """What EBench answers for one worker."""
+    """The answer of `reset` and `step` for one worker (EBE-009, EBE-010)."""
     of = run.run_id, run.manifest["benchmark_id"]
     ended = turn.get("episode_result")
     metric = {ended["task"]: ended["score"]} if ended else None
     return {
-        "obs": None if turn["done"] else actions.observation(turn, *of),
+        "obs": None if turn["done"] else message_conversion.observation_view(turn, *of),
         "metric": results if turn["done"] else metric,
-        "episode_result": ended and actions.episode_result(ended, *of),
+        "episode_result": ended and message_conversion.episode_result_view(ended, *of),
     }
 
 
 def results_of(run: Run) -> dict[str, float]:
-    """Mean score of each task that has one."""
+    """Mean score of each task that has a scored episode (EBE-010, EBE-019)."""
     by_task = run_views.score_view(run, run.episodes)["by_task"]
     means = {task: group["mean"] for task, group in by_task.items()}
     return {task: mean for task, mean in means.items() if mean is not None}
 
 
 def status_of(run: Run) -> dict[str, Any]:
+    """EBE-019."""
     live_sessions = [session.worker_id for session in run.live_sessions]
     status = "idle"
     if run.state == "completed":

@@ -1,14 +1,16 @@
-"""The profile `flageval`: FlagEval's automatic evaluation, over our own push runs.
+"""The HTTP handlers of the profile `flageval`: FlagEval's automatic evaluation.
 
-An evaluation is a run whose policy is a chat model; its name is the policy's. A request
-is its runs: `request_id` holds their ids, so nothing is remembered here. See
-spec/profiles/flageval.yaml and docs/flageval.md.
+An evaluation is a push run whose policy is a chat model and has the evaluation's name.
+A `request_id` is the ids of its runs, so that there is no state here. Each handler
+translates a request into calls of `runs/service.py` and the results back; whether
+something is allowed is decided there and in the rules. See spec/profiles/flageval.yaml
+and docs/flageval.md.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Awaitable, Callable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import Any, TypeVar
 
@@ -19,7 +21,7 @@ from reference_server.http import codec
 from reference_server.http.codec import JSON
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.http.handlers import Handlers
-from reference_server.profiles.flageval.requests import (
+from reference_server.profiles.flageval.evaluation_requests import (
     DiffsRequest,
     EvaluationRequest,
     ProgressRequest,
@@ -27,7 +29,7 @@ from reference_server.profiles.flageval.requests import (
     idempotency_key,
     translate_refusal,
 )
-from reference_server.profiles.flageval.responses import (
+from reference_server.profiles.flageval.evaluation_responses import (
     BASELINE,
     TOLERANCE,
     EvaluationView,
@@ -35,19 +37,24 @@ from reference_server.profiles.flageval.responses import (
     refusal_response,
     success_response,
 )
-from reference_server.push.chat_calls import is_answered_in_words
-from reference_server.rules.lifecycle import Event, Stop, legal
+from reference_server.push.chat_calls import is_playable_by_chat
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
+from reference_server.runs.service import RunService
 
 Body = TypeVar("Body", bound=BaseModel)
+_NAME_IS_USED = "must be unique in the account"
 
 
 @dataclass(frozen=True, slots=True)
 class FlagevalHandlers:
-    """The operations, over the routes of this server."""
+    """The operations of FlagEval over the use cases of this server."""
 
     handlers: Handlers
+
+    @property
+    def service(self) -> RunService:
+        return self.handlers.service
 
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation."""
@@ -72,29 +79,21 @@ class FlagevalHandlers:
         }
 
     async def evaluation(self, call: OperationCall) -> Response:
-        """A run for each model: all are checked before any is there."""
+        """FLE-001, FLE-003: a run for each model, all checked before one is stored."""
         requested: EvaluationRequest = call.body
         requested.check()
         images = await self._images(requested)
         runs: list[Run] = []
-        for number, info in enumerate(requested.eval_infos):
+        for number in range(len(requested.eval_infos)):
             submission = requested.submission(number, images)
             try:
-                runs.append(await self.handlers.prepare_run(call.account, submission))
+                runs.append(await self.service.prepare_run(call.account, submission))
             except Refused as refused:
                 raise translate_refusal(refused, number) from refused
-            existing = await self.handlers.registry.find_by_key(
-                call.account, idempotency_key(info.eval_model)
-            )
-            digest = requested.digest(number)
-            if existing is not None and existing.body_sha256 != digest:
-                raise Refused(
-                    "idempotency_conflict",
-                    f"An evaluation of another body is named {info.eval_model}.",
-                    errors=[(f"/eval_infos/{number}/eval_model", "is used once")],
-                )
+            await self._check_name(call.account, requested, number)
+        # FLE-004: the name is the Idempotency-Key, so that a repeat returns its run.
         created = [
-            await self.handlers.registry.add(
+            await self.service.store_run(
                 run, idempotency_key(info.eval_model), requested.digest(i)
             )
             for i, (run, info) in enumerate(
@@ -118,33 +117,34 @@ class FlagevalHandlers:
         requested = await self._read_query_or_body(
             call, RequestReference, "request_id", str
         )
-        ones = await self._evaluated(call, requested.request_id)
+        ones = await self._evaluated(call.account, requested.request_id)
         results = {
-            one.eval_model: one.result(await self._baseline(call, one, ones))
+            one.eval_model: one.result(await self._baseline(call.account, one, ones))
             for one in ones
         }
         return success_response(eval_results=results, tolerance=TOLERANCE)
 
     async def stop(self, call: OperationCall) -> Response:
-        stopped = partial(self.handlers.apply_stop, stop=Stop("abort"))
-        await self._apply_to_each(call, "stop_abort", stopped)
+        """FLE-012."""
+        await self._apply_to_each(call, self.service.stop_run)
         return success_response()
 
     async def resume(self, call: OperationCall) -> Response:
-        await self._apply_to_each(call, "resume_run", self.handlers.apply_resume)
+        """FLE-013."""
+        await self._apply_to_each(call, self.service.resume_run)
         return success_response()
 
     async def progress(self, call: OperationCall) -> Response:
         return success_response(
-            **progress(await self._evaluated(call, call.body.request_id))
+            **progress(await self._evaluated(call.account, call.body.request_id))
         )
 
     async def diffs_by_id(self, call: OperationCall) -> Response:
-        """As their server answers: a map."""
+        """FLE-015: with GET a map, as FlagEval's server answers."""
         return success_response(eval_diffs=await self._diffs(call), tolerance=TOLERANCE)
 
     async def diffs_as_list(self, call: OperationCall) -> Response:
-        """As their document has it: a list."""
+        """FLE-015: with POST a list, as FlagEval's document has it."""
         found = await self._diffs(call)
         diffs = [{"request_id": name} | diff for name, diff in found.items()]
         return success_response(eval_diffs=diffs, tolerance=TOLERANCE)
@@ -154,33 +154,52 @@ class FlagevalHandlers:
             call, DiffsRequest, "request_ids", lambda text: text.split(",")
         )
         first, *others = requested.request_ids
-        bases = await self._evaluated(call, first)
+        bases = await self._evaluated(call.account, first)
         base = next((one for one in bases if one.is_baseline), bases[0])
         return {
-            name: (await self._evaluated(call, name))[0].diff(base) for name in others
+            name: (await self._evaluated(call.account, name))[0].diff(base)
+            for name in others
         }
 
     async def _images(self, requested: EvaluationRequest) -> Mapping[str, Any] | None:
-        """What a chat model can be shown; None for the benchmark's own choice."""
+        """Image options that a chat model accepts; None for the benchmark's default."""
         try:
-            benchmark = await self.handlers.benchmarks.view(requested.benchmark_id)
+            benchmark = await self.service.benchmarks.view(requested.benchmark_id)
         except Refused as refused:
             raise Refused(
-                "invalid_request", refused.detail, errors=[("/mode", "names none")]
+                "invalid_request",
+                refused.detail,
+                errors=[("/mode", "is not a known benchmark")],
             ) from refused
-        if not is_answered_in_words(benchmark):
+        if not is_playable_by_chat(benchmark):
             raise Refused(
                 "invalid_request",
-                f"{requested.benchmark_id} is not answered in words.",
-                errors=[("/mode", "names no questions")],
+                f"A chat model cannot play {requested.benchmark_id}.",
+                errors=[("/mode", "must name a question-answering benchmark")],
             )
         codecs, size = benchmark["image_codecs"], benchmark["image_sizes"][0]
         return {"codec": "png", **size} if "png" in codecs else None
 
+    async def _check_name(
+        self, account: str, requested: EvaluationRequest, number: int
+    ) -> None:
+        """FLE-003: a name that another evaluation has is refused."""
+        name = requested.eval_infos[number].eval_model
+        try:
+            await self.service.check_key(
+                account, idempotency_key(name), requested.digest(number)
+            )
+        except Refused as refused:
+            raise Refused(
+                refused.code,
+                f"An evaluation with a different body is named {name}.",
+                errors=[(f"/eval_infos/{number}/eval_model", _NAME_IS_USED)],
+            ) from refused
+
     async def _baseline(
-        self, call: OperationCall, one: EvaluationView, beside: Sequence[EvaluationView]
+        self, account: str, one: EvaluationView, beside: Sequence[EvaluationView]
     ) -> EvaluationView | None:
-        """Itself, if it is one; else that of this request; else an earlier one."""
+        """FLE-010: itself if it is one, else of this request, else an earlier one."""
         if one.is_baseline:
             return one
         name = one.base_model_name + BASELINE
@@ -188,33 +207,36 @@ class FlagevalHandlers:
         bases.sort(key=lambda other: other.eval_model != name)
         if bases:
             return bases[0]
-        existing = await self.handlers.registry.find_by_key(
-            call.account, idempotency_key(name)
-        )
+        existing = await self.service.find_by_key(account, idempotency_key(name))
         if existing is None:
             return None
-        return (await self._evaluated(call, existing.run_id))[0]
+        return (await self._evaluated(account, existing.run_id))[0]
 
-    async def _evaluated(
-        self, call: OperationCall, request_id: str
-    ) -> list[EvaluationView]:
-        look = self.handlers.registry.read_view
+    async def _evaluated(self, account: str, request_id: str) -> list[EvaluationView]:
+        """The evaluations of a request, if they are the account's (FLE-016)."""
+        read = self.service.registry.read_view
         return [
-            await look(run_id, call.account, EvaluationView.from_run, end=None)
+            await read(run_id, account, EvaluationView.from_run, end=None)
             for run_id in request_id.split(".")
         ]
 
     async def _apply_to_each(
-        self, call: OperationCall, event: Event, act: Callable[[OperationCall], Any]
+        self, call: OperationCall, act: Callable[[str, str], Awaitable[Run]]
     ) -> None:
-        """Those of the request's runs that may; refused when none of them may."""
+        """`act` on each run of the request that allows it; refused if none does."""
         ids = call.body.request_id.split(".")
-        runs = [
-            await self.handlers.registry.get(run_id, call.account) for run_id in ids
-        ]
-        may = [run.run_id for run in runs if legal(run, event)]
-        for run_id in may or ids[:1]:
-            await act(replace(call, path={"run_id": run_id}))
+        for run_id in ids:  # before any is changed: does each exist?
+            await self.service.get_run(call.account, run_id)
+        refusals: list[Refused] = []
+        for run_id in ids:
+            try:
+                await act(call.account, run_id)
+            except Refused as refused:
+                if refused.code != "illegal_transition":
+                    raise
+                refusals.append(refused)
+        if len(refusals) == len(ids):
+            raise refusals[0]
 
     async def _read_query_or_body(
         self,
@@ -223,7 +245,7 @@ class FlagevalHandlers:
         name: str,
         read: Callable[[str], Any],
     ) -> Body:
-        """From the query, or from the body that their client sends with a GET."""
+        """FLE-008: from the query, or from the body that FlagEval's client sends."""
         if name in call.query:
             return codec.validate(model, {name: read(call.query[name])})
         codec.media_type_of(call.request, (JSON,))

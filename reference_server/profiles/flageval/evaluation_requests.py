@@ -1,7 +1,8 @@
-"""What a FlagEval client asks, read from its bodies, and the run that it means.
+"""The requests of FlagEval's client: their schemas, and the submission each stands for.
 
-Numbers that this server gives less of are cut to what it gives. Never keeps or shows
-an `api_key`: it goes into the submission, where it is sealed, and nowhere else.
+Numbers above the maximum of schema PolicyServer are reduced to it. An `api_key` goes
+into the submission, where it is encrypted, and nowhere else (FLE-006, FLE-017). Must
+not know runs, sessions or responses.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ QUESTIONS = "question_answering"
 COMPLETIONS = "/chat/completions"
 CALL_TIMEOUT_S_MOST, RETRIES_MOST = 600, 10  # of schema PolicyServer
 EVALUATIONS_MOST = 16
-# Two datasets of `calibration`, so that a kit can judge this wire without pictures.
+# Two datasets of `calibration`, so that a kit can judge this profile without images.
 CALIBRATION_TASKS = ["score", "score", "score", "score", "count", "count"]
 # Run ids, joined by dots.
 RequestId: TypeAlias = Annotated[
@@ -33,7 +34,7 @@ _PAIR = re.compile(
     r"\s*([a-z][a-z0-9_]{0,39})\s*=\s*(-?[0-9]{1,9}(?:\.[0-9]{1,9})?)\s*"
 )
 _RENAMED = {"max_gen_toks": "max_tokens"}
-# Where a submission is wrong → which of their members was.
+# Pointer into a submission → the member of `eval_infos` that it was made of.
 _MEMBERS = {
     "/policy/name": "eval_model",
     "/policy_server/url": "eval_url",
@@ -44,7 +45,7 @@ _MEMBERS = {
 
 
 class EvalInfo(BaseModel):
-    """One model to evaluate; members that are not listed are passed over."""
+    """One model to evaluate; unknown members are ignored."""
 
     eval_model: str = Field(min_length=1, max_length=200)
     model: str
@@ -74,20 +75,20 @@ class EvaluationRequest(BaseModel):
         return self.mode or QUESTIONS
 
     def check(self) -> None:
-        """What no schema says. Raises Refused."""
+        """What no schema expresses (FLE-003). Raises Refused."""
         if self.domain == "NLP" and not self.mode:
-            raise _invalid("/domain", "NLP has no datasets here; MM has")
+            raise _invalid("/domain", "NLP needs `mode`: only MM has default datasets")
         names = [info.eval_model for info in self.eval_infos]
         for number, name in enumerate(names):
             if name in names[:number]:
-                raise _invalid(f"/eval_infos/{number}/eval_model", "stands there twice")
+                raise _invalid(f"/eval_infos/{number}/eval_model", "must be unique")
 
     def submission(self, number: int, images: Mapping[str, Any] | None) -> Any:
-        """Schema SubmitRun of one evaluation, and what else is kept with it."""
+        """Schema SubmitRun of one evaluation (FLE-005), with its labels."""
         info, at = self.eval_infos[number], f"/eval_infos/{number}"
         url = info.eval_url.removesuffix("/")
         if not url.endswith(COMPLETIONS):
-            raise _invalid(f"{at}/eval_url", f"ends with {COMPLETIONS}")
+            raise _invalid(f"{at}/eval_url", f"must end with {COMPLETIONS}")
         server: dict[str, Any] = {
             "url": url.removesuffix(COMPLETIONS),
             "protocol": "openai_chat",
@@ -116,12 +117,12 @@ class EvaluationRequest(BaseModel):
         return checked | {"labels": self._labels(number)}
 
     def _labels(self, number: int) -> dict[str, Any]:
-        """What is recorded with the run: everything but the key."""
+        """What is stored with the run: the request without the key (FLE-017)."""
         whole = self.model_dump(exclude={"eval_infos"})
         return whole | self.eval_infos[number].model_dump(exclude={"api_key"})
 
     def digest(self, number: int) -> str:
-        """Equal for the same evaluation asked for again."""
+        """Equal for an equal request: how a repeat is recognised (FLE-003, FLE-004)."""
         canonical = msgspec.json.encode(self._labels(number), order="deterministic")
         return hashlib.sha256(canonical).hexdigest()
 
@@ -135,18 +136,18 @@ class ProgressRequest(RequestReference):
 
 
 class DiffsRequest(BaseModel):
-    """The first is the baseline."""
+    """The first request is the baseline (FLE-015)."""
 
     request_ids: list[RequestId] = Field(min_length=1, max_length=EVALUATIONS_MOST)
 
 
 def idempotency_key(eval_model: str) -> str:
-    """The Idempotency-Key of an evaluation: its name is used once in an account."""
+    """The Idempotency-Key of an evaluation: a name is unique per account (FLE-003)."""
     return f"flageval-{hashlib.sha256(eval_model.encode()).hexdigest()}"
 
 
 def translate_refusal(refused: Refused, number: int) -> Refused:
-    """A refusal of a submission, pointing at what the client wrote."""
+    """A refusal of a submission, with pointers into the request."""
     at = f"/eval_infos/{number}"
     errors = [
         (f"{at}/{_MEMBERS[where]}" if where in _MEMBERS else where, text)
@@ -156,15 +157,15 @@ def translate_refusal(refused: Refused, number: int) -> Refused:
 
 
 def _generation(text: str, at: str) -> dict[str, float]:
-    """`temperature=0.6,max_gen_toks=16000` as numbers by name."""
+    """FLE-005: `temperature=0.6,max_gen_toks=16000` as numbers by name."""
     found: dict[str, float] = {}
     for part in filter(str.strip, text.split(",")):
         pair = _PAIR.fullmatch(part)
         if pair is None:
-            raise _invalid(at, "is name=number, with commas between them")
+            raise _invalid(at, "must be name=number, separated by commas")
         found[_RENAMED.get(pair[1], pair[1])] = float(pair[2])
     return found
 
 
 def _invalid(at: str, text: str) -> Refused:
-    return Refused("invalid_request", "The body cannot be meant.", errors=[(at, text)])
+    return Refused("invalid_request", "The body is invalid.", errors=[(at, text)])

@@ -1,0 +1,45 @@
+"""Pauses between attempts of the push driver, the one policy for all of them.
+
+Each pause is twice the last one, up to a maximum, and varied at random by a fifth, so
+that many that failed together do not return together. Two series exist, because two
+parties are waited for: a policy server that does not answer (`between_calls`: slow, it
+may be restarting, and another operator pays for its load) and this server's own free
+simulators, or the next session after a fault (`between_sessions`: fast, it is local).
+"""
+
+from __future__ import annotations
+
+import random
+
+CALL_PAUSE_MAX_S = 30.0
+_CALL_PAUSE_S = 0.5
+_SESSION_PAUSE_S = 0.2
+_SESSION_PAUSE_MAX_S = 5.0
+
+
+class Backoff:
+    """One series of pauses, in seconds."""
+
+    def __init__(self, first_s: float, max_s: float) -> None:
+        self._first_s = self._next_s = first_s
+        self._max_s = max_s
+
+    @classmethod
+    def between_calls(cls) -> Backoff:
+        """For a call of a policy server that is repeated."""
+        return cls(_CALL_PAUSE_S, CALL_PAUSE_MAX_S)
+
+    @classmethod
+    def between_sessions(cls) -> Backoff:
+        """For a worker whose session was refused, or ended by a fault of the policy."""
+        return cls(_SESSION_PAUSE_S, _SESSION_PAUSE_MAX_S)
+
+    def next_s(self) -> float:
+        """The next pause."""
+        pause_s = self._next_s * random.uniform(0.8, 1.2)
+        self._next_s = min(2 * self._next_s, self._max_s)
+        return pause_s
+
+    def reset(self) -> None:
+        """Start the series again, after a success."""
+        self._next_s = self._first_s
