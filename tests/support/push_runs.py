@@ -1,7 +1,7 @@
 """What the tests of push runs build: runs, and policy servers that misbehave.
 
-`conformance.policy.scripted` is the policy server; what no HTTP library would send
-comes from a bare socket.
+`conformance.policy.scripted_policy` is the policy server; what no HTTP library would
+send comes from a bare socket.
 """
 
 import contextlib

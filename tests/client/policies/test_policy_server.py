@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from conformance.policy.scripted import (
+from conformance.policy.scripted_policy import (
     PolicyCall,
     PolicyReply,
     ScriptedPolicy,
@@ -25,7 +25,7 @@ from tests.support.client.policy_apps import (
 )
 from tests.support.push_runs import submit_push_run, wait_for_state
 
-__all__ = ["server", "policy_key"]
+__all__ = ["policy_key", "server"]
 
 
 def evaluate_policy(

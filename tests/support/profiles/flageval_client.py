@@ -9,7 +9,7 @@ from typing import Any
 import httpx
 import pytest
 
-from conformance.policy.chat import ScriptedChat
+from conformance.policy.scripted_chat import ScriptedChat
 from tests.conftest import TIMEOUT_S, ReferenceServer
 from tests.support.push_runs import start_push_server
 
