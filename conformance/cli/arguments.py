@@ -8,7 +8,7 @@ import time
 from collections.abc import Iterable
 from typing import NoReturn
 
-from conformance.cli.settings import Settings
+from conformance.run_settings import Settings
 from conformance.specification.ledger import PROFILES, load_ledger
 
 

@@ -6,22 +6,18 @@ per failure.
 
 import itertools
 import sys
-import textwrap
 import time
-from collections.abc import Iterator
 
 from rich.console import Console
 from rich.text import Text
 
-from conformance.client.curl import script
+from conformance.reports.failure_card import CARD_WIDTH, OUTCOME_WORDS, card
 from conformance.specification.document import spec_name
 from conformance.specification.ledger import load_ledger
 from conformance.verdicts.result import Result
 from conformance.verdicts.verdict import Outcome, Verdict
 
-_WIDTH = 80
 _EVERY_S = 3.0
-_COMMANDS_SHOWN = 40
 _STYLES = {
     Outcome.PASSED: "green",
     Outcome.FAILED: "bold red",
@@ -29,14 +25,6 @@ _STYLES = {
     Outcome.NOT_APPLICABLE: "dim",
     Outcome.INCONCLUSIVE: "yellow",
     Outcome.KIT_ERROR: "bold magenta",
-}
-_WORDS = {
-    Outcome.PASSED: "passed",
-    Outcome.FAILED: "FAILED",
-    Outcome.NOT_VERIFIED: "not verified",
-    Outcome.NOT_APPLICABLE: "not applic.",
-    Outcome.INCONCLUSIVE: "INCONCLUSIVE",
-    Outcome.KIT_ERROR: "KIT ERROR",
 }
 
 
@@ -102,52 +90,20 @@ class Terminal:
     def _row(self, verdict: Verdict) -> None:
         row = load_ledger()[verdict.requirement_id]
         line = Text(f"{row.id:<10}")
-        word = _WORDS[verdict.outcome]
+        word = OUTCOME_WORDS[verdict.outcome]
         if verdict.is_known_failure:
             word = "known fail."
         line.append(f"{word:<13}", _STYLES[verdict.outcome])
         is_plain = verdict.outcome == Outcome.PASSED or not verdict.reason
         summary = row.text if is_plain else verdict.reason.split("\n")[0]
-        line.append(_cut(summary, _WIDTH - len(line)))
+        line.append(_cut(summary, CARD_WIDTH - len(line)))
         self._console.print(line, soft_wrap=True)
 
     def _card(self, verdict: Verdict, result: Result) -> None:
         self.say("")
-        self.say("─" * _WIDTH, "red")
+        self.say("─" * CARD_WIDTH, "red")
         for line in card(verdict, result):
             self.say(line)
-
-
-def card(verdict: Verdict, result: Result) -> Iterator[str]:
-    """Give all that is needed to understand and repeat a failure."""
-    row = load_ledger()[verdict.requirement_id]
-    yield f"{row.id} {_WORDS[verdict.outcome]} ({row.level}, {row.profile})"
-    yield from _entry("rule", row.text)
-    story = " ".join(verdict.story.split())
-    yield from _entry("check", f"{verdict.check}: {story}" if story else verdict.check)
-    if verdict.expected:
-        yield from _entry("expected", verdict.expected)
-        yield from _entry("observed", verdict.observed)
-    if verdict.reason:
-        yield from _entry("reason", verdict.reason)
-    yield from _entry("seed", str(result.settings.seed))
-    if not verdict.exchanges:
-        return
-    yield from _entry(
-        "repeat",
-        "as below in bash; our requests carried X-Correlation-Id: "
-        f"{row.id}/1 and so on",
-    )
-    lines = script(verdict.exchanges, result.settings.url)
-    if len(lines) > _COMMANDS_SHOWN:
-        yield "    # whole in report.html; from here on its last lines:"
-    for line in lines[-_COMMANDS_SHOWN:]:
-        yield f"    {line}"
-
-
-def _entry(name: str, text: str) -> list[str]:
-    lines = textwrap.wrap(text, _WIDTH - 12, break_long_words=False) or [""]
-    return [f"  {name:<10}{lines[0]}", *(f"{'':12}{line}" for line in lines[1:])]
 
 
 def _cut(text: str, length: int) -> str:

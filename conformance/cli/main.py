@@ -18,8 +18,8 @@ from conformance.cli.arguments import (
     read_settings,
 )
 from conformance.cli.console import Terminal
-from conformance.cli.settings import Settings
 from conformance.reports.files import write_reports
+from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge, inspect
 from conformance.runner.server_process import AccountTokens, ServerProcess, StartFailed
 from conformance.specification.document import load_spec, spec_name

@@ -1,220 +1,30 @@
-"""What a check gets: one server, the accounts it was given, and verbs to tell a story.
+"""The argument of every check: one server, its accounts, and verbs of the protocol.
 
     @requirement("ATT-003")
-    def test_att_003_cannot_attach_with_another_key_on_a_live_worker(story):
+    def test_att_003_cannot_attach_with_another_key_on_a_live_worker(context):
         \"\"\"Another key on a live worker. Expect worker_busy.\"\"\"
-        worker = story.submit("count").worker()
+        worker = context.submit("count").worker()
         worker.attach()
         expect.refused(worker.try_attach(), "worker_busy")
-        expect.ok(worker.try_predict(story.action()))
+        expect.ok(worker.try_predict(context.action()))
 
-A story is cheap, belongs to one check, and may be used from several threads.
+A context is cheap, belongs to one check, and is safe for several threads.
 """
 
-import contextlib
-import random
-import threading
-import time
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
-from functools import partial
-from typing import TYPE_CHECKING, Any
-from urllib.parse import quote
+from collections.abc import Mapping
+from typing import Any
 
-import msgspec
+from conformance.client.http_client import HttpClient
+from conformance.client.request_context import RequestContext
+from conformance.client.run_client import RunClient, adopt_run
+from conformance.verdicts.expect import KitError
 
-from conformance.cli.settings import Settings
-from conformance.client.exchange_log import ExchangeLog
-from conformance.client.http_client import Answer, ClientPool, HttpClient, NoAnswer
-from conformance.client.run_client import AdaptiveTimeouts, RunClient, WorkerClient
-from conformance.specification.document import (
-    MSGPACK,
-    Spec,
-    load_policy_spec,
-    load_spec,
-)
-from conformance.specification.ledger import NEVER_ANNOUNCED, POLICY
-from conformance.verdicts.expect import KitError, SetUpFailed, describe_answer, require
-from conformance.verdicts.universal_rules import Tally
-
-if TYPE_CHECKING:
-    from conformance.runner.private_server import PrivateServer
-
-__all__ = ["SharedContext", "RunClient", "CheckContext", "WorkerClient"]
-
-_NO_CAPACITY = "no_capacity"
-_RETRIED_CODES = (_NO_CAPACITY, "unavailable")
-_CAPACITY_TIMEOUT_S = 5.0
-_CAPACITY_POLL_S = 0.1
 # Capacity may have to be made first: a simulator started, a robot freed.
 _READY_TIMEOUT_S = 30.0
-# Name → size, from calibration.md.
-ACTION_SIZES = {
-    "score": 1,
-    "success": 1,
-    "end": 1,
-    "delay_s": 1,
-    "fault": 1,
-    "vector": 8,
-    "clipped": 2,
-}
 
 
-@dataclass(frozen=True)
-class SharedContext:
-    """What all stories of one process share."""
-
-    settings: Settings
-    clients: ClientPool
-    spec: Spec
-    timeouts: AdaptiveTimeouts = field(default_factory=AdaptiveTimeouts)
-
-    @classmethod
-    def of(cls, settings: Settings) -> "SharedContext":
-        """Open the connections for one run of the kit."""
-        is_policy = settings.profiles == [POLICY]
-        spec = load_policy_spec() if is_policy else load_spec()
-        return cls(settings, ClientPool(settings.url), spec)
-
-    def close(self) -> None:
-        """Close the connections."""
-        self.clients.close()
-
-
-class CheckContext:
+class CheckContext(RequestContext):
     """One check's view of the server."""
-
-    def __init__(
-        self,
-        shared: SharedContext,
-        name: str,
-        base_url: str | None = None,
-        parent: "CheckContext | None" = None,
-    ) -> None:
-        self.shared = shared
-        self.name = name
-        self.spec = shared.spec
-        self.service: dict[str, Any] = shared.settings.service
-        self.limits: dict[str, Any] = self.service.get("limits", {})
-        self.benchmark: dict[str, Any] = shared.settings.benchmark
-        self.tolerance_s = shared.settings.tolerance_s
-        self.exchange_log: ExchangeLog = (
-            parent.exchange_log if parent else ExchangeLog(name)
-        )
-        self.tally: Tally = parent.tally if parent else Tally(shared.spec)
-        # The same seed gives the same requests.
-        self.random = random.Random(f"{shared.settings.seed}/{name}")
-        self._base_url = base_url or shared.settings.url
-        self._runs: list[RunClient] = []
-        self.http_client = self._open_client(shared.settings.token, "TOKEN")
-
-    def _open_client(self, token: str | None, name: str) -> HttpClient:
-        return HttpClient(
-            clients=self.shared.clients,
-            spec=self.spec,
-            base_url=self._base_url,
-            token=token,
-            token_name=name,
-            exchange_log=self.exchange_log,
-            tally=self.tally,
-        )
-
-    @property
-    def speaks_msgpack(self) -> bool:
-        """Whether the server announces the profile msgpack."""
-        return self.offers("msgpack")
-
-    def offers(self, profile: str) -> bool:
-        """Whether the server has a part of the protocol."""
-        return profile in NEVER_ANNOUNCED or profile in self.service["profiles"]
-
-    def client_with_token(self, token: str | None) -> HttpClient:
-        """A caller with any token, or without one."""
-        return self._open_client(token, "WRONG_TOKEN")
-
-    @property
-    def second_account(self) -> HttpClient:
-        """Another account."""
-        token = self.shared.settings.token_2
-        if token is None:
-            raise SetUpFailed("no second token given", allowed=True)
-        return self._open_client(token, "TOKEN_2")
-
-    @property
-    def read_only_account(self) -> HttpClient:
-        """The first account with a token that may only read."""
-        token = self.shared.settings.token_read
-        if token is None:
-            raise SetUpFailed("no read token given", allowed=True)
-        return self._open_client(token, "TOKEN_READ")
-
-    def call(
-        self,
-        operation_id: str,
-        *,
-        json: Any = None,
-        content: Any = None,
-        http_client: HttpClient | None = None,
-        headers: Mapping[str, str] | None = None,
-        params: Mapping[str, Any] | None = None,
-        msgpack: bool = False,
-        timeout_s: float = 30.0,
-        endpoint: str | None = None,
-        **path_params: str,
-    ) -> Answer:
-        """Send an operation by its id; the answer is raw.
-
-        Keywords that are left over fill the path. `msgpack` sends `json` as
-        MessagePack and accepts nothing else.
-        """
-        operation = self.spec.operations[operation_id]
-        http_client = http_client or self.http_client
-        path = operation.path.format(
-            **{name: quote(value, safe="") for name, value in path_params.items()}
-        )
-        base_url = http_client.base_url
-        if operation.is_data_plane and endpoint is not None:
-            base_url = endpoint.rstrip("/")
-        if msgpack:
-            content, json = msgspec.msgpack.encode(json), None
-            headers = {"Content-Type": MSGPACK, "Accept": MSGPACK, **(headers or {})}
-        send = partial(
-            http_client.request,
-            operation.method,
-            base_url + path,
-            json=json,
-            content=content,
-            headers=headers,
-            params=params,
-            timeout_s=timeout_s,
-            operation=operation,
-        )
-        return self._retry_while_no_capacity(send)
-
-    def _retry_while_no_capacity(self, send: Callable[[], Answer]) -> Answer:
-        """Repeat while the server has no room, as every client must; then give up.
-
-        To have no room is no violation of any rule, and no proof that one is kept.
-        """
-        timeouts = self.shared.timeouts
-        until = time.monotonic() + timeouts.of("room", _CAPACITY_TIMEOUT_S)
-        while (answer := send()).code in _RETRIED_CODES:
-            if time.monotonic() > until:
-                timeouts.record_miss("room")
-                if answer.code == _NO_CAPACITY:
-                    raise SetUpFailed(
-                        f"the server has no room: {describe_answer(answer)}"
-                    )
-                return answer
-            time.sleep(_CAPACITY_POLL_S)
-        return answer
-
-    def require(self, step: Callable[[], Answer], status: int, name: str) -> Any:
-        """Take a set-up step and give its body; whatever goes wrong is no violation."""
-        try:
-            return require(step(), status, f"`{name}`")
-        except NoAnswer as error:
-            raise SetUpFailed(f"`{name}` got no answer: {error.observed}") from error
 
     def submit(
         self,
@@ -252,67 +62,12 @@ class CheckContext:
             run.until("ready", _READY_TIMEOUT_S)
         return run
 
-    @staticmethod
-    def submit_body(**members: Any) -> dict[str, Any]:
-        """Give a body for submit_run; members that are None are left out."""
-        body = {"benchmark_id": "calibration", "policy": {"name": "conformance kit"}}
-        return body | {k: v for k, v in members.items() if v is not None}
-
     def adopt(
         self, body: dict[str, Any], http_client: HttpClient | None = None
     ) -> RunClient:
-        """Handle a run that a raw request made; it is stopped after the check."""
-        run = RunClient(self, body, http_client or self.http_client)
-        self._runs.append(run)
-        return run
-
-    @staticmethod
-    def action(**values: Any) -> dict[str, Any]:
-        """Give an action; names that are left out are zero, numbers become vectors."""
-        vectors: dict[str, Any] = {n: [0.0] * size for n, size in ACTION_SIZES.items()}
-        for name, value in values.items():
-            vectors[name] = value if isinstance(value, list) else [value]
-        return {"values": vectors}
-
-    @staticmethod
-    def call_concurrently(*thunks: Callable[[], Any]) -> list[Any]:
-        """Call all at the same time, each in its thread; results in their order."""
-        barrier = threading.Barrier(len(thunks))
-        results: list[Any] = [None] * len(thunks)
-        errors: list[BaseException] = []
-
-        def call(index: int, thunk: Callable[[], Any]) -> None:
-            barrier.wait()
-            try:
-                results[index] = thunk()
-            except BaseException as error:  # noqa: BLE001 - handed to the caller
-                errors.append(error)
-
-        threads = [
-            threading.Thread(target=call, args=pair, daemon=True)
-            for pair in enumerate(thunks)
-        ]
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
-        if errors:
-            raise errors[0]
-        return results
+        """Handle a run that a raw request submitted; it is stopped after the check."""
+        return adopt_run(self, body, http_client)
 
     def for_base_url(self, base_url: str) -> "CheckContext":
-        """Tell the same story to another server, in the same journal."""
+        """Give a context for another server, with the same log and tally."""
         return CheckContext(self.shared, self.name, base_url, self)
-
-    @contextlib.contextmanager
-    def private_server(self) -> Iterator["PrivateServer"]:
-        """Start a server of its own that may be killed; see private.py."""
-        from conformance.runner.private_server import open_private_server
-
-        with open_private_server(self) as server:
-            yield server
-
-    def tidy_up(self) -> None:
-        """End the runs of this story, so that they hold no simulator; best effort."""
-        while self._runs:
-            self._runs.pop().clean_up()

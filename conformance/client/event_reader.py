@@ -16,8 +16,9 @@ from typing import Any
 
 import msgspec
 
-from conformance.client.http_client import Answer, AnswerStream
+from conformance.client.http_client import AnswerStream
 from conformance.client.run_client import RunClient
+from conformance.exchanges.answer import Answer
 from conformance.verdicts.expect import (
     SetUpBody,
     SetUpFailed,

@@ -5,7 +5,6 @@ check's journal and is judged by the rules that hold for all answers. What is se
 never corrected here: a check may send anything.
 """
 
-import codecs
 import contextlib
 import functools
 import http.cookiejar
@@ -16,31 +15,24 @@ import socket
 import ssl
 import threading
 import time
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 from urllib.parse import urlsplit
 
 import httpx
-import msgspec
 
-from conformance.client.exchange_log import Exchange, ExchangeLog
-from conformance.specification.document import (
-    EVENT_STREAM,
-    JSON,
-    MSGPACK,
-    PROBLEM_JSON,
-    Operation,
-    Spec,
-)
+from conformance.client.exchange_log import ExchangeLog
+from conformance.exchanges.answer import Answer, ParsedAnswer, media_type_of, parse
+from conformance.exchanges.exchange import Exchange
+from conformance.specification.document import EVENT_STREAM, JSON, Operation, Spec
 from conformance.verdicts.expect import Violation
-from conformance.verdicts.universal_rules import ParsedAnswer, Tally
 
 OWN_TOKEN = "own"
 # Of an answer that goes on: what is kept, and how long its beginning is waited for.
 _STREAM_BYTES_STORED = 4096
 _FIRST_EVENT_TIMEOUT_S = 3.0
 _FIRST_EVENT = re.compile(rb"^data[^\r\n]*(\r\n|\n|\r){2}", re.MULTILINE)
+Observer = Callable[[Operation | None, ParsedAnswer, Exchange], None]
 _LIMITS = httpx.Limits(
     max_connections=4, max_keepalive_connections=2, keepalive_expiry=2.0
 )
@@ -48,55 +40,6 @@ _LIMITS = httpx.Limits(
 
 class NoAnswer(Violation):
     """The server closed the connection, refused it, or took too long."""
-
-
-@dataclass(frozen=True)
-class Answer:
-    """One HTTP answer; `json` is the parsed body, JSON or MessagePack, or None."""
-
-    status: int
-    headers: httpx.Headers
-    body: bytes
-    started_at: float
-    ended_at: float
-    json: Any
-    exchange: int
-
-    @property
-    def elapsed_s(self) -> float:
-        """Time from sending the request to having read the answer."""
-        return self.ended_at - self.started_at
-
-    @property
-    def code(self) -> str | None:
-        """The problem code, if the body is an object that has one."""
-        code = self.json.get("code") if isinstance(self.json, dict) else None
-        return code if self.status >= 400 and isinstance(code, str) else None
-
-    @property
-    def media_type(self) -> str:
-        """Content type without parameters, in lower case."""
-        return media_type_of(self.headers)
-
-
-def media_type_of(headers: Mapping[str, str]) -> str:
-    """Give the content type without parameters, in lower case."""
-    return headers.get("content-type", "").partition(";")[0].strip().lower()
-
-
-def parse(media_type: str, body: bytes) -> tuple[Any, bool]:
-    """Read a body by its media type; strictly, so that NaN is an error."""
-    try:
-        if media_type in (JSON, PROBLEM_JSON):
-            return msgspec.json.decode(body), True
-        if media_type == MSGPACK:
-            return msgspec.msgpack.decode(body), True
-        if media_type == EVENT_STREAM:
-            # The end of what was kept may be half a character.
-            return codecs.getincrementaldecoder("utf-8")().decode(body), True
-    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
-        pass
-    return None, False
 
 
 class ClientPool:
@@ -199,15 +142,15 @@ class HttpClient:
         token: str | None,
         token_name: str,
         exchange_log: ExchangeLog,
-        tally: Tally,
+        observe: Observer,
     ) -> None:
         self.base_url = base_url.rstrip("/")
         self.token = token
         self._token_name = token_name
         self._clients = clients
         self._spec = spec
-        self._journal = exchange_log
-        self._tally = tally
+        self._exchange_log = exchange_log
+        self._observe = observe
 
     def request(
         self,
@@ -284,8 +227,8 @@ class HttpClient:
         token: str | None = OWN_TOKEN,
     ) -> tuple[httpx.Request, Exchange]:
         url = path if "://" in path else self.base_url + path
-        number = self._journal.next_number()
-        correlation_id = f"{self._journal.name}/{number}"
+        number = self._exchange_log.next_number()
+        correlation_id = f"{self._exchange_log.name}/{number}"
         own_headers = {"X-Correlation-Id": correlation_id}
         bearer = self.token if token == OWN_TOKEN else token
         if bearer is not None:
@@ -337,7 +280,7 @@ class HttpClient:
         except (httpx.TransportError, OSError) as error:
             exchange.elapsed_s = time.monotonic() - exchange.started_at
             exchange.error = f"{type(error).__name__}: {error}"
-            self._journal.add(exchange)
+            self._exchange_log.add(exchange)
             raise NoAnswer("an answer", exchange.error, exchange.number) from error
         return response
 
@@ -355,7 +298,7 @@ class HttpClient:
         exchange.status = response.status_code
         exchange.answer_headers = dict(response.headers)
         exchange.answer_body = body
-        self._journal.add(exchange)
+        self._exchange_log.add(exchange)
         parsed = ParsedAnswer(
             status=response.status_code,
             headers=response.headers,
@@ -364,7 +307,7 @@ class HttpClient:
             value=value,
             is_readable=is_readable,
         )
-        self._tally.observe(operation, parsed, exchange)
+        self._observe(operation, parsed, exchange)
         return Answer(
             status=response.status_code,
             headers=response.headers,

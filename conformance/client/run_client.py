@@ -9,51 +9,28 @@ import contextlib
 import itertools
 import time
 import uuid
-from collections import Counter
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from conformance.client.http_client import Answer, AnswerStream, HttpClient
+from conformance.client.http_client import AnswerStream, HttpClient
+from conformance.client.request_context import RequestContext
+from conformance.exchanges.answer import Answer
 from conformance.specification.document import Operation
 from conformance.verdicts.expect import SetUpFailed, Violation
-
-if TYPE_CHECKING:
-    from conformance.client.check_context import CheckContext
 
 _ENDED = ("completed", "failed", "stopped")
 _CLEAN_UP_TIMEOUT_S = 5.0
 _POLL_FIRST_S = 0.004
 _POLL_LONGEST_S = 0.1
-_TIMEOUT_MIN_S = 0.5
 _VOLATILE = ("updated_at", "queue_position")
 _MAX_PAGES = 2000
-
-
-class AdaptiveTimeouts:
-    """How long to wait for something: less, the more often it did not come.
-
-    A server that never gets there would otherwise cost minutes. What is lost is never
-    a verdict against the server: too little patience leaves a row not verified.
-    """
-
-    def __init__(self) -> None:
-        self._misses: Counter[str] = Counter()
-
-    def of(self, what: str, wanted_s: float) -> float:
-        """Give the time to wait for it, in seconds."""
-        share: float = 0.5 ** self._misses[what]
-        return max(_TIMEOUT_MIN_S, share * wanted_s)
-
-    def record_miss(self, what: str) -> None:
-        """Note that it did not come."""
-        self._misses[what] += 1
 
 
 class RunClient:
     """A run that a check submitted; `body` is the run as last seen."""
 
     def __init__(
-        self, context: "CheckContext", body: dict[str, Any], http_client: HttpClient
+        self, context: RequestContext, body: dict[str, Any], http_client: HttpClient
     ) -> None:
         self.context = context
         self.http_client = http_client
@@ -296,3 +273,14 @@ class WorkerClient:
     def detach(self) -> None:
         """Close the session."""
         self.run.context.require(self.try_detach, 204, "detach_worker")
+
+
+def adopt_run(
+    context: RequestContext,
+    body: dict[str, Any],
+    http_client: HttpClient | None = None,
+) -> RunClient:
+    """Handle a run that a raw request submitted; it is stopped after the check."""
+    run = RunClient(context, body, http_client or context.http_client)
+    context.clean_up_with(run.clean_up)
+    return run

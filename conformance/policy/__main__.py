@@ -16,10 +16,11 @@ from pathlib import Path
 from typing import Any
 
 from conformance.cli.console import Terminal
-from conformance.cli.settings import Settings
-from conformance.client.check_context import CheckContext, SharedContext
-from conformance.policy.turns import calibration
+from conformance.client.check_context import CheckContext
+from conformance.client.request_context import SharedContext
+from conformance.policy.turn_builder import calibration
 from conformance.reports.files import write_reports
+from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge
 from conformance.specification.document import load_policy_spec, spec_name
 from conformance.specification.ledger import POLICY, load_ledger

@@ -8,8 +8,8 @@ import itertools
 from typing import Any
 
 from conformance.client.check_context import CheckContext
-from conformance.client.http_client import Answer
-from conformance.policy import turns
+from conformance.exchanges.answer import Answer
+from conformance.policy import turn_builder
 from conformance.verdicts.expect import SetUpFailed
 
 _numbers = itertools.count(1)
@@ -23,11 +23,11 @@ class PolicySession:
         self.benchmark = context.benchmark
         self.session_id = f"kit-{context.random.randrange(10**9)}-{next(_numbers)}"
         self.seq = 0
-        self.view = turns.episode(self.benchmark)
+        self.view = turn_builder.episode(self.benchmark)
 
     def reset_body(self, index: int = 0, attempt: int = 1) -> dict[str, Any]:
         """Give the body of a reset; the turns that follow are of that attempt."""
-        self.view = turns.episode(self.benchmark, index, attempt)
+        self.view = turn_builder.episode(self.benchmark, index, attempt)
         return {
             "session_id": self.session_id,
             "run_id": "run_kit",
@@ -46,7 +46,9 @@ class PolicySession:
 
     def turn(self, **members: Any) -> dict[str, Any]:
         """Give the next turn."""
-        turn_body = turns.turn(self.benchmark, self.session_id, self.seq, self.view)
+        turn_body = turn_builder.turn(
+            self.benchmark, self.session_id, self.seq, self.view
+        )
         return turn_body | members
 
     def try_predict(self, turn: dict[str, Any] | None = None, **how: Any) -> Answer:

@@ -8,10 +8,11 @@ from collections.abc import Iterator
 from typing import Any
 from urllib.parse import urlsplit
 
-from conformance.client.check_context import CheckContext, RunClient
-from conformance.client.http_client import Answer
-from conformance.policy.chat import ScriptedChat
-from conformance.policy.scripted import ScriptedPolicy
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient
+from conformance.exchanges.answer import Answer
+from conformance.policy.scripted_chat import ScriptedChat
+from conformance.policy.scripted_policy import ScriptedPolicy
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed, Violation
 

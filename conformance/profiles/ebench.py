@@ -9,8 +9,11 @@ import struct
 from collections.abc import Mapping
 from typing import Any
 
-from conformance.client.check_context import ACTION_SIZES, CheckContext, RunClient
-from conformance.client.http_client import Answer, HttpClient
+from conformance.client.calibration_actions import ACTION_SIZES
+from conformance.client.check_context import CheckContext
+from conformance.client.http_client import HttpClient
+from conformance.client.run_client import RunClient
+from conformance.exchanges.answer import Answer
 from conformance.profiles import pickles
 from conformance.verdicts.expect import (
     SetUpBody,

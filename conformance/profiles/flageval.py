@@ -11,8 +11,8 @@ from typing import Any
 
 from conformance.client.check_context import CheckContext
 from conformance.client.http_client import HttpClient
-from conformance.policy.chat import ScriptedChat
 from conformance.policy.push_run import is_local
+from conformance.policy.scripted_chat import ScriptedChat
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed, Violation
 

@@ -7,8 +7,8 @@ import json
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
-from conformance.cli.console import card
 from conformance.reports.badge import badge
+from conformance.reports.failure_card import card
 from conformance.reports.html import page
 from conformance.specification.document import load_spec, spec_sha256
 from conformance.specification.ledger import load_ledger

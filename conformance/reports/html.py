@@ -7,8 +7,8 @@ import html
 from collections.abc import Iterable
 from pathlib import Path
 
-from conformance.client.curl import outcome_of, script
-from conformance.client.exchange_log import Exchange
+from conformance.exchanges.curl import outcome_of, script
+from conformance.exchanges.exchange import Exchange
 from conformance.specification.document import load_spec, spec_sha256
 from conformance.specification.ledger import load_ledger
 from conformance.verdicts.result import Result

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from conformance.cli.settings import Settings
+from conformance.run_settings import Settings
 from conformance.runner.pytest_plugin import (
     SERVER_UNREACHABLE,
     TALLY,

@@ -13,9 +13,11 @@ from typing import Any
 
 from jsonschema import Draft202012Validator
 
-from conformance.cli.settings import Settings
-from conformance.client.check_context import CheckContext, SharedContext
-from conformance.client.http_client import Answer, HttpClient
+from conformance.client.check_context import CheckContext
+from conformance.client.http_client import HttpClient
+from conformance.client.request_context import SharedContext
+from conformance.exchanges.answer import Answer
+from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
 from conformance.verdicts.expect import Violation, describe_answer
 

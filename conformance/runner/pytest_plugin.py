@@ -17,9 +17,10 @@ from typing import Any
 import httpx
 import pytest
 
-from conformance.cli.settings import Settings
-from conformance.client.check_context import CheckContext, SharedContext
-from conformance.client.curl import select_exchanges_for
+from conformance.client.check_context import CheckContext
+from conformance.client.request_context import SharedContext
+from conformance.exchanges.curl import select_exchanges_for
+from conformance.run_settings import Settings
 from conformance.verdicts import expect
 from conformance.verdicts.result import is_offered, select
 from conformance.verdicts.verdict import Outcome, Verdict

@@ -9,12 +9,10 @@ Anything else is a fault of the kit itself.
 import itertools
 import json
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from conformance.exchanges.answer import Answer
 from conformance.specification.document import load_spec
-
-if TYPE_CHECKING:
-    from conformance.client.http_client import Answer
 
 TIME_WAS_UP = "time was up"
 _LONGEST_TEXT = 600
@@ -82,7 +80,7 @@ class SetUpBody(dict[str, Any]):
         raise SetUpFailed(f"an answer lacks the member `{key}`; it has {sorted(self)}")
 
 
-def ok(answer: "Answer", status: int = 200) -> Any:
+def ok(answer: Answer, status: int = 200) -> Any:
     """Expect success, and give the body."""
     if answer.status != status:
         raise Violation(f"status {status}", describe_answer(answer), answer.exchange)
@@ -90,7 +88,7 @@ def ok(answer: "Answer", status: int = 200) -> Any:
 
 
 def refused(
-    answer: "Answer", code: str, *, pointer: str | None = None, **members: Any
+    answer: Answer, code: str, *, pointer: str | None = None, **members: Any
 ) -> dict[str, Any]:
     """Expect a refusal with this code, its status, and these members."""
     status = load_spec().problems[code]["status"]
@@ -156,14 +154,14 @@ def true(condition: object, what: str, observed: Any = None) -> None:
         )
 
 
-def require(answer: "Answer", status: int, step: str) -> Any:
+def require(answer: Answer, status: int, step: str) -> Any:
     """Take a step that is not under test; what it gives, or SetUpFailed."""
     if answer.status != status:
         raise SetUpFailed(f"{step} was answered with {describe_answer(answer)}")
     return _wrap(answer.json, SetUpBody)
 
 
-def describe_answer(answer: "Answer") -> str:
+def describe_answer(answer: Answer) -> str:
     """Say an answer in one line."""
     if answer.code is not None:
         detail = answer.json.get("detail", "")

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from conformance.cli.settings import Settings
-from conformance.client.curl import script
+from conformance.exchanges.curl import script
+from conformance.run_settings import Settings
 from conformance.specification.document import load_spec, spec_sha256
 from conformance.specification.ledger import (
     NEVER_ANNOUNCED,

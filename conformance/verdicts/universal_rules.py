@@ -8,11 +8,11 @@ problem breaks ERR-001 alone, not the schema (SVC-003) as well.
 
 import re
 from collections import Counter
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from conformance.client.exchange_log import Exchange
+from conformance.exchanges.answer import ParsedAnswer
+from conformance.exchanges.exchange import Exchange
 from conformance.specification.document import PROBLEM_JSON, Operation, Spec
 from conformance.verdicts.expect import format_value
 
@@ -29,18 +29,6 @@ class Breach:
     expected: str
     observed: str
     exchange: Exchange
-
-
-@dataclass(frozen=True)
-class ParsedAnswer:
-    """The parts of an answer that the rules look at."""
-
-    status: int
-    headers: Mapping[str, str]
-    media_type: str
-    body: bytes
-    value: Any
-    is_readable: bool
 
 
 class Tally:

@@ -13,7 +13,7 @@ from dataclasses import asdict, dataclass, field
 from enum import StrEnum
 from typing import Any
 
-from conformance.client.exchange_log import Exchange
+from conformance.exchanges.exchange import Exchange
 
 
 class Outcome(StrEnum):

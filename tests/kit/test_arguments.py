@@ -14,7 +14,7 @@ import pytest
 
 from conformance.cli.arguments import BadArguments, build_parser, read_choice
 from conformance.cli.main import main
-from conformance.cli.settings import Settings
+from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import load_ledger
 from conformance.verdicts.result import Result, conclude

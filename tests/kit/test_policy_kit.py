@@ -19,7 +19,7 @@ import pytest
 import yaml
 from starlette.requests import Request
 
-from conformance.policy.turns import calibration
+from conformance.policy.turn_builder import calibration
 from conformance.specification.document import load_policy_spec, load_spec
 from conformance.specification.ledger import POLICY, load_ledger
 from reference_client.policies import policy_http_app

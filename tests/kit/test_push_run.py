@@ -12,8 +12,8 @@ from typing import Any
 import jsonschema
 import pytest
 
-from conformance.policy import push_run, turns
-from conformance.policy.scripted import PolicyCall, ScriptedPolicy, busy_reply
+from conformance.policy import push_run, turn_builder
+from conformance.policy.scripted_policy import PolicyCall, ScriptedPolicy, busy_reply
 from conformance.specification.document import load_policy_spec, load_spec
 from conformance.verdicts.expect import SetUpFailed, Violation
 from tests.support.paths import ROOT
@@ -95,12 +95,12 @@ def test_an_unknown_own_address_leaves_the_rules_unverified() -> None:
 
 def test_answers_of_the_kits_policy_fit_the_document() -> None:
     """What a judged server is given must be right, or its faults are ours."""
-    benchmark = turns.calibration()
-    view = turns.episode(benchmark)
+    benchmark = turn_builder.calibration()
+    view = turn_builder.episode(benchmark)
     bodies = {
         "describe_policy": None,
         "reset": {"session_id": "s", "benchmark": benchmark, "episode": view},
-        "predict": turns.turn(benchmark, "s", 0, view),
+        "predict": turn_builder.turn(benchmark, "s", 0, view),
     }
     spec = load_policy_spec()
     with ScriptedPolicy() as policy:

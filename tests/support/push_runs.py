@@ -1,6 +1,6 @@
 """Builds push runs for tests, and policy servers that misbehave.
 
-`conformance.policy.scripted` is the policy server; bytes that no HTTP library would
+`conformance.policy.scripted_policy` is the policy server; bytes that no HTTP library would
 send come from a plain socket.
 """
 

@@ -3,8 +3,8 @@
 import base64
 from typing import Any
 
-from conformance.client.check_context import CheckContext, RunClient
-from conformance.policy.chat import ScriptedChat
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient
 from conformance.policy.push_run import (
     chat_server,
     expect_end,
@@ -13,6 +13,7 @@ from conformance.policy.push_run import (
     push_body,
     require_permitted,
 )
+from conformance.policy.scripted_chat import ScriptedChat
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable

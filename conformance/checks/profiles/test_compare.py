@@ -13,7 +13,9 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from conformance.checks.runs.test_scoring import (
+from conformance.checks.support.generated_examples import for_all
+from conformance.checks.support.given_states import make_run_in_state, without
+from conformance.checks.support.planned_run import (
     ABANDONED,
     EPISODE_PLANS,
     FAILURE,
@@ -23,9 +25,8 @@ from conformance.checks.runs.test_scoring import (
     PlannedRun,
     expect_close,
 )
-from conformance.checks.support.generated_examples import for_all
-from conformance.checks.support.given_states import make_run_in_state, without
-from conformance.client.check_context import CheckContext, RunClient
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient
 from conformance.oracle.expected_comparison import expected_comparison
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect

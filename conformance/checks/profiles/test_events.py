@@ -17,7 +17,7 @@ from conformance.checks.support.given_states import (
     make_run_in_state,
     submit_and_attach,
 )
-from conformance.client.check_context import CheckContext, RunClient, WorkerClient
+from conformance.client.check_context import CheckContext
 from conformance.client.event_reader import (
     ANSWER_TIMEOUT_S,
     Event,
@@ -25,7 +25,8 @@ from conformance.client.event_reader import (
     follow_run,
 )
 from conformance.client.http_client import NoAnswer
-from conformance.runner.private_server import PrivateServer
+from conformance.client.run_client import RunClient, WorkerClient
+from conformance.runner.private_server import PrivateServer, open_private_server
 from conformance.runner.requirement import background, requirement
 from conformance.specification.document import JSON
 from conformance.verdicts import expect
@@ -297,7 +298,7 @@ def test_evt_009_keeps_what_it_told(context: CheckContext) -> None:
     if context.shared.settings.restart_cmd is not None:
         text = "needs --start-cmd: a hook disturbs other checks"
         raise SetUpFailed(text, allowed=True)
-    with context.private_server() as server:
+    with open_private_server(context) as server:
         worker = submit_and_attach(server.context, "score", "score", "score")
         run = worker.run
         worker.play(score=0.25)

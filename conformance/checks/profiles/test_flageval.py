@@ -9,8 +9,8 @@ from collections.abc import Callable
 
 from conformance.client.check_context import CheckContext
 from conformance.oracle.expected_score import is_close
-from conformance.policy.chat import ChatRequest, ScriptedChat
 from conformance.policy.push_run import chat_server
+from conformance.policy.scripted_chat import ChatRequest, ScriptedChat
 from conformance.profiles.flageval import (
     DATASETS,
     END_TIMEOUT_S,

@@ -1,7 +1,7 @@
 """What a policy server has to do, for servers that call it (POL)."""
 
 from conformance.client.check_context import CheckContext
-from conformance.policy import turns
+from conformance.policy import turn_builder
 from conformance.policy.policy_client import PolicySession
 from conformance.runner.requirement import requirement
 from conformance.specification.document import JSON
@@ -79,7 +79,7 @@ def test_pol_005_actions_fit_the_benchmark(context: CheckContext) -> None:
     """A few turns are played. Expect actions that the benchmark would not refuse."""
     session = _start_attempt(context)
     for _ in range(_TURNS):
-        action_faults = turns.action_faults(session.benchmark, session.predict())
+        action_faults = turn_builder.action_faults(session.benchmark, session.predict())
         expect.true(
             not action_faults, "actions that fit the benchmark", action_faults[:3]
         )

@@ -13,12 +13,13 @@ from conformance.policy.push_run import (
     push_body,
     submit_push_run,
 )
-from conformance.policy.scripted import (
+from conformance.policy.scripted_policy import (
     PolicyCall,
     PolicyReply,
     ScriptedPolicy,
     busy_reply,
 )
+from conformance.runner.private_server import open_private_server
 from conformance.runner.requirement import background, requirement
 from conformance.specification.document import PROBLEM_JSON
 from conformance.verdicts import expect
@@ -337,7 +338,7 @@ def test_push_017_goes_on_after_a_crash(context: CheckContext) -> None:
             "needs --start-cmd: a hook disturbs other checks", allowed=True
         )
     released, key = threading.Event(), secrets.token_hex(16)
-    with context.private_server() as server, policy_server(context) as policy:
+    with open_private_server(context) as server, policy_server(context) as policy:
 
         def slow_reply(call: PolicyCall) -> PolicyReply:
             if call.body["episode"]["index"] == 2:

@@ -5,8 +5,9 @@ import time
 from typing import Any
 
 from conformance.checks.support.given_states import attach_workers
-from conformance.client.check_context import CheckContext, RunClient, WorkerClient
-from conformance.runner.private_server import PrivateServer
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient, WorkerClient
+from conformance.runner.private_server import PrivateServer, open_private_server
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
@@ -59,7 +60,7 @@ def test_crash_001_keeps_what_it_told(context: CheckContext) -> None:
 
     Expect every result that a worker was told of, unchanged, after each restart.
     """
-    with context.private_server() as server:
+    with open_private_server(context) as server:
         results_by_run: list[tuple[RunClient, list[Any]]] = []
         for _ in range(KILLS):
             results_by_run.append(
@@ -91,7 +92,7 @@ def test_crash_002_costs_no_attempt(context: CheckContext) -> None:
     Expect them to wait at attempt 1, and the run to be played to its end, after a
     resume if it asks for one.
     """
-    with context.private_server() as server:
+    with open_private_server(context) as server:
         run = server.context.submit("score", "count", "score", max_attempts=1)
         workers = attach_workers(run, min(2, server.context.limits["max_workers"]))
         workers[0].play(score=0.75)

@@ -11,7 +11,8 @@ from conformance.checks.support.given_states import (
     submit_and_attach,
     without,
 )
-from conformance.client.check_context import CheckContext, RunClient, WorkerClient
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient, WorkerClient
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed

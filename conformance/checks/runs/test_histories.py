@@ -5,7 +5,7 @@ from functools import partial
 from hypothesis import strategies as st
 
 from conformance.checks.support.generated_examples import for_all
-from conformance.checks.support.model_session import (
+from conformance.checks.support.modelled_run import (
     ATTACH,
     ATTACH_AGAIN,
     NEXT_SEQ,

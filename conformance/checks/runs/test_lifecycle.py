@@ -16,8 +16,9 @@ from conformance.checks.support.given_states import (
     require_worker_limit,
     start_drain,
 )
-from conformance.client.check_context import CheckContext, RunClient
-from conformance.client.http_client import Answer
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient
+from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.specification.document import load_spec
 from conformance.verdicts import expect

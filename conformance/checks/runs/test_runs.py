@@ -8,8 +8,9 @@ from typing import Any
 from urllib.parse import urljoin, urlsplit
 
 from conformance.checks.support.given_states import expect_pointer
-from conformance.client.check_context import CheckContext, RunClient
-from conformance.client.http_client import Answer
+from conformance.checks.support.submissions import submit
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, NotApplicable, SetUpFailed
@@ -19,14 +20,6 @@ _LATE_S = 1.0
 _TOO_LATE_S = 5.0
 # Timers of the server and of this machine may disagree by so much.
 _EARLY_S = 0.02
-
-
-def submit(context: CheckContext, body: dict[str, Any], **how: Any) -> Answer:
-    """Submit as it is; a run that comes of it is stopped after the check."""
-    answer = context.call("submit_run", json=body, **how)
-    if answer.status == 201 and isinstance(answer.json, dict):
-        context.adopt(answer.json, how.get("http_client"))
-    return answer
 
 
 def uniquely_named_body(context: CheckContext) -> dict[str, Any]:

@@ -12,7 +12,8 @@ from typing import Any
 import msgspec
 from PIL import Image
 
-from conformance.client.check_context import CheckContext, WorkerClient
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import WorkerClient
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed

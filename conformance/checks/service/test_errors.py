@@ -7,7 +7,6 @@ from typing import Any
 
 import msgspec
 
-from conformance.checks.runs.test_runs import submit
 from conformance.checks.support.fuzz import fuzz_operations
 from conformance.checks.support.given_states import count
 from conformance.checks.support.invalid_bodies import (
@@ -23,8 +22,10 @@ from conformance.checks.support.operation_samples import (
     operation_samples,
     send,
 )
-from conformance.client.check_context import CheckContext, WorkerClient
-from conformance.client.http_client import Answer
+from conformance.checks.support.submissions import submit
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import WorkerClient
+from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed

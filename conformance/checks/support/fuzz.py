@@ -21,9 +21,10 @@ from schemathesis.config import SchemathesisConfig
 from schemathesis.core.result import Err
 
 from conformance.checks.support.operation_samples import operation_samples, send
-from conformance.client.check_context import CheckContext
-from conformance.client.http_client import Answer, NoAnswer
-from conformance.client.run_client import WorkerClient
+from conformance.client.http_client import NoAnswer
+from conformance.client.request_context import RequestContext
+from conformance.client.run_client import WorkerClient, adopt_run
+from conformance.exchanges.answer import Answer
 from conformance.specification.document import JSON, MSGPACK, Operation
 from conformance.verdicts.expect import KitError, Violation, describe_answer
 
@@ -128,7 +129,7 @@ def _try_operation(
 
 
 def _send(
-    context: CheckContext, worker: WorkerClient, operation: Operation, case: Any
+    context: RequestContext, worker: WorkerClient, operation: Operation, case: Any
 ) -> Answer | None:
     """Send a generated request; None if HTTP itself cannot carry it."""
     if context.random.random() < _EXISTING_IDS_SHARE:
@@ -155,7 +156,7 @@ def _send(
     except httpx.LocalProtocolError:
         return None
     if operation.operation_id == "submit_run" and answer.status == 201:
-        context.adopt(answer.json)
+        adopt_run(context, answer.json)
     return answer
 
 

@@ -10,7 +10,7 @@ from hypothesis.errors import Flaky
 from hypothesis.strategies import SearchStrategy
 
 from conformance.client.check_context import CheckContext
-from conformance.client.exchange_log import Exchange
+from conformance.exchanges.exchange import Exchange
 from conformance.verdicts.expect import (
     Inconclusive,
     NotApplicable,

@@ -7,8 +7,10 @@ a rule was broken, except `expect_pointer`, which completes `expect.refused`.
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from conformance.client.check_context import CheckContext, RunClient, WorkerClient
-from conformance.client.http_client import Answer
+from conformance.client.check_context import CheckContext
+from conformance.client.request_context import RequestContext
+from conformance.client.run_client import RunClient, WorkerClient
+from conformance.exchanges.answer import Answer
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
@@ -37,7 +39,7 @@ def require_duration(answer: Answer, delay_s: float) -> None:
         raise SetUpFailed(text)
 
 
-def require_worker_limit(context: CheckContext, workers: int) -> None:
+def require_worker_limit(context: RequestContext, workers: int) -> None:
     """Go on only if a run may have so many live workers."""
     if context.limits["max_workers"] < workers:
         raise NotApplicable(f"the server allows no {workers} live workers in a run")

@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from conformance.client.check_context import CheckContext
-from conformance.client.http_client import Answer, HttpClient
-from conformance.client.run_client import RunClient, WorkerClient
+from conformance.client.http_client import HttpClient
+from conformance.client.run_client import RunClient, WorkerClient, adopt_run
+from conformance.exchanges.answer import Answer
 
 OperationSample = tuple[str, dict[str, Any]]
 READ_OPERATIONS = frozenset(
@@ -75,5 +76,5 @@ def send(
     operation_id, how = sample
     answer = run.call(operation_id, http_client=http_client or run.http_client, **how)
     if operation_id == "submit_run" and answer.status == 201:
-        run.context.adopt(answer.json, http_client)
+        adopt_run(run.context, answer.json, http_client)
     return answer

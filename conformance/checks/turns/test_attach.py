@@ -13,8 +13,9 @@ from conformance.checks.support.given_states import (
     submit_and_attach,
     without,
 )
-from conformance.client.check_context import CheckContext, WorkerClient
-from conformance.client.http_client import Answer
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import WorkerClient
+from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed

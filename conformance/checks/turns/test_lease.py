@@ -10,8 +10,9 @@ import time
 from collections.abc import Callable
 
 from conformance.checks.support.given_states import require_duration
-from conformance.client.check_context import CheckContext, WorkerClient
-from conformance.client.http_client import Answer
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import WorkerClient
+from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive

@@ -15,7 +15,8 @@ from conformance.checks.support.given_states import (
     submit_and_attach,
     without,
 )
-from conformance.client.check_context import CheckContext, WorkerClient
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import WorkerClient
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 

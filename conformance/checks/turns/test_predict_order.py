@@ -10,7 +10,8 @@ from conformance.checks.support.given_states import (
     require_not_seq_refusal,
     submit_and_attach,
 )
-from conformance.client.check_context import CheckContext, WorkerClient
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import WorkerClient
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, NotApplicable, SetUpFailed

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from conformance.policy.scripted import (
+from conformance.policy.scripted_policy import (
     PolicyCall,
     PolicyReply,
     ScriptedPolicy,

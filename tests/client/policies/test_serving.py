@@ -16,7 +16,7 @@ from typing import Any
 import httpx
 import pytest
 
-from conformance.policy import turns
+from conformance.policy import turn_builder
 from reference_client import Observation
 from reference_client.policies import policy_http_app
 from reference_client.policies.policy_http_app import PolicyApp
@@ -37,7 +37,7 @@ from tests.support.servers import TIMEOUT_S, ReferenceServer
 
 pytestmark = pytest.mark.usefixtures("policy_key")
 
-BENCHMARK = turns.calibration()
+BENCHMARK = turn_builder.calibration()
 
 
 @contextlib.contextmanager
@@ -55,14 +55,14 @@ def reset(client: httpx.Client, session_id: str, index: int = 0) -> httpx.Respon
         "session_id": session_id,
         "run_id": "r",
         "benchmark": BENCHMARK,
-        "episode": turns.episode(BENCHMARK, index),
+        "episode": turn_builder.episode(BENCHMARK, index),
     }
     return client.post("/v1/policy/reset", json=body)
 
 
 def predict(client: httpx.Client, session_id: str, seq: int = 0) -> httpx.Response:
-    view = turns.episode(BENCHMARK)
-    body = turns.turn(BENCHMARK, session_id, seq, view)
+    view = turn_builder.episode(BENCHMARK)
+    body = turn_builder.turn(BENCHMARK, session_id, seq, view)
     return client.post("/v1/policy/predict", json=body)
 
 
@@ -164,7 +164,7 @@ def test_a_picture_that_does_not_decode_is_refused() -> None:
     picture = {"codec": "raw", "width": 9, "height": 9, "channels": 3, "data": "AAAA"}
     with call_app(make_app()) as client:
         reset(client, "s")
-        turn = turns.turn(BENCHMARK, "s", 0, turns.episode(BENCHMARK))
+        turn = turn_builder.turn(BENCHMARK, "s", 0, turn_builder.episode(BENCHMARK))
         turn["observation"]["images"] = {"front": picture}
         answer = client.post("/v1/policy/predict", json=turn)
         assert answer.json()["code"] == "invalid_request"

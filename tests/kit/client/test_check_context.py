@@ -9,11 +9,12 @@ from functools import partial
 import httpx
 import pytest
 
-from conformance.cli.settings import Settings
-from conformance.client.check_context import CheckContext, SharedContext
+from conformance.client.adaptive_timeouts import AdaptiveTimeouts
+from conformance.client.check_context import CheckContext
 from conformance.client.exchange_log import ExchangeLog
-from conformance.client.http_client import Answer
-from conformance.client.run_client import AdaptiveTimeouts
+from conformance.client.request_context import SharedContext
+from conformance.exchanges.answer import Answer
+from conformance.run_settings import Settings
 from conformance.runner.preflight import inspect
 from conformance.runner.pytest_plugin import judge
 from conformance.specification.document import load_spec

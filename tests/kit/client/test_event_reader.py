@@ -10,9 +10,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from conformance.cli.settings import Settings
-from conformance.client.check_context import CheckContext, RunClient, SharedContext
+from conformance.client.check_context import CheckContext
 from conformance.client.event_reader import Event, EventParser, follow_run
+from conformance.client.request_context import SharedContext
+from conformance.client.run_client import RunClient
+from conformance.run_settings import Settings
 from conformance.runner.preflight import inspect
 from conformance.verdicts.expect import SetUpFailed, Violation
 from tests.support import null_servers

@@ -8,17 +8,18 @@ import jsonschema
 import pytest
 
 from conformance.cli.arguments import BadArguments, read_known_failures
-from conformance.cli.console import card
-from conformance.cli.settings import Settings
-from conformance.client.curl import script
-from conformance.client.exchange_log import Exchange
+from conformance.exchanges.answer import ParsedAnswer
+from conformance.exchanges.curl import script
+from conformance.exchanges.exchange import Exchange
 from conformance.reports.badge import badge
+from conformance.reports.failure_card import card
 from conformance.reports.files import junit, write_reports
 from conformance.reports.html import page
+from conformance.run_settings import Settings
 from conformance.specification import ledger
 from conformance.specification.document import load_spec
 from conformance.verdicts.result import Result, as_plain, conclude
-from conformance.verdicts.universal_rules import ParsedAnswer, Tally
+from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
 from tests.support.paths import ROOT
 

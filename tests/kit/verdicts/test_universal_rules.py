@@ -5,10 +5,10 @@ from typing import Any
 
 import pytest
 
-from conformance.client.exchange_log import Exchange
-from conformance.client.http_client import media_type_of, parse
+from conformance.exchanges.answer import ParsedAnswer, media_type_of, parse
+from conformance.exchanges.exchange import Exchange
 from conformance.specification.document import load_spec
-from conformance.verdicts.universal_rules import UNIVERSAL_RULES, ParsedAnswer, Tally
+from conformance.verdicts.universal_rules import UNIVERSAL_RULES, Tally
 
 PROBLEM = {
     "type": "urn:x",

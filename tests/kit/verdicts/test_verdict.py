@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from conformance.client.exchange_log import Exchange
+from conformance.exchanges.exchange import Exchange
 from conformance.verdicts.verdict import Outcome, Verdict, exit_code
 
 LEVELS = {"A-001": "MUST", "A-002": "MUST", "A-003": "SHOULD"}

@@ -8,7 +8,7 @@ from reference_server.profiles.ebench.lost_answers import LostAnswers
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Predict, Replay, decide
 from reference_server.rules.run import Session
-from tests.conftest import ACTION, NOW, add_session, make_run
+from tests.support.server.runs import ACTION, NOW, add_session, make_run
 
 
 def predict(seq: int) -> Predict:

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import httpx
 import pytest
 
-from conformance.policy.chat import ScriptedChat
+from conformance.policy.scripted_chat import ScriptedChat
 from tests.support.profiles.flageval_client import KEY
 from tests.support.push_runs import start_push_server
 from tests.support.servers import ReferenceServer

@@ -9,7 +9,7 @@ from typing import Any
 import httpx
 import pytest
 
-from conformance.policy.chat import ChatRequest, ScriptedChat
+from conformance.policy.scripted_chat import ChatRequest, ScriptedChat
 from reference_server.http.handlers import Handlers
 from reference_server.profiles import profile_tables
 from reference_server.profiles.flageval.evaluation_responses import TOLERANCE, status_of

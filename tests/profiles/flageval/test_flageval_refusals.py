@@ -7,7 +7,7 @@ from typing import Any
 import httpx
 import pytest
 
-from conformance.policy.chat import ScriptedChat
+from conformance.policy.scripted_chat import ScriptedChat
 from tests.support.profiles.flageval_client import (
     KEY,
     get_evaldiffs,

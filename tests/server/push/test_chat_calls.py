@@ -10,7 +10,7 @@ import httpx
 import pytest
 from PIL import Image
 
-from conformance.policy.chat import ScriptedChat
+from conformance.policy.scripted_chat import ScriptedChat
 from reference_server.push.chat_calls import ChatPolicy, read_answer
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.question_answering.questions import action, draw

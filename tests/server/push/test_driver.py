@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from conformance.policy.scripted import PolicyCall, PolicyReply, ScriptedPolicy
+from conformance.policy.scripted_policy import PolicyCall, PolicyReply, ScriptedPolicy
 from reference_server.generated import models
 from reference_server.http.problems import PROBLEM_JSON
 from reference_server.push import driver

@@ -13,7 +13,7 @@ from typing import Any
 import httpx
 import pytest
 
-from conformance.policy.scripted import PolicyCall, PolicyReply, ScriptedPolicy
+from conformance.policy.scripted_policy import PolicyCall, PolicyReply, ScriptedPolicy
 from reference_server.allowed_networks import Address
 from reference_server.push import egress
 from reference_server.push.egress import (

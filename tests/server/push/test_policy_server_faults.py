@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from conformance.client.check_context import CheckContext
-from conformance.policy.scripted import (
+from conformance.policy.scripted_policy import (
     PolicyCall,
     PolicyReply,
     ScriptedPolicy,

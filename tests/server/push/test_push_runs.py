@@ -14,7 +14,7 @@ import httpx
 import pytest
 
 from conformance.client.check_context import CheckContext
-from conformance.policy.scripted import PolicyCall, PolicyReply, ScriptedPolicy
+from conformance.policy.scripted_policy import PolicyCall, PolicyReply, ScriptedPolicy
 from reference_server.generated import models
 from reference_server.http.codec import validate
 from tests.support.paths import ROOT

@@ -7,7 +7,7 @@ from typing import Any
 
 import httpx
 
-from conformance.policy.chat import ScriptedChat
+from conformance.policy.scripted_chat import ScriptedChat
 from tests.support.servers import TIMEOUT_S
 
 KEY = "sk-this-is-nobodys-business"

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any, Self
 
-from conformance.client.check_context import CheckContext
+from conformance.client.calibration_actions import action
 from conformance.specification.document import JSON, PROBLEM_JSON, load_spec
 
 OPERATIONS = {
@@ -134,7 +134,7 @@ class ScriptedPolicy:
 
     def final_action_reply(self, call: PolicyCall) -> PolicyReply:
         """End the episode with the score."""
-        return self.actions_reply(call, CheckContext.action(score=self.score, end=1))
+        return self.actions_reply(call, action(score=self.score, end=1))
 
     def actions_reply(
         self, call: PolicyCall, *actions: Mapping[str, Any]

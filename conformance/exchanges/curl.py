@@ -14,7 +14,7 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from conformance.client.exchange_log import Exchange
+from conformance.exchanges.exchange import Exchange
 from conformance.specification.document import EVENT_STREAM
 
 _CAPTURED_MEMBERS = {"run_id": "RUN", "session_id": "SESSION", "next_cursor": "CURSOR"}

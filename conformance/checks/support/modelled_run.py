@@ -11,8 +11,9 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from conformance.client.check_context import CheckContext, RunClient
-from conformance.client.http_client import Answer
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient
+from conformance.exchanges.answer import Answer
 from conformance.oracle.allowed_answers import Deviation, PossibleRuns, advance
 from conformance.oracle.expected_score import expected_score, is_close
 from conformance.oracle.linearizability import TimedExchange, split_command

@@ -1,0 +1,128 @@
+"""Runs that are played to a plan: an outcome and a score for every episode.
+
+The task `score` gives an episode the score that its action carries, so a check can
+play any pattern of outcomes. The expected score of the run comes from
+`oracle/expected_score.py`.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from hypothesis import strategies as st
+
+from conformance.checks.support.given_states import index_of, results
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient, WorkerClient
+from conformance.oracle.expected_score import expected_score, is_close
+from conformance.verdicts import expect
+from conformance.verdicts.expect import SetUpFailed
+
+
+@dataclass(frozen=True)
+class PlannedEpisode:
+    """What is to become of an episode; an outcome of None leaves it unscored."""
+
+    outcome: str | None
+    score: float = 0.0
+    task: str = "score"
+
+
+SUCCESS, FAILURE, UNPLAYED = (
+    PlannedEpisode("success", 0.9),
+    PlannedEpisode("failure", 0.2),
+    PlannedEpisode(None),
+)
+ABANDONED = PlannedEpisode("abandoned", 0.7)
+
+
+class PlannedRun:
+    """A run that is played trial by trial, and what its score must be."""
+
+    def __init__(self, context: CheckContext, plan: Sequence[PlannedEpisode]) -> None:
+        self.run: RunClient = context.submit(*[t.task for t in plan], max_attempts=1)
+        self.played = 0
+        self._story = context
+        self._plan = plan
+        self._worker: WorkerClient | None = None
+
+    def play_next(self) -> None:
+        """Play one episode to the outcome that is planned."""
+        if self._worker is None:
+            self._worker = self.run.worker()
+            self._worker.attach()
+        if index_of(self._worker) != self.played:
+            raise SetUpFailed("episodes come in another order; see EPI-001")
+        planned_episode = self._plan[self.played]
+        is_abandoned = planned_episode.outcome == "abandoned"
+        self._worker.predict(
+            self._story.action(
+                score=planned_episode.score,
+                success=int(planned_episode.outcome == "success"),
+                end=int(not is_abandoned),
+            )
+        )
+        if is_abandoned:
+            self._worker.detach()
+            self._worker = None
+            result = results(self.run)[self.played]
+            if result is None or result["outcome"] != "abandoned":
+                raise SetUpFailed("the last attempt is not abandoned; see EPI-004")
+        self.played += 1
+
+    def play_all(self) -> dict[str, Any]:
+        """Play up to the first trial that is to be left; the score then."""
+        while self.played < len(self._plan) and self._plan[self.played].outcome:
+            self.play_next()
+        return self.score()
+
+    def score(self) -> dict[str, Any]:
+        """Read the score, whose members are what is under test."""
+        return expect.ExpectedBody(self.run.score())
+
+    def expected(self) -> dict[str, Any]:
+        """Work out the score, of what was played so far."""
+        return expected_score(self.episodes())
+
+    def episodes(self) -> list[dict[str, Any]]:
+        """Give what was played so far in the format of the scoring vectors."""
+        return [
+            {
+                "task": planned_episode.task,
+                "split": ("even", "odd")[index % 2],
+                "outcome": planned_episode.outcome if index < self.played else None,
+                "score": _score_of(planned_episode),
+            }
+            for index, planned_episode in enumerate(self._plan)
+        ]
+
+
+def _score_of(planned_episode: PlannedEpisode) -> float:
+    return (
+        planned_episode.score
+        if planned_episode.task == "score"
+        else float(planned_episode.outcome == "success")
+    )
+
+
+def expect_close(
+    observed: object, expected: Fraction | float | None, what: str
+) -> None:
+    """Expect a number, as exactly as the rules ask for."""
+    shown = None if expected is None else float(expected)
+    expect.true(is_close(observed, expected), f"{what} = {shown}", [observed])
+
+
+def expect_close_interval(observed: Any, expected: dict[str, float], what: str) -> None:
+    """Expect both ends of an interval."""
+    for end in ("low", "high"):
+        expect_close(observed[end], expected[end], f"{what}.{end}")
+
+
+EPISODE_PLANS = st.builds(
+    PlannedEpisode,
+    st.sampled_from(["success", "failure", "abandoned"]),
+    st.one_of(st.floats(0, 1), st.sampled_from([0.1, 0.2, 0.3, 1 / 3])),
+    st.sampled_from(["score", "score", "count"]),
+)

@@ -1,0 +1,1 @@
+"""HTTP requests and responses as data: log entries, answers, curl scripts."""

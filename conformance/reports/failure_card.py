@@ -1,0 +1,55 @@
+"""The text of a failure: rule, check, expected, observed, and a script to reproduce it.
+
+Printed by the console and stored in junit.xml; at most 80 columns, except commands.
+"""
+
+import textwrap
+from collections.abc import Iterator
+
+from conformance.exchanges.curl import script
+from conformance.specification.ledger import load_ledger
+from conformance.verdicts.result import Result
+from conformance.verdicts.verdict import Outcome, Verdict
+
+CARD_WIDTH = 80
+_COMMANDS_SHOWN = 40
+OUTCOME_WORDS = {
+    Outcome.PASSED: "passed",
+    Outcome.FAILED: "FAILED",
+    Outcome.NOT_VERIFIED: "not verified",
+    Outcome.NOT_APPLICABLE: "not applic.",
+    Outcome.INCONCLUSIVE: "INCONCLUSIVE",
+    Outcome.KIT_ERROR: "KIT ERROR",
+}
+
+
+def card(verdict: Verdict, result: Result) -> Iterator[str]:
+    """Give all that is needed to understand and repeat a failure."""
+    row = load_ledger()[verdict.requirement_id]
+    yield f"{row.id} {OUTCOME_WORDS[verdict.outcome]} ({row.level}, {row.profile})"
+    yield from _entry("rule", row.text)
+    story = " ".join(verdict.story.split())
+    yield from _entry("check", f"{verdict.check}: {story}" if story else verdict.check)
+    if verdict.expected:
+        yield from _entry("expected", verdict.expected)
+        yield from _entry("observed", verdict.observed)
+    if verdict.reason:
+        yield from _entry("reason", verdict.reason)
+    yield from _entry("seed", str(result.settings.seed))
+    if not verdict.exchanges:
+        return
+    yield from _entry(
+        "repeat",
+        "as below in bash; our requests carried X-Correlation-Id: "
+        f"{row.id}/1 and so on",
+    )
+    lines = script(verdict.exchanges, result.settings.url)
+    if len(lines) > _COMMANDS_SHOWN:
+        yield "    # whole in report.html; from here on its last lines:"
+    for line in lines[-_COMMANDS_SHOWN:]:
+        yield f"    {line}"
+
+
+def _entry(name: str, text: str) -> list[str]:
+    lines = textwrap.wrap(text, CARD_WIDTH - 12, break_long_words=False) or [""]
+    return [f"  {name:<10}{lines[0]}", *(f"{'':12}{line}" for line in lines[1:])]
