@@ -70,7 +70,7 @@ class TimedRequests:
     _finished_index: int = 0
 
     def round(self, number: int) -> None:
-        """Every operation once; `attach` takes a run that nobody took before."""
+        """Every operation once; `attach` uses a run that has no session yet."""
         fresh = f"/v1/runs/ready_{number}/workers/w"
         self.time("get_run", "GET", self._finished())
         self.time("get_score", "GET", f"{self._finished()}/score")
@@ -107,7 +107,7 @@ class TimedRequests:
 
 
 def measure_requests(directory: Path, rounds: int) -> dict[str, Any]:
-    """p50 of each operation on each shelf, in ms, and as a ratio to the smallest."""
+    """p50 of each operation and database, in ms, and as a ratio to the smallest."""
     with contextlib.ExitStack() as servers:
         requests = [
             TimedRequests(
