@@ -2,7 +2,7 @@
 
 `make bench` runs all of it, on a machine that should have nothing else to do. With
 `--try` few rounds are played and nothing is written; `page` measures nothing and writes
-the page anew from results.json. Growth has a command of its own, see growth.py.
+the page anew from results.json. storage_growth.py is a command of its own.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ PLAN = {
 }
 ROUNDS, ROUNDS_TRIED = 200, 5
 PARTS = ("round_trips", "throughput", "libraries")
-BUSY = 0.25  # load of each core from which on figures are not to be trusted
+BUSY = 0.25  # load of each core above which figures are unreliable
 
 
 def main() -> int:
@@ -48,8 +48,8 @@ def main() -> int:
 def _needs_no_peers(options: argparse.Namespace) -> bool:
     if "libraries" in options.parts:
         return False
-    asked = options.only or ALL_CONTENDERS
-    return "round_trips" not in options.parts or not set(asked) & set(
+    names = options.only or ALL_CONTENDERS
+    return "round_trips" not in options.parts or not set(names) & set(
         contender_registry.PEERS
     )
 
@@ -57,7 +57,7 @@ def _needs_no_peers(options: argparse.Namespace) -> bool:
 def _measure(options: argparse.Namespace) -> None:
     load = os.getloadavg()[0]
     if load > BUSY * (os.cpu_count() or 1):
-        _say(f"this machine is busy (load {load:.1f}): trust ratios at most")
+        _say(f"machine is loaded (load {load:.1f}): absolute figures are unreliable")
     if "round_trips" in options.parts:
         _round_trips(options)
     if "throughput" in options.parts:
@@ -93,15 +93,15 @@ def _round_trips(options: argparse.Namespace) -> None:
         "measured_on": before,
         **round_trips.measure(plan, options.rounds or rounds, _say),
     }
-    for promise in report.promises(body):
-        kept = "kept" if promise.kept else "NOT KEPT"
-        _say(f"{promise.measured:7.2f} ({promise.bound}) {kept}: {promise.text}")
+    for target in report.targets(body):
+        verdict = "met" if target.is_met else "NOT MET"
+        _say(f"{target.measured:7.2f} ({target.bound}) {verdict}: {target.text}")
     if not options.try_:
         results.update("round_trips", body)
 
 
 def write() -> None:
-    """The page and the picture, from whatever results.json holds."""
+    """Write the page and the chart from results.json."""
     sections = results.read()
     if section := sections.get("round_trips"):
         performance_page.put("round_trips", report.tables(section))
@@ -128,7 +128,7 @@ def _options() -> argparse.Namespace:
     if strange := set(options.parts) - {*PARTS, "page"}:
         parser.error(f"there is no part {', '.join(strange)}; there are {every}")
     if options.only or options.scenarios != list(PLAN):
-        options.try_ = True  # the page shows everybody
+        options.try_ = True  # the page shows all contenders
     return options
 
 

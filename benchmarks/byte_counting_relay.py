@@ -1,7 +1,7 @@
-"""Counts the bytes between a client and a server: a relay that stands in between.
+"""A TCP relay that counts the bytes between a client and a server.
 
-What is counted is what TCP carries: heads, frames and handshakes of connections that
-are not kept, but no packet headers. It knows no protocol.
+Counts the payload of TCP, including HTTP heads, frames and TLS or WebSocket handshakes,
+without packet headers. Knows no protocol.
 """
 
 from __future__ import annotations

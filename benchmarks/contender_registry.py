@@ -1,7 +1,7 @@
-"""Who takes part, by name: the command of its server, and that of its client.
+"""The contenders by name: the commands of server and client.
 
-The peers run in an environment of their own, `.venv-bench`, with their real packages;
-ours is the reference server in front of `still_life`.
+Peers run with their real packages in their own virtual environment, `.venv-bench`; ours
+is the reference server with the benchmark `still_life`.
 """
 
 from __future__ import annotations

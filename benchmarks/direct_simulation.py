@@ -1,8 +1,8 @@
-"""The simulators themselves: without a protocol, and behind nothing but a TCP socket.
+"""Baselines of throughput: the simulators without a protocol, and behind a TCP socket.
 
-The second is the physical limit of any evaluation over a network: one process for each
-worker plays what it is sent and answers with the bytes of the observation, and a thread
-sends and receives them. Nothing is named, checked, counted, kept or scored.
+The second is the limit of any evaluation over a network: one process for each worker
+executes the actions that it receives and sends the bytes of the observation; a client
+thread sends and receives them. Nothing is named, checked, stored or scored.
 """
 
 from __future__ import annotations
@@ -50,9 +50,9 @@ class Case(NamedTuple):
 
 
 def turns(case: Case, number: int) -> Iterator[tuple[int, Observation]]:
-    """Plays the benchmark's episodes without end: executed steps, and what is seen.
+    """Plays the benchmark's episodes endlessly; yields executed steps and observation.
 
-    At first and when an episode begins nothing is executed.
+    The first turn of an episode executes no step.
     """
     resolved = benchmark_registry.resolve(case.benchmark)
     simulator = benchmark_registry.make(resolved.world)
@@ -89,7 +89,7 @@ def measure_bare(case: Case, seconds: float) -> float:
 
 def _loop(case: Case, number: int, seconds: float, barrier: Any, counted: Any) -> None:
     playing, steps = turns(case, number), 0
-    next(playing)  # the first picture takes long
+    next(playing)  # the first image takes long
     barrier.wait()
     began = time.monotonic()
     while time.monotonic() < began + seconds:
@@ -98,7 +98,7 @@ def _loop(case: Case, number: int, seconds: float, barrier: Any, counted: Any) -
 
 
 def measure_over_tcp(case: Case, seconds: float) -> float:
-    """The same, asked for by a thread each over a socket of its own."""
+    """The same over TCP: one socket and one client thread per worker."""
     results = _FORKS.SimpleQueue()
     processes = [
         _FORKS.Process(target=_serve, args=(case, number, results))
@@ -122,23 +122,23 @@ def measure_over_tcp(case: Case, seconds: float) -> float:
 def _serve(case: Case, number: int, results: Any) -> None:
     """Serves one connection until it is closed."""
     playing = turns(case, number)
-    _, seen = next(playing)
+    _, observation = next(playing)
     with socket.create_server(("127.0.0.1", 0)) as listener:
-        size = sum(map(len, _parts(0, seen)))
+        size = sum(map(len, _parts(0, observation)))
         results.put((listener.getsockname()[1], size))
         connection, _ = listener.accept()
     with connection:
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         while connection.recv(case.request_bytes, socket.MSG_WAITALL):
-            steps, seen = next(playing)
-            for part in _parts(steps, seen):
+            steps, observation = next(playing)
+            for part in _parts(steps, observation):
                 connection.sendall(part)
 
 
-def _parts(steps: int, seen: Observation) -> list[bytes | memoryview]:
-    """What is small in one piece, and each picture from where it is."""
-    state = b"".join(vector.tobytes() for vector in seen.state.values())
-    pictures = (image.data.cast("B") for image in seen.images.values())
+def _parts(steps: int, observation: Observation) -> list[bytes | memoryview]:
+    """The small parts in one piece, and each image as a view of its memory."""
+    state = b"".join(vector.tobytes() for vector in observation.state.values())
+    pictures = (image.data.cast("B") for image in observation.images.values())
     return [steps.to_bytes(_COUNT_BYTES, "big") + state, *pictures]
 
 

@@ -1,7 +1,7 @@
-"""Databases that are full of finished runs, and a server on each.
+"""Databases filled with finished runs, and a server on each.
 
-It must not know how the store keeps a run: one run is stored by the store itself, the
-others are copies of its rows. Linux only: it reads /proc.
+Independent of the store's schema: one run is stored by the store itself, the others are
+copies of its rows. Linux only: it reads /proc.
 """
 
 from __future__ import annotations
@@ -37,10 +37,10 @@ TASKS = ("score", "count", "delay", "echo")
 
 @dataclass(frozen=True)
 class DatabaseCase:
-    """One database: what its column is called and what is stored in it.
+    """One database: its column in the table, and its content.
 
-    runs: finished runs. episodes: of each run, all scored. same: ask for the same run
-    again and again, as who watches it does; else for another one each time.
+    runs: finished runs. episodes: of each run, all scored. same: request the same run
+    repeatedly, like a client that watches it; otherwise a different one each time.
     """
 
     name: str
@@ -149,7 +149,7 @@ def fill(path: Path, database_case: DatabaseCase) -> None:
 
 
 class ServerProcess:
-    """A server on one database, and one kept connection to it."""
+    """A server on one database, and one persistent connection to it."""
 
     def __init__(self, path: Path, **settings: str) -> None:
         chosen = {

@@ -1,9 +1,9 @@
-"""What every contender sends: the same observations up, the same action down.
+"""The messages of all contenders: the same observations and the same actions.
 
 An observation is 23 floats and, by scenario, no camera, one of 224 × 224 or four of
-480 × 640, `uint8`. Its pictures are drawn once: a turn only writes its number into
-them, so that nobody pays for drawing and nobody sends an old one unnoticed. An action
-is 16 floats. Knows numpy and no wire.
+480 × 640, `uint8`. Its images are drawn once; a turn only writes its number
+into them, so that rendering costs nothing and a stale image is detected. An action is
+16 floats. Imports numpy and no protocol.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ FRESH = -2.0  # stands for the action's echo where an episode begins
 
 @dataclass(frozen=True, slots=True)
 class Scenario:
-    """height, width: of each picture, in pixels."""
+    """height, width: of each image, in pixels."""
 
     cameras: tuple[str, ...]
     height: int = 0
@@ -71,7 +71,7 @@ def pictures(scenario: Scenario) -> Images:
 
 def state(step: int, action: Vector) -> State:
     """`base` begins with the number of the step and an echo of the action."""
-    # Digits that nobody can compress, as measured joints have them.
+    # Incompressible digits, like those of measured joints.
     values = np.sin(_PHASES + 0.1 * step)
     joints, grippers = STATE_SIZES["joint_position"], STATE_SIZES["gripper"]
     base = values[joints + grippers :]
@@ -95,7 +95,7 @@ class ScenarioPlayer:
         self._images = pictures(SCENARIOS[name])
 
     def turn(self, action: Vector) -> tuple[State, Images]:
-        """What is seen after the action. The images are drawn over by the next turn."""
+        """The observation after the action. The next turn overwrites its images."""
         self._step += 1
         for image in self._images.values():
             stamp(image, self._step)
@@ -115,7 +115,7 @@ def by_name(action: list[float]) -> dict[str, list[float]]:
 
 
 class ObservationChecker:
-    """Whether a client got what was to be seen. Raises AssertionError if not."""
+    """Checks that a client received the right observation. Raises AssertionError."""
 
     def __init__(self, name: str) -> None:
         self._pictures = pictures(SCENARIOS[name])

@@ -1,10 +1,10 @@
-"""docs/host/performance.md: what stands between two marks there is written by tools.
+"""docs/host/performance.md: text between two marks is written by tools.
 
     <!-- round_trips -->
     …
     <!-- /round_trips -->
 
-The text around is a person's. Knows nothing of what is measured.
+All other text is written by hand. Knows nothing about the measurements.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ FILE = Path(__file__).resolve().parents[1] / "docs" / "host" / "performance.md"
 
 
 def put(part: str, text: str, file: Path = FILE) -> None:
-    """Replaces what stands between the marks. Raises ValueError if there are none."""
+    """Replace the text between the marks. Raises ValueError if they are missing."""
     old = file.read_text()
     marks = f"<!-- {part} -->", f"<!-- /{part} -->"
     between = re.compile(f"({marks[0]}\n).*?({marks[1]})", re.DOTALL)

@@ -1,8 +1,8 @@
-"""The round trips as people read them: tables, promises, a picture.
+"""The report of the round trips: tables and targets.
 
-Everything is computed from the section of results.json, so that a figure in the text is
-one that was measured. The promises are what the project set out to keep; they are shown
-as they are, kept or not.
+Everything is computed from the section of results.json, so that every figure in the
+text was measured. The targets are the project's requirements; they are shown whether
+met or not.
 """
 
 from __future__ import annotations
@@ -33,41 +33,41 @@ NAMES = {
 PEERS = ("openpi", "grpc", "ebench", "openenv")
 
 
-class Promise(NamedTuple):
+class Target(NamedTuple):
     """measured: how many times `slow` takes as long as `fast`, p50 against p50."""
 
     text: str
     bound: str
     measured: float
-    kept: bool
+    is_met: bool
 
 
 def tables(section: Json) -> str:
-    """A table for each scenario, the promises, and what was measured where."""
+    """A table for each scenario, the targets, and the machine and versions."""
     parts = []
     for scenario, title in TITLES.items():
         if played := section["scenarios"].get(scenario):
             parts.append(f"### {title}\n\n{_table(played)}")
-    parts.append("### What was to be kept\n\n" + _kept(promises(section)))
+    parts.append("### Targets\n\n" + _targets_table(targets(section)))
     parts.append(_where(section))
     return "\n\n".join(parts)
 
 
-def promises(section: Json) -> list[Promise]:
-    """Those that the section can tell of."""
+def targets(section: Json) -> list[Target]:
+    """The targets whose contenders were measured."""
     scenarios = section["scenarios"]
     found = []
-    for scenario, slow, fast, sign, bound, text in _promised():
+    for scenario, slow, fast, sign, bound, text in _target_table():
         played = scenarios.get(scenario, {})
         if slow not in played or fast not in played:
             continue
         ratio = played[slow]["p50_ms"] / played[fast]["p50_ms"]
-        kept = ratio <= bound if sign == "≤" else ratio >= bound
-        found.append(Promise(text, f"{sign} {bound:g}", ratio, kept))
+        is_met = ratio <= bound if sign == "≤" else ratio >= bound
+        found.append(Target(text, f"{sign} {bound:g}", ratio, is_met))
     return found
 
 
-def _promised() -> Sequence[tuple[str, str, str, str, float, str]]:
+def _target_table() -> Sequence[tuple[str, str, str, str, float, str]]:
     """scenario, slow, fast, whether the ratio is at most or at least, bound, text."""
     ours, json = "ours msgpack", "ours json"
     four, state = "four cameras: ", "state only: "
@@ -120,12 +120,12 @@ def _table(played: Mapping[str, Json]) -> str:
     return performance_page.table(head, rows)
 
 
-def _kept(found: Sequence[Promise]) -> str:
+def _targets_table(found: Sequence[Target]) -> str:
     rows = [
-        [one.text, f"{one.measured:.2f}", one.bound, "yes" if one.kept else "**no**"]
+        [one.text, f"{one.measured:.2f}", one.bound, "yes" if one.is_met else "**no**"]
         for one in found
     ]
-    head = ["p50 to p50", "measured", "promised", "kept"]
+    head = ["p50 to p50", "measured", "target", "met"]
     return performance_page.table(head, rows)
 
 
@@ -133,12 +133,14 @@ def _where(section: Json) -> str:
     on = section["measured_on"]
     versions = {**on["versions"], **on.get("peers", {})}
     versions.pop("python", None)
-    told = ", ".join(f"{name} {version}" for name, version in sorted(versions.items()))
+    listed = ", ".join(
+        f"{name} {version}" for name, version in sorted(versions.items())
+    )
     loads = " ".join(map(str, on["load_before"]))
     return (
         f"Measured on {on['date']}: {on['cores']} cores ({on['processor']}), Python "
         f"{on['python']}, load before {loads}, {section['rounds']} rounds, seed "
-        f"{section['seed']}. {told}."
+        f"{section['seed']}. {listed}."
     )
 
 

@@ -1,8 +1,8 @@
-"""The round trip of predict, beside what one would take instead: section `round_trips`.
+"""The round trip of predict, compared with alternatives: section `round_trips`.
 
-For each scenario all contenders stand at once and play in turn (rounds.py). The faster
-a contender, the more turns it plays in a round: what a round gives each is time. Nobody
-is left out in silence: a contender that fails ends the measuring.
+For each scenario all contenders run at once and play alternately (rounds.py). A round
+gives each contender the same time, so a faster one plays more turns. A contender that
+fails ends the measurement; none is omitted silently.
 """
 
 from __future__ import annotations
@@ -99,6 +99,6 @@ def _summary(played: rounds.TurnTimes, byte_counts: ByteCounts) -> Json:
 def peers_versions() -> dict[str, Any]:
     """Of the peers' own environment. Raises FileNotFoundError if it is not there."""
     command = [str(contender_registry.PEERS_PYTHON), "-c", _VERSIONS, *PEERS_PACKAGES]
-    told = subprocess.run(command, check=True, capture_output=True, text=True)
-    versions: dict[str, Any] = json.loads(told.stdout)
+    completed = subprocess.run(command, check=True, capture_output=True, text=True)
+    versions: dict[str, Any] = json.loads(completed.stdout)
     return versions

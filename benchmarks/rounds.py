@@ -1,10 +1,10 @@
-"""Round after round: each contender plays a few turns, then the next, and so on.
+"""Interleaved measurement: in every round, each contender plays a few turns.
 
-So whatever else happens on the machine happens to all of them. A contender is two
-processes, a server and a client (contenders/player.py), which do nothing while others
-play. CPU time is that of their own turns alone, of all processes of the server; a
-client counts its own. What a turn weighs is found out before, with another client.
-Knows nothing of who they are.
+So disturbances of the machine affect all contenders alike. A contender is two
+processes, a server and a client (contenders/turn_client.py), which are idle while
+others play. CPU time is that of their own turns, of all processes of the server; a
+client measures its own. The bytes of a turn are counted before, with another client.
+Knows no contender.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class TurnTimes:
 
 
 class ContenderFailed(RuntimeError):
-    """A process of a contender ended or said something else than it should."""
+    """A process of a contender ended or printed something unexpected."""
 
 
 class ContenderPair:
@@ -78,7 +78,7 @@ class ContenderPair:
 
     def close(self) -> None:
         while self._processes:
-            self._end(self._processes.pop(), asked=len(self._processes) > 0)
+            self._end(self._processes.pop(), is_client=len(self._processes) > 0)
 
     def play(
         self, turns: int, played: TurnTimes | None = None, *, whole: bool = False
@@ -101,7 +101,7 @@ class ContenderPair:
             before = relay.byte_counts()
             self._send_command(client, f"play {_WEIGHED_TURNS}")
             after = relay.byte_counts()
-            self._end(self._processes.pop(), asked=True)
+            self._end(self._processes.pop(), is_client=True)
         return ByteCounts(
             *(
                 round((b - a) / _WEIGHED_TURNS)
@@ -139,7 +139,9 @@ class ContenderPair:
 
     def _send_command(self, client: subprocess.Popen[str], line: str) -> Any:
         assert client.stdin is not None
-        with contextlib.suppress(BrokenPipeError):  # what it says then tells enough
+        with contextlib.suppress(
+            BrokenPipeError
+        ):  # its output then explains the failure
             client.stdin.write(line + "\n")
             client.stdin.flush()
         return json.loads(self._line(client))
@@ -155,13 +157,13 @@ class ContenderPair:
         return line.strip()
 
     @staticmethod
-    def _end(process: subprocess.Popen[str], *, asked: bool) -> None:
-        """asked: a client ends when its stdin does, and says good-bye to its server."""
+    def _end(process: subprocess.Popen[str], *, is_client: bool) -> None:
+        """is_client: a client exits at the end of stdin, and disconnects first."""
         assert process.stdin is not None
         assert process.stdout is not None
         with contextlib.suppress(BrokenPipeError):
             process.stdin.close()
-        if not asked:
+        if not is_client:
             process.terminate()
         try:
             process.wait(_EXIT_TIMEOUT_S)
@@ -172,7 +174,7 @@ class ContenderPair:
 
 
 def process_tree(pid: int) -> list[int]:
-    """A process and all that come from it."""
+    """A process and its descendants."""
     found = [pid]
     for parent in found:
         for children in Path(f"/proc/{parent}/task").glob("*/children"):

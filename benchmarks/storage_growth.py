@@ -1,11 +1,11 @@
-"""Does the server slow down or grow with what it has stored?
+"""Measures whether the server slows down or grows with the data that it has stored.
 
-`python -m benchmarks.storage_growth` fills databases with finished runs, starts a real server
-on each and asks them in turn, over one kept connection each: what a request costs is
-compared inside one run of this program, never with an earlier one. It also weighs the
-server before and after thousands of runs were looked at, played and left waiting, and
-under a thousand idle long-polls and event streams, and counts what a turn writes to
-disk.
+`python -m benchmarks.storage_growth` fills databases with finished runs, starts a real
+server on each and sends requests to them alternately, over one connection each: costs
+are compared within one execution of this program, never with an earlier one. It also
+measures the server's memory before and after thousands of runs were read, played and
+submitted, and under a thousand idle long polls and event streams, and the bytes that a
+turn writes to disk.
 
 It writes the section `growth` of results.json and its part of docs/host/performance.md.
 """
@@ -62,7 +62,7 @@ LARGE = DATABASE_CASES[2]
 
 @dataclass
 class TimedRequests:
-    """The requests to one shelf's server: what was asked, and the seconds each took."""
+    """The requests to one database's server, and the seconds that each took."""
 
     database_case: DatabaseCase
     server: ServerProcess
@@ -70,7 +70,7 @@ class TimedRequests:
     _finished_index: int = 0
 
     def round(self, number: int) -> None:
-        """Every operation once; `attach` takes a run that nobody took before."""
+        """Every operation once; `attach` uses a run that has no session yet."""
         fresh = f"/v1/runs/ready_{number}/workers/w"
         self.time("get_run", "GET", self._finished())
         self.time("get_score", "GET", f"{self._finished()}/score")
@@ -87,7 +87,7 @@ class TimedRequests:
         self.server.ask("DELETE", f"{fresh}?session_id={turn['session_id']}")
 
     def _finished(self) -> str:
-        """The run that was asked for longest ago: the least likely in memory."""
+        """The run requested longest ago: the least likely in memory."""
         self._finished_index += not self.database_case.same
         return f"/v1/runs/completed_{self._finished_index % self.database_case.runs}"
 
@@ -107,7 +107,7 @@ class TimedRequests:
 
 
 def measure_requests(directory: Path, rounds: int) -> dict[str, Any]:
-    """p50 of each operation on each shelf, in ms, and as a ratio to the smallest."""
+    """p50 of each operation and database, in ms, and as a ratio to the smallest."""
     with contextlib.ExitStack() as servers:
         requests = [
             TimedRequests(
@@ -176,11 +176,11 @@ class Queue:
         self.requests.time("predict", "POST", f"{self._worker}/predict", turn)
 
 
-# --- what the server weighs ---
+# --- the server's memory ---
 
 
 def read_finished_runs(server: ServerProcess, numbers: range) -> float:
-    """Look at finished runs; returns the server's memory then, in MB."""
+    """Read finished runs; returns the server's memory afterwards, in MB."""
     for number in numbers:
         for path in ("", "/score", "/episodes"):
             server.ask("GET", f"/v1/runs/completed_{number}{path}")
@@ -200,7 +200,7 @@ def play(server: ServerProcess, count: int) -> float:
 
 
 def submit_idle_runs(server: ServerProcess, count: int) -> float:
-    """Submit runs that nobody will play; returns the server's memory then, in MB."""
+    """Submit runs that are never played; returns the server's memory, in MB."""
     for _ in range(count):
         server.ask("POST", "/v1/runs", SUBMISSION)
     return server.memory_mb()
@@ -246,7 +246,7 @@ def measure_turns(path: Path, turns: int) -> dict[str, Any]:
     return {"turns": turns, "written_bytes": inside, "last_turn_bytes": ending}
 
 
-# --- who waits for news ---
+# --- idle waiting clients ---
 
 Connection = tuple[asyncio.StreamReader, asyncio.StreamWriter]
 
@@ -288,7 +288,7 @@ async def measure_waiting(
     count: int,
     seconds: float,
 ) -> dict[str, Any]:
-    """MB and CPU of those who wait for nothing, each for another run."""
+    """Memory in MB and CPU share of idle waiting clients, each for another run."""
     with running_server(path) as server:
         read_finished_runs(server, range(8000, 8300))
         before_mb = server.memory_mb()
@@ -310,7 +310,7 @@ async def measure_waiting(
     }
 
 
-# --- what is told ---
+# --- the report ---
 
 
 def report(body: dict[str, Any]) -> str:
@@ -331,13 +331,13 @@ def report(body: dict[str, Any]) -> str:
 
 
 def sentences(body: dict[str, Any]) -> list[str]:
-    """What has no row, a line each."""
+    """The figures without a table, one line each."""
     memory, turns, queue = body["memory"], body["turns"], body["queue"]["ratio"]
     idle = {"long-polls": body["long_polls"], "event streams": body["event_streams"]}
     weighed = {
-        "looked_at": "600 and 3600 finished runs were looked at",
+        "looked_at": "600 and 3600 finished runs were read",
         "played": "300 and 1000 more were played to their end",
-        "left_waiting": "300 and 1000 more were submitted and left alone",
+        "left_waiting": "300 and 1000 more were submitted and left idle",
     }
     report = [
         f"Beside 10^6 episodes the server starts with {memory['at_start_mb']:.0f} MB.",

@@ -1,12 +1,12 @@
-"""How much of the simulator's speed is left over the protocol: section `throughput`.
+"""The throughput of simulators over the protocol: section `throughput`.
 
-The same control steps are played in bare Python loops, one process each, by such
-processes behind a bare TCP socket (bare.py), and through a whole reference server with
-as many workers, in turn (A B C A B C …) on the same cores. Sessions, exactly-once,
-scoring and the store are at work as always.
+The same control steps are played in Python loops, one process each; by such processes
+behind a TCP socket (direct_simulation.py); and through a complete reference server with
+as many workers: alternately (A B C A B C …), on the same cores. Sessions, exactly-once
+execution, scoring and the store are active.
 
-A client here is a thread with the data plane of `reference_client`: what a policy costs
-is its own affair, what a client costs is counted.
+A client is a thread with the data plane of `reference_client`: the cost of the client
+is included, that of a policy is not.
 """
 
 from __future__ import annotations
@@ -117,7 +117,7 @@ class ThroughputWorker:
         return steps / (time.monotonic() - began)
 
     def close(self) -> None:
-        """Ends its run, which may be completed; nobody plays it on."""
+        """Stop the run, which may be completed."""
         with contextlib.suppress(ApiException):
             self._connection.control.stop_run(self._run_id, StopRun())
         self._connection.close()

@@ -1,15 +1,16 @@
-"""`python tools/experts.py`: can the tasks be solved, and not by luck?
+"""`python tools/experts.py`: checks that experts solve the tasks, and chance does not.
 
-Plays every task and split of every benchmark that has an expert, holds still, and acts
-at random, over many seeds. A benchmark takes part by having a package in reference_sim
-with a module `experts` that offers `make_expert()`; NAME is then the benchmark with
-cameras, NAME_state the one without, and NAME.tasks.TASKS says what the tasks are: the
-docstring of a task's `goal_holds`, or else its own, is the goal in words. `experts` may
-say where pictures are taken: PICTURE_CAMERA, and PICTURE_MOMENTS, task → share of the
+Plays every task and split of every benchmark that has an expert, over many seeds: with
+the expert, without moving, and with random actions. A benchmark is included if its
+package in reference_sim.benchmarks has a module `experts` with `make_expert()`. NAME is
+then the benchmark with cameras, NAME_state the one without, and NAME.tasks.TASKS has
+the tasks: the docstring of a task's `goal_holds`, or else of its class, is the goal in
+words. `experts` may define PICTURE_CAMERA, and PICTURE_MOMENTS: task → share of the
 expert's episode.
 
-Ends 1 if a criterion is missed. With --write the figures become docs/evaluate/tasks.md,
-and each task gets its picture. Nothing here knows of a scene or of MuJoCo.
+Exit code 1 if a criterion is missed. With --write the figures are written to
+docs/evaluate/tasks.md, with a picture of each task. This module knows no scene and not
+MuJoCo.
 """
 
 from __future__ import annotations
@@ -62,7 +63,7 @@ Policy = Callable[[Observation], Action]
 
 @dataclass(frozen=True, slots=True)
 class Trial:
-    """Who plays which task how often. player: expert, still or random."""
+    """A player, a task and a number of seeds. player: expert, still or random."""
 
     benchmark: str
     task: str
@@ -95,7 +96,7 @@ class TrialResult:
         return f"{of.benchmark} {of.task} {of.split} {of.player}: {counts}{verdict}"
 
 
-# Who takes part
+# Benchmarks and experts
 
 
 def benchmark_names() -> list[str]:
@@ -164,7 +165,7 @@ def _steps_to_success(sim: Simulator, policy: Policy, max_steps: int) -> int | N
 def _policy(trial: Trial, instruction: str, first: Observation, seed: int) -> Policy:
     if trial.player == "expert":
         expert(trial.benchmark).reset(instruction)
-        return lambda seen: expert(trial.benchmark).act(_as_sent(seen))
+        return lambda observation: expert(trial.benchmark).act(_as_sent(observation))
     space = manifest(trial.benchmark)["action_space"]
     if trial.player == "still":
         still = {name: _still(name, one, first) for name, one in space.items()}
@@ -172,13 +173,13 @@ def _policy(trial: Trial, instruction: str, first: Observation, seed: int) -> Po
     return _at_random(space, np.random.default_rng(seed))
 
 
-def _as_sent(seen: Observation) -> dict[str, list[float]]:
+def _as_sent(observation: Observation) -> dict[str, list[float]]:
     """The state as a policy gets it."""
-    return {name: values.tolist() for name, values in seen.state.items()}
+    return {name: values.tolist() for name, values in observation.state.items()}
 
 
 def _still(name: str, space: Mapping[str, Any], first: Observation) -> list[float]:
-    """A command that asks for no change."""
+    """An action that commands no change."""
     if space["relative"]:
         return [0.0] * space["size"]
     values: list[float] = first.state[name].tolist()
@@ -246,15 +247,16 @@ control steps in a row.
 def _section(name: str, outcomes: Sequence[TrialResult]) -> str:
     state_manifest = manifest(name)
     splits = state_manifest["splits"]
-    seeing = benchmark_registry.resolve(name).manifest
+    camera_manifest = benchmark_registry.resolve(name).manifest
+    version, episodes = state_manifest["version"], state_manifest["episodes_total"]
+    max_steps, rate_hz = state_manifest["max_steps"], state_manifest["control_rate_hz"]
     about = (
-        f"Benchmarks `{name}` (with cameras) and `{name}_state`, version "
-        f"{state_manifest['version']}: {state_manifest['episodes_total']} episodes of at most "
-        f"{state_manifest['max_steps']} steps at {state_manifest['control_rate_hz']:g} Hz. "
-        f"{seeing['description']}"
+        f"Benchmarks `{name}` (with cameras) and `{name}_state`, version {version}: "
+        f"{episodes} episodes of at most {max_steps} steps at {rate_hz:g} Hz. "
+        f"{camera_manifest['description']}"
     )
     lines = [
-        f"\n## {seeing['title']}\n\n{about}\n",
+        f"\n## {camera_manifest['title']}\n\n{about}\n",
         "| task | "
         + " | ".join(f"expert, `{s}`" for s in splits)
         + " | steps | still | random |",
@@ -314,19 +316,23 @@ def draw(name: str) -> None:
         iter(chosen.manifest["observation_space"]["images"])
     )
     finest = {**chosen.world.settings, "quality": "standard"}
-    seeing = benchmark_registry.make(benchmark_registry.SimulatorConfig(name, finest))
+    camera_simulator = benchmark_registry.make(
+        benchmark_registry.SimulatorConfig(name, finest)
+    )
     PICTURES.mkdir(exist_ok=True)
     for task in chosen.manifest["tasks"]:
         actions = _experts_actions(name, task)
-        seeing.reset(task, *_first_episode(name, task))
+        camera_simulator.reset(task, *_first_episode(name, task))
         for action in actions[
             : round(len(actions) * moments.get(task, DEFAULT_MOMENT))
         ]:
-            seeing.step(action)
-        picture = Image.fromarray(np.ascontiguousarray(seeing.observe().images[camera]))
+            camera_simulator.step(action)
+        picture = Image.fromarray(
+            np.ascontiguousarray(camera_simulator.observe().images[camera])
+        )
         small = picture.resize(PICTURE_SIZE, Image.Resampling.LANCZOS)
         small.save(PICTURES / f"{name}_{task}.png", optimize=True)
-    seeing.close()
+    camera_simulator.close()
 
 
 def _experts_actions(name: str, task: str) -> list[Action]:

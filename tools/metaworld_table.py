@@ -4,9 +4,9 @@ It writes docs/evaluate/metaworld.md.
 
 Run by `make metaworld-table` in .venv-metaworld. Each of the 500 episodes is played
 twice: by a loop around Meta-World itself, in an environment made for it alone, and by
-`reference_client.evaluate` with four workers against a server of its own. They must
-agree in every episode, in success and in the number of steps, or nothing is written.
-The direct loop must not know the adapter, nor the module that it is compared with.
+`reference_client.evaluate` with four workers against a server of its own. Success and
+number of steps must agree in every episode, or nothing is written. The direct loop must
+not import the adapter or the module with which it is compared.
 """
 
 import importlib.metadata

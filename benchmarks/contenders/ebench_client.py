@@ -35,9 +35,9 @@ def connect(address: str, scenario: str) -> turn_client.Turn:
             url, data=pickle.dumps(sent), headers=HEADERS, timeout=60
         )
         answer.raise_for_status()
-        seen = pickle.loads(answer.content)["0"]["obs"]  # noqa: S301 - its way
-        return {name: seen[f"state.{name}"] for name in STATE_SIZES}, {
-            name: seen[f"video.{name}_view"] for name in cameras
+        observation = pickle.loads(answer.content)["0"]["obs"]  # noqa: S301 - its way
+        return {name: observation[f"state.{name}"] for name in STATE_SIZES}, {
+            name: observation[f"video.{name}_view"] for name in cameras
         }
 
     return turn

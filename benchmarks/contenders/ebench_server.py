@@ -1,8 +1,8 @@
 """EBench's way: FastAPI on uvicorn, pickles in both directions.
 
 `POST /step` takes `{worker_id: action}` and answers `{worker_id: {obs, metric}}`, in
-the shapes of its documents; of what EBench's server does beside the wire, nothing.
-Pickle is what is measured here, between two processes of our own.
+the shapes of its documentation, without the other work of EBench's server. Pickle is
+measured here, between two processes of our own.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ def application(scenario: str) -> FastAPI:
         answers = {}
         for worker_id, action in actions.items():
             state, images = world.turn(action["action"])
-            seen: dict[str, Any] = {
+            observation: dict[str, Any] = {
                 "instruction": "Sit for a portrait.",
                 **{f"state.{name}": values for name, values in state.items()},
                 **{f"video.{name}_view": image for name, image in images.items()},
                 "reset": False,
             }
-            answers[worker_id] = {"obs": seen, "metric": None}
+            answers[worker_id] = {"obs": observation, "metric": None}
         return Response(pickle.dumps(answers), media_type="application/octet-stream")
 
     app.add_api_route("/step", step, methods=["POST"])

@@ -20,9 +20,9 @@ def connect(address: str, scenario: str) -> turn_client.Turn:
         step = environment.step(
             {"joint_position": values[:joints], "gripper": values[joints:]}
         )
-        seen = step.observation
-        return {name: seen[name] for name in STATE_SIZES}, {
-            name: seen[name] for name in cameras
+        observation = step.observation
+        return {name: observation[name] for name in STATE_SIZES}, {
+            name: observation[name] for name in cameras
         }
 
     return turn

@@ -1,7 +1,7 @@
 """dm_env_rpc, as its package does it: a bidirectional gRPC stream of tensors.
 
 The package brings the protocol, the packing of tensors and the client; an environment's
-servicer is its author's, and this is one that answers what DmEnvAdaptor asks.
+servicer is written by its author; this one implements what DmEnvAdaptor requests.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ class Servicer(dm_env_rpc_pb2_grpc.EnvironmentServicer):  # type: ignore[misc,un
 
     def Process(self, requests: Iterator[Any], _context: Any) -> Iterator[Any]:  # noqa: N802
         actions = spec_manager.SpecManager(self._specs.actions)
-        seen = spec_manager.SpecManager(self._specs.observations)
+        specs_manager = spec_manager.SpecManager(self._specs.observations)
         for request in requests:
             kind = request.WhichOneof("payload")
             response = dm_env_rpc_pb2.EnvironmentResponse()
@@ -59,18 +59,20 @@ class Servicer(dm_env_rpc_pb2_grpc.EnvironmentServicer):  # type: ignore[misc,un
             elif kind == "join_world":
                 response.join_world.specs.CopyFrom(self._specs)
             elif kind == "step":
-                self._step(request.step, actions, seen, response.step)
+                self._step(request.step, actions, specs_manager, response.step)
             else:
                 getattr(response, kind).SetInParent()
             yield response
 
-    def _step(self, step_request: Any, actions: Any, seen: Any, response: Any) -> None:
+    def _step(
+        self, step_request: Any, actions: Any, specs_manager: Any, response: Any
+    ) -> None:
         taken = actions.unpack(step_request.actions)
         joints = taken.get("joint_position", np.zeros(ACTION_SIZES["joint_position"]))
         state, images = self._world.turn(joints)
         values = {**state, **images}
         for uid in step_request.requested_observations:
-            tensor = tensor_utils.pack_tensor(values[seen.uid_to_name(uid)])
+            tensor = tensor_utils.pack_tensor(values[specs_manager.uid_to_name(uid)])
             response.observations[uid].CopyFrom(tensor)
         response.state = dm_env_rpc_pb2.EnvironmentStateType.RUNNING
 

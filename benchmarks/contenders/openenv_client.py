@@ -22,8 +22,8 @@ class Client(EnvClient):  # type: ignore[misc,unused-ignore]
         return {"joint_position": action.joint_position, "gripper": action.gripper}
 
     def _parse_result(self, payload: dict[str, Any]) -> Any:
-        seen = StillLifeObservation(**payload["observation"])
-        return StepResult(observation=seen, reward=None, done=payload["done"])
+        observation = StillLifeObservation(**payload["observation"])
+        return StepResult(observation=observation, reward=None, done=payload["done"])
 
     def _parse_state(self, payload: dict[str, Any]) -> Any:
         return State(**payload)
@@ -40,11 +40,13 @@ def connect(address: str, scenario: str) -> turn_client.Turn:
     joints = ACTION_SIZES["joint_position"]
 
     def turn(action: list[float]) -> turn_client.ObservationParts:
-        asked = StillLifeAction(joint_position=action[:joints], gripper=action[joints:])
-        seen = runner.run(client.step(asked)).observation
-        return seen.state, {
+        action_message = StillLifeAction(
+            joint_position=action[:joints], gripper=action[joints:]
+        )
+        observation = runner.run(client.step(action_message)).observation
+        return observation.state, {
             name: np.frombuffer(base64.b64decode(data), np.uint8).reshape(shape)
-            for name, data in seen.images.items()
+            for name, data in observation.images.items()
         }
 
     return turn

@@ -1,7 +1,7 @@
 """OpenEnv: the messages of an environment, as its authors write them.
 
-OpenEnv sends JSON and leaves pictures to the author. Base64 is the cheapest form that
-fits; environments that send lists of numbers pay many times as much.
+OpenEnv sends JSON and does not define images. Base64 is the cheapest encoding that
+fits; lists of numbers cost many times as much.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Proctor's predict, by a small client: one kept connection, msgspec's decoders.
+"""Proctor's predict, by a small client: one persistent connection, msgspec's decoders.
 
 `python -m … URL SCENARIO MEDIA CODEC`. MEDIA is json or msgpack; CODEC is raw, jpeg, or
-jpeg-files, where the pictures are left as the files that they are. It knows the
-specification and nothing of this house.
+jpeg-files, where images stay encoded. It knows the specification and imports nothing of
+the reference implementation.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class Turn(msgspec.Struct):
 
 
 class Connection:
-    """A kept connection; each answer is read into the memory of the last but one."""
+    """A connection; a response is read into the memory of the last but one."""
 
     def __init__(self, url: str, media: str) -> None:
         self._http = http.client.HTTPConnection(urlsplit(url).netloc)
@@ -133,9 +133,11 @@ def connect(url: str, scenario: str, media: str, codec: str) -> turn_client.Turn
     def turn(action: list[float]) -> turn_client.ObservationParts:
         body["seq"] += 1
         body["actions"] = [{"values": by_name(action)}]
-        seen = connection.turn("POST", predict, body).observation
-        assert seen is not None, "the run is over"
-        return seen.state, {name: unpack(one) for name, one in seen.images.items()}
+        observation = connection.turn("POST", predict, body).observation
+        assert observation is not None, "the run is over"
+        return observation.state, {
+            name: unpack(one) for name, one in observation.images.items()
+        }
 
     return turn
 

@@ -1,4 +1,4 @@
-"""Proctor's predict, by the client that people get: reference_client's session.
+"""Proctor's predict, by the session of reference_client.
 
 `python -m … URL SCENARIO`. It checks the policy's chunk, chooses MessagePack by
 itself, counts turns, would repeat what is lost, and hands out the Observation that a
@@ -30,16 +30,16 @@ def connect(url: str, scenario: str) -> turn_client.Turn:
         "policy": {"name": "round trips"},
         "max_workers": 1,
     }
-    asked = SubmitRun.from_dict(submission)
-    assert asked is not None
-    run = ControlClient(connection.control, retry_policy).submit(asked)
+    submit_run = SubmitRun.from_dict(submission)
+    assert submit_run is not None
+    run = ControlClient(connection.control, retry_policy).submit(submit_run)
     session = Session.attach(
         WorkerSlot(connection.data(run.endpoint), run, "w"), retry_policy
     )
 
     def turn(action: list[float]) -> turn_client.ObservationParts:
-        seen = observation_of(session.predict(chunk_of([by_name(action)])))
-        return seen.state, seen.images
+        observation = observation_of(session.predict(chunk_of([by_name(action)])))
+        return observation.state, observation.images
 
     return turn
 

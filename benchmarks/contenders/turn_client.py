@@ -1,14 +1,14 @@
-"""The client process of every contender: plays turns when it is told to.
+"""The client process of every contender: plays turns on command.
 
-It is told in lines on stdin, and answers in lines of JSON on stdout:
+Commands are lines on stdin, results are lines of JSON on stdout:
 
-    ready     it has connected and seen its first observation
+    ready     it has connected and received its first observation
     play N    N turns, each from the action as floats to the observation as arrays:
               {"ns": [one for each], "cpu_ns": of all}
     check N   the same, every pixel compared
 
-After each turn both clocks are stopped and the observation is judged. The clients
-differ in `connect` alone: what it returns takes an action and returns state and images.
+After each turn both clocks are stopped and the observation is checked. The clients
+differ only in `connect`, which returns a function from an action to state and images.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""A bare ASGI application: it reads a request to its end and answers the sample.
+"""A minimal ASGI application: reads a request to its end and sends a sample.
 
-Which sample is said by the path, and where they are by BENCHMARKS_SAMPLES. A body goes
-out as the reference server sends it: a turn without pictures in one message, one with
-four of them in nine, views of memory among them. BENCHMARKS_COPIES is set for a server
-that takes bytes only: then each is copied when it is sent.
+The path selects the sample, BENCHMARKS_SAMPLES is the folder. A body is sent as by the
+reference server: a turn without images in one message, one with four images in nine,
+some of them views of memory. BENCHMARKS_COPIES is set for a server that accepts only
+bytes: then each part is copied when it is sent.
 """
 
 from __future__ import annotations

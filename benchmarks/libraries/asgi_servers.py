@@ -1,7 +1,7 @@
 """`python -m … SERVER [PARSER] [LOOP]`: one of the ASGI servers with app.py behind it.
 
-Says `ready` and its address when it answers. Each is set as its documents advise for
-one process: no log of requests, HTTP/1.1.
+Prints `ready` and its address when it accepts requests. Each is configured as its
+documentation recommends for one process: no access log, HTTP/1.1.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Takes the samples from a reference server that runs: see samples.py.
+"""Captures the samples from a running reference server: see samples.py.
 
-The client is the reference client, which is listened to. Its last request is sent once
-more, over a plain socket: the server then answers the same turn again, and that is
-written down as it comes. Needs the house.
+The reference client's last request is recorded and sent again over a plain socket: the
+server repeats the same turn, and its bytes are stored. Needs the server's
+dependencies.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from reference_client.protocol.http_connection import (
 
 
 class RecordingConnection(HttpConnection):
-    """A connection that remembers what it was asked last."""
+    """A connection that records its last request."""
 
     last = b""
 
@@ -41,7 +41,7 @@ class RecordingConnection(HttpConnection):
 
 
 def write(folder: Path) -> None:
-    """Both samples, from a server that stands for so long."""
+    """Write both samples, from a server that is started for it."""
     with _server(folder) as url:
         for scenario in (STATE, CAMERAS):
             _sample(url, scenario).write(folder, scenario)
@@ -66,15 +66,15 @@ def _server(scratch: Path) -> Iterator[str]:
 
 def _sample(url: str, scenario: str) -> Sample:
     shown = observations.SCENARIOS[scenario]
-    asked: dict[str, Any] = {"benchmark_id": f"still_life_{scenario}"}
+    submission: dict[str, Any] = {"benchmark_id": f"still_life_{scenario}"}
     if shown.cameras:
         size = {"width": shown.width, "height": shown.height}
-        asked["images"] = {"codec": "raw", **size}
+        submission["images"] = {"codec": "raw", **size}
     with (
         contextlib.closing(ours_client.Connection(url, "json")) as control_connection,
         Connection(url, ours_client.TOKEN, requests=1) as connection,
     ):
-        run_id = control_connection.submit(**asked)
+        run_id = control_connection.submit(**submission)
         plane = connection.data(url)
         recorder = plane.http_connection = RecordingConnection(
             url, (10.0, 10.0), _make_buffer
@@ -94,12 +94,14 @@ def _make_buffer(size: int) -> memoryview:
 
 
 def _raw_answer(url: str, request: bytes) -> bytes:
-    """As it stands on the wire."""
+    """The response as bytes on the wire."""
     place, parser, read = urlsplit(url), _ResponseParser(), bytearray()
-    with socket.create_connection((place.hostname or "", place.port or 80)) as asked:
-        asked.sendall(request)
+    with socket.create_connection(
+        (place.hostname or "", place.port or 80)
+    ) as connection:
+        connection.sendall(request)
         while not parser.is_complete:
-            piece = asked.recv(2**20)
+            piece = connection.recv(2**20)
             if not piece:
                 raise rounds.ContenderFailed(
                     f"the server broke off after {bytes(read[:500])!r}"

@@ -1,9 +1,9 @@
-"""Which library does a piece of HTTP or encoding best: section `libraries`.
+"""Comparison of libraries for HTTP and encoding: section `libraries`.
 
-All contenders live in the peers' environment, those that the project uses too, so that
-all are measured alike. What they are given are real requests and answers of the
-reference server (capture.py). What needs no second process is measured in one
-(one_process.py), servers and clients on loopback (loopback.py).
+All contenders, including those that the project uses, run in the peers' environment.
+Their input is real requests and responses of the reference server (capture.py). Servers
+and clients are measured on loopback (loopback.py), all else in one process
+(one_process.py).
 """
 
 from __future__ import annotations
@@ -36,31 +36,31 @@ def measure(trying: bool, say: Callable[[str], None]) -> Json:
     before = results.machine()
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
-        say("libraries: a server is asked for real answers")
+        say("libraries: capturing samples from a server")
         capture.write(folder)
         say("libraries: parsing and encoding")
-        told = _in_one_process(folder, counts.in_process)
+        measured = _in_one_process(folder, counts.in_process)
         figures = {
-            **told.pop("figures"),
+            **measured.pop("figures"),
             "servers": loopback.servers(folder, counts.loopback, say),
             "clients": loopback.clients(folder, counts.loopback, say),
         }
     return {
-        "measured_on": {**before, **told},
+        "measured_on": {**before, **measured},
         "rounds": counts._asdict(),
         "figures": figures,
     }
 
 
 def _in_one_process(folder: Path, count: int) -> dict[str, Any]:
-    """Also says which Python and which versions these are, not those of the house."""
+    """Also returns the versions of that environment, which differ from the server's."""
     module = "benchmarks.libraries.one_process"
-    told = subprocess.run(
+    completed = subprocess.run(
         [str(contender_registry.PEERS_PYTHON), "-m", module, str(folder), str(count)],
         cwd=rounds.ROOT,
         check=True,
         stdout=subprocess.PIPE,
         text=True,
     )
-    read: dict[str, Any] = json.loads(told.stdout)
+    read: dict[str, Any] = json.loads(completed.stdout)
     return read

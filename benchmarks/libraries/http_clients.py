@@ -1,8 +1,8 @@
 """`python -m … URL CLIENT FOLDER SAMPLE`: the request of a sample, by one HTTP client.
 
-It is told how often in lines on stdin, as every client of the benchmarks (player.py).
-Each keeps one connection and is given path, headers and body anew for each request; the
-answer has to be that of the sample.
+The number of requests is read from stdin, as by every client of the benchmarks
+(turn_client.py). Each keeps one connection and receives path, headers and body for each
+request; the response must be that of the sample.
 """
 
 from __future__ import annotations
@@ -134,7 +134,7 @@ def by_httpx(url: str, sample_request: samples.SampleRequest) -> Ask:
 
 
 def by_aiohttp(url: str, sample_request: samples.SampleRequest) -> Ask:
-    """Each request is a task of a loop that stands still between them."""
+    """Each request is a task of an event loop that is stopped between requests."""
     import aiohttp
 
     runner = asyncio.Runner()

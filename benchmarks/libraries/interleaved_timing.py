@@ -1,8 +1,8 @@
-"""Several libraries at the same work in one process: each in turn, medians.
+"""Times several libraries with the same work in one process, alternately; medians.
 
-In every round each contender works for some milliseconds, the fast ones many times;
-the next round begins with another. What a contender made is compared with what it
-should be before it is measured: whoever makes something else is not measured at all.
+In every round each contender works for some milliseconds, the fast ones many times; the
+next round begins with another contender. The result of a contender is compared with the
+expected one before it is measured; a wrong result is an error.
 """
 
 from __future__ import annotations

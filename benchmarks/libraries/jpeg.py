@@ -1,10 +1,10 @@
-"""Four pictures of 480 × 640 as JPEG: quality 90, 4:2:0, one thread and several.
+"""Four images of 480 × 640 as JPEG: quality 90, 4:2:0, one thread and several.
 
-Both libraries have libjpeg-turbo inside. Decoders have to make the same pixels of the
-same files. Encoders do not make the same files: below quality 96 libjpeg-turbo's own
-interface, which simplejpeg calls, rounds its cosines faster. So each has to come as
-near to the original, and the sizes are told. PyTurboJPEG is not here: it needs a
-libturbojpeg that the system has.
+Both libraries contain libjpeg-turbo. Decoders must produce the same pixels from the
+same files. Encoders produce different files: below quality 96 libjpeg-turbo's own
+interface, which simplejpeg calls, uses a faster DCT. So each must be equally close to
+the original, and the sizes are reported. PyTurboJPEG is omitted: it needs the system's
+libturbojpeg.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""HTTP servers and HTTP clients on loopback: processes that stand and play in turn.
+"""HTTP servers and HTTP clients on loopback, measured alternately.
 
-Every server is asked by the reference client's connection, every client asks uvicorn as
-the reference server runs it. Started, told, clocked and ended as the contenders of the
-round trips are (rounds.py).
+Every server is called by the reference client's connection; every client calls uvicorn
+as the reference server runs it. Started, commanded, timed and ended like the contenders
+of the round trips (rounds.py).
 """
 
 from __future__ import annotations

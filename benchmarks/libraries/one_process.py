@@ -1,8 +1,8 @@
-"""`python -m … FOLDER ROUNDS`: what needs no second process, measured in this one.
+"""`python -m … FOLDER ROUNDS`: the measurements that need no second process.
 
-Runs in the environment that has all the libraries. FOLDER holds the samples. Prints one
-line of JSON: which versions these are, and for each question, column and contender the
-median of one call. A column's name ends with its unit.
+Runs in the environment that has all the libraries. FOLDER contains the samples. Prints
+one line of JSON: versions, and for each question, column and contender the median of
+one call. A column's name ends with its unit.
 """
 
 from __future__ import annotations

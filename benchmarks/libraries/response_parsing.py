@@ -1,8 +1,8 @@
 """An answer's head and body parsed in the client, without a socket.
 
 httptools is measured as the reference client uses it, the others as their documents
-show. What each of them needs before an answer can come is made off the clock: h11 wants
-to have sent the request, http.client a socket.
+show. What each needs before a response is prepared off the clock: h11 needs a sent
+request, http.client a socket.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ Parsed = tuple[int, dict[str, str], bytes]
 
 
 class _Socket:
-    """All of a socket that http.client asks for."""
+    """The part of a socket that http.client uses."""
 
     def __init__(self, answer: bytes) -> None:
         self._answer = answer

@@ -1,8 +1,8 @@
-"""What the reference server was really asked and really answered, byte for byte.
+"""Captured requests and responses of the reference server, byte for byte.
 
-capture.py writes it to a folder, and everything that is measured here reads it there:
-a turn without pictures, and one with four raw ones of 480 × 640. Knows no library but
-msgspec, which says what the answer means.
+Written to a folder by capture.py and read from there by every measurement: a turn
+without images, and one with four raw images of 480 × 640. Uses no library but msgspec,
+which decodes the response.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import msgspec
 
 STATE, CAMERAS = "state", "cameras"
-# How a server is told, in its environment: where they are, and to send copies.
+# Environment variables of a server: the folder of samples, and whether to copy.
 FOLDER, COPIES = "BENCHMARKS_SAMPLES", "BENCHMARKS_COPIES"
 _HEAD_END = b"\r\n\r\n"
 # What every HTTP client writes by itself.
@@ -58,7 +58,7 @@ class Sample:
         return with_pictures(turn, memoryview)
 
     def parts(self) -> list[memoryview]:
-        """The body as the server sends it: each picture apart, and what is around."""
+        """The body in the parts that the server sends: images are separate parts."""
         body, parts, start = self.body, [], 0
         view = memoryview(body)
         for image in self.turn()["observation"]["images"].values():
@@ -75,7 +75,7 @@ def read(folder: Path, name: str) -> Sample:
 
 
 def with_pictures(turn: dict[str, Any], become: Any) -> dict[str, Any]:
-    """A turn in which `become` was done to the data of every picture."""
+    """A turn with `become` applied to the data of every image."""
     observation = turn["observation"]
     images = {
         name: image | {"data": become(image["data"])}

@@ -1,8 +1,7 @@
-"""A turn encoded and decoded: MessagePack and JSON, with and without pictures.
+"""Encoding and decoding of a turn: MessagePack and JSON, with and without images.
 
-What is encoded is a turn as the reference server has it; what is decoded are the bytes
-of the reference server. A library that does no Base64 is given pybase64 for it, the
-standard library its own.
+Encoded is a turn as the reference server holds it; decoded are the bytes that it sent.
+A library without Base64 is combined with pybase64, the standard library with its own.
 """
 
 from __future__ import annotations
@@ -31,7 +30,7 @@ JOINED = "msgspec with pybase64"
 
 
 def msgpack_encoded(sample: Sample) -> Contenders:
-    """Each one's bytes have to say the same, and msgspec's are those of the wire."""
+    """All encodings must decode to the same; msgspec's are the bytes on the wire."""
     turn = sample.turn()
     assert msgspec.msgpack.encode(turn) == sample.body
     writers: dict[str, Callable[[Any], bytes]] = {
@@ -125,7 +124,7 @@ def _by_base64(data: str) -> bytes:
 
 
 def _quoted(data: memoryview) -> msgspec.Raw:
-    """A JSON string that msgspec copies as it stands."""
+    """A JSON string that msgspec copies unchanged."""
     return msgspec.Raw(b'"%b"' % pybase64.b64encode(data))
 
 

@@ -1,7 +1,7 @@
-"""The libraries as people read them: a table for each question, the chosen one first.
+"""The report of the libraries: a table for each question, the chosen library first.
 
-Everything is computed from the section of results.json. What a question asks stands
-here, who was measured and what came of it there. Knows none of the libraries.
+Everything is computed from the section of results.json; the questions are described
+here. Imports none of the libraries.
 """
 
 from __future__ import annotations
@@ -27,44 +27,43 @@ class Question(NamedTuple):
 
 QUESTIONS = {
     "parsing": Question(
-        "An answer parsed in the client",
-        "Head and body of a turn without pictures, 804 bytes, no socket. httptools is "
-        "measured as `reference_client` uses it, with what that makes of the headers.",
+        "Parsing a response in the client",
+        "Head and body of a turn without images, 804 bytes, no socket. httptools is "
+        "measured as in `reference_client`, with its collection of the headers.",
         "httptools",
-        {"answer_us": "an answer, µs"},
+        {"answer_us": "one response, µs"},
     ),
     "messagepack": Question(
         "MessagePack",
-        "Server, simulator and client: a turn without pictures, 670 bytes, and one "
-        "with four raw ones of 480 × 640. msgspec decodes into the client's "
-        "structures, checks them on the way and leaves pictures where they came; all "
-        "others make dicts and copies.",
+        "Server, simulator and client: a turn without images, 670 bytes, and one with "
+        "four raw images of 480 × 640. msgspec decodes into the client's structures, "
+        "validates them and does not copy images; all others make dicts and copies.",
         "msgspec",
         {
             "encode_us": "encode, µs",
             "decode_us": "decode, µs",
-            "decode_pictures_us": "decode, four pictures, µs",
+            "decode_pictures_us": "decode, four images, µs",
         },
     ),
     "json": Question(
         "JSON",
-        "Server and client, for who asks for it: the same turns. What does no Base64 "
-        "by itself is given a library for it; a turn without pictures has none. The "
-        "server gives pictures to pybase64; `reference_client` asks for JSON where "
-        "there is nothing else, and leaves them to msgspec.",
+        "Server and client, on request: the same turns. A library without Base64 is "
+        "combined with one; a turn without images needs none. The server encodes "
+        "images with pybase64; `reference_client` uses JSON only where a server has "
+        "nothing else, and decodes images with msgspec.",
         "msgspec",
         {
             "encode_us": "encode, µs",
             "decode_us": "decode, µs",
-            "encode_pictures_ms": "encode, four pictures, ms",
-            "decode_pictures_ms": "decode, four pictures, ms",
+            "encode_pictures_ms": "encode, four images, ms",
+            "decode_pictures_ms": "decode, four images, ms",
         },
     ),
     "jpeg": Question(
         "JPEG",
-        "Encoded by the simulator, decoded by the client: four pictures of 480 × 640, "
+        "Encoded by the simulator, decoded by the client: four images of 480 × 640, "
         "quality 90, 4:2:0, in one thread and in as many as there are cores. Decoded "
-        "pixels are the same. Files are not, they are a little larger than Pillow's.",
+        "pixels are equal. Files are not: they are slightly larger than Pillow's.",
         "simplejpeg",
         {
             "encode_ms": "encode, ms",
@@ -76,22 +75,22 @@ QUESTIONS = {
     ),
     "servers": Question(
         "An HTTP server",
-        "A bare ASGI application answers a request of 538 bytes over one kept "
-        "connection: 670 bytes of body, or 3.7 MB with four pictures as the reference "
-        "server sends them, in nine messages. CPU is that of all processes of the "
-        "server. granian reads a view of memory byte by byte, so it is given copies.",
+        "A minimal ASGI application answers a request of 538 bytes over one persistent "
+        "connection: 670 bytes of body, or 3.7 MB with four images in nine messages, "
+        "as sent by the reference server. CPU is that of all processes of the server. "
+        "granian reads a view of memory byte by byte, so it receives copies.",
         "uvicorn: httptools, uvloop",
         {
             "p50_us": "p50, µs",
             "server_cpu_us": "server CPU, µs",
-            "p50_pictures_ms": "four pictures, p50, ms",
+            "p50_pictures_ms": "four images, p50, ms",
             "server_cpu_pictures_ms": "server CPU, ms",
         },
     ),
     "clients": Question(
         "An HTTP client",
-        "The first of these servers is asked for the 670 bytes. `reference_client` is "
-        "its connection alone, a socket and httptools.",
+        "The first of these servers sends the 670 bytes. `reference_client` is its "
+        "connection only, a socket and httptools.",
         "reference_client",
         {"p50_us": "p50, µs", "client_cpu_us": "client CPU, µs"},
     ),

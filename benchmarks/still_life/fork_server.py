@@ -1,4 +1,4 @@
-"""The nursery of a server with still lifes: see server.py. `python -m … FD`."""
+"""The fork server of a server with `still_life`: see server.py. `python -m … FD`."""
 
 from __future__ import annotations
 

@@ -1,9 +1,8 @@
-"""The reference server, with still lifes in its catalog.
+"""The reference server with the benchmark `still_life`.
 
-`python -m benchmarks.still_life.server`, with the options of the server. Everything is
-the server's own; its catalog and that of its simulator processes offer still lifes
-beside the rest. There is a way for everybody, the Gymnasium adapter, but then its work
-would be measured with the server's.
+`python -m benchmarks.still_life.server`, with the options of the server. The benchmark
+is added to the registries of the server and of its simulator processes. The public way,
+the Gymnasium adapter, would add its own cost to the measurement.
 """
 
 from __future__ import annotations

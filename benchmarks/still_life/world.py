@@ -1,9 +1,8 @@
-"""The benchmark of the round trips: a world in which nothing moves and nothing costs.
+"""The benchmark of the round trips: a simulator of a static scene that costs nothing.
 
-A `Simulator` like any other, in a simulator process like any other; server.py adds it
-to the catalog. Like a MuJoCo camera it draws on the canvas, when it is looked at; a
-picture that stands on a page of the canvas already is not drawn again, only its number
-is.
+A `Simulator` in an ordinary simulator process; server.py adds it to the registry. Like
+a MuJoCo camera it renders into the frame buffer; an image that is already in a half of
+the buffer is not drawn again, only its number is.
 """
 
 from __future__ import annotations

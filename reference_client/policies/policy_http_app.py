@@ -194,7 +194,7 @@ class PolicyApp:
         if self._key is not None and not hmac.compare_digest(
             sent.encode(), f"Bearer {self._key}".encode()
         ):
-            raise Refusal("unauthenticated", "Missing or wrong bearer token.")
+            raise Refusal("unauthenticated", "Missing or invalid bearer token.")
 
 
 async def _body(request: Request) -> bytes:

@@ -1,7 +1,7 @@
 """The user's description of a benchmark: a TOML file or a short reference.
 
-Documented in docs/host/benchmarks.md. This module knows no environment; what a file omits is
-completed by `check`, from the environment.
+Documented in docs/host/benchmarks.md. This module knows no environment; what a file
+omits is completed by `check`, from the environment.
 """
 
 from __future__ import annotations

@@ -23,7 +23,7 @@ from reference_sim.gymnasium.simulator import GymnasiumSimulator
 _SUCCESS_KEYS = ("is_success", "success")
 _MAX_STEPS = 1000
 _NO_IMAGE_SIZE = (64, 64)  # there is none, but every run records a choice
-# Results differ between the versions of these, whoever imports them.
+# Physics engines: results differ between their versions.
 _ENGINES = (
     "ale-py",
     "box2d",

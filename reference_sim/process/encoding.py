@@ -1,8 +1,7 @@
 """Converts observations to the protocol's structure: lists, numbers and bytes.
 
 The server encodes the structure as JSON or MessagePack. The structure owns its bytes: a
-simulator may render into the same buffer again. Decides ENC-004 (tensors), ENC-005 (raw
-images), ENC-006 (png) and ENC-007 (jpeg).
+simulator may render into the same buffer again.
 """
 
 from __future__ import annotations
@@ -107,11 +106,11 @@ def encode_image(
         "data": _NOTHING,
     }
     if codec != "raw":
-        image["data"] = _compress(pixels, codec)
+        image["data"] = _compress(pixels, codec)  # ENC-006, ENC-007
     elif frame_buffer is not None and (place := frame_buffer.place_of(pixels)):
         image["place"] = place
     else:
-        image["data"] = memoryview(pixels.tobytes())
+        image["data"] = memoryview(pixels.tobytes())  # ENC-005
     return image
 
 
@@ -120,7 +119,7 @@ def encode_tensor(tensor: NDArray[np.generic]) -> EncodedTensor:
     return {
         "dtype": tensor.dtype.name,
         "shape": list(tensor.shape),
-        "data": memoryview(little_endian.tobytes()),
+        "data": memoryview(little_endian.tobytes()),  # ENC-004
     }
 
 

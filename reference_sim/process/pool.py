@@ -1,8 +1,7 @@
 """A pool of simulator processes on this machine, lent to sessions.
 
 Nothing here blocks the event loop. Each process is used by one session at a time, and
-the only lock held while a simulator executes is that of its process: a fault or a long
-turn of one worker does not affect another (FAULT-004, PRED-022).
+the only lock held while a simulator executes is that of its process.
 """
 
 from __future__ import annotations
@@ -173,6 +172,8 @@ class SimulatorPool:
             raise NoCapacity(f"all {self._size_max} simulators are in use")
         self._acquiring += 1
         try:
+            # A process of its own: neither its fault (FAULT-004) nor a long turn
+            # (PRED-022) affects another worker.
             process = await self._build(world)
         finally:
             self._acquiring -= 1

@@ -27,7 +27,7 @@ NOUNS = {
     "button": "button",
 }
 THINGS = tuple(NOUNS)
-# Told apart on any screen; the arm is blue, white and grey, the table brown.
+# Distinguishable on any screen; the arm is blue, white and grey, the table brown.
 PALETTE = ("red", "green", "yellow", "purple", "turquoise")
 ASPECT = 4 / 3
 REACH_M = 0.78  # of the gripper over the table, from the middle of the arm's foot

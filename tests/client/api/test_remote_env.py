@@ -243,7 +243,9 @@ def test_the_program_of_the_manual_runs(
 ) -> None:
     """As pasted, with this server's URL and token, for a shorter benchmark."""
     page = (ROOT / "docs" / "evaluate" / "policies.md").read_text()
-    (program,) = re.findall(r"```python\n(import gymnasium\n.*?)```", page, re.DOTALL)
+    (program,) = re.findall(
+        r"```python\n(from reference_client import RemoteEnv\n.*?)```", page, re.DOTALL
+    )
     for old, new in {
         "http://127.0.0.1:8460": server.url,
         '"TOKEN"': f'"{TOKENS["alice"]}"',

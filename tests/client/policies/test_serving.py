@@ -133,7 +133,7 @@ class NanPolicy(CountingPolicy):
 @pytest.mark.parametrize(
     ("policy", "said"),
     [
-        (RaisingPolicy, "ValueError: no such joint (test_policy_serving.py:"),
+        (RaisingPolicy, "ValueError: no such joint (test_serving.py:"),
         (NanPolicy, "/actions/0/values/score/0: is nan"),
     ],
 )
@@ -196,7 +196,7 @@ def test_the_reason_names_the_policys_own_line(push_server: ReferenceServer) -> 
     app = PolicyApp(RaisingPolicy, "failing", key=KEY)
     with run_app(app.app) as url, push_server.client() as client:
         run = wait_for_state(client, submit_push_run(client, url, api_key=KEY))
-        assert "ValueError: no such joint (test_policy_serving.py:" in run["reason"]
+        assert "ValueError: no such joint (test_serving.py:" in run["reason"]
 
 
 @pytest.mark.parametrize("wrong", [{}, {"api_key": "wrong"}])
@@ -206,7 +206,7 @@ def test_a_wrong_key_fails_the_run(
     with run_app(make_app().app) as url, push_server.client() as client:
         run = wait_for_state(client, submit_push_run(client, url, **wrong))
         assert run["state"] == "failed"
-        assert "unauthenticated: Missing or wrong bearer token" in run["reason"]
+        assert "unauthenticated: Missing or invalid bearer token" in run["reason"]
 
 
 def test_the_command_serves_an_expert_to_a_real_benchmark(

@@ -141,7 +141,7 @@ def test_all_faults_of_a_file_are_reported_together(tmp_path: Path) -> None:
         ("nothing.toml", "nothing.toml: No such file or directory"),
         (
             "juggling",
-            "juggling: unknown benchmark reference; expected gymnasium:ID, FILE.toml, a folder",
+            "juggling: unknown benchmark reference; expected gymnasium:ID, FILE.toml, ",
         ),
         ("gymnasium:", "unknown benchmark reference; expected"),
         ("x.py:", "unknown benchmark reference; expected"),

@@ -32,7 +32,7 @@ CLASSICS = ("Acrobot-v1", "CartPole-v1", "MountainCarContinuous-v0", "Pendulum-v
 
 
 def settings_of(world: str, **members: Any) -> dict[str, Any]:
-    """Of a world of tests/support/sim/gymnasium_envs.py, as it travels to its process."""
+    """Of a world of tests/support/sim/gymnasium_envs.py, as sent to its process."""
     made_by = f"gymnasium_envs.py:{world}"
     content = {"benchmark_id": "mine", "made_by": made_by} | members
     benchmark = Benchmark.model_validate(content)

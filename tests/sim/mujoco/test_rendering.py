@@ -31,7 +31,8 @@ sim.step({"joint_position": HOME_RAD, "gripper": [1.0]})
 assert not sim.observe().images
 assert not {"OpenGL", "glfw"} & set(sys.modules), "graphics were touched"
 
-seeing = benchmark_registry.make(benchmark_registry.SimulatorConfig("tabletop", {"width": 64, "height": 48}))
+size = {"width": 64, "height": 48}
+seeing = benchmark_registry.make(benchmark_registry.SimulatorConfig("tabletop", size))
 seeing.reset("lift_cube", 0)
 """
 THEN_CAMERAS = """

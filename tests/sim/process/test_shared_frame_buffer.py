@@ -167,7 +167,7 @@ def test_an_offset_outside_the_memory_is_an_error() -> None:
     for place in ((5, 6), (-2, 1), (11, 1)):
         image = encode_image(np.zeros((1, 1, 1), np.uint8), "raw")
         image["place"] = place
-        with pytest.raises(ValueError, match="beside"):
+        with pytest.raises(ValueError, match="outside"):
             process._resolve_pixels(
                 {"state": {}, "tensors": {}, "images": {"a": image}}
             )
