@@ -285,7 +285,7 @@ def test_a_benchmark_with_a_fault_is_not_offered() -> None:
     reference = f"{ENVS / WORLDS}:Leaks"
     with pytest.raises(BadBenchmark) as caught:
         list(registration.benchmarks(reference, print))
-    assert str(caught.value).startswith(f"leaks ({reference}): task leaks: an episode")
+    assert str(caught.value).startswith(f"leaks ({reference}): task leaks: state leaks")
 
 
 def test_the_command_prints_its_findings(capsys: pytest.CaptureFixture[str]) -> None:
