@@ -44,7 +44,7 @@ from reference_server.rules.submission import (
 )
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
-from reference_server.runs.scores import ScoreCache
+from reference_server.runs.score_cache import ScoreCache
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.views import run_views, turn_view
 

@@ -29,7 +29,7 @@ from tests.support.server.server_parts import (
 @pytest.mark.parametrize(
     ("what", "change"),
     [
-        ("is not offered", {"submission": {"benchmark_id": "gone"}}),
+        ("is no longer offered", {"submission": {"benchmark_id": "gone"}}),
         ("has changed", {"manifest_sha256": "0" * 64}),
     ],
 )

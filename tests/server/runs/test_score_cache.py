@@ -9,8 +9,8 @@ import pytest
 
 from reference_server.rules import effects
 from reference_server.rules.run import Run
-from reference_server.runs import scores
-from reference_server.runs.scores import ScoreCache
+from reference_server.runs import score_cache
+from reference_server.runs.score_cache import ScoreCache
 from reference_server.storage.store import StoreFailed
 from reference_server.views import run_views
 from tests.support.server.server_parts import (
@@ -159,7 +159,7 @@ def test_a_cached_score_is_private_to_its_account(tmp_path: Path) -> None:
 def test_the_score_cache_is_bounded(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(scores, "CACHED_SCORES_MAX", 2)
+    monkeypatch.setattr(score_cache, "CACHED_SCORES_MAX", 2)
     computed = record_computed_scores(monkeypatch)
 
     async def scenario(parts: ServerParts) -> None:
