@@ -184,8 +184,8 @@ def opens_its_endpoint_to_every_account() -> None:
 
     async def wrong(self: EbenchHandlers, call: Any) -> Run:
         run = await self.service.registry.get(call.path["run_id"])
-        caller = dataclasses.replace(call.caller, account=run.account)
-        return await right(self, dataclasses.replace(call, caller=caller))
+        call.caller = dataclasses.replace(call.caller, account=run.account)
+        return await right(self, call)
 
     put(EbenchHandlers, "_run", wrong)
 

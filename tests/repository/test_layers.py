@@ -78,7 +78,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "storage": {"rules"},
     "views": {"generated", "reference_sim", "rules"},
     "runs": {"generated", "reference_sim", "rules", "storage", "views"},
-    "push": {"generated", "http", "rules", "runs", "storage"},
+    "push": {"allowed_networks", "generated", "http", "rules", "runs", "storage"},
     "http": {"generated", "rules", "runs", "settings", "storage", "views"},
     "profiles": {"generated", "http", "push", "rules", "runs", "settings", "views"},
 }
