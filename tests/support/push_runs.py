@@ -1,7 +1,7 @@
 """Builds push runs for tests, and policy servers that misbehave.
 
-`conformance.policy.scripted_policy` is the policy server; bytes that no HTTP library would
-send come from a plain socket.
+`conformance.policy.scripted_policy` is the policy server; bytes that no HTTP library
+would send come from a plain socket.
 """
 
 import contextlib
