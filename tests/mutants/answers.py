@@ -80,7 +80,7 @@ def rounds_the_score() -> None:
 
 @mutant("SCORE-005", "SCORE-006")
 def calls_a_partial_score_complete() -> None:
-    """A lucky beginning is published as the result."""
+    """A partial score is published as the result."""
 
     def wrong(score: dict[str, Any], _episodes: Any) -> None:
         score["complete"] = True
@@ -127,7 +127,7 @@ def ignores_idempotency_keys() -> None:
 
 @mutant("RUN-004")
 def answers_a_used_key_whatever_the_body() -> None:
-    """The second of two different runs is silently not made."""
+    """The second of two different runs is not created, without an error."""
     right = RunRegistry.add
 
     async def wrong(self: RunRegistry, run: Run, key: str | None, _body: str) -> Run:
@@ -138,7 +138,7 @@ def answers_a_used_key_whatever_the_body() -> None:
 
 @mutant("AUTH-003", "CMP-010")
 def shows_runs_to_every_account() -> None:
-    """Anybody reads and stops everybody's runs."""
+    """Every account can read and stop the runs of all accounts."""
     right = RunRegistry.get
 
     async def wrong(self: RunRegistry, run_id: str, _account: str | None = None) -> Run:
@@ -149,7 +149,7 @@ def shows_runs_to_every_account() -> None:
 
 @mutant("AUTH-003", "CMP-010")
 def says_that_a_foreign_run_exists() -> None:
-    """Run ids of other accounts can be found out by trying."""
+    """Run ids of other accounts can be found by trying."""
     right = RunRegistry.get
 
     async def wrong(self: RunRegistry, run_id: str, account: str | None = None) -> Run:
@@ -183,7 +183,7 @@ def accepts_any_version() -> None:
 
 @mutant("SVC-002", "VER-001")
 def does_not_name_its_version() -> None:
-    """Nobody knows by which rules an answer was made."""
+    """A client cannot know which protocol version an answer follows."""
 
     async def wrong(self: app.Application, scope: Any, receive: Any, send: Any) -> None:
         await self._app(scope, receive, send)
@@ -193,7 +193,7 @@ def does_not_name_its_version() -> None:
 
 @mutant("ERR-003")
 def ignores_unknown_members() -> None:
-    """A misspelt option is silently not applied."""
+    """A misspelt option is not applied, without an error."""
     right = codec.validate
 
     def wrong(model: Any, data: Any) -> Any:
@@ -211,19 +211,19 @@ def ignores_unknown_members() -> None:
 
 @mutant("ERR-001")
 def calls_problems_plain_json() -> None:
-    """Clients that look for problems find none."""
+    """Clients that expect problem details do not recognise them."""
     put(problems, "PROBLEM_JSON", "application/json")
 
 
 @mutant("ERR-001")
 def says_that_a_conflict_is_retryable() -> None:
-    """Clients repeat for ever what can never succeed."""
+    """Clients repeat a request that can never succeed."""
     PROBLEMS["illegal_transition"]["retryable"] = True
 
 
 @mutant("ERR-011")
 def does_not_say_when_to_retry() -> None:
-    """Clients that are told to wait ask again at once."""
+    """Clients that must wait retry immediately."""
     right = problems.problem_response
 
     def wrong(refused: Refused) -> Response:
@@ -249,7 +249,7 @@ def sends_numbers_as_text() -> None:
 
 @mutant("ENC-001")
 def prefers_messagepack() -> None:
-    """Generated clients get what they cannot read."""
+    """Generated clients receive a format that they cannot read."""
     right = codec.negotiate_media_type
 
     def wrong(request: Any, writable: Any) -> str:
@@ -260,13 +260,13 @@ def prefers_messagepack() -> None:
 
 @mutant("RUN-011", "RUN-012", "RUN-013")
 def ignores_etags() -> None:
-    """Every poll costs the whole answer."""
+    """Every poll transfers the whole answer."""
     put(handlers, "_matches", lambda _wanted, _etag: False)
 
 
 @mutant("RUN-012")
 def answers_long_polls_only_at_their_end() -> None:
-    """Waiting for a change is no faster than asking now and then."""
+    """A long poll is no faster than polling at intervals."""
 
     async def wrong(
         _self: RunRegistry, _change_events: asyncio.Event, timeout_s: float
@@ -279,7 +279,7 @@ def answers_long_polls_only_at_their_end() -> None:
 
 @mutant("LIFE-801")
 def forgets_runs_that_were_held_in_the_queue() -> None:
-    """A run that has to wait waits for ever."""
+    """A queued run never starts."""
     right = effects.admit
 
     def wrong(queued: list[Run], *rest: Any) -> list[Run]:
@@ -293,7 +293,7 @@ def forgets_runs_that_were_held_in_the_queue() -> None:
 
 @mutant("CRASH-001")
 def stores_results_after_sending_them() -> None:
-    """A crash loses what the client has seen."""
+    """A crash loses results that the client has received."""
     right = RunRegistry.commit
 
     async def later(self: RunRegistry, run: Run) -> None:

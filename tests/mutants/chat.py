@@ -12,7 +12,7 @@ from tests.mutants import mutant, put
 
 @mutant("CHAT-001")
 def sends_no_picture() -> None:
-    """A model is scored for questions about what it was never shown."""
+    """A model is scored for a question without its picture."""
     right = ChatPolicy._question
 
     def wrong(self: ChatPolicy, turn: Any) -> dict[str, Any]:
@@ -26,7 +26,7 @@ def sends_no_picture() -> None:
 
 @mutant("CHAT-002")
 def takes_the_first_line_for_the_answer() -> None:
-    """A model that thinks aloud is scored for its first thought."""
+    """A model that reasons first is scored for its first thought."""
     right = chat_calls.read_answer
 
     def wrong(text: str) -> dict[str, list[float]]:
@@ -51,7 +51,7 @@ def counts_an_unreadable_answer_as_a_fault() -> None:
 
 @mutant("CHAT-004")
 def takes_an_error_for_an_answer() -> None:
-    """A broken model server is published as a model that knows nothing."""
+    """A broken model server is published as a model without correct answers."""
     right = chat_calls._content
 
     def wrong(answer: Any) -> str:

@@ -33,7 +33,7 @@ def change_entry(change: Callable[[Entry, Any, Any], None]) -> None:
 
 @mutant("CMP-001")
 def sorts_compared_runs() -> None:
-    """Who asks for three runs reads the numbers of the first at the second."""
+    """A client that compares three runs assigns the numbers to the wrong runs."""
     right = run_views.comparison_view
 
     def wrong(*arguments: Any) -> dict[str, Any]:
@@ -51,7 +51,7 @@ def counts_unscored_episodes_as_pairs() -> None:
 
 @mutant("CMP-003")
 def calls_a_comparison_with_half_a_baseline_complete() -> None:
-    """A verdict on a lucky beginning is published as the last word."""
+    """A verdict on a partial baseline is published as final."""
 
     def wrong(entry: Entry, _baseline: Any, run: Any) -> None:
         entry["complete"] = all(e.outcome is not None for e in run)
@@ -72,7 +72,7 @@ def subtracts_the_baseline() -> None:
 
 @mutant("CMP-005")
 def leaves_out_tasks_without_a_pair() -> None:
-    """The task on which nothing was compared is not missed."""
+    """A task without any compared episode goes unnoticed."""
 
     def wrong(entry: Entry, _baseline: Any, _run: Any) -> None:
         tasks = entry["by_task"].items()
@@ -83,7 +83,7 @@ def leaves_out_tasks_without_a_pair() -> None:
 
 @mutant("CMP-006")
 def counts_a_success_of_both_as_a_win() -> None:
-    """A policy that only keeps up seems to win."""
+    """A policy that is only as good as the baseline seems better."""
 
     def wrong(entry: Entry, baseline: Any, run: Any) -> None:
         both = sum(
@@ -98,7 +98,7 @@ def counts_a_success_of_both_as_a_win() -> None:
 
 @mutant("CMP-007")
 def approximates_the_p_value() -> None:
-    """Six episodes out of six pass for proof, which they are not quite."""
+    """A p-value is too small for few episodes."""
 
     def wrong(wins: int, losses: int) -> float:
         if wins + losses == 0:
@@ -118,7 +118,7 @@ def compares_only_the_whole_with_the_tolerance() -> None:
 
 @mutant("CMP-008")
 def releases_whatever_is_better() -> None:
-    """A chip that gives other answers passes for one that gives the same."""
+    """A chip with other answers passes for one with the same."""
 
     def wrong(groups: Any, tolerance: float) -> bool:
         return all(group["difference"] <= tolerance + 1e-9 for group in groups)
@@ -128,7 +128,7 @@ def releases_whatever_is_better() -> None:
 
 @mutant("CMP-009")
 def compares_different_manifests() -> None:
-    """Episodes that have nothing in common are subtracted from each other."""
+    """Results of different episodes are subtracted from each other."""
     put(comparison, "manifest_mismatch", lambda _runs: None)
     put(comparison, "_pairs", lambda baseline, run: list(_scored(baseline, run)))
 
@@ -141,7 +141,7 @@ def _scored(baseline: Any, run: Any) -> Any:
 
 @mutant("CMP-010")
 def compares_runs_of_any_account() -> None:
-    """Who knows the ids reads the scores of others."""
+    """An account that knows run ids can read scores of other accounts."""
     right = Handlers.compare_runs
 
     async def wrong(self: Handlers, call: OperationCall) -> Response:

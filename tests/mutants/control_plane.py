@@ -25,7 +25,7 @@ from tests.mutants import mutant, put
 
 @mutant("SVC-001")
 def requires_a_token_for_the_service() -> None:
-    """A stranger cannot learn what this server is."""
+    """A client without a token cannot read the service description."""
     right = Handlers.table
 
     def wrong(self: Handlers) -> Any:
@@ -68,7 +68,7 @@ def does_not_say_how_to_authenticate() -> None:
 
 @mutant("AUTH-004")
 def lists_the_runs_of_every_account() -> None:
-    """Everybody sees what everybody evaluates."""
+    """Every account sees the evaluations of all accounts."""
     import sqlalchemy as sa
 
     from reference_server.storage import store
@@ -105,7 +105,7 @@ def lists_the_runs_of_every_account() -> None:
 
 @mutant("BEN-001")
 def does_not_list_calibration() -> None:
-    """The kit cannot find what it needs."""
+    """The kit cannot find the benchmark that it plays."""
     right = Benchmarks.summaries
 
     def wrong(self: Benchmarks) -> list[dict[str, Any]]:
@@ -128,7 +128,7 @@ def answers_for_unknown_benchmarks() -> None:
 
 @mutant("BEN-003")
 def hashes_a_benchmark_anew_each_time() -> None:
-    """Two runs on the same benchmark cannot be compared."""
+    """Two runs of the same benchmark cannot be compared."""
     right = Benchmarks.view
     count = iter(range(10**9))
 
@@ -156,7 +156,7 @@ def spoil_run(change: Any) -> None:
 
 @mutant("RUN-001")
 def returns_a_wrong_location_after_submit() -> None:
-    """A client that follows Location is lost."""
+    """A client that follows Location does not find its run."""
     right = Handlers.submit_run
 
     async def wrong(self: Handlers, call: Any) -> Response:
@@ -169,7 +169,7 @@ def returns_a_wrong_location_after_submit() -> None:
 
 @mutant("RUN-002")
 def calls_a_new_run_running() -> None:
-    """A client believes that somebody plays already."""
+    """A client believes that a worker is attached."""
     right = Handlers.submit_run
 
     async def wrong(self: Handlers, call: Any) -> Response:
@@ -209,7 +209,7 @@ def shares_idempotency_keys_between_accounts() -> None:
 
 @mutant("RUN-006")
 def points_at_the_wrong_member() -> None:
-    """A person looks for the mistake in the wrong place."""
+    """A user looks for the mistake in the wrong place."""
     right = Benchmarks.resolve
 
     async def wrong(self: Benchmarks, submission: Any) -> Any:
@@ -227,7 +227,7 @@ def points_at_the_wrong_member() -> None:
 
 @mutant("RUN-007")
 def ignores_options_that_do_not_apply() -> None:
-    """A submitter believes that his options were applied."""
+    """A submitter believes that the options were applied."""
     right = Benchmarks.resolve
 
     async def wrong(self: Benchmarks, submission: Any) -> Any:
@@ -240,13 +240,13 @@ def ignores_options_that_do_not_apply() -> None:
 
 @mutant("RUN-008")
 def omits_the_queue_position() -> None:
-    """Nobody knows how long the wait will be."""
+    """A user cannot estimate the time in the queue."""
     put(RunRegistry, "queue_position", lambda _self, _run: None)
 
 
 @mutant("RUN-009")
 def skips_a_run_between_pages() -> None:
-    """A run has disappeared."""
+    """A run is missing from the list."""
     right = Store.page
 
     async def wrong(
@@ -260,7 +260,7 @@ def skips_a_run_between_pages() -> None:
 
 @mutant("AUTH-003", "RUN-010")
 def answers_for_unknown_runs() -> None:
-    """A run that was never made seems to wait."""
+    """A run that was never submitted seems to wait."""
     right = Handlers.get_run
 
     async def wrong(self: Handlers, call: Any) -> Response:
@@ -311,13 +311,13 @@ def grants_any_number_of_workers() -> None:
 
 @mutant("LEASE-007")
 def grants_leases_of_any_length() -> None:
-    """A dead client holds its slot for a day."""
+    """A crashed client keeps its session for a day."""
     _unlimited("idle_timeout_s")
 
 
 @mutant("RUN-017")
 def replaces_an_image_choice_it_does_not_offer() -> None:
-    """A policy is evaluated on other pictures than it asked for."""
+    """A policy is evaluated on other images than requested."""
     right = Benchmarks._resolved
 
     def wrong(self: Benchmarks, benchmark_id: str, options: Any, images: Any) -> Any:
@@ -359,7 +359,7 @@ def hides_scores_until_the_end() -> None:
 
 @mutant("SCORE-008")
 def counts_abandoned_episodes_as_failures() -> None:
-    """Giving up cannot be told from failing."""
+    """Abandoned episodes cannot be told from failed ones."""
     right = scoring.score_of
 
     def wrong(episodes: Any) -> dict[str, Any]:

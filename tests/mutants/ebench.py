@@ -34,14 +34,14 @@ SCORE_AT = 5  # among calibration's numbers by name
 
 @mutant("EBE-001")
 def takes_another_benchmark_for_the_task() -> None:
-    """A policy is evaluated on what nobody asked for."""
+    """A policy is evaluated on another benchmark than submitted."""
     wrong = {**task_handlers.BENCHMARK_SETS, "calibration": "mobile_bimanual_state"}
     put(task_handlers, "BENCHMARK_SETS", wrong)
 
 
 @mutant("EBE-002")
 def refuses_a_task_without_a_message() -> None:
-    """The client prints an error that says nothing."""
+    """The client prints an error without a text."""
 
     def wrong(refused: Refused) -> Response:
         body = json.loads(bytes(task_responses.refusal_response(refused).body))
@@ -52,7 +52,7 @@ def refuses_a_task_without_a_message() -> None:
 
 @mutant("EBE-003")
 def calls_a_queued_task_ready() -> None:
-    """Workers come too early and are turned away."""
+    """Workers attach too early and are refused."""
     right = RunService.get_availability
 
     async def wrong(self: RunService, *arguments: Any) -> Any:
@@ -64,7 +64,7 @@ def calls_a_queued_task_ready() -> None:
 
 @mutant("EBE-004")
 def gives_a_resumed_task_another_id() -> None:
-    """The client looks for its progress where there is none."""
+    """The client asks for the progress of an id that is no longer used."""
     right = EbenchHandlers.create_task
 
     async def wrong(self: EbenchHandlers, call: Any) -> Response:
@@ -78,7 +78,7 @@ def gives_a_resumed_task_another_id() -> None:
 
 @mutant("EBE-005")
 def has_no_docs_page() -> None:
-    """The client refuses to begin."""
+    """The client does not start."""
 
     async def wrong(_self: EbenchHandlers, _call: Any) -> Response:
         raise Refused("not_found", "There is no such page.")
@@ -88,7 +88,7 @@ def has_no_docs_page() -> None:
 
 @mutant("EBE-018")
 def lacks_one_of_two_stop_paths() -> None:
-    """An older client cannot stop what it began."""
+    """An older client cannot stop what it started."""
     right = EbenchHandlers.table
 
     def wrong(self: EbenchHandlers) -> Any:
@@ -117,7 +117,7 @@ def counts_episodes_in_progress_as_completed() -> None:
 
 @mutant("EBE-006")
 def shows_the_first_of_many_workers() -> None:
-    """The client of sixteen workers cannot begin."""
+    """A client with sixteen workers cannot start."""
     right = EbenchHandlers._worker_views
 
     async def wrong(self: EbenchHandlers, run: Run, turns: Mapping[str, Any]) -> Any:
@@ -130,7 +130,7 @@ def shows_the_first_of_many_workers() -> None:
 
 @mutant("EBE-007")
 def begins_an_episode_anew_at_every_reset() -> None:
-    """Who restarts the client when it goes badly has the better score."""
+    """A client that resets a bad episode gets a better score."""
     right = EbenchHandlers._open
 
     async def wrong(
@@ -147,7 +147,7 @@ def begins_an_episode_anew_at_every_reset() -> None:
 
 @mutant("EBE-016")
 def ignores_kill_requests() -> None:
-    """A slot is lost until the lease ends."""
+    """A worker's session is blocked until its lease ends."""
 
     async def wrong(_self: EbenchHandlers, call: Any) -> Response:
         return call.answer({"data": {"success": True}})  # type: ignore[no-any-return]
@@ -157,7 +157,7 @@ def ignores_kill_requests() -> None:
 
 @mutant("EBE-017")
 def executes_actions_of_a_lost_episode() -> None:
-    """A new episode begins with an action that was chosen in another one."""
+    """A new episode starts with an action chosen in another one."""
     right = EbenchHandlers._prepare_step
 
     def wrong(self: EbenchHandlers, run: Run, worker_id: str, chunk: Any) -> Any:
@@ -179,7 +179,7 @@ def executes_actions_of_a_lost_episode() -> None:
 
 @mutant("EBE-021")
 def opens_its_endpoint_to_every_account() -> None:
-    """A stranger can play somebody else's episodes badly."""
+    """Another account can play the episodes of a run."""
     right = EbenchHandlers._run
 
     async def wrong(self: EbenchHandlers, call: Any) -> Run:
@@ -195,7 +195,7 @@ def opens_its_endpoint_to_every_account() -> None:
 
 @mutant("EBE-008")
 def executes_a_list_of_steps_backwards() -> None:
-    """A robot does last things first."""
+    """A robot executes the last steps first."""
     right = task_requests.read_chunks
 
     def wrong(body: Any, run: Run) -> Any:
@@ -270,13 +270,13 @@ def executes_a_lost_step_again() -> None:
 
 @mutant("EBE-014")
 def takes_an_equal_action_for_a_repeated_one() -> None:
-    """A policy that waits in one place never sees time pass."""
+    """A policy that repeats an action never sees time pass."""
     put(LostAnswers, "confirm_delivery", lambda _self, _session, _seq: None)
 
 
 @mutant("EBE-022")
 def shares_scores_among_the_workers_of_a_step() -> None:
-    """What one worker achieves depends on another one's luck."""
+    """The result of one worker depends on another worker."""
     right = task_requests.read_chunks
 
     def wrong(body: Any, run: Run) -> Any:
@@ -296,7 +296,7 @@ def shares_scores_among_the_workers_of_a_step() -> None:
 
 @mutant("EBE-015")
 def accepts_pickles_that_call_functions() -> None:
-    """An attack looks like a slip of the pen."""
+    """An attack is reported as malformed data."""
     right = pickle_reader.read
 
     def wrong(body: bytes) -> Any:
@@ -310,7 +310,7 @@ def accepts_pickles_that_call_functions() -> None:
 
 @mutant("EBE-020")
 def names_numpy_in_its_answers() -> None:
-    """A client that reads nothing but data cannot read them."""
+    """A client that reads only plain data cannot read the answers."""
     right = pickle_writer.write
 
     def wrong(value: Any) -> bytes:

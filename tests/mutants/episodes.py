@@ -40,7 +40,7 @@ def counts_attempts_that_never_began() -> None:
 
 @mutant("EPI-003", "EPI-004")
 def counts_no_attempt() -> None:
-    """A client plays an episode again and again until it likes the result."""
+    """A client can repeat an episode until its result is good."""
     right = effects._close_attempt
 
     def wrong(run: Run, session: Session, now_wall: float, *, counted: bool) -> None:
@@ -88,7 +88,7 @@ def gives_one_episode_to_two_workers() -> None:
 
 @mutant("STOP-001")
 def loses_scores_on_abort() -> None:
-    """Stopping a run throws away what it has cost hours to measure."""
+    """A stop discards results that took hours."""
     right = effects.stop
 
     def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
@@ -102,7 +102,7 @@ def loses_scores_on_abort() -> None:
 
 @mutant("RES-001", "RES-002")
 def plays_scored_episodes_again_after_resume() -> None:
-    """Resuming costs all the hours again, and the better result wins."""
+    """A resumed run repeats all its episodes, and the better result counts."""
     right = effects.resume
 
     def wrong(run: Run, queue_until_wall: float) -> None:
@@ -153,7 +153,7 @@ def hands_out_new_episodes_while_draining() -> None:
 
 @mutant("FAULT-001")
 def counts_a_fault_as_an_attempt() -> None:
-    """The server's crash costs the policy a try."""
+    """A crash of the server uses up an attempt of the policy."""
     right = effects.record_fault
 
     def wrong(run: Run, session: Session, *rest: Any, **named: Any) -> list[Session]:
@@ -166,7 +166,7 @@ def counts_a_fault_as_an_attempt() -> None:
 
 @mutant("FAULT-005", "LIFE-605")
 def calls_an_unplayable_task_retryable() -> None:
-    """A broken benchmark is resumed and fails, resumed and fails."""
+    """A broken benchmark is resumed and fails again without end."""
     right = effects.record_fault
 
     def wrong(run: Run, *rest: Any, **named: Any) -> list[Session]:
@@ -180,7 +180,7 @@ def calls_an_unplayable_task_retryable() -> None:
 
 @mutant("FAULT-004")
 def ends_every_session_when_one_simulator_breaks() -> None:
-    """One bad episode throws all workers out."""
+    """One broken episode ends the sessions of all workers."""
     right = effects.record_fault
 
     def wrong(run: Run, session: Session, *rest: Any, **named: Any) -> list[Session]:

@@ -37,7 +37,7 @@ def with_short_keepalive(patch: Patch) -> Patch:
 @mutant("EVT-001")
 @with_short_keepalive
 def sends_only_the_ids_of_episodes() -> None:
-    """Who follows a run has to ask for each result after all."""
+    """A client that follows a run must request each result."""
     right = run_views.episode_view
     names = ("episode_id", "index", "task")
 
@@ -83,7 +83,7 @@ def sends_the_run_before_its_episodes() -> None:
 @mutant("EVT-004")
 @with_short_keepalive
 def sends_a_stop_late() -> None:
-    """Who follows a run lets its policy compute for nothing."""
+    """A client that follows a run lets its policy compute for nothing."""
     right = EventStream._read_batch
 
     async def wrong(self: EventStream, cursor: Cursor) -> EventBatch:
@@ -98,7 +98,7 @@ def sends_a_stop_late() -> None:
 @mutant("EVT-004")
 @with_short_keepalive
 def resends_an_unchanged_run() -> None:
-    """A page that follows a run is drawn anew while nothing happens."""
+    """A page that follows a run is redrawn although nothing changed."""
     right, changed = events.next_batch, RunRegistry.wait_for_change
 
     async def wake_early(
@@ -120,7 +120,7 @@ def resends_an_unchanged_run() -> None:
 @mutant("EVT-005")
 @with_short_keepalive
 def restarts_the_stream_on_reconnect() -> None:
-    """Each lost connection counts the results so far once more."""
+    """Each lost connection counts the earlier results again."""
     right = EventStream.answer
 
     async def wrong(self: EventStream, last_id: str | None) -> Response:
@@ -133,7 +133,7 @@ def restarts_the_stream_on_reconnect() -> None:
 @mutant("EVT-006")
 @with_short_keepalive
 def never_ends_a_stream() -> None:
-    """A script that waits for the end of a stream never comes back."""
+    """A script that waits for the end of a stream never ends."""
 
     def wrong(_run: RunHead) -> bool:
         return False
@@ -155,7 +155,7 @@ def accepts_event_ids_of_other_runs() -> None:
 
 @mutant("EVT-008")
 def sends_no_keepalive_comments() -> None:
-    """A connection that broke hours ago looks like a run in which nothing happens."""
+    """A broken connection looks like a run in which nothing happens."""
     put(event_streams, "KEEPALIVE_S", 1e6)
 
 

@@ -56,13 +56,13 @@ def change_body(operation: str, change: Callable[[Json, OperationCall], None]) -
 
 @mutant("FLE-001")
 def returns_evaluations_in_another_order() -> None:
-    """The number of one model is published as the other's."""
+    """The result of one model is published as that of another."""
     change_body("evaluation", lambda body, _: body["eval_tasks"].reverse())
 
 
 @mutant("FLE-002")
 def omits_err_message() -> None:
-    """Scripts written from the document find no reason."""
+    """Scripts written from the document find no error text."""
     right = evaluation_responses.refusal_response
 
     def wrong(refused: Refused) -> Response:
@@ -75,25 +75,25 @@ def omits_err_message() -> None:
 
 @mutant("FLE-003")
 def takes_a_used_name_for_a_repeat() -> None:
-    """The second chip is never evaluated, and shows the numbers of the first."""
+    """The second chip is never evaluated and gets the result of the first."""
     put(EvaluationRequest, "digest", lambda _self, _number: "same")
 
 
 @mutant("FLE-004")
 def refuses_a_repeat() -> None:
-    """Who lost the answer never learns the request_id."""
+    """A client that lost the answer never learns the request_id."""
     put(EvaluationRequest, "digest", lambda self, _number: f"{id(self)}")
 
 
 @mutant("FLE-005")
 def ignores_generation_settings() -> None:
-    """Every model is asked at the temperature of its server."""
+    """Every model runs at the default temperature of its server."""
     put(evaluation_requests, "_generation", lambda _text, _at: {})
 
 
 @mutant("FLE-006")
 def returns_api_keys() -> None:
-    """API keys stand in the logs of everybody's scripts."""
+    """API keys appear in the logs of scripts."""
 
     def wrong(body: Json, call: OperationCall) -> None:
         body["asked"] = [info.api_key for info in call.body.eval_infos]
@@ -103,7 +103,7 @@ def returns_api_keys() -> None:
 
 @mutant("FLE-007")
 def calls_the_success_rate_accuracy() -> None:
-    """A model that is half right everywhere has an accuracy of 0."""
+    """A model with partial scores everywhere has an accuracy of 0."""
     change_result(
         lambda detail, group, _: detail.update(accuracy=group["success_rate"])
     )
@@ -122,7 +122,7 @@ def ignores_the_query() -> None:
 
 @mutant("FLE-009")
 def reports_retryable_failures_as_final() -> None:
-    """A model server that was restarted is not waited for."""
+    """The run does not wait for a policy server that restarts."""
     right = evaluation_responses.status_of
 
     def wrong(*arguments: Any) -> str:
@@ -157,7 +157,7 @@ def releases_without_a_baseline() -> None:
 
 @mutant("FLE-012")
 def stops_the_first_model_alone() -> None:
-    """The others go on asking a model server that is to be saved."""
+    """The other models continue to call their servers."""
     right = FlagevalHandlers.stop
 
     async def wrong(self: FlagevalHandlers, call: OperationCall) -> Response:
@@ -169,7 +169,7 @@ def stops_the_first_model_alone() -> None:
 
 @mutant("FLE-009", "FLE-013")
 def reports_success_without_resuming() -> None:
-    """A script waits for a night for what was never begun."""
+    """A script waits all night for a run that was never resumed."""
 
     async def wrong(self: FlagevalHandlers, call: OperationCall) -> Response:
         await self._evaluated(call.account, call.body.request_id)
@@ -180,7 +180,7 @@ def reports_success_without_resuming() -> None:
 
 @mutant("FLE-014")
 def counts_models_instead_of_datasets() -> None:
-    """Nobody knows how long it will take."""
+    """Progress is reported in the wrong unit."""
 
     def wrong(body: Json, call: OperationCall) -> None:
         total = len(call.body.request_id.split("."))
@@ -192,13 +192,13 @@ def counts_models_instead_of_datasets() -> None:
 
 @mutant("FLE-015")
 def always_answers_diffs_as_a_map() -> None:
-    """Scripts written from the document go through a list and find none."""
+    """Scripts written from the document expect a list and find none."""
     put(FlagevalHandlers, "diffs_as_list", FlagevalHandlers.diffs_by_id)
 
 
 @mutant("FLE-016")
 def shows_results_to_every_account() -> None:
-    """Who knows a request_id reads the results of others."""
+    """An account that knows a request_id reads the results of others."""
     right = FlagevalHandlers._evaluated
 
     async def wrong(self: FlagevalHandlers, _account: str, request_id: str) -> Any:

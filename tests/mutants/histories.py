@@ -19,7 +19,9 @@ from tests.mutants import mutant, put
 
 @mutant("MODEL-001")
 def counts_no_attempt_after_a_takeover() -> None:
-    """Whoever takes over before he gives up retries for luck as often as he likes."""
+    """A client that takes over before it gives up can retry an episode without
+    limit.
+    """
     taken_over: set[str] = set()
     open_session, close_attempt = effects.open_session, effects._close_attempt
 
@@ -40,7 +42,7 @@ def counts_no_attempt_after_a_takeover() -> None:
 
 @mutant("MODEL-001")
 def abort_forgets_the_sessions_of_a_draining_run() -> None:
-    """Draining takes too long, the robot shall stop at once, and it goes on."""
+    """Draining takes too long, the user aborts the run, and the robot goes on."""
     right = effects.stop
 
     def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
@@ -54,7 +56,7 @@ def abort_forgets_the_sessions_of_a_draining_run() -> None:
 
 @mutant("MODEL-001")
 def revives_sessions_on_resume() -> None:
-    """A policy from before the stop gets old turns again, as if it were playing."""
+    """A policy from before the stop gets old answers as if it still played."""
     stopped: dict[str, Session] = {}
     remember, heartbeat, predict = (
         Run.record_end,
@@ -89,7 +91,7 @@ def revives_sessions_on_resume() -> None:
 
 @mutant("MODEL-002", tries=4)
 def stop_misses_a_session_that_is_opening() -> None:
-    """A worker that attaches while its run is stopped plays on in a stopped run."""
+    """A worker that attaches during a stop plays on in a stopped run."""
     right, begin = effects.stop, SessionExecutor._begin
 
     def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
@@ -111,7 +113,7 @@ def stop_misses_a_session_that_is_opening() -> None:
 
 @mutant("MODEL-002", tries=4)
 def detach_misses_a_session_in_a_turn() -> None:
-    """A worker that is thrown away in the middle of its turn keeps its episode."""
+    """A worker that is detached during its turn keeps its episode."""
     right, play = SessionExecutor.detach, SessionExecutor._play
 
     async def wrong(self: SessionExecutor, run: Run, command: Detach) -> None:

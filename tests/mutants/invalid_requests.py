@@ -22,7 +22,7 @@ from tests.mutants import mutant, put
 
 @mutant("ATT-013")
 def accepts_any_worker_id() -> None:
-    """Ids that do not fit a path or a log are taken."""
+    """Ids that do not fit into a path or a log are accepted."""
     put(
         dispatch,
         "PATH_PATTERNS",
@@ -32,7 +32,7 @@ def accepts_any_worker_id() -> None:
 
 @mutant("ERR-002", "ERR-006", "ERR-013", "ENC-008")
 def calls_a_malformed_body_an_invalid_request() -> None:
-    """A person looks for a wrong member where a comma is missing."""
+    """A user looks for a wrong member where a comma is missing."""
     right = codec.decode
 
     def wrong(body: bytes, media_type: str) -> Any:
@@ -46,7 +46,7 @@ def calls_a_malformed_body_an_invalid_request() -> None:
 
 @mutant("ERR-002", "ERR-013")
 def reads_nan_in_json() -> None:
-    """A number that is none, or larger than any, gets into a run."""
+    """NaN or infinity becomes part of a run."""
     right, beyond = codec.decode, (b"NaN", b"Infinity", b"e999")
 
     def wrong(body: bytes, media_type: str) -> Any:
@@ -59,7 +59,7 @@ def reads_nan_in_json() -> None:
 
 @mutant("ERR-002")
 def replaces_invalid_unicode() -> None:
-    """A name is silently another one."""
+    """A name is changed without an error."""
     right = codec.decode
     first, second = rb"\\ud[89ab][0-9a-f]{2}", rb"\\ud[c-f][0-9a-f]{2}"
     alone = re.compile(rb"%b(?!%b)|(?<!%b)%b" % (first, second, first, second))
@@ -112,7 +112,7 @@ def fails_on_deep_nesting() -> None:
 
 @mutant("ERR-007")
 def reads_any_media_type_as_json() -> None:
-    """A form that a browser sends for somebody else is executed."""
+    """A form sent by a browser on behalf of another site is executed."""
     right = codec.media_type_of
 
     def wrong(request: Request, readable: Any) -> str:
@@ -126,7 +126,7 @@ def reads_any_media_type_as_json() -> None:
 
 @mutant("ERR-008")
 def answers_in_json_whatever_is_accepted() -> None:
-    """A client gets what it cannot read."""
+    """A client receives a format that it cannot read."""
     right = codec.negotiate_media_type
 
     def wrong(request: Request, writable: Any) -> str:
@@ -173,7 +173,7 @@ def fails_on_text_outside_latin() -> None:
 
 @mutant("ERR-014")
 def ignores_invalid_query_parameters() -> None:
-    """A misspelt limit is silently another."""
+    """A misspelt limit is replaced by another, without an error."""
     right = dispatch._query
 
     def wrong(request: Request, operation: dispatch.Operation) -> Any:
@@ -189,7 +189,7 @@ def ignores_invalid_query_parameters() -> None:
 
 @mutant("ERR-014")
 def ignores_invalid_headers() -> None:
-    """A misspelt wish to wait is no wish, and a cut key is another run's."""
+    """A misspelt header is ignored, and a truncated key names another run."""
     right = dispatch._headers
 
     def wrong(request: Request, operation: dispatch.Operation) -> Any:
@@ -203,7 +203,7 @@ def ignores_invalid_headers() -> None:
 
 @mutant("ENC-008")
 def reads_messagepack_extensions() -> None:
-    """What only one language understands gets onto the wire."""
+    """Values that only one language understands are accepted."""
 
     def wrong(code: int, data: memoryview) -> Any:
         return float(code) if len(data) else None
@@ -214,7 +214,7 @@ def reads_messagepack_extensions() -> None:
 
 @mutant("CAL-001")
 def offers_another_calibration() -> None:
-    """The kit drives a benchmark that is not what it seems."""
+    """The kit plays another benchmark than the one it knows."""
     right = Benchmarks.view
 
     async def wrong(self: Benchmarks, benchmark_id: str) -> dict[str, Any]:
@@ -228,5 +228,5 @@ def offers_another_calibration() -> None:
 
 @mutant("ENC-003")
 def reads_minus_zero_as_an_integer() -> None:
-    """A sign is lost where one language writes numbers shorter than others."""
+    """A sign is lost when a language writes whole numbers without a fraction."""
     put(codec, "_parse_signed_zero", int)

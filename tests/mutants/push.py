@@ -21,7 +21,7 @@ from tests.mutants.turns import no_guard, replace_guard
 
 @mutant("PUSH-001")
 def plays_only_the_first_action_of_a_chunk() -> None:
-    """A policy that answers chunks is scored for something that it did not say."""
+    """A policy that answers chunks is scored for actions it did not choose."""
     right = ProctorPolicy.predict
 
     async def wrong(self: ProctorPolicy, turn: Any) -> Any:
@@ -34,7 +34,7 @@ def plays_only_the_first_action_of_a_chunk() -> None:
 
 @mutant("PUSH-002")
 def accepts_a_policy_server_without_push_mode() -> None:
-    """A run waits for ever for workers, while its submitter waits for calls."""
+    """A run waits for workers without end, while its submitter waits for calls."""
     put(policy_server_validator, "_errors", lambda _submission: iter(()))
     right = policy_server_validator.PolicyServerValidator.validate_and_encrypt
 
@@ -50,13 +50,13 @@ def accepts_a_policy_server_without_push_mode() -> None:
 
 @mutant("PUSH-003")
 def lets_workers_attach_to_a_push_run() -> None:
-    """Somebody else plays episodes in the name of the policy."""
+    """Another client plays episodes in the name of the policy."""
     replace_guard(lifecycle._mode_allows_caller, no_guard)
 
 
 @mutant("PUSH-004")
 def sends_the_key_only_to_predict() -> None:
-    """A policy server that asks for its key never gets as far as a run."""
+    """A policy server that requires its key never gets a run."""
     right = HttpCalls._send_once
 
     async def wrong(self: HttpCalls, method: str, path: str, content: Any) -> Any:
@@ -72,13 +72,13 @@ def sends_the_key_only_to_predict() -> None:
 
 @mutant("PUSH-005")
 def exposes_the_key_in_a_reason() -> None:
-    """Who reads the run's page reads the key of its policy server."""
+    """A reader of the run can read the key of its policy server."""
     put(HttpCalls, "redact_key", lambda _self, text: text)
 
 
 @mutant("PUSH-006")
 def ignores_the_answer_to_reset() -> None:
-    """A policy that was not ready plays on with the memory of another episode."""
+    """A policy that was not ready continues with the memory of another episode."""
 
     async def wrong(self: ProctorPolicy, turn: Mapping[str, Any]) -> None:
         body = {
@@ -94,7 +94,9 @@ def ignores_the_answer_to_reset() -> None:
 
 @mutant("PUSH-007")
 def ignores_max_concurrent() -> None:
-    """A policy on one graphics card is asked by sixteen workers and runs out of it."""
+    """A policy on one graphics card gets sixteen concurrent calls and runs out
+    of memory.
+    """
     right = PolicyServerConfig.from_run
 
     def wrong(run: Run) -> Any:
@@ -107,7 +109,7 @@ def ignores_max_concurrent() -> None:
 
 @mutant("PUSH-008")
 def changes_the_body_of_a_repeated_call() -> None:
-    """A policy with a memory sees the same moment twice, as two moments."""
+    """A policy with a memory sees one step as two."""
     right = HttpCalls._call_with_deadline
     sent_bodies: set[bytes] = set()
 
@@ -123,7 +125,7 @@ def changes_the_body_of_a_repeated_call() -> None:
 
 @mutant("PUSH-009")
 def has_no_total_call_timeout() -> None:
-    """One byte a second holds a worker and its simulator for days."""
+    """One byte per second holds a worker and its simulator for days."""
 
     async def wrong(self: HttpCalls, method: str, path: str, content: Any) -> Any:
         try:
@@ -136,7 +138,7 @@ def has_no_total_call_timeout() -> None:
 
 @mutant("PUSH-010")
 def omits_policy_fault_for_invalid_actions() -> None:
-    """A run fails, and its episodes do not say what the policy did wrong."""
+    """A run fails, and its episodes do not say that the policy was at fault."""
     right = effects.end_by_policy
 
     def wrong(run: Run, session: Session, fault: str, now_wall: float) -> None:
@@ -150,7 +152,7 @@ def omits_policy_fault_for_invalid_actions() -> None:
 
 @mutant("PUSH-011")
 def follows_redirects() -> None:
-    """A stranger's answer decides where this server connects to next."""
+    """The policy server decides where this server connects next."""
     right = HttpCalls._send_once
 
     async def wrong(self: HttpCalls, method: str, path: str, content: Any) -> Any:
@@ -172,7 +174,7 @@ def follows_redirects() -> None:
 
 @mutant("PUSH-012")
 def fails_finally_when_the_policy_is_unreachable() -> None:
-    """A policy server was restarted; the hours of its run are lost."""
+    """A restart of the policy server costs the results of its run."""
     right = effects.fail_run
 
     def wrong(run: Run, reason: str, now_wall: float, **more: bool) -> Any:
@@ -201,13 +203,13 @@ def never_plays_a_resumed_run() -> None:
 
 @mutant("PUSH-017")
 def does_not_continue_push_runs_after_a_restart() -> None:
-    """A server was updated at noon; the run of the morning is ready ever since."""
+    """After a restart of the server a push run stays ready without end."""
     put(Driver, "open", lambda _self: None)
 
 
 @mutant("PUSH-014")
 def continues_calling_after_a_stop() -> None:
-    """A policy is paid for by the call, and called for a run that nobody wants."""
+    """A policy that is paid by the call is called for a stopped run."""
     right = Driver._drive
 
     async def wrong(self: Driver, run: Run) -> None:

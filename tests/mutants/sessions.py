@@ -20,7 +20,7 @@ from tests.mutants.turns import no_guard, replace_guard
 
 @mutant("ATT-002", "ENC-002")
 def opens_a_new_session_for_the_same_key() -> None:
-    """A lost answer to attach locks the worker out until its lease ends."""
+    """After a lost answer to attach, the worker is refused until its lease ends."""
     replace_guard(lifecycle._same_attach_key, no_guard)
 
 
@@ -37,7 +37,7 @@ def replaces_a_live_session_without_takeover() -> None:
 
 @mutant("ATT-004")
 def restarts_the_episode_on_takeover() -> None:
-    """Taking over is a second try: retrying for luck pays."""
+    """A takeover is a second attempt: retrying for luck pays."""
     right = effects.open_session
 
     def wrong(run: Run, command: Attach, session_id: str, now: float) -> Session:
@@ -91,7 +91,7 @@ def allows_one_worker_too_many() -> None:
 
 @mutant("ATT-007")
 def decides_first_and_opens_later() -> None:
-    """Under load more workers get in than may: a check-then-act window."""
+    """Under load more workers attach than `max_workers` allows."""
     right = SessionExecutor.attach
     strict = GUARDS[Attach]
     loose = tuple(g for g in strict if g is not lifecycle._below_worker_limit)
@@ -118,7 +118,7 @@ def ignores_assumed_conventions() -> None:
 
 @mutant("ATT-011")
 def refuses_all_assumed_conventions() -> None:
-    """A careful client is punished for stating its conventions."""
+    """A client that states its conventions is refused."""
 
     def wrong(_run: Run, command: Attach, _now: float) -> Verdict | None:
         if command.assumes is None:
@@ -149,7 +149,7 @@ def _change_lease_over(wrong: Any) -> None:
 
 @mutant("LEASE-001")
 def never_ends_a_lease() -> None:
-    """A crashed client holds its slot for ever."""
+    """A crashed client keeps its session for ever."""
     _change_lease_over(lambda _session, _now: False)
 
 
@@ -166,7 +166,7 @@ def ends_leases_early() -> None:
 
 @mutant("LEASE-003")
 def accepts_heartbeats_without_extending_the_lease() -> None:
-    """A policy that thinks long loses its episode although it said that it lives."""
+    """A slow policy loses its episode although it sent heartbeats."""
 
     def wrong(self: SessionExecutor, run: Run, command: Any) -> Session:
         self.sweep(run)
@@ -180,7 +180,7 @@ def accepts_heartbeats_without_extending_the_lease() -> None:
 
 @mutant("LEASE-004")
 def lets_the_lease_run_from_attach() -> None:
-    """A diligent policy is thrown out in the middle of its work."""
+    """An active policy loses its session."""
     right = effects.store_answer
 
     def wrong(session: Session, turn: dict[str, Any], now: float) -> None:
@@ -195,7 +195,7 @@ def lets_the_lease_run_from_attach() -> None:
 
 @mutant("LEASE-005")
 def counts_its_own_time_against_the_lease() -> None:
-    """A slow simulator throws out the policy that waits for it."""
+    """A slow simulator ends the session of the policy that waits for it."""
 
     def wrong(session: Session, now: float) -> bool:
         return now > session.expires_at
@@ -205,7 +205,7 @@ def counts_its_own_time_against_the_lease() -> None:
 
 @mutant("LEASE-006")
 def keeps_the_slot_when_the_lease_ends() -> None:
-    """A client that crashed blocks the only slot of its run for ever."""
+    """A crashed client blocks the only session of its run for ever."""
     right = lifecycle._below_worker_limit
 
     def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
@@ -221,7 +221,7 @@ def keeps_the_slot_when_the_lease_ends() -> None:
 
 @mutant("LEASE-008")
 def extends_the_lease_on_refused_requests() -> None:
-    """A client in an endless loop of errors keeps its slot."""
+    """A client in an endless loop of errors keeps its session."""
     right = lifecycle._expected_seq
 
     def wrong(run: Run, command: Any, now: float) -> Verdict | None:
@@ -235,7 +235,7 @@ def extends_the_lease_on_refused_requests() -> None:
 
 @mutant("DET-001")
 def keeps_the_slot_after_detach() -> None:
-    """A polite client blocks its slot until the lease would have ended."""
+    """A client that detached blocks its session until its lease would have ended."""
     right = SessionExecutor.detach
     limit = lifecycle._below_worker_limit
     unreleased_slots: dict[str, int] = {}
@@ -258,7 +258,7 @@ def keeps_the_slot_after_detach() -> None:
 
 @mutant("DET-002")
 def refuses_a_second_detach() -> None:
-    """A lost answer to detach looks like a failure."""
+    """A lost answer to detach looks like an error."""
 
     def wrong(run: Run, command: Detach, now: float) -> Verdict | None:
         heartbeat = lifecycle.Heartbeat(command.worker_id, command.session_id)

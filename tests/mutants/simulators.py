@@ -86,19 +86,19 @@ def spoil_image(change: Callable[[dict[str, Any]], None], codec: str) -> None:
     "PRED-001", "PRED-006", "PRED-007", "PRED-012", "PRED-021", "SCORE-002", "SCORE-003"
 )
 def executes_a_chunk_backwards() -> None:
-    """The robot puts down before it picks up."""
+    """The robot puts an object down before it picks it up."""
     spoil_play(lambda actions: actions[::-1])
 
 
 @mutant("ENC-005", "ENC-006", "PRED-001", "PRED-006", "PRED-012", "PRED-021")
 def drops_the_last_action_of_long_chunks() -> None:
-    """A plan is cut short and nobody is told."""
+    """A chunk is cut without an error."""
     spoil_play(lambda actions: actions[:-1] if len(actions) > 2 else actions)
 
 
 @mutant("PRED-016")
 def accepts_numbers_that_are_not_finite() -> None:
-    """A policy that has diverged goes on driving the robot."""
+    """A policy that has diverged continues to drive the robot."""
     every = {name: getattr(math, name) for name in dir(math)}
     fake = SimpleNamespace(**(every | {"isfinite": lambda _: True}))
     put(action_space, "math", fake)
@@ -122,7 +122,7 @@ def shows_the_seed_to_the_policy() -> None:
 
 @mutant("STOP-002")
 def accepts_heartbeats_of_a_stopped_run() -> None:
-    """A client thinks for hours about a run that is over."""
+    """A client computes for hours for a run that has ended."""
     right, remember = SessionExecutor.heartbeat, Run.record_end
     stopped: dict[str, Session] = {}
 
@@ -140,7 +140,7 @@ def accepts_heartbeats_of_a_stopped_run() -> None:
 
 @mutant("FAULT-002")
 def gives_no_reason_for_a_failure() -> None:
-    """A run has failed and nobody can learn why."""
+    """A run has failed and its user cannot learn why."""
     right = effects.record_fault
 
     def wrong(run: Run, *rest: Any, **named: Any) -> list[Session]:
@@ -154,7 +154,7 @@ def gives_no_reason_for_a_failure() -> None:
 
 @mutant("FAULT-003")
 def forgets_scores_when_a_failed_run_resumes() -> None:
-    """One broken episode costs all the others."""
+    """One broken episode costs the scores of all others."""
     right = effects.resume
 
     def wrong(run: Run, queue_until_wall: float) -> None:
@@ -172,7 +172,7 @@ def forgets_scores_when_a_failed_run_resumes() -> None:
 
 @mutant("FAULT-006")
 def does_not_say_that_the_run_failed() -> None:
-    """The client re-attaches to a run that is dead."""
+    """The client attaches again to a run that has failed."""
     right = Run.record_end
 
     def wrong(self: Run, session: Session, ended_by: SessionEnd) -> None:
@@ -253,7 +253,7 @@ def ends_an_episode_too_early() -> None:
 
 @mutant("CRASH-002")
 def counts_attempts_over_a_crash() -> None:
-    """The server's crash costs every policy in play a try."""
+    """A crash of the server uses up an attempt of every running policy."""
     right = rows.run_of
 
     def wrong(*stored: Any) -> Run:
@@ -298,7 +298,7 @@ def forgets_one_episode_on_resume() -> None:
 
 @mutant("RES-003")
 def halves_the_score_of_later_attempts() -> None:
-    """Being stopped costs points."""
+    """A stop of the run costs score."""
     right = effects._record_result
 
     def wrong(run: Run, episode: Any, result: Any) -> None:
@@ -311,7 +311,7 @@ def halves_the_score_of_later_attempts() -> None:
 
 @mutant("ATT-001")
 def claims_a_step_before_the_first_action() -> None:
-    """A client that counts steps is one ahead."""
+    """A client that counts steps counts one too many."""
     right = turn_view.turn_view
 
     def wrong(session: Session, **members: Any) -> dict[str, Any]:
@@ -323,7 +323,7 @@ def claims_a_step_before_the_first_action() -> None:
 
 @mutant("ENC-003")
 def sends_numbers_in_single_precision() -> None:
-    """Positions are off by a little, everywhere."""
+    """All positions are slightly wrong."""
     import numpy as np
 
     def wrong(observation: dict[str, Any]) -> None:
@@ -337,7 +337,7 @@ def sends_numbers_in_single_precision() -> None:
 
 @mutant("ENC-004")
 def sends_tensors_big_endian() -> None:
-    """Every tensor is noise on every usual machine."""
+    """Every tensor is noise on a little-endian machine."""
 
     def wrong(observation: dict[str, Any]) -> None:
         for tensor in observation["tensors"].values():
@@ -348,7 +348,7 @@ def sends_tensors_big_endian() -> None:
 
 @mutant("ENC-005")
 def sends_images_upside_down() -> None:
-    """A policy sees the table on the ceiling."""
+    """A policy sees every image upside down."""
 
     def wrong(image: dict[str, Any]) -> None:
         row = image["width"] * image["channels"]
@@ -372,7 +372,7 @@ def _reencode(image: dict[str, Any], change: Callable[[Any], Any]) -> None:
 
 @mutant("ENC-006")
 def loses_colours_in_png() -> None:
-    """A lossless picture has lost something."""
+    """A lossless image has lost information."""
 
     def wrong(image: dict[str, Any]) -> None:
         _reencode(image, lambda picture: picture.convert("L").convert("RGB"))
@@ -382,7 +382,7 @@ def loses_colours_in_png() -> None:
 
 @mutant("ENC-007")
 def halves_the_size_of_jpeg() -> None:
-    """A policy is evaluated on pictures of another size than it chose."""
+    """A policy is evaluated on images of another size than chosen."""
 
     def wrong(image: dict[str, Any]) -> None:
         _reencode(image, lambda p: p.resize((p.width // 2, p.height // 2)))

@@ -48,7 +48,7 @@ def change_turn(change: Any) -> None:
 
 @mutant("PRED-002", "PRED-003", "PRED-005", "PRED-010")
 def executes_a_repeated_turn_again() -> None:
-    """A lost answer makes the robot do the chunk twice."""
+    """A lost answer makes the robot execute a chunk twice."""
 
     def wrong(run: Run, command: Predict, _now: float) -> Verdict | None:
         session = run.workers[command.worker_id]
@@ -79,13 +79,13 @@ def answers_another_body_under_the_same_seq() -> None:
 
 @mutant("PRED-004")
 def accepts_a_seq_from_the_future() -> None:
-    """A client that has lost count is never told."""
+    """A client with a wrong seq gets no error."""
     replace_guard(lifecycle._expected_seq, no_guard)
 
 
 @mutant("PRED-004")
 def names_the_wrong_expected_seq() -> None:
-    """A client that wants to get back in step is led astray."""
+    """A client cannot resynchronise its seq."""
     right = lifecycle._expected_seq
 
     def wrong(run: Run, command: Predict, now: float) -> Verdict | None:
@@ -132,7 +132,7 @@ def accepts_vectors_of_any_length() -> None:
 
 @mutant("PRED-014")
 def ignores_unknown_names() -> None:
-    """A misspelt command is silently not sent to the robot."""
+    """A misspelt part of an action is not sent to the robot, without an error."""
     right = action_space.action_errors
 
     def wrong(actions: Any, manifest: Mapping[str, Any]) -> SpaceErrors:
@@ -148,7 +148,7 @@ def ignores_unknown_names() -> None:
 
 @mutant("PRED-014")
 def fills_in_missing_names() -> None:
-    """A forgotten command becomes zero, whatever zero does."""
+    """A forgotten part of an action becomes zero, with any effect."""
     right = action_space.action_errors
 
     def wrong(actions: Any, manifest: Mapping[str, Any]) -> SpaceErrors:
@@ -167,7 +167,7 @@ def fills_in_missing_names() -> None:
 
 @mutant("PRED-015")
 def accepts_chunks_of_any_length() -> None:
-    """One client can keep a simulator for ever."""
+    """One client can keep a simulator for any time."""
     right = action_space.action_errors
 
     def wrong(actions: Any, manifest: Mapping[str, Any]) -> SpaceErrors:
@@ -199,7 +199,7 @@ def clips_what_it_should_refuse() -> None:
 
 @mutant("PRED-018")
 def refuses_what_it_should_clip() -> None:
-    """A policy that overshoots by a hair is thrown out."""
+    """A policy that slightly exceeds a limit is refused."""
     right = action_space._vector_errors
 
     def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> SpaceErrors:
@@ -212,7 +212,7 @@ def refuses_what_it_should_clip() -> None:
 
 @mutant("PRED-019")
 def checks_only_the_first_action() -> None:
-    """Half a chunk is executed before the bad action is met."""
+    """Half a chunk is executed before the invalid action is found."""
     right = action_space.action_errors
 
     def wrong(actions: Any, manifest: Mapping[str, Any]) -> SpaceErrors:
@@ -226,7 +226,7 @@ def checks_only_the_first_action() -> None:
 
 @mutant("PRED-024")
 def uses_up_the_seq_of_a_refused_turn() -> None:
-    """After one typing mistake every corrected request is out of order."""
+    """After one invalid request every corrected one is out of order."""
     right = lifecycle._actions_fit
 
     def wrong(run: Run, command: Predict, now: float) -> Verdict | None:
@@ -248,7 +248,7 @@ def never_says_that_it_stopped_early() -> None:
 
 @mutant("PRED-008")
 def forgets_the_result_of_an_episode() -> None:
-    """A client learns its score only by asking again elsewhere."""
+    """A client learns a score only by another request."""
     change_turn(lambda body, _: body.pop("episode_result", None))
 
 
@@ -260,7 +260,7 @@ def never_says_done() -> None:
 
 @mutant("PRED-010", "PRED-011")
 def forgets_the_session_with_its_last_turn() -> None:
-    """When the last answer is lost, nobody can tell how the run ended."""
+    """After a lost last answer a client cannot learn how the run ended."""
     right = effects.store_answer
 
     def wrong(session: Session, turn: dict[str, Any], now: float) -> None:
@@ -285,7 +285,7 @@ def repeats_done_for_any_seq() -> None:
 
 @mutant("PRED-012")
 def returns_only_the_last_observation() -> None:
-    """Asked for every frame of a chunk, it gives one."""
+    """A client that wants every frame of a chunk gets one."""
 
     def wrong(body: dict[str, Any], _session: Session) -> None:
         if body.get("observations"):
@@ -332,7 +332,7 @@ def reports_more_time_than_passed() -> None:
 
 @mutant("PRED-020")
 def calls_a_truncated_episode_terminated() -> None:
-    """Running out of time looks like an end that the task chose."""
+    """A timeout looks like an end that the task decided."""
 
     def wrong(body: dict[str, Any], _session: Session) -> None:
         if body["truncated"]:
