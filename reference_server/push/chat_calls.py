@@ -3,8 +3,8 @@
 Uses the chat completions API that OpenAI, vLLM and most other servers offer, for
 benchmarks whose actions are answers (`choice`, `number` and `point`, -1 for those that
 are not given) and for `calibration`, as calibration.md says. How a text becomes an
-answer is in docs/question-answering.md; a text that cannot be read is "no answer" and
-not a fault (CHAT-003). It must not know which answer is correct.
+answer is in docs/evaluate/question-answering.md; a text that cannot be read is "no
+answer" and not a fault (CHAT-003). It must not know which answer is correct.
 """
 
 from __future__ import annotations

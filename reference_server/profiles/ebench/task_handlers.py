@@ -4,7 +4,7 @@ A task of EBench is a run, a worker's connection is a session, and a step is a p
 EBench's requests have neither a session nor a count of turns: both are read from the
 run. Each handler translates a request into calls of `runs/service.py` and the result
 back; whether something is allowed is decided there and in the rules. See
-spec/profiles/ebench.yaml and docs/ebench.md.
+spec/profiles/ebench.yaml and docs/evaluate/ebench.md.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@ An evaluation is a push run whose policy is a chat model and has the evaluation'
 A `request_id` is the ids of its runs, so that there is no state here. Each handler
 translates a request into calls of `runs/service.py` and the results back; whether
 something is allowed is decided there and in the rules. See spec/profiles/flageval.yaml
-and docs/flageval.md.
+and docs/evaluate/flageval.md.
 """
 
 from __future__ import annotations
