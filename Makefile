@@ -2,23 +2,21 @@
 # Needs GNU make, a network and any Python >= 3.11 (PYTHON=... names one).
 
 .DELETE_ON_ERROR:
-.PHONY: help setup conformance conformance-policy serve test lint generate generate-check
-.PHONY: client docs lock kill-matrix experts bench clean metaworld metaworld-check metaworld-table interop
+.PHONY: $(shell sed -n 's/^\([a-z-]*\):.*## .*/\1/p' Makefile)
 # Robot middleware likes to set it, and its plugins break our pytest.
 unexport PYTHONPATH
 
 python := .venv/bin/python
 environment = @PYTHON="$(PYTHON)" sh tools/setup.sh
-packages := $(wildcard */__init__.py generated_clients/python/*/__init__.py)
+pytest := $(python) -m pytest tests --numprocesses auto --maxprocesses 8 --dist worksteal
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-18s %s\n", $$1, $$2 } \
 		/^# +[A-Z_0-9]+=/ { print "  " substr($$0, 2) }' $(MAKEFILE_LIST)
 
 setup: .venv/ready ## Install everything that is needed into .venv
-	@:
 
-.venv/ready: requirements/dev.txt pyproject.toml tools/setup.sh $(packages)
+.venv/ready: requirements/dev.txt pyproject.toml tools/setup.sh
 	$(environment) dev
 
 .venv-%/ready: requirements/%.txt .venv/ready
@@ -57,7 +55,6 @@ serve: $(if $(apart),metaworld,setup) ## Run the reference server
 		$${BENCHMARK:+--benchmarks "$$BENCHMARK"} $${PROFILE:+--profiles "$$PROFILE"} $(ARGS)
 
 metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics apart
-	@:
 
 metaworld-check: metaworld ## Run the tests that need Meta-World
 	@.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py
@@ -65,9 +62,10 @@ metaworld-check: metaworld ## Run the tests that need Meta-World
 metaworld-table: metaworld ## Play its experts both ways, rewrite their page
 	@OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python tools/metaworld_table.py $(ARGS)
 
-test: setup lint generate-check ## Lint, check generated files, run our own tests
-	@$(python) -m pytest tests --numprocesses auto --maxprocesses 8 --dist worksteal
-
+check: setup lint generate-check ## Lint, check generated files, run the fast tests
+	@$(pytest) -m "not slow"
+test: setup lint generate-check ## The same with all tests; mutants by their own rows
+	@$(pytest)
 lint: setup ## Check style and types
 	@$(python) -m ruff check --quiet .
 	@$(python) -m ruff format --check --quiet .

@@ -8,7 +8,18 @@ import pytest
 
 pytest.register_assert_rewrite("tests.support")
 
-from tests.support.servers import ReferenceServer  # noqa: E402 - after the line above
+from tests.support.fast_tests import (  # noqa: E402 - after the line above
+    pytest_collection_modifyitems,
+    pytest_pyfunc_call,
+    pytest_runtest_protocol,
+)
+from tests.support.servers import ReferenceServer  # noqa: E402
+
+__all__ = [  # hooks
+    "pytest_collection_modifyitems",
+    "pytest_pyfunc_call",
+    "pytest_runtest_protocol",
+]
 
 # A shell that starts pytest in the background makes it ignore SIGINT, and its children
 # inherit that: tests of SIGINT would never end.

@@ -34,6 +34,8 @@ from tests.interop.scenarios import (
 from tests.support.servers import TOKENS, ReferenceServer
 from tools import interop
 
+pytestmark = pytest.mark.slow("starts servers and clients")
+
 PYTHON = LANGUAGES[0]
 
 

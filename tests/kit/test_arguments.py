@@ -22,6 +22,8 @@ from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
 from tests.support.paths import ROOT
 
+pytestmark = pytest.mark.slow("starts servers or kits")
+
 SCHEMA = json.loads(
     (ROOT / "conformance" / "reports" / "report.schema.json").read_text()
 )

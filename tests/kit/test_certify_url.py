@@ -36,6 +36,7 @@ def start_server(directory: Path) -> tuple[subprocess.Popen[str], list[str]]:
     return server, lines
 
 
+@pytest.mark.slow("starts a server or a kit")
 def test_the_printed_line_certifies_the_server(tmp_path: Path) -> None:
     """No token of another account, no hook, no private networks: still conformant."""
     server, lines = start_server(tmp_path)

@@ -16,6 +16,8 @@ from tests.support import null_servers
 from tests.support.null_servers import Behaviour, run_server
 from tests.support.paths import ROOT
 
+pytestmark = pytest.mark.slow("starts servers or kits")
+
 SCHEMA = json.loads(
     (ROOT / "conformance" / "reports" / "report.schema.json").read_text()
 )

@@ -28,6 +28,8 @@ from tests.support.client import policy_apps
 from tests.support.client.policy_apps import ACTION, KEY, CountingPolicy, make_app
 from tests.support.paths import ROOT
 
+pytestmark = pytest.mark.slow("starts policy servers and kits")
+
 
 def run_policy_kit(
     url: str, report: Path, *more: str, key: str = KEY

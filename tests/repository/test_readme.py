@@ -7,9 +7,13 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from reference_sim import benchmark_registry
 from tests.support.paths import ROOT
 from tests.support.servers import TOKENS, ReferenceServer
+
+pytestmark = pytest.mark.slow("starts servers")
 
 README = (ROOT / "README.md").read_text()
 

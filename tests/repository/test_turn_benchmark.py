@@ -29,6 +29,8 @@ from benchmarks import (
 from benchmarks.contenders.turn_client import TurnClient
 from benchmarks.rounds import ContenderFailed, ContenderPair, cpu_s
 
+pytestmark = pytest.mark.slow("measures every contender")
+
 NAMES = ("tcp", "ours msgpack", "ours json")
 STATE_BYTES = 8 * 23
 

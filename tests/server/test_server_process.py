@@ -27,6 +27,8 @@ from tests.support.processes import descendants, wait_until_ended
 from tests.support.server.http_runs import predict_body, submit
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 
+pytestmark = pytest.mark.slow("starts servers")
+
 WORKER = "/v1/runs/{run_id}/workers/w"
 
 

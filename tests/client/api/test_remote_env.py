@@ -20,6 +20,8 @@ from tests.support.client.direct_client import DirectClient
 from tests.support.paths import ROOT
 from tests.support.servers import TOKENS, ReferenceServer
 
+pytestmark = pytest.mark.slow("starts servers or kits")
+
 # What check_env advises about bounds, which are the benchmark's to choose.
 ADVICE = ("symmetric and normalized space", "is probably too (low|high)")
 

@@ -140,6 +140,7 @@ def test_images_and_tensors_arrive_as_the_benchmark_says(
 # A wire that loses answers
 
 
+@pytest.mark.slow("starts a server or a kit")
 def test_lost_answers_to_predict_execute_nothing_twice(
     proxy: FaultyProxy, direct_client: DirectClient
 ) -> None:
@@ -159,6 +160,7 @@ def test_lost_answers_to_predict_execute_nothing_twice(
     assert len(proxy.bodies("predict")) == 17
 
 
+@pytest.mark.slow("starts a server or a kit")
 def test_a_lost_answer_to_attach_is_repeated(
     proxy: FaultyProxy, direct_client: DirectClient
 ) -> None:
@@ -176,6 +178,7 @@ def test_a_lost_answer_to_attach_is_repeated(
     assert direct_client.attempts(score.run_id) == [1]
 
 
+@pytest.mark.slow("starts a server or a kit")
 def test_a_lost_answer_to_submit_makes_one_run(
     proxy: FaultyProxy, direct_client: DirectClient
 ) -> None:
@@ -186,6 +189,7 @@ def test_a_lost_answer_to_submit_makes_one_run(
     assert after - before == {score.run_id}
 
 
+@pytest.mark.slow("starts a server or a kit")
 def test_a_server_killed_and_restarted_gives_the_same_score(tmp_path: Path) -> None:
     turns = iter(range(1000))
     restart: list[threading.Thread] = []
@@ -327,6 +331,7 @@ def test_episodes_of_a_dead_session_are_played(
     assert score.counts.success == 3
 
 
+@pytest.mark.slow("starts a server or a kit")
 def test_heartbeats_keep_the_lease_while_the_policy_thinks(
     proxy: FaultyProxy, direct_client: DirectClient
 ) -> None:

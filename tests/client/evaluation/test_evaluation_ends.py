@@ -269,6 +269,7 @@ def test_an_unreachable_server_is_reported_with_its_url() -> None:
     assert f"{url} is unreachable (Connection refused)" in str(error)
 
 
+@pytest.mark.slow("starts a server or a kit")
 def test_a_server_that_is_not_proctor_is_reported(proxy: FaultyProxy) -> None:
     proxy.faults["/v1"] = deque(["gateway"] * 10)
     error = evaluate_and_fail(

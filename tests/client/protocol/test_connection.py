@@ -7,6 +7,8 @@ import pytest
 from reference_client import ProctorError
 from reference_client.protocol.connection import Connection
 
+pytestmark = pytest.mark.slow("starts servers or kits")
+
 
 def test_a_token_is_not_sent_unencrypted() -> None:
     with Connection("https://example.org", "t", requests=1) as connection:

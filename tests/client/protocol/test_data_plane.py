@@ -63,6 +63,7 @@ def memory_of(turn: Turn) -> Any:
     return turn.observation.images["pattern"].data.obj
 
 
+@pytest.mark.slow("starts a server or a kit")
 def test_an_image_is_a_view_of_the_answer(echo_worker: EchoWorker) -> None:
     turn = echo_worker.step()
     assert isinstance(memory_of(turn), bytearray)
@@ -71,6 +72,7 @@ def test_an_image_is_a_view_of_the_answer(echo_worker: EchoWorker) -> None:
     assert not seen.flags.writeable
 
 
+@pytest.mark.slow("starts a server or a kit")
 def test_a_buffer_in_use_is_not_overwritten(echo_worker: EchoWorker) -> None:
     patterns = []
     for _ in range(6):
@@ -81,6 +83,7 @@ def test_a_buffer_in_use_is_not_overwritten(echo_worker: EchoWorker) -> None:
     assert not np.array_equal(first, last), "or being written over would not show"
 
 
+@pytest.mark.slow("starts a server or a kit")
 def test_an_unused_buffer_is_reused(echo_worker: EchoWorker) -> None:
     assert len({id(memory_of(echo_worker.step())) for _ in range(8)}) <= 3
 

@@ -122,6 +122,7 @@ def test_script_finds_the_same_wrong_answer(
     assert wrong[-1:] == answers[-1:] or (is_beside and wrong), output
 
 
+@pytest.mark.slow("starts a server or a kit")
 def test_script_asks_for_what_it_needs(tmp_path: Path, few_tools: Path) -> None:
     text = printed_script(
         "names_the_wrong_expected_seq", "PRED-004", tmp_path / "report"

@@ -21,6 +21,8 @@ from tests.support.profiles.ebench_client import (
     load_pickle,
 )
 
+pytestmark = pytest.mark.slow("starts servers and kits")
+
 SERVER_COMMAND = f"{sys.executable} -m reference_server --profiles ebench"
 
 

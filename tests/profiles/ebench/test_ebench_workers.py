@@ -25,6 +25,8 @@ from tests.support.profiles.ebench_client import (
 )
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 
+pytestmark = pytest.mark.slow("restarts servers")
+
 # --- workers ---
 
 

@@ -17,6 +17,8 @@ from reference_server.generated import models
 from reference_server.generated.problem_codes import PROBLEMS
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 
+pytestmark = pytest.mark.slow("starts servers or kits")
+
 MSGPACK = "application/msgpack"
 LONG_POLLS = 200
 DEEP = 10**6

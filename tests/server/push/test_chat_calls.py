@@ -24,6 +24,8 @@ from tests.support.push_runs import (
 from tests.support.server.runs import make_run
 from tests.support.servers import ReferenceServer
 
+pytestmark = pytest.mark.slow("starts servers or kits")
+
 NONE = action()
 
 

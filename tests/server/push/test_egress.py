@@ -271,6 +271,7 @@ def test_a_private_address_is_refused_at_submit(
     assert [e["pointer"] for e in answer.json()["errors"]] == ["/policy_server/url"]
 
 
+@pytest.mark.slow("starts a server or a kit")
 @pytest.mark.parametrize(
     "url",
     [
@@ -297,6 +298,7 @@ def test_an_invalid_url_is_refused(
     assert {e["pointer"] for e in answer.json()["errors"]} == {"/policy_server/url"}
 
 
+@pytest.mark.slow("starts a server or a kit")
 def test_a_redirect_is_not_followed(tmp_path: Any, policy: ScriptedPolicy) -> None:
     """From an allowed address to another: the target hears nothing."""
     server = ReferenceServer(tmp_path, **ALLOW_LOOPBACK)

@@ -36,6 +36,7 @@ def test_the_key_file_has_mode_0600(tmp_path: Path) -> None:
     assert file.stat().st_mode & 0o777 == 0o600
 
 
+@pytest.mark.slow("starts a server or a kit")
 @pytest.mark.parametrize("content", [b"", b"no key", b"x" * 44])
 def test_a_file_that_holds_no_key_ends_the_start_with_one_line(
     tmp_path: Path, content: bytes

@@ -23,6 +23,8 @@ from tests.support import push_runs
 from tests.support.push_runs import play_push_run, raw_socket_server, start_push_server
 from tests.support.servers import ReferenceServer
 
+pytestmark = pytest.mark.slow("starts servers or kits")
+
 TIMEOUT_S = 0.5
 # Of a fault: so often it may happen in a row before the run fails, and once more.
 LONGEST_S = 10.0

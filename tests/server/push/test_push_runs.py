@@ -29,6 +29,8 @@ from tests.support.push_runs import (
 )
 from tests.support.servers import TIMEOUT_S, ReferenceServer
 
+pytestmark = pytest.mark.slow("starts servers or kits")
+
 
 @pytest.fixture(scope="module")
 def push_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:

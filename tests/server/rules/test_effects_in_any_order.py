@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import pytest
 from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import (
@@ -33,6 +34,8 @@ from reference_server.rules.lifecycle import (
 from reference_server.rules.run import Result, Run, Session, State
 from tests.support.server.play_turns import WALL, Draw, chunk_result, play_turn
 from tests.support.server.runs import ACTION, NOW, make_run
+
+pytestmark = pytest.mark.slow("many random examples")
 
 
 class TransitionCheckedRun(Run):

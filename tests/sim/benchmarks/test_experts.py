@@ -13,6 +13,8 @@ from reference_sim.benchmarks.tabletop.experts import TabletopExpert
 from tests.support.paths import ROOT
 from tools import experts
 
+pytestmark = pytest.mark.slow("plays whole episodes")
+
 PAGE = (ROOT / "docs" / "evaluate" / "tasks.md").read_text()
 SHOWN = [
     (name, task)

@@ -1,0 +1,64 @@
+"""What keeps `make check` fast: hooks of pytest that know fast tests from slow ones.
+
+A test is slow when it is marked so, or when it has the fixture `server`. Any other
+fails when it starts a server or a kit, or computes for long: the marks stay complete.
+"""
+
+import resource
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+# What a fast test may not start, and how long it may compute.
+SLOW_PROGRAMS = {"reference_server", "conformance", "conformance.policy"}
+FAST_TEST_MAX_S = 20.0
+
+_fast_test = [False]  # whether such a test runs now
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """A test that has the fixture `server` is slow; others say it themselves."""
+    for item in items:
+        if "server" in getattr(item, "fixturenames", ()):
+            item.add_marker(pytest.mark.slow("starts a server"))
+
+
+def _refuse_programs(event: str, details: tuple[Any, ...]) -> None:
+    """A fast test that starts a server or a kit fails: `make check` stays fast."""
+    if event == "subprocess.Popen" and _fast_test[0]:
+        started = {Path(str(word)).name for word in details[1]} & SLOW_PROGRAMS
+        if started:
+            pytest.fail(f"starts {started}: mark it with pytest.mark.slow")
+
+
+sys.addaudithook(_refuse_programs)
+
+
+def _processor_time_s() -> float:
+    children = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return time.process_time() + children.ru_utime + children.ru_stime
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
+    """Know what runs, from its set-up to its tear-down."""
+    _fast_test[0] = item.get_closest_marker("slow") is None
+    try:
+        return (yield)
+    finally:
+        _fast_test[0] = False
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_pyfunc_call() -> Iterator[None]:
+    """A fast test that computes for long fails."""
+    began_at = _processor_time_s()
+    result = yield
+    took_s = _processor_time_s() - began_at
+    if _fast_test[0] and took_s > FAST_TEST_MAX_S:
+        pytest.fail(f"{took_s:.0f} s of a processor: mark it with pytest.mark.slow")
+    return result
