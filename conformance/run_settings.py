@@ -1,7 +1,7 @@
-"""What the operator asked for, and what the preflight found out.
+"""Settings of one run of the kit: the options, and what the preflight measured.
 
-Travels from the command line to the checks' process in one environment variable, so
-that tokens never stand in a command line.
+Passed from the command line to the process of the checks in one environment variable,
+so that tokens never appear in a command line.
 """
 
 import json
@@ -41,10 +41,10 @@ class Settings:
         return self.deadline is not None and time.monotonic() >= self.deadline
 
     def store_in_environment(self) -> None:
-        """Leave the settings to the processes started from here."""
+        """Pass the settings to the processes started from here."""
         os.environ[VARIABLE] = json.dumps(asdict(self))
 
     @classmethod
     def load_from_environment(cls) -> "Settings":
-        """Read what the command line left."""
+        """Read the settings that the command line passed."""
         return cls(**json.loads(os.environ[VARIABLE]))

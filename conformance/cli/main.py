@@ -1,4 +1,4 @@
-"""The kit from beginning to end: arguments, server, preflight, checks, reports."""
+"""The main program of the kit: arguments, server, preflight, checks, reports."""
 
 import contextlib
 import signal
@@ -28,7 +28,7 @@ from conformance.verdicts.universal_rules import Tally
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the kit; the exit code is 0 conformant, 1 violated, 2 could not judge."""
+    """Run the kit; the exit code is 0 conformant, 1 violated, 2 not decided."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     terminal = Terminal()
     parser = build_parser()
@@ -47,11 +47,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         with _server(result.settings):
             _judge(result, known, options.n, terminal)
     except BadArguments as error:
-        result.problem = f"{error} (--help explains)"
+        result.problem = f"{error} (see --help)"
     except (CannotJudge, StartFailed) as error:
         result.problem = str(error)
     except KeyboardInterrupt:
-        result.problem = "interrupted before the end"
+        result.problem = "interrupted"
     result.elapsed_s = time.monotonic() - began_at
     if result.problem is not None and not result.rows:
         conclude(result, {}, Tally(load_spec()), set())
@@ -63,7 +63,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _judge(result: Result, known: set[str], processes: int, terminal: Terminal) -> None:
     settings = result.settings
-    terminal.say(f"judging by {spec_name()}")
+    terminal.say(f"specification {spec_name()}")
     findings = inspect(settings)
     result.round_trip_p50_s = findings.round_trip_p50_s
     result.notes = findings.notes()
@@ -79,8 +79,8 @@ def _judge(result: Result, known: set[str], processes: int, terminal: Terminal) 
         f"clock {findings.clock_skew_s:+.2f} s; seed {settings.seed}"
     )
     if not select(settings):
-        raise CannotJudge("--only and --profile together select nothing")
-    # Imported late: it brings pytest, which no earlier exit needs.
+        raise CannotJudge("--only and --profile select no rule")
+    # Imported late: it loads pytest, which no earlier exit needs.
     from conformance.runner.execution import execute
 
     # Crash checks by a hook restart the server under all other checks.
@@ -92,7 +92,7 @@ def _judge(result: Result, known: set[str], processes: int, terminal: Terminal) 
 
 @contextlib.contextmanager
 def _server(settings: Settings) -> Iterator[None]:
-    """Start the server for the time of the run, if that was asked for."""
+    """Run the server of --start-cmd, if given, for the duration of the block."""
     if settings.start_cmd is None:
         yield
         return
@@ -119,7 +119,7 @@ def _list(settings: Settings) -> int:
 
 
 def _dry_run(settings: Settings) -> int:
-    """Tell what would be checked; the profiles are those of a server that has all."""
+    """Print the checks for a server that announces every profile."""
     from conformance.runner.execution import list_checks
 
     rows = select(settings)
@@ -132,14 +132,14 @@ def _dry_run(settings: Settings) -> int:
         print(f"{row.id}  {row.level}  {row.profile}  {row.text}\n    {names[row.id]}")
     unobservable = sum(not row.is_observable for row in rows)
     print(
-        f"{len(checks)} checks of {spec_name()} would run, nothing was sent; "
-        f"{unobservable} of the {len(rows)} rules selected cannot be observed"
+        f"{len(checks)} checks of {spec_name()} selected; no request was sent; "
+        f"{unobservable} of the {len(rows)} selected rules are not observable"
     )
     return 0 if checks else 2
 
 
 def _report_directory(given: Sequence[str]) -> str:
-    """Find --report even in a command line that makes no sense."""
+    """Find --report even in an invalid command line."""
     for index, word in enumerate(given):
         if word == "--report" and index + 1 < len(given):
             return given[index + 1]
@@ -158,5 +158,5 @@ def _report_write_errors(terminal: Terminal, result: Result) -> Iterator[None]:
 
 
 def _raise_interrupt(_number: int, _frame: FrameType | None) -> None:
-    """End as with Ctrl-C, so that a server that the kit started ends as well."""
+    """Treat SIGTERM as Ctrl-C, so that a server started by the kit ends, too."""
     raise KeyboardInterrupt
