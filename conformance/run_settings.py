@@ -4,11 +4,14 @@ Passed from the command line to the process of the checks in one environment var
 so that tokens never appear in a command line.
 """
 
+import functools
 import json
 import os
 import time
 from dataclasses import asdict, dataclass, field
 from typing import Any
+
+from conformance.specification.ledger import Requirement, load_ledger
 
 VARIABLE = "PROCTOR_KIT_SETTINGS"
 
@@ -34,6 +37,16 @@ class Settings:
     tolerance_s: float = 0.25
     service: dict[str, Any] = field(default_factory=dict)
     benchmark: dict[str, Any] = field(default_factory=dict)
+
+    @functools.cached_property
+    def selected_rules(self) -> list[Requirement]:
+        """The rules selected by --profile and --only, as ordered in the ledger."""
+        return [
+            row
+            for row in load_ledger().values()
+            if row.profile in self.profiles
+            and (not self.only or row.id.startswith(tuple(self.only)))
+        ]
 
     @property
     def is_time_up(self) -> bool:

@@ -58,36 +58,38 @@ def build_parser() -> argparse.ArgumentParser:
         "--token-read",
         help="token of the first account with the scope read only [PROCTOR_TOKEN_READ]",
     )
-    choice = parser.add_argument_group("selection")
-    choice.add_argument("--only", metavar="ID,...", help="rule ids or id prefixes")
-    choice.add_argument("--profile", metavar="NAME,...", help=", ".join(PROFILES))
-    choice.add_argument(
+    selection = parser.add_argument_group("selection")
+    selection.add_argument("--only", metavar="ID,...", help="rule ids or id prefixes")
+    selection.add_argument("--profile", metavar="NAME,...", help=", ".join(PROFILES))
+    selection.add_argument(
         "--quick", action="store_true", help="skip checks that wait for timeouts"
     )
-    choice.add_argument("--list", action="store_true", help="print the rules and exit")
-    choice.add_argument(
+    selection.add_argument(
+        "--list", action="store_true", help="print the rules and exit"
+    )
+    selection.add_argument(
         "--dry-run",
         action="store_true",
         help="print the checks that would run and their rules; send no request",
     )
-    manner = parser.add_argument_group("execution")
-    manner.add_argument(
+    execution = parser.add_argument_group("execution")
+    execution.add_argument(
         "--seed", type=int, help="seed of the generated requests (reproduces a kit run)"
     )
-    manner.add_argument(
+    execution.add_argument(
         "-n", metavar="N", type=int, default=0, help="number of parallel processes"
     )
-    manner.add_argument(
+    execution.add_argument(
         "--max-time",
         type=float,
         metavar="SECONDS",
         help="start no check after this time; the remaining rules are reported as "
         "not verified",
     )
-    manner.add_argument(
+    execution.add_argument(
         "--report", default="report", metavar="DIR", help="directory of the reports"
     )
-    manner.add_argument(
+    execution.add_argument(
         "--known-failures",
         metavar="FILE",
         help="file with one rule id and a # comment per line: these failures do not "
@@ -96,7 +98,7 @@ def build_parser() -> argparse.ArgumentParser:
     return parser
 
 
-def read_choice(options: argparse.Namespace) -> Settings:
+def read_selection(options: argparse.Namespace) -> Settings:
     """Read the selection, which needs no server, or raise BadArguments."""
     only = _split(options.only)
     for wanted in only:
@@ -133,7 +135,7 @@ def _close_matches(wanted: str, known: Iterable[str]) -> list[str]:
 
 def read_settings(options: argparse.Namespace) -> Settings:
     """Turn options and environment into settings, or raise BadArguments."""
-    settings = read_choice(options)
+    settings = read_selection(options)
     if options.start_cmd is None and options.url is None:
         raise BadArguments("give --url URL or --start-cmd CMD")
     if options.start_cmd is not None and options.url is not None:

@@ -1,64 +1,47 @@
 """The main program of the kit: arguments, server, preflight, checks, reports."""
 
 import contextlib
-import signal
 import sys
 import tempfile
-import time
 from collections.abc import Iterator, Sequence
-from datetime import UTC, datetime
 from pathlib import Path
-from types import FrameType
 
 from conformance.cli.arguments import (
     BadArguments,
     build_parser,
-    read_choice,
+    read_selection,
     read_known_failures,
     read_settings,
 )
 from conformance.cli.console import Terminal
-from conformance.reports.files import write_reports
+from conformance.cli.kit_run import run_kit
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge, inspect
-from conformance.runner.server_process import AccountTokens, ServerProcess, StartFailed
-from conformance.specification.document import load_spec, spec_name
-from conformance.verdicts.result import Result, conclude, select
-from conformance.verdicts.universal_rules import Tally
+from conformance.runner.server_process import AccountTokens, ServerProcess
+from conformance.specification.document import spec_name
+from conformance.verdicts.result import Result, conclude
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the kit; the exit code is 0 conformant, 1 violated, 2 not decided."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     terminal = Terminal()
-    parser = build_parser()
     result = Result(Settings(report=_report_directory(given)))
-    result.started_at = datetime.now(UTC).isoformat(timespec="seconds")
-    began_at = time.monotonic()
-    signal.signal(signal.SIGTERM, _raise_interrupt)
-    known: set[str] = set()
-    try:
-        options = parser.parse_args(given)
-        if options.list or options.dry_run:
-            settings = read_choice(options)
-            return _dry_run(settings) if options.dry_run else _list(settings)
+    with contextlib.suppress(BadArguments):  # raised again and reported by `judge`
+        options = build_parser().parse_args(given)
+        if options.dry_run:
+            return _dry_run(read_selection(options))
+        if options.list:
+            return _list(read_selection(options))
+
+    def judge() -> None:
+        options = build_parser().parse_args(given)
         result.settings = read_settings(options)
         known = read_known_failures(options.known_failures)
         with _server(result.settings):
             _judge(result, known, options.n, terminal)
-    except BadArguments as error:
-        result.problem = f"{error} (see --help)"
-    except (CannotJudge, StartFailed) as error:
-        result.problem = str(error)
-    except KeyboardInterrupt:
-        result.problem = "interrupted"
-    result.elapsed_s = time.monotonic() - began_at
-    if result.problem is not None and not result.rows:
-        conclude(result, {}, Tally(load_spec()), set())
-    with _report_write_errors(terminal, result):
-        write_reports(result)
-    terminal.report(result)
-    return result.exit_code
+
+    return run_kit(result, terminal, judge)
 
 
 def _judge(result: Result, known: set[str], processes: int, terminal: Terminal) -> None:
@@ -78,7 +61,7 @@ def _judge(result: Result, known: set[str], processes: int, terminal: Terminal) 
         f"tolerance {settings.tolerance_s:.2f} s; "
         f"clock {findings.clock_skew_s:+.2f} s; seed {settings.seed}"
     )
-    if not select(settings):
+    if not settings.selected_rules:
         raise CannotJudge("--only and --profile select no rule")
     # Imported late: it loads pytest, which no earlier exit needs.
     from conformance.runner.execution import execute
@@ -112,7 +95,7 @@ def _server(settings: Settings) -> Iterator[None]:
 
 
 def _list(settings: Settings) -> int:
-    for row in select(settings):
+    for row in settings.selected_rules:
         note = "" if row.is_observable else f" [not observable: {row.why}]"
         print(f"{row.id}  {row.level}  {row.profile}  {row.text}{note}")
     return 0
@@ -122,7 +105,7 @@ def _dry_run(settings: Settings) -> int:
     """Print the checks for a server that announces every profile."""
     from conformance.runner.execution import list_checks
 
-    rows = select(settings)
+    rows = settings.selected_rules
     settings.service = {"profiles": settings.profiles}
     checks = list_checks(settings) if rows else []
     names = {requirement_id: name for requirement_id, name, _ in checks}
@@ -146,17 +129,3 @@ def _report_directory(given: Sequence[str]) -> str:
         if word.startswith("--report="):
             return word.partition("=")[2]
     return "report"
-
-
-@contextlib.contextmanager
-def _report_write_errors(terminal: Terminal, result: Result) -> Iterator[None]:
-    try:
-        yield
-    except OSError as error:
-        terminal.say(f"the reports could not be written: {error}", "bold red")
-        result.problem = result.problem or f"no reports: {error}"
-
-
-def _raise_interrupt(_number: int, _frame: FrameType | None) -> None:
-    """Treat SIGTERM as Ctrl-C, so that a server started by the kit ends, too."""
-    raise KeyboardInterrupt

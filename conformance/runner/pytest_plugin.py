@@ -22,7 +22,7 @@ from conformance.client.request_context import SharedContext
 from conformance.exchanges.curl import select_exchanges_for
 from conformance.run_settings import Settings
 from conformance.verdicts import expect
-from conformance.verdicts.result import is_offered, select
+from conformance.verdicts.result import is_offered
 from conformance.verdicts.verdict import Outcome, Verdict
 
 VERDICT = "kit_verdict"
@@ -116,7 +116,7 @@ def pytest_collection_modifyitems(
 ) -> None:
     """Keep the selected checks; waiting checks come last, crash checks after them."""
     settings = config.stash[_SHARED].settings
-    wanted = {row.id for row in select(settings) if is_offered(row, settings)}
+    wanted = {row.id for row in settings.selected_rules if is_offered(row, settings)}
     items[:] = [
         item
         for item in items

@@ -111,16 +111,6 @@ class Result:
         return f"{ids}{more} ({reason})"
 
 
-def select(settings: Settings) -> list[Requirement]:
-    """Give the selected rules."""
-    return [
-        row
-        for row in load_ledger().values()
-        if row.profile in settings.profiles
-        and (not settings.only or row.id.startswith(tuple(settings.only)))
-    ]
-
-
 def is_offered(row: Requirement, settings: Settings) -> bool:
     """Say whether the server announces the profile of a rule."""
     announced = settings.service.get("profiles", [])
@@ -131,7 +121,7 @@ def conclude(
     result: Result, verdicts: Mapping[str, Verdict], tally: Tally, known: set[str]
 ) -> None:
     """Fill in the rows of a result from the verdicts of the checks."""
-    for row in select(result.settings):
+    for row in result.settings.selected_rules:
         verdict = _verdict_on(row, result, verdicts)
         if row.id in UNIVERSAL_RULES:
             _apply_tally(verdict, tally)
