@@ -1,6 +1,8 @@
-"""The conformance kit: judges any Proctor server by its answers alone.
+"""The conformance kit: checks any Proctor server against the specification over HTTP.
 
-It imports nothing of the house and no generated client, because it must be able to
-send what a client forbids. The rules stand in `spec/`; `ledger` reads them, `checks/`
-judges them one by one, `story` gives the checks their verbs.
+It imports no server and no client of this repository, because it must be able to send
+what a client refuses to send. Layers, each importing only those before it:
+specification (rules with ids), exchanges (requests and responses as data), verdicts,
+client (requests of a check), oracle (expected results), policy and profiles (servers
+and clients that checks need), checks (one per rule), runner (pytest), reports, cli.
 """

@@ -1,14 +1,17 @@
-"""What the operator asked for, and what the preflight found out.
+"""Settings of one run of the kit: the options, and what the preflight measured.
 
-Travels from the command line to the checks' process in one environment variable, so
-that tokens never stand in a command line.
+Passed from the command line to the process of the checks in one environment variable,
+so that tokens never appear in a command line.
 """
 
+import functools
 import json
 import os
 import time
 from dataclasses import asdict, dataclass, field
 from typing import Any
+
+from conformance.specification.ledger import Requirement, load_ledger
 
 VARIABLE = "PROCTOR_KIT_SETTINGS"
 
@@ -35,16 +38,26 @@ class Settings:
     service: dict[str, Any] = field(default_factory=dict)
     benchmark: dict[str, Any] = field(default_factory=dict)
 
+    @functools.cached_property
+    def selected_rules(self) -> list[Requirement]:
+        """The rules selected by --profile and --only, as ordered in the ledger."""
+        return [
+            row
+            for row in load_ledger().values()
+            if row.profile in self.profiles
+            and (not self.only or row.id.startswith(tuple(self.only)))
+        ]
+
     @property
     def is_time_up(self) -> bool:
         """Whether no further check may start."""
         return self.deadline is not None and time.monotonic() >= self.deadline
 
     def store_in_environment(self) -> None:
-        """Leave the settings to the processes started from here."""
+        """Pass the settings to the processes started from here."""
         os.environ[VARIABLE] = json.dumps(asdict(self))
 
     @classmethod
     def load_from_environment(cls) -> "Settings":
-        """Read what the command line left."""
+        """Read the settings that the command line passed."""
         return cls(**json.loads(os.environ[VARIABLE]))

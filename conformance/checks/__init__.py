@@ -1,1 +1,1 @@
-"""One file per area, one check per requirement; each tells a short story."""
+"""One file per area, one check per rule: what is done, then "Expect ..."."""

@@ -1,1 +1,1 @@
-"""The command line of the kit."""
+"""The command line and the console output of the kit."""

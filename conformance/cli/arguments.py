@@ -1,4 +1,4 @@
-"""The command line of the kit."""
+"""The options of `proctor-conformance`, and their translation into settings."""
 
 import argparse
 import difflib
@@ -13,7 +13,7 @@ from conformance.specification.ledger import PROFILES, load_ledger
 
 
 class BadArguments(Exception):
-    """The command line makes no sense, and why."""
+    """The command line is invalid; the text gives the reason."""
 
 
 class _Parser(argparse.ArgumentParser):
@@ -25,70 +25,92 @@ def build_parser() -> argparse.ArgumentParser:
     """Describe every option."""
     parser = _Parser(
         prog="proctor-conformance",
-        description="Judge a Proctor server by its answers alone.",
-        epilog="Exit codes: 0 conformant, 1 a MUST is violated, 2 could not judge. "
-        "Every run leaves report.html, report.json, junit.xml and badge.svg in "
-        "--report.",
+        description="Check a Proctor server against the specification over HTTP "
+        "(black box).",
+        epilog="Exit codes: 0 conformant, 1 a MUST is violated, 2 not decided (no "
+        "server, no token, kit error). Every run writes report.html, report.json, "
+        "junit.xml and badge.svg to the directory --report.",
     )
-    server = parser.add_argument_group("the server")
-    server.add_argument("--url", help="base URL of the server to judge")
+    server = parser.add_argument_group("server")
+    server.add_argument("--url", help="base URL of the server under test")
     server.add_argument(
         "--start-cmd",
         metavar="CMD",
-        help="start the server with this command instead; it gets PROCTOR_HOST, "
-        "PROCTOR_PORT, PROCTOR_TOKENS and PROCTOR_DATABASE in its environment",
+        help="start the server under test with this command; the kit sets "
+        "PROCTOR_HOST, PROCTOR_PORT, PROCTOR_TOKENS and PROCTOR_DATABASE in its "
+        "environment",
     )
     server.add_argument(
         "--restart-cmd",
         metavar="CMD",
-        help="command that kills the server at --url and starts it again",
+        help="command that kills the server at --url and restarts it",
     )
-    accounts = parser.add_argument_group("accounts (better given by environment)")
-    accounts.add_argument("--token", help="token with read and run [PROCTOR_TOKEN]")
-    accounts.add_argument("--token-2", help="another account's [PROCTOR_TOKEN_2]")
+    accounts = parser.add_argument_group(
+        "accounts (environment variables are preferred)"
+    )
     accounts.add_argument(
-        "--token-read", help="the first account's, read only [PROCTOR_TOKEN_READ]"
+        "--token", help="token with the scopes read and run [PROCTOR_TOKEN]"
     )
-    choice = parser.add_argument_group("what is judged")
-    choice.add_argument("--only", metavar="ID,...", help="ids or beginnings of ids")
-    choice.add_argument("--profile", metavar="NAME,...", help=", ".join(PROFILES))
-    choice.add_argument("--quick", action="store_true", help="leave out what waits")
-    choice.add_argument("--list", action="store_true", help="list the rules and stop")
-    choice.add_argument(
+    accounts.add_argument(
+        "--token-2", help="token of a second account [PROCTOR_TOKEN_2]"
+    )
+    accounts.add_argument(
+        "--token-read",
+        help="token of the first account with the scope read only [PROCTOR_TOKEN_READ]",
+    )
+    selection = parser.add_argument_group("selection")
+    selection.add_argument("--only", metavar="ID,...", help="rule ids or id prefixes")
+    selection.add_argument("--profile", metavar="NAME,...", help=", ".join(PROFILES))
+    selection.add_argument(
+        "--quick", action="store_true", help="skip checks that wait for timeouts"
+    )
+    selection.add_argument(
+        "--list", action="store_true", help="print the rules and exit"
+    )
+    selection.add_argument(
         "--dry-run",
         action="store_true",
-        help="list the checks that would run and their rules; send nothing",
+        help="print the checks that would run and their rules; send no request",
     )
-    manner = parser.add_argument_group("how")
-    manner.add_argument("--seed", type=int, help="repeat a run's generated requests")
-    manner.add_argument("-n", metavar="N", type=int, default=0, help="processes")
-    manner.add_argument(
+    execution = parser.add_argument_group("execution")
+    execution.add_argument(
+        "--seed", type=int, help="seed of the generated requests (reproduces a kit run)"
+    )
+    execution.add_argument(
+        "-n", metavar="N", type=int, default=0, help="number of parallel processes"
+    )
+    execution.add_argument(
         "--max-time",
         type=float,
         metavar="SECONDS",
-        help="start no further check after this time; what is left is not verified",
+        help="start no check after this time; the remaining rules are reported as "
+        "not verified",
     )
-    manner.add_argument("--report", default="report", metavar="DIR")
-    manner.add_argument(
+    execution.add_argument(
+        "--report", default="report", metavar="DIR", help="directory of the reports"
+    )
+    execution.add_argument(
         "--known-failures",
         metavar="FILE",
-        help="one id per line and a # comment; such a failure is reported but does "
-        "not fail the run, and an entry that does not fail any more does",
+        help="file with one rule id and a # comment per line: these failures do not "
+        "fail the run; an entry that passes does",
     )
     return parser
 
 
-def read_choice(options: argparse.Namespace) -> Settings:
-    """Read what is to be judged, which needs no server; or raise BadArguments."""
+def read_selection(options: argparse.Namespace) -> Settings:
+    """Read the selection, which needs no server, or raise BadArguments."""
     only = _split(options.only)
     for wanted in only:
         if not any(known.startswith(wanted) for known in load_ledger()):
-            problem = f"--only {wanted}: no requirement has such an id"
+            problem = f"--only {wanted}: no rule id starts with {wanted}"
             raise BadArguments(problem + _suggestion(wanted))
     profiles = _split(options.profile)
     for profile in profiles:
         if profile not in PROFILES:
-            raise BadArguments(f"--profile {profile}: there are {', '.join(PROFILES)}")
+            raise BadArguments(
+                f"--profile {profile}: unknown profile; known: {', '.join(PROFILES)}"
+            )
     return Settings(
         quick=options.quick,
         only=only,
@@ -104,7 +126,7 @@ def _suggestion(wanted: str) -> str:
     )
     if close:
         return f"; did you mean {' or '.join(close)}?"
-    return f"; the areas are {', '.join(areas)}"
+    return f"; areas: {', '.join(areas)}"
 
 
 def _close_matches(wanted: str, known: Iterable[str]) -> list[str]:
@@ -113,17 +135,17 @@ def _close_matches(wanted: str, known: Iterable[str]) -> list[str]:
 
 def read_settings(options: argparse.Namespace) -> Settings:
     """Turn options and environment into settings, or raise BadArguments."""
-    settings = read_choice(options)
+    settings = read_selection(options)
     if options.start_cmd is None and options.url is None:
         raise BadArguments("give --url URL or --start-cmd CMD")
     if options.start_cmd is not None and options.url is not None:
         raise BadArguments("--url and --start-cmd exclude each other")
     if options.start_cmd is not None and options.restart_cmd is not None:
-        raise BadArguments("--start-cmd restarts by itself; leave --restart-cmd away")
+        raise BadArguments("--start-cmd and --restart-cmd exclude each other")
     if options.url is not None and not options.url.startswith(("http://", "https://")):
-        raise BadArguments(f"--url {options.url} is no http or https URL")
+        raise BadArguments(f"--url {options.url}: not an http or https URL")
     if options.max_time is not None and not options.max_time > 0:
-        raise BadArguments(f"--max-time {options.max_time:g}: give some seconds")
+        raise BadArguments(f"--max-time {options.max_time:g}: must be greater than 0")
     environment = os.environ
     settings.url = (options.url or "").rstrip("/")
     settings.token = options.token or environment.get("PROCTOR_TOKEN") or None
@@ -162,9 +184,11 @@ def read_known_failures(path: str | None) -> set[str]:
             continue
         where = f"--known-failures {path} line {number}"
         if requirement_id not in load_ledger():
-            problem = f"{where}: there is no requirement {requirement_id}"
+            problem = f"{where}: unknown rule id {requirement_id}"
             raise BadArguments(problem + _suggestion(requirement_id))
         if not comment.strip():
-            raise BadArguments(f"{where}: say after a # why {requirement_id} fails")
+            raise BadArguments(
+                f"{where}: add a # comment with the reason for {requirement_id}"
+            )
         known.add(requirement_id)
     return known

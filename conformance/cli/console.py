@@ -1,7 +1,6 @@
-"""The report that people read in a terminal or in the log of a CI machine.
+"""The report on a terminal or in a CI log.
 
-Eighty columns, no colour unless it is a terminal, one line per requirement, one card
-per failure.
+Eighty columns, colour only on a terminal, one line per rule, one card per failure.
 """
 
 import itertools
@@ -32,7 +31,7 @@ class Terminal:
     """Writes progress while checks run, and the report at the end."""
 
     def __init__(self) -> None:
-        # A terminal breaks lines as it likes; commands must survive copying.
+        # No hard line breaks: commands must survive copying.
         self._console = Console(
             highlight=False, markup=False, emoji=False, soft_wrap=True
         )
@@ -45,7 +44,7 @@ class Terminal:
         self._console.print(Text(text, style=style), soft_wrap=True)
 
     def progress(self, verdict: Verdict, total: int) -> None:
-        """Tell that a check has ended: on one line, or now and then in a log."""
+        """Report that a check has ended: on one line, or every few seconds in a log."""
         self._seen += 1
         self._failed += verdict.outcome == Outcome.FAILED
         of = f"/{total}" if total else ""
@@ -58,7 +57,7 @@ class Terminal:
             self.say(line)
 
     def report(self, result: Result) -> None:
-        """Write everything that is known at the end."""
+        """Write rows, failure cards and the conclusion."""
         if self._console.is_terminal and self._seen:
             sys.stdout.write("\r\x1b[K")
         if result.problem is None or self._seen:
@@ -70,7 +69,7 @@ class Terminal:
             self.say(f"{result.headline()} ({result.elapsed_s:.1f} s)", "bold")
             self.say(
                 f"reports in {result.settings.report}/, seed {result.settings.seed}, "
-                f"judged by {spec_name()}"
+                f"specification {spec_name()}"
             )
         for note in result.notes:
             self.say(f"note: {note}", "yellow")

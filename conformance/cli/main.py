@@ -1,69 +1,52 @@
-"""The kit from beginning to end: arguments, server, preflight, checks, reports."""
+"""The main program of the kit: arguments, server, preflight, checks, reports."""
 
 import contextlib
-import signal
 import sys
 import tempfile
-import time
 from collections.abc import Iterator, Sequence
-from datetime import UTC, datetime
 from pathlib import Path
-from types import FrameType
 
 from conformance.cli.arguments import (
     BadArguments,
     build_parser,
-    read_choice,
+    read_selection,
     read_known_failures,
     read_settings,
 )
 from conformance.cli.console import Terminal
-from conformance.reports.files import write_reports
+from conformance.cli.kit_run import run_kit
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge, inspect
-from conformance.runner.server_process import AccountTokens, ServerProcess, StartFailed
-from conformance.specification.document import load_spec, spec_name
-from conformance.verdicts.result import Result, conclude, select
-from conformance.verdicts.universal_rules import Tally
+from conformance.runner.server_process import AccountTokens, ServerProcess
+from conformance.specification.document import spec_name
+from conformance.verdicts.result import Result, conclude
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the kit; the exit code is 0 conformant, 1 violated, 2 could not judge."""
+    """Run the kit; the exit code is 0 conformant, 1 violated, 2 not decided."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     terminal = Terminal()
-    parser = build_parser()
     result = Result(Settings(report=_report_directory(given)))
-    result.started_at = datetime.now(UTC).isoformat(timespec="seconds")
-    began_at = time.monotonic()
-    signal.signal(signal.SIGTERM, _raise_interrupt)
-    known: set[str] = set()
-    try:
-        options = parser.parse_args(given)
-        if options.list or options.dry_run:
-            settings = read_choice(options)
-            return _dry_run(settings) if options.dry_run else _list(settings)
+    with contextlib.suppress(BadArguments):  # raised again and reported by `judge`
+        options = build_parser().parse_args(given)
+        if options.dry_run:
+            return _dry_run(read_selection(options))
+        if options.list:
+            return _list(read_selection(options))
+
+    def judge() -> None:
+        options = build_parser().parse_args(given)
         result.settings = read_settings(options)
         known = read_known_failures(options.known_failures)
         with _server(result.settings):
             _judge(result, known, options.n, terminal)
-    except BadArguments as error:
-        result.problem = f"{error} (--help explains)"
-    except (CannotJudge, StartFailed) as error:
-        result.problem = str(error)
-    except KeyboardInterrupt:
-        result.problem = "interrupted before the end"
-    result.elapsed_s = time.monotonic() - began_at
-    if result.problem is not None and not result.rows:
-        conclude(result, {}, Tally(load_spec()), set())
-    with _report_write_errors(terminal, result):
-        write_reports(result)
-    terminal.report(result)
-    return result.exit_code
+
+    return run_kit(result, terminal, judge)
 
 
 def _judge(result: Result, known: set[str], processes: int, terminal: Terminal) -> None:
     settings = result.settings
-    terminal.say(f"judging by {spec_name()}")
+    terminal.say(f"specification {spec_name()}")
     findings = inspect(settings)
     result.round_trip_p50_s = findings.round_trip_p50_s
     result.notes = findings.notes()
@@ -78,9 +61,9 @@ def _judge(result: Result, known: set[str], processes: int, terminal: Terminal) 
         f"tolerance {settings.tolerance_s:.2f} s; "
         f"clock {findings.clock_skew_s:+.2f} s; seed {settings.seed}"
     )
-    if not select(settings):
-        raise CannotJudge("--only and --profile together select nothing")
-    # Imported late: it brings pytest, which no earlier exit needs.
+    if not settings.selected_rules:
+        raise CannotJudge("--only and --profile select no rule")
+    # Imported late: it loads pytest, which no earlier exit needs.
     from conformance.runner.execution import execute
 
     # Crash checks by a hook restart the server under all other checks.
@@ -92,7 +75,7 @@ def _judge(result: Result, known: set[str], processes: int, terminal: Terminal) 
 
 @contextlib.contextmanager
 def _server(settings: Settings) -> Iterator[None]:
-    """Start the server for the time of the run, if that was asked for."""
+    """Run the server of --start-cmd, if given, for the duration of the block."""
     if settings.start_cmd is None:
         yield
         return
@@ -112,17 +95,17 @@ def _server(settings: Settings) -> Iterator[None]:
 
 
 def _list(settings: Settings) -> int:
-    for row in select(settings):
+    for row in settings.selected_rules:
         note = "" if row.is_observable else f" [not observable: {row.why}]"
         print(f"{row.id}  {row.level}  {row.profile}  {row.text}{note}")
     return 0
 
 
 def _dry_run(settings: Settings) -> int:
-    """Tell what would be checked; the profiles are those of a server that has all."""
+    """Print the checks for a server that announces every profile."""
     from conformance.runner.execution import list_checks
 
-    rows = select(settings)
+    rows = settings.selected_rules
     settings.service = {"profiles": settings.profiles}
     checks = list_checks(settings) if rows else []
     names = {requirement_id: name for requirement_id, name, _ in checks}
@@ -132,31 +115,17 @@ def _dry_run(settings: Settings) -> int:
         print(f"{row.id}  {row.level}  {row.profile}  {row.text}\n    {names[row.id]}")
     unobservable = sum(not row.is_observable for row in rows)
     print(
-        f"{len(checks)} checks of {spec_name()} would run, nothing was sent; "
-        f"{unobservable} of the {len(rows)} rules selected cannot be observed"
+        f"{len(checks)} checks of {spec_name()} selected; no request was sent; "
+        f"{unobservable} of the {len(rows)} selected rules are not observable"
     )
     return 0 if checks else 2
 
 
 def _report_directory(given: Sequence[str]) -> str:
-    """Find --report even in a command line that makes no sense."""
+    """Find --report even in an invalid command line."""
     for index, word in enumerate(given):
         if word == "--report" and index + 1 < len(given):
             return given[index + 1]
         if word.startswith("--report="):
             return word.partition("=")[2]
     return "report"
-
-
-@contextlib.contextmanager
-def _report_write_errors(terminal: Terminal, result: Result) -> Iterator[None]:
-    try:
-        yield
-    except OSError as error:
-        terminal.say(f"the reports could not be written: {error}", "bold red")
-        result.problem = result.problem or f"no reports: {error}"
-
-
-def _raise_interrupt(_number: int, _frame: FrameType | None) -> None:
-    """End as with Ctrl-C, so that a server that the kit started ends as well."""
-    raise KeyboardInterrupt

@@ -1,1 +1,1 @@
-"""What a check talks to the server with; every exchange is logged."""
+"""The clients of a check: requests, runs, workers, events. Every exchange is logged."""

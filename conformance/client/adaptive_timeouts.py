@@ -6,10 +6,10 @@ _TIMEOUT_MIN_S = 0.5
 
 
 class AdaptiveTimeouts:
-    """How long to wait for something: less, the more often it did not come.
+    """Timeouts by name, halved after each miss.
 
-    A server that never gets there would otherwise cost minutes. What is lost is never
-    a verdict against the server: too little patience leaves a row not verified.
+    A server that never reaches a state would otherwise cost minutes. A timeout never
+    becomes a verdict against the server: it leaves a rule not verified.
     """
 
     def __init__(self) -> None:
@@ -21,5 +21,5 @@ class AdaptiveTimeouts:
         return max(_TIMEOUT_MIN_S, share * wanted_s)
 
     def record_miss(self, what: str) -> None:
-        """Note that it did not come."""
+        """Note that the wait was in vain."""
         self._misses[what] += 1

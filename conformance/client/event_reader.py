@@ -1,8 +1,8 @@
-"""Server-sent events as any client reads them: what the HTML standard says and no more.
+"""Server-sent events, read as the HTML standard describes.
 
-A `EventReader` follows one run in a thread of its own. It passes comments over, and when a
-stream ends it comes back with the last id until it is told not to. What was told when
-is kept in order; whether that was right is for the checks to say.
+An `EventReader` follows one run in its own thread. It ignores comments, and when a
+stream ends it reconnects with the last id until it is closed. It stores events with
+their times, in order; the checks decide whether they are right.
 """
 
 import queue
@@ -28,7 +28,7 @@ from conformance.verdicts.expect import (
 
 # For what has no limit of its own: longer than a busy machine needs.
 ANSWER_TIMEOUT_S = 5.0
-# How soon it comes back, whatever `retry` says: checks have little time.
+# Delay before it reconnects, whatever `retry` says: checks have little time.
 _RETRY_S = 0.2
 _END_OF_LINE = re.compile(rb"\r\n|\n|\r")
 
@@ -49,15 +49,15 @@ class Event:
             body = msgspec.json.decode("\n".join(self.data))
         except msgspec.DecodeError as error:
             raise SetUpFailed(
-                f"data of an event is no JSON; see EVT-001: {error}"
+                f"event data is not valid JSON (EVT-001): {error}"
             ) from error
         if not isinstance(body, dict):
-            raise SetUpFailed("data of an event is no object; see EVT-001")
+            raise SetUpFailed("event data is not a JSON object (EVT-001)")
         return SetUpBody(body)
 
 
 class EventParser:
-    """Bytes in, events out; whatever is cut off waits for the rest."""
+    """Bytes in, events out; an incomplete event waits for the rest."""
 
     def __init__(self) -> None:
         self._rest = b""
@@ -65,7 +65,7 @@ class EventParser:
         self._fields: dict[str, list[str]] = {}
 
     def feed(self, part: bytes) -> list[Event]:
-        """Take what has come, and give the events that are whole with it."""
+        """Take received bytes, and give the events that they complete."""
         events: list[Event] = []
         if self._ended_with_cr:
             part = part.removeprefix(b"\n")
@@ -90,12 +90,12 @@ class EventParser:
 
 
 class EventReader:
-    """Somebody who follows a run; made by `follow_run`."""
+    """One reader of the events of a run; opened by `follow_run`."""
 
     def __init__(self, run: RunClient, after: str | None) -> None:
         self.last_id = after
-        self.received: list[Event] = []  # what was taken from it, in order
-        self.received_at: list[float] = []  # when anything came, comments too
+        self.received: list[Event] = []  # events taken by the check, in order
+        self.received_at: list[float] = []  # times of received bytes, comments included
         self._status: int | None = None
         self._has_answer, self._has_ended = threading.Event(), threading.Event()
         self._run = run
@@ -106,7 +106,7 @@ class EventReader:
         self._thread.start()
 
     def close(self) -> None:
-        """Hang up."""
+        """Close the connection and end the thread."""
         self._is_closed.set()
         stream = self._stream
         if stream is not None:
@@ -121,7 +121,7 @@ class EventReader:
             self._queue.put(error)
 
     def _read_stream(self) -> bool:
-        """Read one stream to its end; whether to come back."""
+        """Read one stream to its end; say whether to reconnect."""
         last = {} if self.last_id is None else {"Last-Event-ID": self.last_id}
         with self._run.stream("stream_events", headers=last) as opened:
             status = opened.status if isinstance(opened, Answer) else 200
@@ -143,11 +143,11 @@ class EventReader:
         return True
 
     def wait_for_end(self) -> bool:
-        """Whether a stream ends, or has ended; PATIENCE_S at the most."""
+        """Wait for the end of a stream, at most ANSWER_TIMEOUT_S."""
         return self._has_ended.wait(ANSWER_TIMEOUT_S)
 
     def first_status(self) -> int:
-        """Give the status of the first answer; PATIENCE_S at the most."""
+        """Give the status of the first answer; at most ANSWER_TIMEOUT_S."""
         self._has_answer.wait(ANSWER_TIMEOUT_S)
         if self._status is None:
             raise Violation("an answer", f"none within {ANSWER_TIMEOUT_S:g} s")
@@ -165,7 +165,7 @@ class EventReader:
         return found
 
     def collect_for(self, seconds: float) -> list[Event]:
-        """Give what is told in this time."""
+        """Give the events received in this time."""
         until, events = time.monotonic() + seconds, list[Event]()
         while isinstance(found := self._next(until - time.monotonic()), Event):
             events.append(found)
@@ -186,7 +186,7 @@ class EventReader:
                     f"an event {what}", describe_answer(found), found.exchange
                 )
             if found is None:
-                kinds = ", ".join(event.kind for event in events) or "nothing"
+                kinds = ", ".join(event.kind for event in events) or "no event"
                 raise Violation(f"an event {what}", f"{kinds} in {within_s:g} s")
             events.append(found)
             if is_it(found):
@@ -195,7 +195,7 @@ class EventReader:
 
 @contextmanager
 def follow_run(run: RunClient, after: str | None = None) -> Iterator[EventReader]:
-    """Follow a run, behind an event or from the beginning."""
+    """Follow a run, after an event or from the beginning."""
     reader = EventReader(run, after)
     try:
         yield reader

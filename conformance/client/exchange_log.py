@@ -24,15 +24,17 @@ class ExchangeLog:
         self._count = 0
 
     def next_number(self) -> int:
-        """Count one exchange more; too many mean that the check is led in circles."""
+        """Count one more exchange; too many mean that the check does not terminate."""
         with self._lock:
             self._count += 1
             if self._count > _EXCHANGES_MAX:
-                raise SetUpFailed(f"no end in sight after {_EXCHANGES_MAX} requests")
+                raise SetUpFailed(
+                    f"request limit of the check reached ({_EXCHANGES_MAX})"
+                )
             return self._count
 
     def add(self, exchange: Exchange) -> None:
-        """Keep an exchange; of very many, the first half and the latest."""
+        """Store an exchange; beyond the limit, the first half and the latest remain."""
         exchange.request_body = exchange.request_body[:_BODY_BYTES_STORED]
         exchange.answer_body = exchange.answer_body[:_BODY_BYTES_STORED]
         with self._lock:

@@ -1,8 +1,8 @@
-"""HTTP as a check sees it: one account's token, every answer, no exceptions on status.
+"""The HTTP client of a check: one account's token, raw responses, no status exceptions.
 
-Every request carries `X-Correlation-Id: <check>/<n>`; every exchange goes to the
-check's journal and is judged by the rules that hold for all answers. What is sent is
-never corrected here: a check may send anything.
+Every request carries `X-Correlation-Id: <check>/<n>`; every exchange is added to the
+log of the check and passed to an observer, which judges the rules for all responses.
+Requests are never corrected here: a check may send anything.
 """
 
 import contextlib
@@ -28,7 +28,7 @@ from conformance.specification.document import EVENT_STREAM, JSON, Operation, Sp
 from conformance.verdicts.expect import Violation
 
 OWN_TOKEN = "own"
-# Of an answer that goes on: what is kept, and how long its beginning is waited for.
+# Of a stream: the bytes stored, and the timeout for its first event.
 _STREAM_BYTES_STORED = 4096
 _FIRST_EVENT_TIMEOUT_S = 3.0
 _FIRST_EVENT = re.compile(rb"^data[^\r\n]*(\r\n|\n|\r){2}", re.MULTILINE)
@@ -73,7 +73,7 @@ class ClientPool:
             follow_redirects=False,
             cookies=http.cookiejar.CookieJar(policy=no_cookies),
             verify=_certificates(),
-            # Proxies from the environment help to reach the world, not this machine.
+            # Proxies from the environment are for other machines, not for this one.
             trust_env=not _is_this_machine(self._url),
         )
 
@@ -87,7 +87,7 @@ class ClientPool:
 
 @functools.cache
 def _certificates() -> ssl.SSLContext:
-    """Read the authorities once: it takes longer than all else here together."""
+    """Load the certificate authorities once: it is slow."""
     return httpx.create_ssl_context()
 
 
@@ -100,14 +100,14 @@ def _is_this_machine(url: str) -> bool:
 
 
 class AnswerStream:
-    """An answer that goes on: what comes of it, until it ends or somebody hangs up."""
+    """A response without an end: its parts, until either side closes it."""
 
     def __init__(self, response: httpx.Response) -> None:
         self.body = b""
         self._response = response
 
     def parts(self) -> Iterator[bytes]:
-        """Give what comes while it comes; a stream that breaks off has ended."""
+        """Give the parts as they arrive; a broken connection ends the stream."""
         with contextlib.suppress(httpx.TransportError, OSError):
             for part in self._response.iter_bytes():
                 self.body += part[: max(0, _STREAM_BYTES_STORED - len(self.body))]
@@ -121,7 +121,7 @@ class AnswerStream:
 
 
 def _read_first_event(response: httpx.Response) -> bytes:
-    """Read the first of events that may have no end."""
+    """Read the first event of a stream that may have no end."""
     stream, until = AnswerStream(response), time.monotonic() + _FIRST_EVENT_TIMEOUT_S
     with contextlib.closing(response):
         for _ in stream.parts():
@@ -167,8 +167,8 @@ class HttpClient:
     ) -> Answer:
         """Send one request. `path` may be absolute; `token` None sends none.
 
-        Raises NoAnswer when there is no answer at all. Of events, which have no end,
-        the first is the answer, or what comes in a few seconds.
+        Raises NoAnswer when there is no answer at all. Of an event
+        stream, which has no end, the first event is the answer, or a few seconds.
         """
         if json is not None:
             content = json_module.dumps(json).encode()
@@ -190,20 +190,20 @@ class HttpClient:
             response = self._send(client, request, exchange, is_event_stream)
             is_read = response.is_stream_consumed
             body = response.content if is_read else _read_first_event(response)
-        return self._log_and_judge(response, body, exchange, operation)
+        return self._log_and_observe(response, body, exchange, operation)
 
     @contextlib.contextmanager
     def stream(
         self, operation: Operation, path: str, headers: Mapping[str, str]
     ) -> Iterator[AnswerStream | Answer]:
-        """Send a GET whose answer goes on; an Answer when it does not."""
-        # Whoever hangs up ends a connection that nobody else will have.
+        """Send a GET for a stream; gives an Answer if the response is none."""
+        # The connection is closed after the stream and not used again.
         headers = {"Connection": "close", **headers}
         with self._clients.borrow() as client:
             request, exchange = self._prepare(client, "GET", path, headers=headers)
             response = self._send(client, request, exchange, is_event_stream=True)
             if response.is_stream_consumed:
-                yield self._log_and_judge(
+                yield self._log_and_observe(
                     response, response.content, exchange, operation
                 )
                 return
@@ -212,7 +212,7 @@ class HttpClient:
                 yield stream
             finally:
                 response.close()
-                self._log_and_judge(response, stream.body, exchange, operation)
+                self._log_and_observe(response, stream.body, exchange, operation)
 
     def _prepare(
         self,
@@ -265,7 +265,7 @@ class HttpClient:
         exchange: Exchange,
         is_event_stream: bool,
     ) -> httpx.Response:
-        """Give the answer; of events only the head.
+        """Give the response; of an event stream only the head.
 
         Raises httpx.LocalProtocolError, as of a mistake of the kit, when HTTP cannot
         carry the request.
@@ -284,14 +284,14 @@ class HttpClient:
             raise NoAnswer("an answer", exchange.error, exchange.number) from error
         return response
 
-    def _log_and_judge(
+    def _log_and_observe(
         self,
         response: httpx.Response,
         body: bytes,
         exchange: Exchange,
         operation: Operation | None,
     ) -> Answer:
-        """Write an exchange down and judge it by the rules for all answers."""
+        """Log an exchange and pass it to the observer."""
         ended_at = time.monotonic()
         value, is_readable = parse(media_type_of(response.headers), body)
         exchange.elapsed_s = ended_at - exchange.started_at
@@ -319,7 +319,7 @@ class HttpClient:
         )
 
     def _name_of(self, authorization: str | None) -> str | None:
-        """Say which token it was, never what it was."""
+        """Name the token that was sent, without its value."""
         if authorization is None:
             return None
         is_own = authorization == f"Bearer {self.token}"

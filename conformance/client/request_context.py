@@ -39,7 +39,7 @@ _CAPACITY_POLL_S = 0.1
 
 @dataclass(frozen=True)
 class SharedContext:
-    """What all stories of one process share."""
+    """What all checks of one process share."""
 
     settings: Settings
     clients: ClientPool
@@ -102,27 +102,31 @@ class RequestContext:
         return self.offers("msgpack")
 
     def offers(self, profile: str) -> bool:
-        """Whether the server has a part of the protocol."""
+        """Whether the server offers a profile."""
         return profile in NEVER_ANNOUNCED or profile in self.service["profiles"]
 
     def client_with_token(self, token: str | None) -> HttpClient:
-        """A caller with any token, or without one."""
+        """Give a client with any token, or without one."""
         return self._open_client(token, "WRONG_TOKEN")
 
     @property
     def second_account(self) -> HttpClient:
-        """Another account."""
+        """A client with the token of another account."""
         token = self.shared.settings.token_2
         if token is None:
-            raise SetUpFailed("no second token given", allowed=True)
+            raise SetUpFailed(
+                "no token of a second account (PROCTOR_TOKEN_2)", allowed=True
+            )
         return self._open_client(token, "TOKEN_2")
 
     @property
     def read_only_account(self) -> HttpClient:
-        """The first account with a token that may only read."""
+        """A client with the read-only token of the first account."""
         token = self.shared.settings.token_read
         if token is None:
-            raise SetUpFailed("no read token given", allowed=True)
+            raise SetUpFailed(
+                "no token with the scope read only (PROCTOR_TOKEN_READ)", allowed=True
+            )
         return self._open_client(token, "TOKEN_READ")
 
     def call(
@@ -141,7 +145,7 @@ class RequestContext:
     ) -> Answer:
         """Send an operation by its id; the answer is raw.
 
-        Keywords that are left over fill the path. `msgpack` sends `json` as
+        Further keywords fill the path. `msgpack` sends `json` as
         MessagePack and accepts nothing else.
         """
         operation = self.spec.operations[operation_id]
@@ -169,29 +173,29 @@ class RequestContext:
         return self._retry_while_no_capacity(send)
 
     def _retry_while_no_capacity(self, send: Callable[[], Answer]) -> Answer:
-        """Repeat while the server has no room, as every client must; then give up.
+        """Repeat while the server has no capacity, as every client must; then give up.
 
-        To have no room is no violation of any rule, and no proof that one is kept.
+        No capacity is no violation of a rule, and no proof that a rule is obeyed.
         """
         timeouts = self.shared.timeouts
-        until = time.monotonic() + timeouts.of("room", _CAPACITY_TIMEOUT_S)
+        until = time.monotonic() + timeouts.of("capacity", _CAPACITY_TIMEOUT_S)
         while (answer := send()).code in _RETRIED_CODES:
             if time.monotonic() > until:
-                timeouts.record_miss("room")
+                timeouts.record_miss("capacity")
                 if answer.code == _NO_CAPACITY:
                     raise SetUpFailed(
-                        f"the server has no room: {describe_answer(answer)}"
+                        f"server has no capacity: {describe_answer(answer)}"
                     )
                 return answer
             time.sleep(_CAPACITY_POLL_S)
         return answer
 
     def require(self, step: Callable[[], Answer], status: int, name: str) -> Any:
-        """Take a set-up step and give its body; whatever goes wrong is no violation."""
+        """Take a set-up step and give its body; a failure is no violation."""
         try:
             return require(step(), status, f"`{name}`")
         except NoAnswer as error:
-            raise SetUpFailed(f"`{name}` got no answer: {error.observed}") from error
+            raise SetUpFailed(f"`{name}`: no response: {error.observed}") from error
 
     @staticmethod
     def submit_body(**members: Any) -> dict[str, Any]:

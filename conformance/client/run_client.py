@@ -1,8 +1,8 @@
-"""A run and a worker as a check handles them: the domain's verbs over the wire.
+"""A run and a worker of a check: one method per operation of the protocol.
 
-The plain verbs (`attach`, `predict`, `stop`) are set-up: when the server refuses one,
+The plain methods (`attach`, `predict`, `stop`) are set-up: when the server refuses one,
 they raise SetUpFailed, which proves nothing against the rule under test. The `try_`
-verbs and `call` give the raw answer, for `expect` to judge.
+methods and `call` return the raw answer, for `expect` to judge.
 """
 
 import contextlib
@@ -52,7 +52,7 @@ class RunClient:
     def stream(
         self, operation_id: str, headers: Mapping[str, str]
     ) -> Iterator[AnswerStream | Answer]:
-        """Read what an operation on this run tells of it, while it is told."""
+        """Open the event stream of this run; an Answer if it is refused."""
         operation = self.context.spec.operations[operation_id]
         path = self.base_url_of(operation) + operation.path.format(run_id=self.id)
         with self.http_client.stream(operation, path, headers) as opened:
@@ -72,7 +72,7 @@ class RunClient:
     def clean_up(self) -> None:
         """Stop the run, so that it holds no simulator; best effort.
 
-        A server that cannot stop is asked to end the sessions one by one.
+        If the server cannot stop it, the sessions are detached one by one.
         """
         with contextlib.suppress(Violation, SetUpFailed):
             abort = {"mode": "abort"}
@@ -114,7 +114,7 @@ class RunClient:
             if page["next_cursor"] is None:
                 return episodes
             params = {"cursor": page["next_cursor"]}
-        raise SetUpFailed("the pages of `list_episodes` never end")
+        raise SetUpFailed(f"`list_episodes` returned more than {_MAX_PAGES} pages")
 
     def stop(self, mode: str = "abort") -> dict[str, Any]:
         """Stop the run."""
@@ -135,15 +135,15 @@ class RunClient:
             if time.monotonic() > deadline:
                 self.context.shared.timeouts.record_miss(state)
                 raise SetUpFailed(
-                    f"the run did not become `{state}` within {timeout_s:g} s; "
-                    f"it is `{self.body['state']}`"
+                    f"run state is `{self.body['state']}`, expected `{state}` "
+                    f"within {timeout_s:g} s"
                 )
             time.sleep(pause_s)
             pause_s = min(2 * pause_s, _POLL_LONGEST_S)
         return self.body
 
     def worker(self, worker_id: str | None = None) -> "WorkerClient":
-        """Name a worker of this run; nothing is sent."""
+        """Give a worker of this run; sends no request."""
         return WorkerClient(self, worker_id or f"worker-{next(self._worker_numbers)}")
 
     def snapshot(self) -> dict[str, Any]:
@@ -174,7 +174,7 @@ class WorkerClient:
         assumes: Mapping[str, Any] | None = None,
         **how: Any,
     ) -> Answer:
-        """Ask for a session, with a new key unless one is given."""
+        """Send `attach_worker`, with a new key unless one is given."""
         body: dict[str, Any] = {"attach_key": attach_key or uuid.uuid4().hex}
         if takeover:
             body["takeover"] = True
@@ -209,7 +209,7 @@ class WorkerClient:
         msgpack: bool = False,
         **how: Any,
     ) -> Answer:
-        """Send a chunk; the worker's own count of seq does not move."""
+        """Send a chunk; `seq` of the worker does not change."""
         body: dict[str, Any] = {
             "session_id": self.session_id if session_id is None else session_id,
             "seq": self.seq + 1 if seq is None else seq,
@@ -266,7 +266,7 @@ class WorkerClient:
         return lease
 
     def try_detach(self, session_id: str | None = None, **how: Any) -> Answer:
-        """Ask to close the session; the answer is raw."""
+        """Send `detach_worker`; the answer is raw."""
         session = self.session_id if session_id is None else session_id
         return self._call("detach_worker", params={"session_id": session}, **how)
 

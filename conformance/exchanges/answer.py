@@ -50,7 +50,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class ParsedAnswer:
-    """The parts of an answer that the rules look at."""
+    """The parts of a response that the universal rules judge."""
 
     status: int
     headers: Mapping[str, str]

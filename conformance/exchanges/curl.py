@@ -1,10 +1,10 @@
-"""Writes a check's exchanges as a shell script that repeats them on any server.
+"""Writes the exchanges of a check as a shell script that repeats them on any server.
 
-It needs bash, curl and python3. Ids that the server made up (runs, sessions, cursors)
-are caught in variables, so that the script works on a fresh server; tokens and the URL
-are variables anyway. What ran side by side runs side by side again, and where the
-check waited for a state, the script waits for it, too. Events are read for as long as
-the check read them, and their ids are taken from what was read.
+The script needs bash, curl and python3. Ids that the server generated (runs, sessions,
+cursors) are stored in variables, so that the script works on a fresh server; tokens and
+the URL are variables, too. Concurrent requests are concurrent in the script, and where
+the check waited for a state, the script waits for it. Events are read for as long as
+the check read them; their ids come from the output.
 """
 
 import base64
@@ -29,13 +29,13 @@ _TOKENS = {
 }
 _CURL = r"""curl() { command curl -w '\n→ %{http_code}\n' "$@"; }"""
 _KEEP = (
-    "keep() { python3 -c 'import json, sys; said = sys.stdin.read(); "
-    r'sys.stderr.write(said); print(json.loads(said.split("\n→")[0])[sys.argv[1]])'
+    "keep() { python3 -c 'import json, sys; text = sys.stdin.read(); "
+    r'sys.stderr.write(text); print(json.loads(text.split("\n→")[0])[sys.argv[1]])'
     '\' "$1"; }'
 )
 _NTH_ID = (
-    "nth_id() { python3 -c 'import re, sys; told = open(sys.argv[2]).read(); "
-    'print(re.findall(r"(?m)^id: *(\\S+)", told)[int(sys.argv[1]) - 1])'
+    "nth_id() { python3 -c 'import re, sys; text = open(sys.argv[2]).read(); "
+    'print(re.findall(r"(?m)^id: *(\\S+)", text)[int(sys.argv[1]) - 1])'
     '\' "$1" "$2"; }'
 )
 _WAIT_FOR = (
@@ -55,7 +55,7 @@ class Script:
         self._states: dict[str, str] = {}
 
     def lines(self, exchanges: Iterable[Exchange]) -> Iterator[str]:
-        """Give the commands, each followed by what came back."""
+        """Give the commands, each followed by the response as a comment."""
         groups = list(_without_polls(exchanges))
         texts = [_text_of(polls[-1]) for polls in groups]
         free_at = beside_until = groups[0][-1].started_at if groups else 0.0
@@ -71,8 +71,8 @@ class Script:
                 yield f"sleep {max(pause_s, 0.1):.1f}"
             if _is_truncated(exchange):
                 size = exchange.request_size
-                size_text = "streamed" if size is None else f"of {size} bytes"
-                yield f"# the file `body` is yours to make: it was {size_text}"
+                size_text = "streamed" if size is None else f"{size} bytes"
+                yield f"# create the file `body` first ({size_text})"
             overlaps_next = not is_last and groups[index + 1][0].started_at < ended_at
             later = "\n".join(texts[index + 1 :])
             command = self._capture_ids(exchange, self._command(exchange), later)
@@ -92,7 +92,7 @@ class Script:
             free_at = ended_at
 
     def _new_state(self, exchange: Exchange) -> str | None:
-        """Give the state of a run that a look at it revealed."""
+        """Give the new state of a run, if this exchange is a read that shows one."""
         body = _read(exchange)
         run_id, state = body.get("run_id"), body.get("state")
         if not isinstance(run_id, str) or not isinstance(state, str):
@@ -155,7 +155,7 @@ class Script:
         return text
 
     def _capture_ids(self, exchange: Exchange, command: str, later: str) -> str:
-        """Keep what the answer made up, if later requests need it."""
+        """Store an id that the server generated, if later requests need it."""
         if _is_stream(exchange):
             return self._capture_event_ids(exchange, command, later)
         for member, value in _server_made_ids(exchange):
@@ -169,7 +169,7 @@ class Script:
         return command
 
     def _capture_event_ids(self, exchange: Exchange, command: str, later: str) -> str:
-        """Keep events in a file, if later requests go on behind some of them."""
+        """Store events in a file, if later requests use the id of one of them."""
         text = exchange.answer_body.decode("utf-8", "replace")
         event_ids = re.findall(r"^id: *(\S+)", text, re.MULTILINE)
         new = {
@@ -178,7 +178,7 @@ class Script:
             if f": {id_}" in later and len(id_) >= _ID_MIN_LENGTH
         }
         if not new.keys() - self._variables.keys():
-            return f"{command} || :"  # where it was left off is no failure
+            return f"{command} || :"  # --max-time ends it; that is no failure
         self._counts["events"] = self._counts.get("events", 0) + 1
         file = f"events_{self._counts['events']}"
         for id_, number in new.items():
@@ -201,7 +201,7 @@ def _is_truncated(exchange: Exchange) -> bool:
 
 
 def _without_polls(exchanges: Iterable[Exchange]) -> Iterator[list[Exchange]]:
-    """Group what was asked again and again without anything between."""
+    """Group repeated reads of one state without another request in between."""
     group: list[Exchange] = []
     for exchange in sorted(exchanges, key=lambda item: item.started_at):
         if group and _is_repeated_poll(exchange, group[-1]):
@@ -245,9 +245,9 @@ def _server_made_ids(exchange: Exchange) -> Iterator[tuple[str, str]]:
 
 
 def outcome_of(exchange: Exchange) -> str:
-    """Say in a few words what came back."""
+    """Give status, problem code and duration of the response."""
     if exchange.status is None:
-        return f"no answer: {exchange.error}"
+        return f"no response: {exchange.error}"
     code = _read(exchange).get("code")
     code_text = f" {code}" if exchange.status >= 400 and isinstance(code, str) else ""
     return f"{exchange.status}{code_text} after {1000 * exchange.elapsed_s:.0f} ms"
@@ -256,7 +256,7 @@ def outcome_of(exchange: Exchange) -> str:
 def select_exchanges_for(
     number: int | None, exchanges: Iterable[Exchange]
 ) -> list[Exchange]:
-    """Keep one exchange, and those that made up the ids in it."""
+    """Select one exchange, and those whose responses contain its ids."""
     known = list(exchanges)
     wanted = [exchange for exchange in known if exchange.number == number]
     text = "".join(_text_of(one) for one in wanted)
@@ -279,7 +279,7 @@ def script(exchanges: Iterable[Exchange], base_url: str) -> list[str]:
         return []
     names = {exchange.token_name for exchange in sent}
     tokens = [f'"{text}"' for name, text in _TOKENS.items() if name in names]
-    head = [" ".join([': "${URL:?of the server}"', *tokens]), _CURL]
+    head = [" ".join([': "${URL:?base URL of the server}"', *tokens]), _CURL]
     if any("| keep " in line or line.startswith("wait_for") for line in commands):
         head.append(_KEEP)
     if any(line.startswith("wait_for") for line in commands):

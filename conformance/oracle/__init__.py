@@ -1,1 +1,1 @@
-"""What a right server would answer, computed independently. Sends nothing."""
+"""The expected answers, computed independently of the server. Sends nothing."""

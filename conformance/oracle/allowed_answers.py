@@ -1,6 +1,6 @@
-"""What the rules demand of the answer to a request, given a run of the model. Pure.
+"""The answers to a request that the rules allow, given a run of the model. Pure.
 
-See history.py for what a run, a request and a demand are.
+run_model.py defines runs, requests and allowed answers.
 """
 
 from collections.abc import Iterator
@@ -35,7 +35,7 @@ PossibleRuns = frozenset[RunModel]
 
 
 class Deviation(Exception):
-    """An answer that no rule allows."""
+    """An answer that the rules do not allow."""
 
     def __init__(self, expected: str) -> None:
         super().__init__(expected)
@@ -83,7 +83,7 @@ def allowed_answers(
 
 
 def refusal(rule: str, model: RunModel, code: str, **members: Any) -> AllowedAnswer:
-    """Demand a refusal, which changes nothing."""
+    """Allow a refusal, which changes nothing."""
     status = 429 if code == "worker_limit" else 409
     return AllowedAnswer(rule, status, lambda _: model, code, members)
 
@@ -233,7 +233,7 @@ def _predict(
 def play_chunk(
     rules: Rules, model: RunModel, request: Predict
 ) -> tuple[RunModel, list[Step]]:
-    """Execute a chunk: the run then, and the actions that were executed."""
+    """Execute a chunk; give the run afterwards and the executed actions."""
     session = model.session(request.session)
     index = session.episode
     assert index is not None, "a session that is not done plays an episode"
@@ -317,7 +317,7 @@ def _heartbeat_or_detach(
             yield AllowedAnswer("DET-002", 204, lambda _: model)
 
 
-# --- commands on the run, and what it shows ---
+# --- commands on the run, and reads ---
 
 
 def _command(rules: Rules, model: RunModel, command: str) -> Iterator[AllowedAnswer]:

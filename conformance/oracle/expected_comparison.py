@@ -1,8 +1,8 @@
-"""The kit's own idea of a comparison: the end of `spec/scoring.md`, exactly. Pure.
+"""The expected comparison of two runs, as the end of `spec/scoring.md` states it. Pure.
 
 Exact fractions of the numbers sent, as in `expected_score.py`. Takes the episodes of
-two runs in the format of `spec/vectors/scoring/` and gives the computed members of schema
-ComparedRun.
+two runs in the format of `spec/vectors/scoring/` and gives the computed members of the
+schema ComparedRun.
 """
 
 from collections.abc import Mapping, Sequence
@@ -77,5 +77,5 @@ def _group(pairs: Sequence[Pair]) -> dict[str, Any]:
 
 
 def _score_of(episode: Episode) -> Fraction:
-    # SCORE-004: nothing, whatever it had reached.
+    # SCORE-004: an abandoned episode scores 0.
     return Fraction(0 if episode["outcome"] == "abandoned" else episode["score"])

@@ -1,8 +1,8 @@
-"""The kit's own idea of a score: `spec/scoring.md` as arithmetic. Pure.
+"""The expected score of a run: `spec/scoring.md` as arithmetic. Pure.
 
-Sums and quotients are exact fractions of the numbers sent, so that whatever a server
-answers can be compared with the truth and not with another rounding. Takes episodes in
-the format of `spec/vectors/scoring/` and gives the computed members of schema Score.
+Sums and quotients are exact fractions of the numbers sent, so that a response is
+compared with the exact value and not with another rounding. Takes episodes in the
+format of `spec/vectors/scoring/` and gives the computed members of the schema Score.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -49,7 +49,7 @@ def wilson(rate: Fraction | None, n: int) -> dict[str, float]:
 
 
 def is_close(observed: object, expected: Fraction | float | None) -> bool:
-    """Whether a number of an answer is the true one; null only where null is due."""
+    """Whether a number is the expected one; null only where null is expected."""
     if expected is None or observed is None:
         return observed is expected
     if isinstance(observed, bool) or not isinstance(observed, int | float):
@@ -68,7 +68,7 @@ def _counts(episodes: Iterable[Mapping[str, Any]]) -> dict[str, int]:
 
 
 def _sum(episodes: Iterable[Mapping[str, Any]]) -> Fraction:
-    # An abandoned episode has score 0 whatever it had reached: SCORE-004.
+    # An abandoned episode has score 0: SCORE-004.
     earning = (e for e in episodes if e["outcome"] in ("success", "failure"))
     return sum((Fraction(e["score"]) for e in earning), Fraction(0))
 

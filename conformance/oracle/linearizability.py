@@ -1,8 +1,8 @@
-"""Whether answers to requests sent at the same time can be explained. Pure.
+"""Whether an order of concurrent requests explains their answers. Pure.
 
-A search for an order of the requests in which the model gives their answers, and in
-which none stands before one that was answered before it was sent (Wing and Gong, with
-a memory of what led nowhere).
+Searches an order in which the model gives the observed answers, and in which no request
+precedes one that was answered before it was sent (Wing and Gong, with a memory of
+failed branches).
 """
 
 from collections.abc import Iterator, Sequence
@@ -41,7 +41,7 @@ class TimedExchange:
 
 
 def split_command(request: Request, summary: AnswerSummary) -> Iterator[Request]:
-    """Split a command that answers with the run "as it is now" from that look at it."""
+    """Split a command that returns the run into the command and a read of the run."""
     yield request
     if isinstance(request, Stop | Resume) and summary.status == 200:
         yield Read()
@@ -93,7 +93,7 @@ def _refused_during_turn(
     begun: Sequence[TimedExchange],
 ) -> PossibleRuns:
     """A turn takes its seq when it begins and has its effect when it ends: another
-    seq, or another body, may be refused in between, and the refusal changes nothing."""
+    seq or another body may be refused in between; the refusal changes nothing."""
     after = set()
     for model in models:
         for one in begun:
@@ -128,8 +128,8 @@ def _advance_or_interrupt(
 def _interrupted_runs(
     rules: Rules, models: PossibleRuns, request: Attach | Predict
 ) -> PossibleRuns:
-    """A session may end while its request is carried out: the request is refused, but
-    what it had done by then stays done, wholly or in part."""
+    """A session may end while its request is executed: the request is refused, but
+    its effects so far remain, wholly or in part."""
     after = set()
     for model in (late for before in models for late in closure(rules, before)):
         for allowed in allowed_answers(rules, model, request):

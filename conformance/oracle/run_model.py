@@ -1,10 +1,10 @@
-"""What a run is after a sequence of requests: the specification as a model. Pure.
+"""The state of a run after a sequence of requests: the specification as a model. Pure.
 
-`demands` gives what the rules allow as the answer to a request, and what the run is
-afterwards. Where two rules speak of one request, or none speaks, several demands stand
-side by side and any of them will do; the model then follows whichever was met, so it
-is a set of runs that the server may be in. Every demand cites the rules it stems from.
-Sessions have the ids, and turns the texts, that the server gave them.
+`allowed_answers` gives the answers to a request that the rules allow, each with the run
+afterwards. Where two rules cover one request, or none does, several answers are
+allowed; the model follows the observed one, so it is a set of runs that the server may
+be in. Every allowed answer cites its rules. Sessions have the ids, and turns the texts,
+that the server gave them.
 """
 
 import json
@@ -17,7 +17,7 @@ Status = Literal["live", "superseded", "ended"]
 
 @dataclass(frozen=True, slots=True)
 class Rules:
-    """What does not change during a run; `table` holds (state, event) → (id, state)."""
+    """The constants of a run; `table` holds (state, event) → (id, state)."""
 
     table: Mapping[tuple[str, str], tuple[str, str]]
     max_workers: int
@@ -37,7 +37,7 @@ class Rules:
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One action, as far as it matters here."""
+    """The members of an action that the model uses."""
 
     score: float = 0.0
     success: int = 0
@@ -93,7 +93,7 @@ class Resume:
 
 @dataclass(frozen=True, slots=True)
 class Read:
-    """A run as it is shown: by `get_run`, by `stop_run`, by `resume_run`."""
+    """A run in a response of `get_run`, `stop_run` or `resume_run`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +132,7 @@ class EpisodeModel:
 class SessionModel:
     """One session; `steps` and `success` are those of the attempt in play.
 
-    is_cut: its latest request was answered with the session's end, see linear.py.
+    is_interrupted: its latest request got `session_ended`, see linearizability.py.
     """
 
     id: str
@@ -197,9 +197,9 @@ ABSENT = object()
 
 @dataclass(frozen=True, slots=True)
 class AllowedAnswer:
-    """An answer that rules allow: status, code, members (path → value), and what then.
+    """An answer that rules allow: status, code, members (path → value), next run.
 
-    `same_turn`: the whole answer but its times, as `frozen` writes it.
+    `same_turn`: the whole answer except its times, as `turn_text` writes it.
     """
 
     rules: str
@@ -211,7 +211,7 @@ class AllowedAnswer:
     new_among: Sequence[str] | None = None
 
     def mismatch(self, summary: AnswerSummary) -> str | None:
-        """Say what would have been right, if the answer is not; None if it is."""
+        """Give the expected text if the answer differs; None if it matches."""
         kind = f" with code `{self.code}`" if self.code else ""
         if summary.status != self.status or (self.code and summary.code != self.code):
             return f"status {self.status}{kind} ({self.rules})"
@@ -265,15 +265,15 @@ def _matches(observed: Any, expected: Any) -> bool:
     return bool(observed == expected)
 
 
-# --- what happens by itself ---
+# --- automatic events ---
 
 
 def closure(rules: Rules, model: RunModel) -> Iterator[RunModel]:
-    """Give the run, and what it may have become without a request."""
+    """Give the run, and the runs it may have become without a request."""
     yield model
     if model.state == "queued":
         yield replace(model, state=rules.table["queued", "capacity"][1])
-    # Whether a session that is done has ended is not said anywhere.
+    # The specification does not say whether a session that is done has ended.
     if model.state in ("running", "stopping") and not model.holders:
         yield _event(rules, model, "last_lease_ends")
 

@@ -1,5 +1,5 @@
-"""The other direction: a policy server of the kit's own, and a kit for yours.
+"""Push mode: policy servers for a server under test, and the checks of policy servers.
 
-`scripted` is what a judged server is given to call; `python -m conformance.policy`
-judges a policy server by policy.yaml.
+`scripted_policy` and `scripted_chat` are called by a server under test; `python -m
+conformance.policy` checks a policy server against policy.yaml.
 """

@@ -1,7 +1,7 @@
-"""`python -m conformance.policy --url …`: judge a policy server by policy.yaml.
+"""`python -m conformance.policy --url …`: check a policy server.
 
-The same ledger, verdicts, reports and exit codes as for a server; only what is looked
-at first differs, and what a check gets to play with.
+The ledger, verdicts, reports and exit codes are those of `python -m conformance`; only
+the options, the preflight and the checks (POL, against policy.yaml) differ.
 """
 
 import argparse
@@ -9,78 +9,69 @@ import json
 import os
 import random
 import sys
-import time
 from collections.abc import Sequence
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+from conformance.cli.arguments import BadArguments
 from conformance.cli.console import Terminal
+from conformance.cli.kit_run import run_kit
 from conformance.client.check_context import CheckContext
 from conformance.client.request_context import SharedContext
 from conformance.policy.turn_builder import calibration
-from conformance.reports.files import write_reports
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge
 from conformance.specification.document import load_policy_spec, spec_name
 from conformance.specification.ledger import POLICY, load_ledger
 from conformance.verdicts.expect import Violation, describe_answer
 from conformance.verdicts.result import Result, conclude
-from conformance.verdicts.universal_rules import Tally
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the kit; the exit code is 0 conformant, 1 violated, 2 could not judge."""
+    """Run the kit; the exit code is 0 conformant, 1 violated, 2 not decided."""
     options = _parser().parse_args(arguments)
-    terminal, began_at = Terminal(), time.monotonic()
+    terminal = Terminal()
     result = Result(Settings(report=options.report, profiles=[POLICY]))
-    result.started_at = datetime.now(UTC).isoformat(timespec="seconds")
-    try:
+
+    def judge() -> None:
         result.settings = _settings(options)
-        terminal.say(f"judging a policy server by {spec_name()}")
+        terminal.say(f"policy servers, specification {spec_name()}")
         _judge(result, terminal)
-    except CannotJudge as error:
-        result.problem = str(error)
-    except KeyboardInterrupt:
-        result.problem = "interrupted before the end"
-    result.elapsed_s = time.monotonic() - began_at
-    if result.problem is not None and not result.rows:
-        conclude(result, {}, Tally(load_policy_spec()), set())
-    write_reports(result)
-    terminal.report(result)
-    return result.exit_code
+
+    return run_kit(result, terminal, judge)
 
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="python -m conformance.policy",
-        description="Judge a policy server by its answers alone.",
-        epilog="Exit codes: 0 conformant, 1 a MUST is violated, 2 could not judge.",
+        description="Check a policy server against policy.yaml over HTTP (black box).",
+        epilog="Exit codes: 0 conformant, 1 a MUST is violated, 2 not decided (no "
+        "policy server, wrong key, kit error).",
     )
     parser.add_argument("--url", required=True, help="base URL of the policy server")
-    parser.add_argument(
-        "--key", help="its API key, if it has one [better: PROCTOR_POLICY_KEY]"
-    )
+    parser.add_argument("--key", help="its API key, if it has one [PROCTOR_POLICY_KEY]")
     parser.add_argument(
         "--benchmark",
         metavar="FILE",
-        help="what get_benchmark says of the benchmark that the policy is for; "
-        "calibration without it",
+        help="JSON file with the get_benchmark response of the benchmark; "
+        "default: calibration",
     )
-    parser.add_argument("--only", metavar="ID,...", help="ids or beginnings of ids")
-    parser.add_argument("--seed", type=int, help="repeat a run's session ids")
-    parser.add_argument("--report", default="report", metavar="DIR")
+    parser.add_argument("--only", metavar="ID,...", help="rule ids or id prefixes")
+    parser.add_argument("--seed", type=int, help="seed of the session ids")
+    parser.add_argument(
+        "--report", default="report", metavar="DIR", help="directory of the reports"
+    )
     return parser
 
 
 def _settings(options: argparse.Namespace) -> Settings:
     if not options.url.startswith(("http://", "https://")):
-        raise CannotJudge(f"--url {options.url} is no http or https URL")
+        raise BadArguments(f"--url {options.url}: not an http or https URL")
     only = [part.strip() for part in (options.only or "").split(",") if part.strip()]
     known = [row.id for row in load_ledger().values() if row.profile == POLICY]
     for wanted in only:
         if not any(row.startswith(wanted) for row in known):
-            raise CannotJudge(f"--only {wanted}: no requirement has such an id")
+            raise BadArguments(f"--only {wanted}: no rule id starts with {wanted}")
     seed = options.seed
     return Settings(
         url=options.url.rstrip("/"),
@@ -99,11 +90,11 @@ def _benchmark(path: str | None) -> dict[str, Any]:
     try:
         benchmark: dict[str, Any] = json.loads(Path(path).read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
-        raise CannotJudge(f"--benchmark {path}: {error}") from error
+        raise BadArguments(f"--benchmark {path}: {error}") from error
     schema = load_policy_spec().schema("Benchmark")
     missing = set(schema["required"]) - set(benchmark)
     if missing:
-        raise CannotJudge(f"--benchmark {path} lacks {', '.join(sorted(missing))}")
+        raise BadArguments(f"--benchmark {path}: missing {', '.join(sorted(missing))}")
     return benchmark
 
 
@@ -112,9 +103,9 @@ def _judge(result: Result, terminal: Terminal) -> None:
     settings.service = _description(settings) | {"profiles": [POLICY]}
     name = settings.service.get("name")
     terminal.say(
-        f"{name} at {settings.url}, asked for {settings.benchmark['benchmark_id']}"
+        f"{name} at {settings.url}, benchmark {settings.benchmark['benchmark_id']}"
     )
-    # It brings pytest, which no earlier exit needs.
+    # Imported late: it loads pytest, which no earlier exit needs.
     from conformance.runner.execution import execute
 
     collector = execute(settings, 1, terminal.progress)
@@ -123,7 +114,7 @@ def _judge(result: Result, terminal: Terminal) -> None:
 
 
 def _description(settings: Settings) -> dict[str, Any]:
-    """Look whether there is a policy server that can be judged."""
+    """Read the description of the policy server, or raise CannotJudge."""
     shared = SharedContext.of(settings)
     try:
         answer = CheckContext(shared, "preflight").call(
@@ -131,15 +122,15 @@ def _description(settings: Settings) -> dict[str, Any]:
         )
     except Violation as error:
         raise CannotJudge(
-            f"nothing answers GET {settings.url}/v1/policy ({error.observed}): start "
-            "the policy server, or correct --url"
+            f"no response to GET {settings.url}/v1/policy ({error.observed}): start "
+            "the policy server or correct --url"
         ) from error
     finally:
         shared.close()
     body = answer.json
     if answer.status in (401, 403):
         raise CannotJudge(
-            f"the key is refused: {describe_answer(answer)}; use PROCTOR_POLICY_KEY"
+            f"API key was rejected: {describe_answer(answer)}; set PROCTOR_POLICY_KEY"
         )
     if answer.status != 200 or not isinstance(body, dict):
         raise CannotJudge(f"this is not a policy server: {describe_answer(answer)}")

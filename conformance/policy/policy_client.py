@@ -1,7 +1,7 @@
-"""A session with a policy server, as a check handles it.
+"""A session of a check with a policy server.
 
-`reset` and `predict` are set-up: refused, they prove nothing against the rule under
-test. The `try_` verbs give the raw answer, for `expect` to judge.
+`reset` and `predict` are set-up: a refusal proves nothing against the rule under test.
+The `try_` methods return the raw answer, for `expect` to judge.
 """
 
 import itertools
@@ -36,7 +36,7 @@ class PolicySession:
         }
 
     def try_reset(self, index: int = 0, attempt: int = 1, **members: Any) -> Answer:
-        """Ask for a reset, with further members if there are any."""
+        """Send `reset`, with further members if given."""
         body = self.reset_body(index, attempt) | members
         return self.context.call("reset", json=body)
 
@@ -52,15 +52,15 @@ class PolicySession:
         return turn_body | members
 
     def try_predict(self, turn: dict[str, Any] | None = None, **how: Any) -> Answer:
-        """Ask for actions; the session's own count does not move."""
+        """Send `predict`; `seq` of the session does not change."""
         return self.context.call("predict", json=turn or self.turn(), **how)
 
     def predict(self) -> list[Any]:
-        """Ask for actions, and go on as if they had been executed."""
+        """Send `predict`, and advance as if the actions had been executed."""
         answer = self.context.require(self.try_predict, 200, "predict")
         actions: list[Any] = answer["actions"]
         if not actions:
-            raise SetUpFailed("`predict` was answered with no action")
+            raise SetUpFailed("`predict` returned no action")
         self.seq += 1
         left = self.view["max_steps"] - 1
         step = min(self.view["step"] + len(actions), left)

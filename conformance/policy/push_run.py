@@ -1,4 +1,4 @@
-"""Runs that the judged server has to play by calling the kit's policy server."""
+"""Push runs: the server under test calls the policy server of the kit."""
 
 import contextlib
 import ipaddress
@@ -24,20 +24,20 @@ _POLL_S = 0.01
 
 @contextlib.contextmanager
 def policy_server(context: CheckContext) -> Iterator[ScriptedPolicy]:
-    """Serve a policy where the judged server can find it."""
+    """Serve a policy at an address that the server under test can reach."""
     with ScriptedPolicy(own_address(context.shared.settings.url)) as policy:
         yield policy
 
 
 @contextlib.contextmanager
 def chat_server(context: CheckContext, reply: Any = "1") -> Iterator[ScriptedChat]:
-    """Serve a chat model where the judged server can find it."""
+    """Serve a chat model at an address that the server under test can reach."""
     with ScriptedChat(reply, own_address(context.shared.settings.url)) as chat:
         yield chat
 
 
 def push_body(url: str, *tasks: str, **config: Any) -> dict[str, Any]:
-    """Give a body of submit_run; `options` are the run's, the rest is the order's."""
+    """Give a body of submit_run; all but `options` are members of policy_server."""
     options = {"tasks": list(tasks or ("score",)), **config.pop("options", {})}
     server = {
         "url": url,
@@ -70,7 +70,7 @@ def submit_push_run(
         time.sleep(_POLL_S)
     if len(policy.calls) == before:
         raise SetUpFailed(
-            f"the server does not reach the kit's policy server at {policy.url}: "
+            f"server cannot connect to the policy server of the kit at {policy.url}: "
             f"{run.body['reason']}",
             allowed=not is_local(context.shared.settings.url),
         )
@@ -84,10 +84,11 @@ def pointers_of(answer: Answer) -> set[str]:
 
 
 def require_permitted(answer: Answer, url: str) -> None:
-    """Raise SetUpFailed when the server's operator does not let it call this URL."""
+    """Raise SetUpFailed when the operator does not allow calls of this URL."""
     if "/policy_server/url" in pointers_of(answer):
         raise SetUpFailed(
-            f"the server does not call policies at {url}: {expect.describe_answer(answer)} "
+            f"server refuses policy server URL {url}: "
+            f"{expect.describe_answer(answer)} "
             "Allow it to call that address (the reference server: "
             "`--allow-private-policies 127.0.0.1`), or let the kit start the server.",
             allowed=True,
@@ -95,7 +96,7 @@ def require_permitted(answer: Answer, url: str) -> None:
 
 
 def expect_end(run: RunClient, state: str) -> dict[str, Any]:
-    """Expect a run to end in a state, and give it."""
+    """Expect a run to end in a state, and give its body."""
     deadline = time.monotonic() + END_TIMEOUT_S
     while (body := run.get())["state"] not in ENDED:
         if time.monotonic() > deadline:
@@ -113,7 +114,7 @@ def expect_end(run: RunClient, state: str) -> dict[str, Any]:
 def expect_policy_fault(
     run: RunClient, within_s: float = END_TIMEOUT_S
 ) -> dict[str, Any]:
-    """Expect the policy's fault to be told with the first episode, and give that."""
+    """Expect `policy_fault` in the first episode, and give the episode."""
     deadline = time.monotonic() + within_s
     while "policy_fault" not in (episode := run.episodes()[0]):
         if time.monotonic() > deadline:
@@ -137,7 +138,7 @@ def own_address(url: str) -> str:
             probe.connect((parts.hostname or "", port))  # sends nothing
             return str(probe.getsockname()[0])
     except OSError as error:
-        reason = f"no address of this machine is known to reach {url}: {error}"
+        reason = f"no address of this machine is reachable from {url}: {error}"
         raise SetUpFailed(reason, allowed=True) from error
 
 

@@ -1,4 +1,4 @@
-"""A chat model that says what a check wants, and remembers what it was asked.
+"""A chat model with scripted replies, which records the requests it receives.
 
 It offers one path, `/v1/chat/completions`, as OpenAI and vLLM do. Only the standard
 library: it runs in the kit's process, for one check.
@@ -17,7 +17,7 @@ from typing import Any, Self
 
 @dataclass(frozen=True)
 class ChatRequest:
-    """One request as it came."""
+    """One request as received."""
 
     path: str
     headers: Mapping[str, str]
@@ -31,12 +31,12 @@ class ChatRequest:
 
     @property
     def question(self) -> str:
-        """What was asked, in words."""
+        """The text of the question."""
         return "".join(p["text"] for p in self._content if p["type"] == "text")
 
     @property
     def image_urls(self) -> list[str]:
-        """The URLs of what was shown."""
+        """The URLs of the images."""
         urls = [p["image_url"] for p in self._content if p["type"] == "image_url"]
         return [url["url"] for url in urls]
 
@@ -44,8 +44,8 @@ class ChatRequest:
 class ScriptedChat:
     """A chat server on a free port; a context manager.
 
-    says: the answer to every question, or a function of the request that gives it.
-    body: a whole answer, instead. status: of every answer. delay_s: before it.
+    reply: the reply to every question, or a function of the request that gives it.
+    body: a whole response body instead. status: of every response. delay_s: before it.
     """
 
     def __init__(self, reply: Any = "1", host: str = "127.0.0.1") -> None:
@@ -62,7 +62,7 @@ class ScriptedChat:
 
     @property
     def completions_url(self) -> str:
-        """Where a client asks."""
+        """The URL of the endpoint."""
         return f"{self.url}/chat/completions"
 
     def __enter__(self) -> Self:
@@ -71,13 +71,13 @@ class ScriptedChat:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Serve no more."""
+        """Stop serving."""
         self.is_closed = True
         self._server.shutdown()
         self._server.server_close()
 
     def set_after(self, number: int, event: threading.Event) -> None:
-        """Set the event when so many requests have been answered."""
+        """Set the event when this number of requests has been answered."""
         self._events_by_count.append((number, event))
 
     def answer_request(self, request: ChatRequest) -> tuple[int, bytes]:
@@ -95,7 +95,7 @@ class ScriptedChat:
         ).encode()
 
     def notify_sent(self) -> None:
-        """Note that an answer has left."""
+        """Note that a response was sent."""
         for number, event in self._events_by_count:
             if len(self.requests) >= number:
                 event.set()
@@ -105,7 +105,7 @@ class _Server(ThreadingHTTPServer):
     daemon_threads = True
 
     def handle_error(self, request: Any, client_address: Any) -> None:
-        """Stay silent where a client has left: a run that is stopped leaves so."""
+        """Ignore closed connections: a stopped run closes them."""
         if not isinstance(sys.exception(), ConnectionError):
             super().handle_error(request, client_address)
 
@@ -124,7 +124,7 @@ def _handler_of(chat: ScriptedChat) -> type[BaseHTTPRequestHandler]:
             self.send_response(status)
             self.send_header("Content-Type", "application/json")
             self.send_header("Content-Length", str(len(body)))
-            # Who asked may have left meanwhile.
+            # The client may have closed the connection.
             with contextlib.suppress(OSError):
                 self.end_headers()
                 self.wfile.write(body)

@@ -1,8 +1,8 @@
-"""A policy server that does what a check wants, and remembers what it was asked.
+"""A policy server with scripted replies, which records the calls it receives.
 
 It plays the benchmark `calibration`: every episode ends after one action, with the
-score that the check chose. A check replaces the answer to any operation, to be slow or
-wrong. Only the standard library: it runs in the kit's process, for one check.
+score that the check chose. A check can replace the reply to any operation by a slow or
+wrong one. Only the standard library: it runs in the kit's process, for one check.
 """
 
 import json
@@ -80,14 +80,14 @@ class ScriptedPolicy:
         self.url = f"http://{host}:{self._server.server_port}"
 
     def __enter__(self) -> Self:
-        """Begin to answer."""
+        """Serve, in a thread."""
         threading.Thread(
             target=self._server.serve_forever, args=(0.02,), daemon=True
         ).start()
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Answer nobody any more."""
+        """Stop serving."""
         self.is_closed = True
         self._server.shutdown()
         self._server.server_close()
@@ -97,12 +97,12 @@ class ScriptedPolicy:
         self._answers[operation] = answer
 
     def calls_of(self, operation: str) -> list[PolicyCall]:
-        """Give the calls of an operation so far, in the order in which they came."""
+        """Give the calls of an operation so far, in the order of arrival."""
         with self._lock:
             return [call for call in self.calls if call.operation == operation]
 
     def wait_for(self, operation: str, count: int = 1, timeout_s: float = 5.0) -> bool:
-        """Wait until an operation was called so often; say whether it was in time."""
+        """Wait until an operation was called `count` times; False if not in time."""
         deadline = time.monotonic() + timeout_s
         while len(self.calls_of(operation)) < count:
             if time.monotonic() > deadline:
@@ -111,11 +111,11 @@ class ScriptedPolicy:
         return True
 
     def description(self, _call: PolicyCall) -> PolicyReply:
-        """Describe a policy that takes nothing for granted."""
+        """Describe a policy without assumptions."""
         version = load_spec().version.rpartition(".")[0]
         return PolicyReply(
             {
-                "name": "the kit's own policy",
+                "name": "policy server of the conformance kit",
                 "protocol": {"min": version, "max": version},
                 "max_sessions": self.max_sessions,
             }
@@ -163,13 +163,13 @@ class ScriptedPolicy:
 
 
 def busy_reply() -> PolicyReply:
-    """Ask the caller to come again."""
+    """Give the problem `unavailable`, which the caller repeats."""
     entry = load_spec().problems["unavailable"]
     problem = {
         "type": "urn:proctor:problem:unavailable",
         "title": entry["title"],
         "status": entry["status"],
-        "detail": "The kit wants this call once more.",
+        "detail": "Temporarily unavailable; repeat the call.",
         "code": "unavailable",
         "retryable": entry["retryable"],
         "side_effects": entry["side_effects"],
@@ -214,7 +214,7 @@ def _handler_of(policy: ScriptedPolicy) -> type[BaseHTTPRequestHandler]:
             try:
                 super().handle()
             except OSError:
-                self.close_connection = True  # the caller went away, as it may
+                self.close_connection = True  # the caller may close the connection
 
         def log_message(self, *_: object) -> None:
             """Say nothing."""

@@ -1,7 +1,7 @@
-"""Turns of a benchmark, made of nothing but what the benchmark says of its spaces.
+"""Turns of a benchmark, built from the spaces in its description.
 
-States are zero and images black: a policy may find them odd, but has to answer. The
-benchmark is what `get_benchmark` of a server says; without one it is `calibration`.
+States are zero and images black: a policy server must answer them like any others. The
+benchmark is a response of `get_benchmark`; the default is `calibration`.
 """
 
 import base64

@@ -1,1 +1,1 @@
-"""Clients of other systems' APIs, as the checks of their profiles need them."""
+"""Clients of the APIs of other systems, for the checks of their profiles."""

@@ -1,7 +1,8 @@
-"""A run through EBench's door, in the verbs of EBench's client.
+"""A run over the API of EBench, with the operations of EBench's client.
 
-Like handles.py: plain verbs are set-up, `try_` verbs give the raw answer. Runs are
-submitted by our own door, for only that one has options; see spec/profiles/ebench.yaml.
+As in run_client.py, plain methods are set-up and `try_` methods return the raw answer.
+Runs are submitted over Proctor's own API, because only that has options; see
+spec/profiles/ebench.yaml.
 """
 
 import base64
@@ -28,7 +29,7 @@ _PICKLE_HEADERS = {"Content-Type": "application/octet-stream"}
 
 
 class EBenchRun:
-    """A run behind the wire, and what its endpoint is called with."""
+    """A run and its EBench endpoint."""
 
     def __init__(self, run: RunClient, endpoint: str) -> None:
         self.run = run
@@ -71,18 +72,20 @@ class EBenchRun:
         return self.http_client.request("POST", url, params=params)
 
     def step(self, actions: Any) -> Any:
-        """Step and see."""
+        """Step, and give the observations."""
         return require_workers(self.try_step(actions), "step")
 
     def reset(self, *workers: str) -> Any:
-        """Reset and see."""
+        """Reset, and give the observations."""
         return require_workers(self.try_reset(*workers), "reset")
 
     def status(self) -> dict[str, Any]:
         """Read the status."""
         answer = self.try_get("status")
         if answer.status != 200 or not isinstance(answer.json, dict):
-            raise SetUpFailed(f"`status` was not answered: {describe_answer(answer)}")
+            raise SetUpFailed(
+                f"`status`: unexpected response: {describe_answer(answer)}"
+            )
         return SetUpBody(answer.json["data"])
 
 
@@ -92,14 +95,14 @@ def call_control_plane(
     body: Mapping[str, Any],
     http_client: HttpClient | None = None,
 ) -> Answer:
-    """Ask the control plane; the answer is raw."""
+    """Send a request to the control plane; the answer is raw."""
     return (http_client or context.http_client).request(
         "POST", f"{_CONTROL}/{name}", json=body
     )
 
 
 def submit_ebench_run(context: CheckContext, *tasks: str, **options: Any) -> EBenchRun:
-    """Submit a calibration run by our own door, and find its endpoint."""
+    """Submit a calibration run over Proctor's API, and find its endpoint."""
     run = context.submit(*tasks, **options)
     return open_endpoint(context, run)
 
@@ -127,7 +130,7 @@ def expect_success(answer: Answer) -> dict[str, Any]:
 
 
 def expect_refusal(answer: Answer) -> None:
-    """Expect an envelope that refuses."""
+    """Expect an envelope with a refusal."""
     body = ok(answer)
     if body["code"] == 0 or not body["msg"]:
         expected = "an envelope with another `code` than 0 and a `msg`"
@@ -135,15 +138,17 @@ def expect_refusal(answer: Answer) -> None:
 
 
 def expect_workers(answer: Answer) -> Any:
-    """Expect an answer of `step` or `reset`, and give what each worker sees."""
+    """Expect a response of `step` or `reset`; give the observation of each worker."""
     try:
         return expect_plain_pickle(answer)
     except pickles.GlobalInPickle as error:
-        raise SetUpFailed(f"an answer names {error}; see EBE-020") from error
+        raise SetUpFailed(
+            f"response pickle references the global {error} (EBE-020)"
+        ) from error
 
 
 def expect_plain_pickle(answer: Answer) -> Any:
-    """Read a pickle with nothing but data in it; raises pickles.NamesSomething."""
+    """Read a pickle with nothing but data in it; raises pickles.GlobalInPickle."""
     if answer.status != 200:
         raise Violation("status 200", describe_answer(answer), answer.exchange)
     try:
@@ -153,7 +158,7 @@ def expect_plain_pickle(answer: Answer) -> Any:
 
 
 def require_workers(answer: Answer, name: str) -> Any:
-    """Take an answer of set-up: whatever is wrong with it proves nothing."""
+    """Read a response of a set-up step, or raise SetUpFailed."""
     try:
         return expect_workers(answer)
     except Violation as error:
@@ -161,12 +166,12 @@ def require_workers(answer: Answer, name: str) -> Any:
 
 
 def action(**values: Any) -> dict[str, Any]:
-    """Give an action of calibration; names that are left out are zero."""
+    """Give an action of calibration; omitted names are zero."""
     return {"action": numbers(**values), "control_type": "joint_position"}
 
 
 def numbers(**values: Any) -> list[float]:
-    """Put the vectors of an action together, by name."""
+    """Concatenate the vectors of an action, by name."""
     vector: list[float] = []
     for name in sorted(ACTION_SIZES):
         value = values.get(name, 0.0)
@@ -176,7 +181,7 @@ def numbers(**values: Any) -> list[float]:
 
 
 def count(worker: Mapping[str, Any]) -> int:
-    """How many actions the observation of a worker counts."""
+    """Give the action count in the observation of a worker."""
     obs = worker["obs"]
     if not isinstance(obs, dict) or "state.count" not in obs:
         raise SetUpFailed(f"no `state.count` in an observation: {obs!r:.200}")

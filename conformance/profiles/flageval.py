@@ -1,7 +1,7 @@
-"""FlagEval's wire as a client uses it: a request, and what it is answered.
+"""The API of FlagEval as a client uses it.
 
-The plain verbs are set-up and raise SetUpFailed; `try_` gives the body of the answer,
-for `expect` to judge.
+Plain functions are set-up and raise SetUpFailed; `try_` functions return the body of
+the response, for `expect` to judge.
 """
 
 import time
@@ -23,12 +23,12 @@ _POLL_S = 0.02
 
 
 def unique_name(name: str) -> str:
-    """Give a name that nobody has used yet."""
+    """Give a name that was not used before."""
     return f"{uuid.uuid4().hex[:12]}-{name}"
 
 
 def info(chat: ScriptedChat, name: str, **members: Any) -> dict[str, Any]:
-    """Give one of eval_infos; the model is asked by the evaluation's name."""
+    """Give one of eval_infos; the model has the name of the evaluation."""
     defaults = {"eval_model": name, "model": name, "eval_url": chat.completions_url}
     return defaults | {"tokenizer": "none", "num_retry": 0} | members
 
@@ -41,7 +41,7 @@ def call_flageval(
     method: str = "POST",
     http_client: HttpClient | None = None,
 ) -> dict[str, Any]:
-    """Send a request; its answer has status 200 in any case."""
+    """Send a request; every response has status 200."""
     http_client = http_client or context.http_client
     answer = http_client.request(method, f"{http_client.base_url}{path}", json=body)
     return dict(expect.ok(answer))
@@ -53,7 +53,7 @@ def expect_refused(answer: dict[str, Any]) -> None:
 
 
 def expect_refused_in_form(answer: dict[str, Any]) -> None:
-    """Expect a refusal as FLE-002 has it."""
+    """Expect a refusal in the form of FLE-002."""
     expect_refused(answer)
     messages = [answer.get("err_msg"), answer.get("err_message")]
     expect.true(
@@ -65,7 +65,7 @@ def expect_refused_in_form(answer: dict[str, Any]) -> None:
 
 
 def expect_success(answer: dict[str, Any]) -> dict[str, Any]:
-    """Expect success; what was asked for."""
+    """Expect success, and give the body."""
     expect.equal(answer.get("err_code"), 0, "err_code")
     return expect.ExpectedBody(answer)
 
@@ -73,7 +73,7 @@ def expect_success(answer: dict[str, Any]) -> dict[str, Any]:
 def try_begin(
     context: CheckContext, *infos: dict[str, Any], **members: Any
 ) -> dict[str, Any]:
-    """Ask for evaluations on calibration; the answer is raw."""
+    """Request evaluations on calibration; the answer is raw."""
     body = {"eval_infos": list(infos), "domain": "MM", "mode": "calibration"}
     answer = call_flageval(context, "/evaluation", body | members)
     for task in answer.get("eval_tasks", []):
@@ -85,7 +85,7 @@ def try_begin(
 
 @dataclass(frozen=True)
 class FlagEvalRequest:
-    """Evaluations that were begun."""
+    """A request for evaluations that was accepted."""
 
     context: CheckContext
     request_id: str
@@ -104,7 +104,7 @@ class FlagEvalRequest:
         return results
 
     def finished(self) -> dict[str, Any]:
-        """Wait for the end; the progress then."""
+        """Wait for the end, and give the progress."""
         deadline = time.monotonic() + END_TIMEOUT_S
         while not (answer := self.progress())["finished"]:
             if time.monotonic() > deadline:

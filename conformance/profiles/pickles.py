@@ -1,7 +1,7 @@
-"""Pickles, which EBench's wire is made of: written by hand, read with nothing in them.
+"""Pickles of EBench's API: written opcode by opcode, read as plain data only.
 
-The one place of the kit that knows pickle. What a server sends is read by Python's own
-reader with every name refused, so that it can build plain data and call nothing.
+The only module of the kit that uses pickle. Responses are read with an unpickler that
+refuses every global, so that it builds plain data and calls nothing.
 """
 
 import io
@@ -13,12 +13,12 @@ from typing import Any, NoReturn
 
 
 class GlobalInPickle(Exception):
-    """A pickle that is more than plain data, and what it names."""
+    """A pickle that references a global; the text names it."""
 
 
 @dataclass(frozen=True)
 class PickledArray:
-    """Numbers as numpy pickles them; `core` tells its major version."""
+    """Numbers as numpy pickles them; `core` depends on its major version."""
 
     numbers: Sequence[float]
     core: str = "_core"
@@ -26,7 +26,7 @@ class PickledArray:
 
 @dataclass(frozen=True)
 class PickledCall:
-    """What a stranger would have called when the pickle is read."""
+    """A call that is executed when the pickle is read without protection."""
 
     module: str
     name: str
@@ -39,12 +39,12 @@ class _Plain(pickle.Unpickler):
 
 
 def read(body: bytes) -> Any:
-    """Read plain data; raises NamesSomething, or ValueError for what is no pickle."""
+    """Read plain data; raises GlobalInPickle, or ValueError for invalid pickles."""
     try:
         return _Plain(io.BytesIO(body)).load()
     except GlobalInPickle:
         raise
-    except Exception as error:  # its reader raises whatever it stumbles over
+    except Exception as error:  # the unpickler raises any exception
         raise ValueError(f"no pickle: {error!r}") from error
 
 
@@ -78,7 +78,7 @@ def _parts(value: Any) -> Iterator[bytes]:
 
 
 def _bare(value: float | str | bytes | None) -> bytes:
-    """A value without what begins and ends a pickle of its own."""
+    """A value without the header and the end of a pickle."""
     return pickle.dumps(value, protocol=3)[2:-1]
 
 

@@ -1,1 +1,1 @@
-"""A finished judgement as HTML, JSON, JUnit XML and a badge."""
+"""The result of a kit run as HTML, JSON, JUnit XML and a badge."""

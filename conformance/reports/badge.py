@@ -1,4 +1,4 @@
-"""badge.svg: the result in two words, to be shown where a server presents itself.
+"""badge.svg: the result in a few words, for the page of a server.
 
 Red when a MUST is violated, known or not; green only for a whole conformant run.
 """
@@ -10,7 +10,7 @@ from conformance.verdicts.result import Result
 from conformance.verdicts.verdict import Outcome
 
 _GREEN, _RED, _GREY, _ORANGE = "#1f7a38", "#c62828", "#5b6472", "#96600a"
-# Verdana at 11 pixels, on average; the text is stretched to what is reserved.
+# Average width of Verdana at 11 pixels; textLength stretches the text to fit.
 _CHARACTER = 6.4
 _PADDING = 6
 
@@ -29,8 +29,8 @@ def badge(result: Result) -> str:
         f'<g clip-path="url(#r)"><rect width="{left}" height="20" fill="#333a45"/>'
         f'<rect x="{left}" width="{right}" height="20" fill="{colour}"/></g>'
         '<g fill="#fff" font-family="Verdana,DejaVu Sans,sans-serif" font-size="11" '
-        f'text-anchor="middle">{_text_element(name, 0, left)}{_text_element(summary, left, right)}'
-        "</g></svg>\n"
+        f'text-anchor="middle">{_text_element(name, 0, left)}'
+        f"{_text_element(summary, left, right)}</g></svg>\n"
     )
 
 
@@ -41,11 +41,11 @@ def _summarise(result: Result) -> tuple[str, str]:
     if count[Outcome.FAILED]:
         return f"{verified}, {count[Outcome.FAILED]} violated", _RED
     if result.exit_code == 2:
-        return "could not judge", _ORANGE
+        return "not decided", _ORANGE
     if result.exit_code == 1:
-        return f"{verified}, known failures are stale", _RED
+        return f"{verified}, outdated known failures", _RED
     if result.is_partial:
-        return f"{verified} of a selection", _GREY
+        return f"{verified} (selection)", _GREY
     return verified, _GREEN
 
 

@@ -24,7 +24,7 @@ OUTCOME_WORDS = {
 
 
 def card(verdict: Verdict, result: Result) -> Iterator[str]:
-    """Give all that is needed to understand and repeat a failure."""
+    """Give the lines of the card of one failure."""
     row = load_ledger()[verdict.requirement_id]
     yield f"{row.id} {OUTCOME_WORDS[verdict.outcome]} ({row.level}, {row.profile})"
     yield from _entry("rule", row.text)
@@ -39,13 +39,13 @@ def card(verdict: Verdict, result: Result) -> Iterator[str]:
     if not verdict.exchanges:
         return
     yield from _entry(
-        "repeat",
-        "as below in bash; our requests carried X-Correlation-Id: "
-        f"{row.id}/1 and so on",
+        "reproduce",
+        "run the commands below in bash; the requests of the kit carried "
+        f"X-Correlation-Id: {row.id}/1, {row.id}/2, …",
     )
     lines = script(verdict.exchanges, result.settings.url)
     if len(lines) > _COMMANDS_SHOWN:
-        yield "    # whole in report.html; from here on its last lines:"
+        yield "    # shortened; the complete script is in report.html"
     for line in lines[-_COMMANDS_SHOWN:]:
         yield f"    {line}"
 

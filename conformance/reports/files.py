@@ -1,6 +1,6 @@
-"""The reports for machines: report.json and junit.xml. And all of them as files.
+"""Writes all report files: report.json, junit.xml, report.html, badge.svg.
 
-All carry the same ids. Whatever happened, all are written.
+All carry the same rule ids; all are written after every run.
 """
 
 import json
@@ -21,7 +21,7 @@ _NOT_IN_XML = dict.fromkeys(
 
 
 def write_reports(result: Result) -> None:
-    """Write every report into the directory that was asked for."""
+    """Write every report into the directory --report."""
     directory = Path(result.settings.report)
     directory.mkdir(parents=True, exist_ok=True)
     plain = json.dumps(as_plain(result), indent=1, ensure_ascii=False)

@@ -1,6 +1,6 @@
-"""report.html: one file, no network, the same rows as every other report.
+"""report.html: one file without network access, with the rows of every other report.
 
-Everything is there without JavaScript; report.js adds filters and copy buttons.
+It is complete without JavaScript; report.js adds filters and copy buttons.
 """
 
 import html
@@ -43,8 +43,8 @@ def page(result: Result) -> str:
         f'<h1>{title}</h1>\n<p class="conclusion code{result.exit_code}">'
         f"{_text(result.conclusion())}</p>\n{_tiles(result)}{_about(result)}{notes}"
         f"{_filters(result)}{_cards(result)}{_table(result)}"
-        f"<footer>{_text(result.headline())}. The kit is open; a rule or a check "
-        "that is wrong is our mistake: please report its id.</footer>\n"
+        f"<footer>{_text(result.headline())}. If a rule or a check "
+        "is wrong, please report its id.</footer>\n"
         f"<script>\n{code}</script></body></html>\n"
     )
 
@@ -67,10 +67,10 @@ def _tiles(result: Result) -> str:
             css = outcome.value if number else "none"
             label = name or _word(outcome)
             tiles.append(f'<li><b class="{css}">{number}</b>{label}</li>')
-    tiles.insert(0, f"<li><b>{count.total()}</b>MUST in all</li>")
+    tiles.insert(0, f"<li><b>{count.total()}</b>MUST rules</li>")
     warned = result.counts("SHOULD")[Outcome.FAILED]
     if warned:
-        tiles.append(f'<li><b class="inconclusive">{warned}</b>SHOULD not kept</li>')
+        tiles.append(f'<li><b class="inconclusive">{warned}</b>SHOULD violated</li>')
     return f'<ul class="tiles">{"".join(tiles)}</ul>\n'
 
 
@@ -82,7 +82,7 @@ def _about(result: Result) -> str:
     entries = {
         "server": f"{server.get('name', '?')} {server.get('version', '?')}",
         "url": settings.url,
-        "judged by": f"Proctor {load_spec().version}, sha256 {spec_sha256()}",
+        "specification": f"Proctor {load_spec().version}, sha256 {spec_sha256()}",
         "profiles": ", ".join(settings.profiles),
         "selection": " ".join(selection),
         "known failures": ", ".join(known),
@@ -119,7 +119,7 @@ def _filters(result: Result) -> str:
     return (
         f'<div class="filters" hidden>{"".join(fields)}'
         '<div><label for="words">text</label><span><input type="search" id="words" '
-        'placeholder="words of the rule, an id, a reason …"> <output></output>'
+        'placeholder="words of a rule, an id, a reason …"> <output></output>'
         "</span></div></div>\n"
     )
 
@@ -138,7 +138,7 @@ def _cards(result: Result) -> str:
         return ""
     verdicts.sort(key=lambda verdict: _ORDER.index(verdict.outcome))
     cards = "\n".join(_card(verdict, result) for verdict in verdicts)
-    return f"<section><h2>What went wrong ({len(verdicts)})</h2>\n{cards}</section>\n"
+    return f"<section><h2>Failures ({len(verdicts)})</h2>\n{cards}</section>\n"
 
 
 def _card(verdict: Verdict, result: Result) -> str:
@@ -155,7 +155,7 @@ def _card(verdict: Verdict, result: Result) -> str:
     )
     parts = [head]
     if verdict.check:
-        parts.append(f"<h4>how it was judged</h4><div>{_with_code_spans(check)}</div>")
+        parts.append(f"<h4>check</h4><div>{_with_code_spans(check)}</div>")
     if verdict.expected:
         parts.append(
             '<h4></h4><div class="sides">'
@@ -169,14 +169,14 @@ def _card(verdict: Verdict, result: Result) -> str:
         parts.append(_sequence(verdict.exchanges, result.settings.url))
         commands = "\n".join(script(verdict.exchanges, result.settings.url))
         parts.append(
-            f"<h4>repeat it (bash, curl, python3; seed {result.settings.seed})</h4>"
+            f"<h4>reproduce (bash, curl, python3; seed {result.settings.seed})</h4>"
             f'<div class="script"><pre>{_text(commands)}</pre></div>'
         )
     return "".join([*parts, "</article>"])
 
 
 def _with_code_spans(text: str) -> str:
-    """Escape a text and set what stands in `ticks` as code."""
+    """Escape a text and set `backticked` parts as code."""
     parts = html.escape(text).split("`")
     if len(parts) % 2 == 0:
         return html.escape(text)
@@ -202,11 +202,11 @@ def _sequence(exchanges: Iterable[Exchange], base_url: str) -> str:
             f'<span class="time">{1000 * one.elapsed_s:.0f} ms</span>'
             f'<span class="track" title="after {one.started_at - began_at:.3f} s">'
             f'<i style="left:{left:.1f}%;width:{width:.1f}%"></i></span></summary>'
-            f"{_body('sent', one.request_body)}{_body('answered', one.answer_body)}"
+            f"{_body('request', one.request_body)}{_body('response', one.answer_body)}"
             "</details></li>"
         )
     whole = f"{len(sent)} requests in {whole_s:.2f} s"
-    return f'<h4>what was sent: {whole}</h4><ol class="sequence">{"".join(items)}</ol>'
+    return f'<h4>requests: {whole}</h4><ol class="sequence">{"".join(items)}</ol>'
 
 
 def _body(name: str, body: bytes) -> str:
@@ -240,5 +240,6 @@ def _row(verdict: Verdict) -> str:
     return (
         f'<tr id="{row.id}" {_data(verdict)}><td>{link}</td>'
         f'<td class="{outcome.value}">{shown}</td><td>{level}</td>'
-        f'<td class="number">{elapsed}</td><td>{_with_code_spans(row.text)}{reason_html}</td></tr>'
+        f'<td class="number">{elapsed}</td>'
+        f"<td>{_with_code_spans(row.text)}{reason_html}</td></tr>"
     )

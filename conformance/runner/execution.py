@@ -1,4 +1,4 @@
-"""Runs the checks with pytest in this process and gathers what they found."""
+"""Runs the checks with pytest in this process and collects their verdicts."""
 
 import os
 import tempfile
@@ -31,7 +31,7 @@ _REGULAR_EXIT_CODES = (
 
 
 class ResultCollector:
-    """A pytest plugin that keeps verdicts, tallies and troubles."""
+    """A pytest plugin that collects verdicts, tallies and problems."""
 
     def __init__(self, progress: Callable[[Verdict, int], None]) -> None:
         self.verdicts: dict[str, Verdict] = {}
@@ -41,20 +41,20 @@ class ResultCollector:
         self._total = 0
 
     def pytest_collection_finish(self, session: pytest.Session) -> None:
-        """Learn how many checks there will be (nothing in an xdist controller)."""
+        """Store the number of checks (0 in an xdist controller)."""
         self._total = len(session.items)
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
-        """A file of checks that cannot be read is the kit's fault."""
+        """A file of checks that cannot be imported is an error of the kit."""
         if report.failed:
-            self.problem = f"the kit is broken: {report.longreprtext[-600:]}"
+            self.problem = f"internal error of the kit: {report.longreprtext[-600:]}"
 
     def pytest_internalerror(self, excrepr: Any) -> None:
-        """Whatever pytest stumbles over is the kit's fault, too."""
-        self.problem = f"the kit is broken: {str(excrepr)[-600:]}"
+        """An internal error of pytest is an error of the kit, too."""
+        self.problem = f"internal error of the kit: {str(excrepr)[-600:]}"
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
-        """Take over what the plugin attached to the end of a check."""
+        """Take the verdict and the tally that the plugin attached."""
         if report.when != "teardown":
             return
         for name, value in report.user_properties:
@@ -74,7 +74,7 @@ class ResultCollector:
 
 
 class _CheckCollector:
-    """A pytest plugin that keeps what was collected."""
+    """A pytest plugin that lists the collected checks."""
 
     def __init__(self) -> None:
         self.checks: list[list[str]] = []
@@ -94,9 +94,9 @@ def execute(
     collector = ResultCollector(progress)
     code = _run_pytest(settings, collector, processes)
     if collector.problem is None and code not in _REGULAR_EXIT_CODES:
-        collector.problem = f"the kit is broken: pytest ended with code {code}"
+        collector.problem = f"internal error of the kit: pytest ended with code {code}"
     if collector.problem is None and code == pytest.ExitCode.INTERRUPTED:
-        collector.problem = "interrupted before the end"
+        collector.problem = "interrupted"
     return collector
 
 
@@ -115,10 +115,10 @@ def _run_pytest(
     settings: Settings, plugin: object, processes: int, *more: str
 ) -> int | pytest.ExitCode:
     settings.store_in_environment()
-    # The operator's plugins and configuration must not change a verdict.
+    # Plugins and configuration of the operator must not change a verdict.
     os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"
     os.environ.pop("PYTEST_ADDOPTS", None)
-    # What Hypothesis keeps between runs is of no interest where the kit is run.
+    # Hypothesis must not write into the working directory.
     user = getattr(os, "getuid", int)()
     hypothesis_directory = Path(tempfile.gettempdir(), f"proctor-conformance-{user}")
     os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", str(hypothesis_directory))

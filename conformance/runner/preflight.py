@@ -1,8 +1,8 @@
-"""Before the first check: is there a Proctor server that this kit can judge?
+"""Before the first check: is there a Proctor server that this kit can check?
 
-Whatever is wrong here is no violation. The kit says in one sentence what it saw and
-what to do about it, and ends with exit code 2. It also measures the network, from
-which the tolerances of all timing checks derive.
+A problem here is no violation. The kit prints one sentence with the observation and
+the remedy, and ends with exit code 2. It also measures the network, from which the
+tolerances of all timing checks derive.
 """
 
 import contextlib
@@ -30,7 +30,7 @@ _SKEW_NOTED_S = 2.0
 
 
 class CannotJudge(Exception):
-    """There is nothing to judge here, and why."""
+    """There is nothing to check; the text gives the reason."""
 
 
 @dataclass(frozen=True)
@@ -42,14 +42,14 @@ class Findings:
     clock_skew_s: float
 
     def notes(self) -> list[str]:
-        """Say what an operator should know."""
+        """Give the notes for the operator."""
         if abs(self.clock_skew_s) < _SKEW_NOTED_S:
             return []
-        return [f"the server's clock is {self.clock_skew_s:+.1f} s off this machine's"]
+        return [f"server clock differs from this machine by {self.clock_skew_s:+.1f} s"]
 
 
 def inspect(settings: Settings) -> Findings:
-    """Look at the server; fills in what the checks need of it."""
+    """Inspect the server, and complete the settings with its description."""
     with contextlib.closing(SharedContext.of(settings)) as shared:
         return _inspect(CheckContext(shared, "preflight"), settings)
 
@@ -66,8 +66,8 @@ def _inspect(context: CheckContext, settings: Settings) -> Findings:
     if settings.token_2 is not None:
         if settings.token_2 == settings.token:
             raise CannotJudge(
-                "the second token is the first: PROCTOR_TOKEN_2 must be one of "
-                "another account"
+                "PROCTOR_TOKEN_2 equals PROCTOR_TOKEN; it must belong to another "
+                "account"
             )
         _require_admitted(context.second_account, "--token-2 or PROCTOR_TOKEN_2")
     if settings.token_read is not None:
@@ -84,23 +84,22 @@ def _request(http_client: HttpClient, method: str, path: str, **how: Any) -> Ans
         return http_client.request(method, path, timeout_s=_TIMEOUT_S, **how)
     except Violation as error:
         raise CannotJudge(
-            f"nothing answers {method} {http_client.base_url}{path} ({error.observed}): "
-            "start the server, or correct --url"
+            f"no response to {method} {http_client.base_url}{path} "
+            f"({error.observed}): start the server or correct --url"
         ) from error
 
 
 def _read_service(context: CheckContext) -> dict[str, Any]:
     answer = _request(context.http_client, "GET", "/v1", token=None)
     if answer.status in (401, 403):
-        answer = _request(
-            context.http_client, "GET", "/v1"
-        )  # which is for SVC-001 to judge
+        # Whether it needs a token is judged by SVC-001.
+        answer = _request(context.http_client, "GET", "/v1")
     needed = "GET /v1 must describe the service; is --url the base of a Proctor server?"
     if answer.status != 200 or not isinstance(answer.json, dict):
         raise CannotJudge(
             f"this is not a Proctor server: {describe_answer(answer)}; {needed}"
         )
-    # Only what the kit itself needs; the rest is for SVC-003 to judge.
+    # Only the members that the kit itself needs; SVC-003 judges the rest.
     described = context.spec.schema("Service")["properties"]
     needs = {name: described[name] for name in ("protocol", "limits")}
     needs |= dict.fromkeys(("profiles", "encodings", "image_codecs"), _NAMES)
@@ -108,7 +107,7 @@ def _read_service(context: CheckContext) -> dict[str, Any]:
     faults = list(Draft202012Validator(schema).iter_errors(answer.json))
     if faults:
         raise CannotJudge(
-            f"what GET /v1 says cannot be used: {faults[0].json_path} "
+            f"invalid response to GET /v1: {faults[0].json_path} "
             f"{faults[0].message}; {needed}"
         )
     service: dict[str, Any] = answer.json
@@ -148,8 +147,8 @@ def _require_version_overlap(service: dict[str, Any]) -> None:
     low, high = service["protocol"]["min"], service["protocol"]["max"]
     if not _number(low) <= _number(ours) <= _number(high):
         raise CannotJudge(
-            f"the server speaks Proctor {low} to {high}, this kit judges {ours}: "
-            "use the kit of a version that the server speaks"
+            f"server supports protocol {low} to {high}; this kit tests {ours}: "
+            "use a matching kit version"
         )
 
 
@@ -159,12 +158,11 @@ def _number(version: str) -> tuple[int, ...]:
 
 def _require_admitted(http_client: HttpClient, source: str) -> None:
     if http_client.token is None:
-        raise CannotJudge(f"no token was given: use {source}")
+        raise CannotJudge(f"no token: set {source}")
     answer = _request(http_client, "GET", "/v1/runs", params={"limit": 1})
     if answer.status in (401, 403):
         raise CannotJudge(
-            f"the token given by {source} is refused: {describe_answer(answer)}; give one that "
-            "the server knows"
+            f"token from {source} was rejected: {describe_answer(answer)}"
         )
 
 
@@ -172,12 +170,12 @@ def _read_calibration(context: CheckContext) -> dict[str, Any]:
     answer = _request(context.http_client, "GET", "/v1/benchmarks/calibration")
     if answer.status != 200 or not isinstance(answer.json, dict):
         raise CannotJudge(
-            f"the benchmark `calibration` is not offered: {describe_answer(answer)}; without it "
-            "the kit cannot judge a server"
+            f"benchmark `calibration` is not offered: {describe_answer(answer)}; "
+            "the kit needs it"
         )
     reason = answer.json.get("unavailable_reason")
     if reason is not None:
-        raise CannotJudge(f"the benchmark `calibration` cannot run: {reason}")
+        raise CannotJudge(f"benchmark `calibration` is unavailable: {reason}")
     benchmark: dict[str, Any] = answer.json
     return benchmark
 
@@ -187,8 +185,8 @@ def _require_submit_allowed(context: CheckContext) -> None:
     answer = _request(context.http_client, "POST", "/v1/runs", json=body)
     if answer.status in (401, 403):
         raise CannotJudge(
-            f"the token may not submit runs: {describe_answer(answer)}; it needs the scopes "
-            "`read` and `run`"
+            f"token is not allowed to submit runs: {describe_answer(answer)}; the "
+            "scopes `read` and `run` are required"
         )
     if answer.status == 201 and isinstance(answer.json, dict):
         run_id = str(answer.json.get("run_id", ""))

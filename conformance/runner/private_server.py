@@ -1,8 +1,8 @@
-"""A server that a check may kill: one of its own, or the operator's by a hook.
+"""A server that a check may kill.
 
-With `--start-cmd` every check gets a server of its own. With `--restart-cmd` it is the
-server under test, which the command must kill and start again; these checks then run
-alone, after all others.
+With `--start-cmd` every such check gets its own server. With `--restart-cmd` it is the
+server under test, which the command kills and restarts; these checks then run alone,
+after all others.
 """
 
 import contextlib
@@ -29,10 +29,10 @@ class PrivateServer(Protocol):
     context: CheckContext
 
     def kill9(self) -> None:
-        """End the server without warning."""
+        """Kill the server with SIGKILL."""
 
     def restart(self) -> None:
-        """Start it again on the same data, and wait until it answers."""
+        """Restart it on the same data, and wait until it responds."""
 
 
 class _OwnServer:
@@ -47,7 +47,7 @@ class _OwnServer:
         try:
             self._process.start()
         except StartFailed as error:
-            raise SetUpFailed(f"the server did not start again: {error}") from error
+            raise SetUpFailed(f"server restart failed: {error}") from error
 
 
 class _HookedServer:
@@ -56,14 +56,16 @@ class _HookedServer:
         self._command = shlex.split(command)
 
     def kill9(self) -> None:
-        """Do nothing: the command of the operator kills and starts in one go."""
+        """Do nothing: the command of the operator kills and restarts in one step."""
 
     def restart(self) -> None:
         done = subprocess.run(
             self._command, capture_output=True, timeout=_RESTART_S, check=False
         )
         if done.returncode != 0:
-            raise SetUpFailed(f"the restart command ended with {done.returncode}")
+            raise SetUpFailed(
+                f"server restart failed: --restart-cmd exited with {done.returncode}"
+            )
         deadline = time.monotonic() + _RESTART_S
         url = self.context.shared.settings.url
         while time.monotonic() < deadline:
@@ -71,7 +73,7 @@ class _HookedServer:
                 httpx.get(f"{url}/v1", timeout=2.0)
                 return
             time.sleep(0.05)
-        raise SetUpFailed("the server did not answer after the restart command")
+        raise SetUpFailed("server restart failed: no response after --restart-cmd")
 
 
 @contextlib.contextmanager
@@ -82,7 +84,7 @@ def open_private_server(context: CheckContext) -> Iterator[PrivateServer]:
         yield _HookedServer(context, settings.restart_cmd)
         return
     if settings.start_cmd is None:
-        raise SetUpFailed("needs --start-cmd or --restart-cmd", allowed=True)
+        raise SetUpFailed("requires --start-cmd or --restart-cmd", allowed=True)
     tokens = AccountTokens(
         settings.token or "", settings.token_2 or "", settings.token_read or ""
     )

@@ -1,8 +1,8 @@
-"""Runs the checks under pytest: selection, stories, background checks, verdicts.
+"""The pytest plugin that runs the checks: selection, contexts, background, verdicts.
 
-pytest collects and schedules; it decides nothing. What a check raised becomes a
-verdict here, and travels with the test report (also from xdist workers) to the
-command line, which owns the result.
+pytest collects and schedules; it decides nothing. The exception of a check becomes a
+verdict here, and is attached to the test report (also of xdist workers) for the command
+line, which owns the result.
 """
 
 import inspect
@@ -22,12 +22,12 @@ from conformance.client.request_context import SharedContext
 from conformance.exchanges.curl import select_exchanges_for
 from conformance.run_settings import Settings
 from conformance.verdicts import expect
-from conformance.verdicts.result import is_offered, select
+from conformance.verdicts.result import is_offered
 from conformance.verdicts.verdict import Outcome, Verdict
 
 VERDICT = "kit_verdict"
 TALLY = "kit_tally"
-SERVER_UNREACHABLE = "kit_server_is_dead"
+SERVER_UNREACHABLE = "kit_server_unreachable"
 _BACKGROUND_TIMEOUT_S = 180
 _CHECK_CONTEXT = pytest.StashKey[CheckContext]()
 _SHARED = pytest.StashKey[SharedContext]()
@@ -38,12 +38,12 @@ def requirement_of(item: pytest.Item) -> str:
     """Give the id of the requirement that a check judges."""
     mark = item.get_closest_marker("requirement")
     if mark is None:
-        raise pytest.UsageError(f"{item.nodeid} names no requirement")
+        raise pytest.UsageError(f"{item.nodeid} has no requirement marker")
     return str(mark.args[0])
 
 
 def docstring_of(item: pytest.Item) -> str:
-    """Give what a check tells of itself."""
+    """Give the docstring of a check, which the reports print."""
     check = getattr(item, "obj", None)
     return inspect.cleandoc(check.__doc__ or "") if check is not None else ""
 
@@ -54,10 +54,10 @@ class BackgroundChecks:
     def __init__(self, shared: SharedContext) -> None:
         self._context = shared
         self._futures: dict[str, Future[None]] = {}
-        self._stories: dict[str, CheckContext] = {}
+        self._contexts: dict[str, CheckContext] = {}
 
     def has_begun(self, item: pytest.Function) -> bool:
-        """Say whether a check has its thread."""
+        """Say whether a check has been started."""
         return item.nodeid in self._futures
 
     def start(self, items: list[pytest.Function]) -> None:
@@ -68,21 +68,21 @@ class BackgroundChecks:
         for item in items:
             context = CheckContext(self._context, requirement_of(item))
             future: Future[None] = Future()
-            self._stories[item.nodeid] = context
+            self._contexts[item.nodeid] = context
             self._futures[item.nodeid] = future
-            # Daemons: when the server dies, nobody waits for them.
+            # Daemons: when the server is gone, the kit does not wait for them.
             threading.Thread(
                 target=_run_check, args=(item.obj, context, future), daemon=True
             ).start()
 
     def collect(self, item: pytest.Function) -> None:
-        """Wait for one to end and pass on what it raised; its story is taken over."""
-        item.stash[_CHECK_CONTEXT] = self._stories[item.nodeid]
+        """Wait for the end of a check and raise its exception."""
+        item.stash[_CHECK_CONTEXT] = self._contexts[item.nodeid]
         try:
             self._futures[item.nodeid].result(timeout=_BACKGROUND_TIMEOUT_S)
         except TimeoutError:
             raise expect.Inconclusive(
-                f"no end within {_BACKGROUND_TIMEOUT_S} s"
+                f"check did not finish within {_BACKGROUND_TIMEOUT_S} s"
             ) from None
 
 
@@ -98,9 +98,9 @@ def _run_check(
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Take over the settings and open the connections."""
+    """Load the settings and open the connections."""
     config.addinivalue_line("markers", "requirement(id): the rule that a check judges")
-    config.addinivalue_line("markers", "background: runs in a thread, as it waits")
+    config.addinivalue_line("markers", "background: waits, so it runs in a thread")
     config.addinivalue_line("markers", "xdist_group(name): stays in one process")
     config.stash[_SHARED] = SharedContext.of(Settings.load_from_environment())
     config.stash[_BACKGROUND] = BackgroundChecks(config.stash[_SHARED])
@@ -114,9 +114,9 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 def pytest_collection_modifyitems(
     config: pytest.Config, items: list[pytest.Item]
 ) -> None:
-    """Keep what was asked for; checks that wait come last, crashes after them."""
+    """Keep the selected checks; waiting checks come last, crash checks after them."""
     settings = config.stash[_SHARED].settings
-    wanted = {row.id for row in select(settings) if is_offered(row, settings)}
+    wanted = {row.id for row in settings.selected_rules if is_offered(row, settings)}
     items[:] = [
         item
         for item in items
@@ -124,7 +124,7 @@ def pytest_collection_modifyitems(
     ]
     for item in items:
         if _is_crash(item) and settings.restart_cmd is None:
-            # It has a server of its own, so it disturbs nobody.
+            # It has its own server, so it does not disturb other checks.
             item.add_marker("background")
         if _waits(item):
             # One process starts them all, so that they wait together.
@@ -141,7 +141,7 @@ def _waits(item: pytest.Item) -> bool:
 
 
 def pytest_runtestloop(session: pytest.Session) -> None:
-    """Let the waiting begin before the first check; workers begin with their share."""
+    """Start the background checks before the first check (xdist workers: later)."""
     is_worker = hasattr(session.config, "workerinput")
     is_controller = session.config.getoption("numprocesses", default=None)
     is_late = session.config.stash[_SHARED].settings.is_time_up
@@ -166,12 +166,12 @@ def context(request: pytest.FixtureRequest) -> CheckContext:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
-    """Collect a background check instead of running it; start none too late."""
+    """Collect a background check instead of running it; start none after --max-time."""
     background = pyfuncitem.config.stash[_BACKGROUND]
     settings = pyfuncitem.config.stash[_SHARED].settings
     if settings.is_time_up and not background.has_begun(pyfuncitem):
-        said = f"--max-time {settings.max_time_s:g}"
-        raise expect.SetUpFailed(f"{expect.TIME_WAS_UP} ({said})")
+        limit = f"--max-time {settings.max_time_s:g}"
+        raise expect.SetUpFailed(f"{expect.TIME_WAS_UP} ({limit})")
     if not _waits(pyfuncitem):
         return None
     _start_background(pyfuncitem.session)
@@ -180,7 +180,7 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
 
 
 def pytest_runtest_teardown(item: pytest.Item) -> None:
-    """Stop the runs that the check left behind."""
+    """Stop the runs of the check."""
     if _CHECK_CONTEXT in item.stash:
         item.stash[_CHECK_CONTEXT].tidy_up()
 
@@ -189,7 +189,7 @@ def pytest_runtest_teardown(item: pytest.Item) -> None:
 def pytest_runtest_makereport(
     item: pytest.Item, call: pytest.CallInfo[None]
 ) -> Iterator[Any]:
-    """Attach the verdict, and at the end what all answers had to obey."""
+    """Attach the verdict, and after teardown the tally of the universal rules."""
     check_context = item.stash.get(_CHECK_CONTEXT, None)
     if call.when == "call" or call.excinfo is not None:
         verdict = judge(requirement_of(item), call.excinfo, check_context)
@@ -205,13 +205,11 @@ def pytest_runtest_makereport(
 
 
 def _stop_if_unreachable(item: pytest.Item, context: CheckContext) -> None:
-    """End the run when a check got no answer and the server gives none any more."""
+    """End the kit run when the server does not respond any more."""
     unanswered = [one for one in context.exchange_log.exchanges if one.status is None]
     if not unanswered or _is_reachable(context.shared):
         return
-    reason = (
-        f"the server stopped answering during {context.name} ({unanswered[0].error})"
-    )
+    reason = f"server stopped responding during {context.name} ({unanswered[0].error})"
     item.user_properties.append((SERVER_UNREACHABLE, reason))
     item.session.shouldstop = reason
 
@@ -237,7 +235,7 @@ def judge(
     exception: pytest.ExceptionInfo[BaseException] | None,
     context: CheckContext | None,
 ) -> Verdict:
-    """Make the verdict from what a check raised."""
+    """Derive the verdict from the exception of a check."""
     verdict = Verdict(requirement_id, Outcome.PASSED)
     error = exception.value if exception is not None else None
     if error is None:
@@ -260,11 +258,11 @@ def judge(
         case expect.NotApplicable():
             verdict.outcome, verdict.reason = Outcome.NOT_APPLICABLE, str(error)
         case _ if isinstance(error, LookupError) or _has_schema_violation(context):
-            # An answer lacked what the check needed to go on.
+            # A response lacked a value that the check needed.
             verdict.outcome = Outcome.NOT_VERIFIED
             last = traceback.extract_tb(error.__traceback__)[-1]
             where = f"{Path(last.filename).name} line {last.lineno}: {last.line}"
-            verdict.reason = f"an answer lacks what {where} needs: {error!r}"
+            verdict.reason = f"response lacks a value that {where} needs: {error!r}"
         case _:
             verdict.outcome = Outcome.KIT_ERROR
             verdict.reason = "".join(traceback.format_exception(error)[-4:])

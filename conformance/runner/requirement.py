@@ -1,4 +1,4 @@
-"""How a check says which requirement it judges and how it wants to be run."""
+"""The decorators of checks: the rule that a check judges, and how it runs."""
 
 from collections.abc import Callable
 from typing import TypeVar
@@ -9,11 +9,11 @@ Check = TypeVar("Check", bound=Callable[..., None])
 
 
 def requirement(requirement_id: str) -> Callable[[Check], Check]:
-    """Name the one requirement that a check judges."""
+    """Mark a check with the one rule that it judges."""
     return pytest.mark.requirement(requirement_id)
 
 
 def background(check: Check) -> Check:
-    """Mark a check that mostly waits; it runs in a thread beside all the others."""
+    """Mark a check that mostly waits; it runs in a thread beside the other checks."""
     marked: Check = pytest.mark.background(check)
     return marked

@@ -1,9 +1,9 @@
-"""A server that the kit starts itself, kills and starts again.
+"""A server process that the kit starts, kills and restarts.
 
-The command learns by environment where to listen, whom to admit, and where to keep
-its data (PROCTOR_HOST, PROCTOR_PORT, PROCTOR_TOKENS, PROCTOR_DATABASE), and that it
-may call policies on this machine (PROCTOR_ALLOW_PRIVATE_POLICIES). It runs in a process
-group of its own, so that ending it ends its children as well.
+Environment variables give the command its address, tokens and database (PROCTOR_HOST,
+PROCTOR_PORT, PROCTOR_TOKENS, PROCTOR_DATABASE), and allow it to call policies on this
+machine (PROCTOR_ALLOW_PRIVATE_POLICIES). It runs in its own process group, so that its
+children end with it.
 """
 
 import contextlib
@@ -39,11 +39,11 @@ class AccountTokens:
 
     @classmethod
     def generate(cls) -> "AccountTokens":
-        """Make tokens that nobody can guess."""
+        """Generate random tokens."""
         return cls(*(secrets.token_hex(16) for _ in range(3)))
 
     def as_setting(self) -> str:
-        """Write them as PROCTOR_TOKENS wants them."""
+        """Write them in the format of PROCTOR_TOKENS."""
         return (
             f"alice:read+run:{self.alice},bob:read+run:{self.bob}"
             f",alice:read:{self.reader}"
@@ -64,7 +64,7 @@ class ServerProcess:
         self._port = 0
 
     def start(self) -> None:
-        """Start it and wait until it answers; the same port on every start."""
+        """Start it and wait until it responds; the port stays the same on a restart."""
         self._port = self._port or _free_port()
         self.url = f"http://127.0.0.1:{self._port}"
         self._log.parent.mkdir(parents=True, exist_ok=True)
@@ -74,7 +74,7 @@ class ServerProcess:
             "PROCTOR_PORT": str(self._port),
             "PROCTOR_TOKENS": self._tokens.as_setting(),
             "PROCTOR_DATABASE": str(self._database),
-            # Where the kit's own policy server is, for the profile push.
+            # The address of the policy server of the kit, for the profile push.
             "PROCTOR_ALLOW_PRIVATE_POLICIES": "127.0.0.1",
         }
         try:
@@ -88,35 +88,35 @@ class ServerProcess:
             )
         except OSError as error:
             raise StartFailed(f"`{self._command[0]}`: {error}") from error
-        self._wait_until_it_answers(self._process)
+        self._wait_until_ready(self._process)
 
-    def _wait_until_it_answers(self, process: subprocess.Popen[bytes]) -> None:
+    def _wait_until_ready(self, process: subprocess.Popen[bytes]) -> None:
         deadline = time.monotonic() + _START_S
         while time.monotonic() < deadline:
             if process.poll() is not None:
                 raise StartFailed(
-                    f"the command ended with code {process.returncode} "
-                    f"before it answered; its last words: {self.log_tail()}"
+                    f"the command exited with code {process.returncode} before it "
+                    f"served requests; end of its output: {self.log_tail()}"
                 )
             if _is_listening(self._port):
                 with contextlib.suppress(httpx.TransportError):
                     httpx.get(f"{self.url}/v1", timeout=2.0, trust_env=False)
                     return
             time.sleep(_POLL_S)
-        raise StartFailed(f"no answer at {self.url}/v1 within {_START_S:g} s")
+        raise StartFailed(f"no response from {self.url}/v1 within {_START_S:g} s")
 
     def log_tail(self) -> str:
-        """Give the end of what it printed."""
+        """Give the end of its output."""
         lines = self._log.read_text(errors="replace").split("\n")
         return " | ".join(line.strip() for line in lines if line.strip())[-400:]
 
     def kill9(self) -> None:
-        """Kill it at once, children and all."""
+        """Kill it at once, with its children."""
         self._signal(signal.SIGKILL)
         self._reap()
 
     def stop(self) -> None:
-        """Ask it to end; insist after a while."""
+        """Terminate it; kill it after a timeout."""
         if self._process is None:
             return
         self._signal(signal.SIGTERM)

@@ -84,13 +84,13 @@ class Operation:
         return EVENT_STREAM in self.answer_media_types()
 
     def response(self, status: int) -> Mapping[str, Any] | None:
-        """Find what is said of a status: by itself or by its class, else None."""
+        """Find the response of a status, by code or by class; None if there is none."""
         responses: Mapping[str, Any] = self.description["responses"]
         return responses.get(str(status)) or responses.get(f"{status // 100}XX")
 
 
 class Spec:
-    """The document with every `$ref` replaced by what it names."""
+    """The document with every `$ref` resolved."""
 
     def __init__(self, document: Mapping[str, Any]) -> None:
         self.document = document
@@ -99,7 +99,7 @@ class Spec:
         self.lifecycle: Mapping[str, Any] = document["x-lifecycle"]
         self.requirements: list[dict[str, Any]] = document["x-requirements"]
         self.operations = {o.operation_id: o for o in self._read_operations()}
-        # Of each schema: a quick look that lets valid bodies pass, and who explains.
+        # For each schema: a fast validator, and a slow one that explains faults.
         self._validators: dict[tuple[Any, ...], tuple[Callable[[Any], bool], Any]] = {}
 
     def _read_operations(self) -> Iterator[Operation]:
@@ -184,7 +184,7 @@ class Spec:
 
 
 def _with_ranges(schema: Any) -> Any:
-    """Say what the formats int32 and int64 mean in words of JSON Schema."""
+    """Express the formats int32 and int64 in JSON Schema."""
     if isinstance(schema, dict):
         widened = {key: _with_ranges(value) for key, value in schema.items()}
         bits = _INTEGER_BITS.get(str(schema.get("format")))
@@ -198,9 +198,9 @@ def _with_ranges(schema: Any) -> Any:
 
 
 def _fast_validator(schema: Any) -> Callable[[Any], bool]:
-    """Make a quick look at a body: what it lets pass is valid.
+    """Make a fast validator: bodies that it accepts are valid.
 
-    The validator that can tell why a body is not has the last word.
+    The detailed validator decides on all others.
     """
     validator = jsonschema_rs.Draft202012Validator(
         schema, validate_formats=True, formats={"date-time": _is_date_time}
@@ -209,14 +209,14 @@ def _fast_validator(schema: Any) -> Callable[[Any], bool]:
     def is_valid(body: Any) -> bool:
         try:
             return bool(validator.is_valid(body))
-        except ValueError:  # a string that is no Unicode, for one
+        except ValueError:  # for example a string that is not Unicode
             return False
 
     return is_valid
 
 
 def _blobs_as_bytes(schema: Any) -> Any:
-    """In MessagePack, what JSON carries as base64 is `bin`."""
+    """Replace base64 strings of JSON by `bin` of MessagePack."""
     if isinstance(schema, dict):
         if schema.get("contentEncoding") == "base64":
             return {"type": "bytes"}
@@ -228,13 +228,13 @@ def _blobs_as_bytes(schema: Any) -> Any:
 
 @functools.cache
 def load_spec() -> Spec:
-    """Load the document that stands beside the kit."""
+    """Load openapi.yaml."""
     return Spec(_read(SPEC_DIRECTORY / "openapi.yaml"))
 
 
 @functools.cache
 def load_policy_spec() -> Spec:
-    """Load the other direction: its paths and rules, with the messages of both."""
+    """Load policy.yaml: its paths and rules, with the schemas of openapi.yaml."""
     whole, policy = load_spec().document, _read(SPEC_DIRECTORY / "policy.yaml")
     here = _with_own_references(policy)
     here["components"]["schemas"] = whole["components"]["schemas"]
@@ -255,7 +255,7 @@ def _with_own_references(node: Any) -> Any:
 
 
 def load_profiles() -> dict[str, dict[str, Any]]:
-    """Load the documents of other wires that a server may offer, by their file."""
+    """Load the documents of the profiles with their own API, by file name."""
     return {path.name: _read(path) for path in _profile_paths()}
 
 
@@ -276,10 +276,10 @@ def spec_sha256() -> str:
     """Give the hash over all documents, so that two reports can be compared."""
     paths = [*(SPEC_DIRECTORY / name for name in _DOCUMENTS), *_profile_paths()]
     documents = [path.read_bytes() for path in paths]
-    # A checkout may have turned the ends of lines into those of its system.
+    # A checkout may have converted the line endings.
     return hashlib.sha256(b"".join(documents).replace(b"\r\n", b"\n")).hexdigest()
 
 
 def spec_name() -> str:
-    """Say which specification is judged, in a few words."""
+    """Give the version and the hash of the specification."""
     return f"Proctor {load_spec().version} ({spec_sha256()[:12]})"

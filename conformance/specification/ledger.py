@@ -1,7 +1,7 @@
 """The ledger: every rule of the specification with its id, level, profile and text.
 
 Rows come from `x-requirements` and `x-lifecycle` of openapi.yaml and from scoring.md;
-nothing is stated here.
+no rule is stated here.
 """
 
 import functools
@@ -21,13 +21,13 @@ PROFILES = (
     *("core", "msgpack", "compare", "events", "push", "crash"),
     *("ebench", "flageval"),
 )
-POLICY = "policy"  # not of a server, but of a policy server, which is judged alone
-NEVER_ANNOUNCED = ("core", "crash")  # every server has them, or shows them by itself
+POLICY = "policy"  # of policy servers, which are checked by a command of their own
+NEVER_ANNOUNCED = ("core", "crash")  # checked on every server
 
 
 @dataclass(frozen=True)
 class Requirement:
-    """One rule; `why` says why no outsider can see it, if so."""
+    """One rule; `why` gives the reason if it is not observable."""
 
     id: str
     level: str
@@ -84,5 +84,5 @@ def load_ledger() -> dict[str, Requirement]:
     rows = list(_read_requirements())
     ledger = {row.id: row for row in rows}
     if len(ledger) != len(rows):
-        raise ValueError("an id stands twice in the specification")
+        raise ValueError("an id occurs twice in the specification")
     return ledger

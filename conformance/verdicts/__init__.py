@@ -1,1 +1,1 @@
-"""From what was observed to a verdict. Sends nothing."""
+"""From observations to verdicts. Sends nothing."""

@@ -1,9 +1,9 @@
-"""What a check may conclude. Only the functions here say that a server is wrong.
+"""Expectations of a check. Only the functions here state that a server is wrong.
 
 A check ends in one of five ways: it returns (passed), or it raises `Violation`
-(failed), `SetUpFailed` (a step before the point was refused: not verified),
-`Inconclusive` (timing spoke neither way) or `NotApplicable` (never declared).
-Anything else is a fault of the kit itself.
+(failed), `SetUpFailed` (a step before the step under test was refused: not verified),
+`Inconclusive` (timing did not decide) or `NotApplicable` (not declared by the server).
+Any other exception is an error of the kit.
 """
 
 import itertools
@@ -14,7 +14,7 @@ from typing import Any
 from conformance.exchanges.answer import Answer
 from conformance.specification.document import load_spec
 
-TIME_WAS_UP = "time was up"
+TIME_WAS_UP = "time limit reached"
 _LONGEST_TEXT = 600
 _PATHS_SHOWN = 5
 _ABSENT = "(absent)"
@@ -31,7 +31,7 @@ class Violation(AssertionError):
         *,
         is_alone: bool = False,
     ) -> None:
-        """Say both sides; `is_alone`: the one exchange is the whole story."""
+        """Give both sides; `is_alone`: the report needs only this one exchange."""
         super().__init__(f"expected {expected}; observed {observed}")
         self.expected = expected
         self.observed = observed
@@ -40,7 +40,7 @@ class Violation(AssertionError):
 
 
 class SetUpFailed(Exception):
-    """A step before the one under test did not work, so nothing can be said.
+    """A step before the one under test failed, so the rule is not verified.
 
     `allowed` marks what the operator chose not to give (a second token, a restart
     hook): it leaves a run conformant.
@@ -57,18 +57,18 @@ class Inconclusive(Exception):
 
 
 class NotApplicable(Exception):
-    """The server never declared what the rule is about."""
+    """The server does not declare the subject of the rule."""
 
 
 class KitError(Exception):
-    """The kit did something that the specification forbids it to do."""
+    """The kit sent something that the specification forbids."""
 
 
 class ExpectedBody(dict[str, Any]):
     """A body in which a missing member is a violation of the rule under test."""
 
     def __missing__(self, key: str) -> Any:
-        """Refuse to go on without the member."""
+        """Raise: the member is missing."""
         raise Violation(f"a member `{key}`", f"members {sorted(self)}")
 
 
@@ -76,8 +76,10 @@ class SetUpBody(dict[str, Any]):
     """A body of a set-up step, in which a missing member proves nothing."""
 
     def __missing__(self, key: str) -> Any:
-        """Refuse to go on without the member."""
-        raise SetUpFailed(f"an answer lacks the member `{key}`; it has {sorted(self)}")
+        """Raise: the member is missing."""
+        raise SetUpFailed(
+            f"response member `{key}` is missing; present: {sorted(self)}"
+        )
 
 
 def ok(answer: Answer, status: int = 200) -> Any:
@@ -147,22 +149,22 @@ def _differences(
 
 
 def true(condition: object, what: str, observed: Any = None) -> None:
-    """Expect something that `what` says in words."""
+    """Expect a condition that `what` describes."""
     if not condition:
         raise Violation(
-            what, "the contrary" if observed is None else format_value(observed)
+            what, "not satisfied" if observed is None else format_value(observed)
         )
 
 
 def require(answer: Answer, status: int, step: str) -> Any:
-    """Take a step that is not under test; what it gives, or SetUpFailed."""
+    """Require success of a step that is not under test, or raise SetUpFailed."""
     if answer.status != status:
-        raise SetUpFailed(f"{step} was answered with {describe_answer(answer)}")
+        raise SetUpFailed(f"{step}: unexpected response: {describe_answer(answer)}")
     return _wrap(answer.json, SetUpBody)
 
 
 def describe_answer(answer: Answer) -> str:
-    """Say an answer in one line."""
+    """Describe an answer in one line."""
     if answer.code is not None:
         detail = answer.json.get("detail", "")
         return f"status {answer.status} with code `{answer.code}` ({detail})"

@@ -1,4 +1,4 @@
-"""The result of one run of the kit: every row with its verdict, and the exit code."""
+"""The result of one run of the kit: a verdict for every rule, and the exit code."""
 
 from collections import Counter
 from collections.abc import Mapping
@@ -22,7 +22,7 @@ from conformance.verdicts.verdict import Outcome, Verdict, exit_code
 
 @dataclass
 class Result:
-    """What the reports show. `problem` says why nothing could be judged."""
+    """What the reports show. `problem` is the reason why nothing was decided."""
 
     settings: Settings
     started_at: str = ""
@@ -35,7 +35,7 @@ class Result:
 
     @property
     def exit_code(self) -> int:
-        """0 conformant, 1 violated, 2 could not judge."""
+        """0 conformant, 1 violated, 2 not decided."""
         if self.problem is not None:
             return 2
         levels = {row.id: row.level for row in load_ledger().values()}
@@ -48,7 +48,7 @@ class Result:
 
     @property
     def is_partial(self) -> bool:
-        """Whether the operator asked for less than everything."""
+        """Whether only a selection of the rules was checked."""
         settings = self.settings
         is_policy = settings.profiles == [POLICY]
         is_narrow = not is_policy and bool(set(PROFILES) - set(settings.profiles))
@@ -79,24 +79,24 @@ class Result:
         ]
         warned = self.counts("SHOULD")[Outcome.FAILED]
         if warned:
-            parts.append(f"{warned} SHOULD not followed")
+            parts.append(f"{warned} SHOULD violated")
         return ", ".join(parts)
 
     def conclusion(self) -> str:
         """Give the last line."""
         if self.problem is not None:
-            return f"could not judge: {self.problem}"
-        scope = " in the rows that were selected" if self.is_partial else ""
+            return f"not decided: {self.problem}"
+        scope = " (selected rules)" if self.is_partial else ""
         if self.exit_code == 0:
             return f"conformant{scope}"
         if self.exit_code == 1:
             if self.stale:
-                return f"known failures that do not fail any more: {self.stale}"
+                return f"known failures that now pass: {self.stale}"
             return f"NOT conformant{scope}"
-        return f"could not judge: {self._undecided()}"
+        return f"not decided: {self._undecided()}"
 
     def _undecided(self) -> str:
-        """Say which rows kept the run from a conclusion, and why the first did."""
+        """Name the rules that were not decided, with the reason of the first."""
         open_rows = [
             row
             for row in self.rows.values()
@@ -104,25 +104,15 @@ class Result:
         ]
         broken = [row for row in open_rows if not row.allowed] or open_rows
         if not broken:
-            return "nothing that was selected is offered here"
+            return "the server offers none of the selected profiles"
         ids = ", ".join(row.requirement_id for row in broken[:8])
         more = f" and {len(broken) - 8} more" if len(broken) > 8 else ""
         reason = (broken[0].reason.strip() or "?").splitlines()[0]
-        return f"nothing was decided on {ids}{more} ({reason})"
-
-
-def select(settings: Settings) -> list[Requirement]:
-    """Give the rows that the operator asked for."""
-    return [
-        row
-        for row in load_ledger().values()
-        if row.profile in settings.profiles
-        and (not settings.only or row.id.startswith(tuple(settings.only)))
-    ]
+        return f"{ids}{more} ({reason})"
 
 
 def is_offered(row: Requirement, settings: Settings) -> bool:
-    """Say whether the server declares what a row is about."""
+    """Say whether the server announces the profile of a rule."""
     announced = settings.service.get("profiles", [])
     return row.profile in NEVER_ANNOUNCED or row.profile in announced
 
@@ -130,8 +120,8 @@ def is_offered(row: Requirement, settings: Settings) -> bool:
 def conclude(
     result: Result, verdicts: Mapping[str, Verdict], tally: Tally, known: set[str]
 ) -> None:
-    """Fill in the rows of a result from what the checks found."""
-    for row in select(result.settings):
+    """Fill in the rows of a result from the verdicts of the checks."""
+    for row in result.settings.selected_rules:
         verdict = _verdict_on(row, result, verdicts)
         if row.id in UNIVERSAL_RULES:
             _apply_tally(verdict, tally)
@@ -151,24 +141,24 @@ def _verdict_on(
     if not row.is_observable:
         return unjudged(row.why)
     if not is_offered(row, result.settings):
-        reason = f"the profile {row.profile} is not announced"
+        reason = f"profile {row.profile} is not announced by the server"
         return Verdict(row.id, Outcome.NOT_APPLICABLE, reason)
     if row.id in verdicts:
         return verdicts[row.id]
     if result.problem is not None:
         return unjudged(result.problem, allowed=False)
     if result.settings.quick:
-        return unjudged("left out by --quick")
-    return Verdict(row.id, Outcome.KIT_ERROR, "no check of the kit judges this row")
+        return unjudged("skipped by --quick")
+    return Verdict(row.id, Outcome.KIT_ERROR, "the kit has no check for this rule")
 
 
 def _apply_tally(verdict: Verdict, tally: Tally) -> None:
-    """Fail a row that an answer somewhere in the run has broken."""
+    """Fail a rule that some response of the run broke."""
     row = verdict.requirement_id
     breaches = [item for item in tally.breaches if item.requirement_id == row]
     if verdict.outcome == Outcome.PASSED and not tally.exercised[row]:
         verdict.outcome = Outcome.NOT_VERIFIED
-        verdict.reason = "no answer of this run was one that the rule is about"
+        verdict.reason = "no response in this run exercised the rule"
     if not breaches or verdict.outcome == Outcome.FAILED:
         return
     first = breaches[0]

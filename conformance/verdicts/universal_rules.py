@@ -1,8 +1,8 @@
-"""Rules that hold for every answer whatever was asked, judged on every exchange.
+"""Rules for every response, judged on every exchange of every check.
 
-SVC-003, VER-001, ERR-001, ERR-011 and ERR-012 are not bound to a story. Breaches are
-collected here and decide these rows at the end; they do not fail the check in which
-they happened. One breach counts for one row: an error answer that is no proper
+SVC-003, VER-001, ERR-001, ERR-011 and ERR-012 do not belong to one request. Breaches
+are collected here and decide these rules at the end; they do not fail the check in
+which they happened. One breach counts for one rule: an error response that is no valid
 problem breaks ERR-001 alone, not the schema (SVC-003) as well.
 """
 
@@ -23,7 +23,7 @@ _VERSION = re.compile(r"[0-9]+\.[0-9]+")
 
 @dataclass
 class Breach:
-    """One answer that broke a rule for all answers."""
+    """One answer that broke a universal rule."""
 
     requirement_id: str
     expected: str
@@ -63,7 +63,7 @@ class Tally:
     def observe(
         self, operation: Operation | None, answer: ParsedAnswer, exchange: Exchange
     ) -> None:
-        """Judge one answer; `operation` is None for what the document lacks."""
+        """Judge one answer; `operation` is None for paths outside the specification."""
         if exchange.method in ("HEAD", "OPTIONS"):
             return
         self._version(answer, exchange)
@@ -118,7 +118,7 @@ class Tally:
         )
 
     def _problem(self, answer: ParsedAnswer, exchange: Exchange) -> bool:
-        """Judge ERR-001; say whether the body is worth a look at its schema."""
+        """Judge ERR-001; say whether the schema of the body is to be judged, too."""
         observed = self._problem_fault(answer)
         self._record(
             "ERR-001",
@@ -153,7 +153,7 @@ class Tally:
         self._record(
             "SVC-003",
             fault is None,
-            f"what openapi.yaml says of `{operation.operation_id}`",
+            f"a response that matches openapi.yaml for `{operation.operation_id}`",
             f"status {answer.status}: {fault}",
             exchange,
         )
@@ -163,14 +163,14 @@ class Tally:
     ) -> str | None:
         response = operation.response(answer.status)
         if response is None:
-            return "a status that the description does not have"
+            return "status not declared in openapi.yaml"
         content = response.get("content", {})
         if not content:
             return f"body {answer.body[:200]!r}" if answer.body else None
         if answer.media_type not in content:
             return f"media type {answer.media_type or 'absent'}"
         if not answer.is_readable:
-            return f"a body that cannot be parsed: {answer.body[:200]!r}"
+            return f"body is not parseable: {answer.body[:200]!r}"
         faults = self._spec.response_faults(
             operation, answer.status, answer.media_type, answer.value
         )

@@ -1,11 +1,11 @@
 """The verdict on one requirement, and on all of them together.
 
-passed          a check ran to its end
+passed          the check ran to its end
 failed          the server broke the rule
-not_verified    the rule could not be judged, and why
-not_applicable  the server never declared what the rule is about
-inconclusive    the clock or the network spoke neither way
-kit_error       the kit's fault, never the server's
+not_verified    the rule was not judged; the reason is given
+not_applicable  the server does not declare the subject of the rule
+inconclusive    clock or network did not allow a decision
+kit_error       an error of the kit, never of the server
 """
 
 from collections.abc import Iterable
@@ -31,8 +31,8 @@ class Outcome(StrEnum):
 class Verdict:
     """One row of the report.
 
-    `allowed` tells a row that nobody could have judged here (no hook, no second
-    token, not observable) from one whose prerequisites broke.
+    `allowed`: the rule cannot be verified with these options (no restart command, no
+    second token, not observable), as opposed to a prerequisite that failed.
     """
 
     requirement_id: str
@@ -63,7 +63,7 @@ class Verdict:
 
 
 def exit_code(verdicts: Iterable[Verdict], levels: dict[str, str]) -> int:
-    """Say 0 for conformant, 1 for violated, 2 for could not judge."""
+    """Give 0 for conformant, 1 for violated, 2 for not decided."""
     rows = list(verdicts)
     if any(
         row.outcome == Outcome.FAILED
@@ -76,7 +76,7 @@ def exit_code(verdicts: Iterable[Verdict], levels: dict[str, str]) -> int:
     if any(row.outcome in undecided for row in rows):
         return 2
     if any(row.outcome == Outcome.NOT_VERIFIED and not row.allowed for row in rows):
-        # Something that had to work did not; with a known failure that is its echo.
+        # A prerequisite failed; with a known failure that is its consequence.
         return 0 if any(row.is_known_failure for row in rows) else 2
     judged = (Outcome.PASSED, Outcome.FAILED)
     return 0 if any(row.outcome in judged for row in rows) else 2

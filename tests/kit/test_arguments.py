@@ -12,7 +12,7 @@ from typing import Any
 import jsonschema
 import pytest
 
-from conformance.cli.arguments import BadArguments, build_parser, read_choice
+from conformance.cli.arguments import BadArguments, build_parser, read_selection
 from conformance.cli.main import main
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
@@ -85,7 +85,7 @@ def test_rules_after_the_time_limit_are_not_verified(
     arguments = ("--start-cmd", SERVER_COMMAND, "--max-time", "0.1", "-n", processes)
     code, output, written = run_kit(tmp_path, *arguments)
     assert code == 2
-    assert "time was up (--max-time 0.1)" in output.splitlines()[-1]
+    assert "time limit reached (--max-time 0.1)" in output.splitlines()[-1]
     found_outcomes, ledger = outcomes(written), load_ledger()
     disabled_profiles_rows = {  # the doors of other houses
         id_
@@ -112,7 +112,7 @@ def test_the_time_limit_hides_no_violation(
 ) -> None:
     judged = Result(Settings(only=["ATT-003", "ATT-004"], profiles=["core"]))
     first = Verdict("ATT-003", outcome)
-    left = Verdict("ATT-004", Outcome.NOT_VERIFIED, "time was up (--max-time 5)")
+    left = Verdict("ATT-004", Outcome.NOT_VERIFIED, "time limit reached (--max-time 5)")
     found = {"ATT-003": first, "ATT-004": left}
     known = {"ATT-003"} if is_known else set[str]()
     conclude(judged, found, Tally(load_spec()), known)
@@ -132,9 +132,9 @@ def test_the_time_limit_hides_no_violation(
 def test_unknown_id_gets_a_suggestion(wanted: str, says: str) -> None:
     options = build_parser().parse_args(["--only", wanted])
     with pytest.raises(BadArguments) as caught:
-        read_choice(options)
+        read_selection(options)
     assert str(caught.value).startswith(
-        f"--only {wanted}: no requirement has such an id"
+        f"--only {wanted}: no rule id starts with {wanted}"
     )
     assert says in str(caught.value)
 
@@ -144,7 +144,7 @@ def test_the_time_limit_must_be_positive(tmp_path: Path, seconds: str) -> None:
     time = f"--max-time={seconds}"
     code, output, _ = run_kit(tmp_path, "--url", "http://127.0.0.1:1", time)
     assert code == 2
-    assert "give some seconds" in output
+    assert "must be greater than 0" in output
 
 
 # --- known failures ---
@@ -164,7 +164,7 @@ def test_known_failure_is_excused_and_a_stale_one_is_not(tmp_path: Path) -> None
     assert code == 1
     assert written["stale_known_failures"] == ["PRED-004"]
     last = output.splitlines()[-1]
-    assert last == "known failures that do not fail any more: ['PRED-004']"
+    assert last == "known failures that now pass: ['PRED-004']"
 
 
 def test_known_failure_excuses_no_other(tmp_path: Path) -> None:
@@ -183,4 +183,4 @@ def test_known_failure_with_an_unknown_id_is_refused(tmp_path: Path) -> None:
     where = ("--url", "http://127.0.0.1:1", "--known-failures", str(known))
     code, output, _ = run_kit(tmp_path, *where)
     assert code == 2
-    assert "line 1: there is no requirement PRDE-004; did you mean PRED-004" in output
+    assert "line 1: unknown rule id PRDE-004; did you mean PRED-004" in output

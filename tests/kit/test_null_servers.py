@@ -76,14 +76,14 @@ def run_kit_on(report: Path, *arguments: str) -> KitResult:
 @pytest.mark.parametrize(
     ("behaviour", "says"),
     [
-        (null_servers.always(200), "cannot be used"),
+        (null_servers.always(200), "invalid response to GET /v1"),
         (null_servers.always(404), "not a Proctor server"),
         (null_servers.always(500), "not a Proctor server"),
         (null_servers.always(200, b"[]"), "not a Proctor server"),
-        (null_servers.echo, "cannot be used"),
-        (null_servers.close, "nothing answers"),
-        (null_servers.refuse_everyone, "is refused"),
-        (null_servers.other_protocol_version, "speaks Proctor 7.0 to 7.2"),
+        (null_servers.echo, "invalid response to GET /v1"),
+        (null_servers.close, "no response to"),
+        (null_servers.refuse_everyone, "was rejected"),
+        (null_servers.other_protocol_version, "supports protocol 7.0 to 7.2"),
     ],
     ids=["200", "404", "500", "list", "echo", "close", "refuse_everyone", "version"],
 )
@@ -94,7 +94,7 @@ def test_cannot_judge_a_null_server(
         kit = run_kit_on(tmp_path, "--url", url)
     assert kit.code == 2
     assert says in kit.last_line()
-    assert kit.last_line().startswith("could not judge")
+    assert kit.last_line().startswith("not decided")
     assert kit.passed() == set()
     assert kit.junit.find(".//testcase[@name='preflight']/error") is not None
 
@@ -104,7 +104,7 @@ def test_cannot_judge_where_nothing_listens(tmp_path: Path) -> None:
         pass
     kit = run_kit_on(tmp_path, "--url", url)
     assert kit.code == 2
-    assert "nothing answers" in kit.last_line()
+    assert "no response to" in kit.last_line()
 
 
 def test_canned_answers_pass_no_rule_about_playing(tmp_path: Path) -> None:
@@ -129,7 +129,7 @@ def test_cannot_judge_a_server_that_dies(tmp_path: Path, processes: str) -> None
     ) as url:
         kit = run_kit_on(tmp_path, "--url", url, "-n", processes)
     assert kit.code == 2
-    assert "the server stopped answering during" in kit.last_line()
+    assert "server stopped responding during" in kit.last_line()
     assert len(kit.report["rows"]) > 100
 
 
@@ -137,12 +137,12 @@ def test_cannot_judge_a_server_that_dies(tmp_path: Path, processes: str) -> None
     ("arguments", "says"),
     [
         ([], "give --url"),
-        (["--url", "localhost:8460"], "no http or https URL"),
+        (["--url", "localhost:8460"], "not an http or https URL"),
         (["--no-such-option"], "unrecognized arguments"),
-        (["--url", "http://x", "--only", "NOPE-001"], "no requirement"),
-        (["--url", "http://x", "--profile", "fast"], "there are core"),
+        (["--url", "http://x", "--only", "NOPE-001"], "no rule id"),
+        (["--url", "http://x", "--profile", "fast"], "known: core"),
         (["--url", "http://x", "--known-failures", "/no/file"], "No such file"),
-        (["--start-cmd", "false"], "before it answered"),
+        (["--start-cmd", "false"], "before it served requests"),
         (["--start-cmd", "/no/such/command"], "No such file"),
     ],
 )
@@ -158,4 +158,4 @@ def test_cannot_judge_an_empty_selection(tmp_path: Path) -> None:
     with run_server(null_servers.canned_answers) as url:
         kit = run_kit_on(tmp_path, "--url", url, "--only", "SVC", "--profile", "crash")
     assert kit.code == 2
-    assert "select nothing" in kit.last_line()
+    assert "select no rule" in kit.last_line()

@@ -274,9 +274,9 @@ def test_a_benchmark_of_ones_own_is_played(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["http://127.0.0.1:1"], "nothing answers"),
-        (["ftp://127.0.0.1"], "no http or https URL"),
-        (["http://127.0.0.1:1", "--only", "PRED"], "no requirement"),
+        (["http://127.0.0.1:1"], "no response to"),
+        (["ftp://127.0.0.1"], "not an http or https URL"),
+        (["http://127.0.0.1:1", "--only", "PRED"], "no rule id starts with PRED"),
         (["http://127.0.0.1:1", "--benchmark", "nowhere.json"], "nowhere.json"),
     ],
 )

@@ -41,7 +41,7 @@ def test_push_rules_are_not_verified_where_calls_are_not_allowed(
     assert rows.pop("SVC-001")["outcome"] == "passed"
     assert {row["outcome"] for row in rows.values()} == {"not_verified"}
     for name in ("PUSH-001", "CHAT-001"):
-        assert "does not call policies at http://127.0.0.1" in rows[name]["reason"]
+        assert "refuses policy server URL http://127.0.0.1" in rows[name]["reason"]
     assert done.returncode == 0, done.stdout
 
 

@@ -1,4 +1,4 @@
-"""A chat model as the policy of a push run: CHAT. The kit is the model."""
+"""Chat models as the policy of a push run (CHAT). The kit serves the model."""
 
 import base64
 from typing import Any
@@ -25,20 +25,20 @@ SCORE = "0.25"
 def submit_chat_run(
     context: CheckContext, chat: ScriptedChat, *tasks: str, **config: Any
 ) -> RunClient:
-    """Submit a run whose policy is the model."""
+    """Submit a run with the chat model as its policy."""
     images = config.pop("images", None)
     body = push_body(chat.url, *tasks, protocol="openai_chat", **config)
     if images is not None:
         body["images"] = images
     answer = context.call("submit_run", json=body)
     if "/policy_server/protocol" in pointers_of(answer):
-        raise NotApplicable("the server asks no chat models")
+        raise NotApplicable("server does not support protocol openai_chat")
     require_permitted(answer, chat.url)
     return context.adopt(expect.require(answer, 201, "`submit_run` with openai_chat"))
 
 
 def expect_scores(run: RunClient) -> list[float]:
-    """Expect the run's end, and give its scores."""
+    """Expect the end of the run, and give its scores."""
     expect_end(run, "completed")
     return [episode["result"]["score"] for episode in run.episodes()]
 
@@ -47,10 +47,10 @@ def expect_scores(run: RunClient) -> list[float]:
 def test_chat_001_a_turn_is_a_question(context: CheckContext) -> None:
     """One episode with an image and one without. Expect a request for each.
 
-    It holds the instruction, the image, the model and the numbers.
+    Each contains instruction, image, model name and parameters.
     """
     if "png" not in context.service["image_codecs"]:
-        raise NotApplicable("the server offers no png")
+        raise NotApplicable("server does not offer the codec png")
     with chat_server(context, SCORE) as chat:
         numbers = {"temperature": 0.5, "max_tokens": 64}
         images = {"codec": "png", "width": 16, "height": 12}
@@ -76,7 +76,7 @@ def test_chat_001_a_turn_is_a_question(context: CheckContext) -> None:
 
 @requirement("CHAT-002")
 def test_chat_002_the_last_line_is_the_answer(context: CheckContext) -> None:
-    """A number is said bare, dressed, behind thoughts, and below other numbers.
+    """Replies with a number: alone, formatted, after reasoning, below other numbers.
 
     Expect the score to be that number each time.
     """
@@ -92,8 +92,8 @@ def test_chat_002_the_last_line_is_the_answer(context: CheckContext) -> None:
 
 
 @requirement("CHAT-003")
-def test_chat_003_words_are_no_fault(context: CheckContext) -> None:
-    """Letters, points, sentences and nothing are said where a number is asked for.
+def test_chat_003_text_without_a_number_is_no_fault(context: CheckContext) -> None:
+    """Replies of letters, points, sentences and nothing to a question for a number.
 
     Expect episodes of score 0, each in its first attempt.
     """
@@ -111,8 +111,8 @@ def test_chat_003_words_are_no_fault(context: CheckContext) -> None:
 
 
 @requirement("CHAT-004")
-def test_chat_004_what_is_no_completion_is_a_fault(context: CheckContext) -> None:
-    """Answers without choices, without a message, and of another shape.
+def test_chat_004_invalid_completion_is_a_fault(context: CheckContext) -> None:
+    """Responses without choices, without a message, and with another structure.
 
     Expect `policy_fault` each time.
     """

@@ -1,9 +1,8 @@
-"""Runs beside a baseline, offered with the profile `compare` (CMP).
+"""Comparison of runs with a baseline: the profile `compare` (CMP).
 
-What each must come to is worked out in `oracle/expected_comparison.py` from what was
-played.
-Every check also asks for what any comparison obeys: a run beside itself, two runs that
-change places.
+`oracle/expected_comparison.py` computes the expected values from the episodes played.
+The checks also verify properties of every comparison: a run with itself, and two runs
+in both orders.
 """
 
 from collections.abc import Sequence
@@ -57,7 +56,7 @@ def compare_planned_runs(
     planned_run: PlannedRun,
     tolerance: float | None = None,
 ) -> dict[str, Any]:
-    """Compare one game with another."""
+    """Compare one planned run with another."""
     (entry,) = compare(context, base.run, planned_run.run, tolerance=tolerance)
     return entry
 
@@ -65,7 +64,7 @@ def compare_planned_runs(
 def expected_entry(
     base: PlannedRun, planned_run: PlannedRun, tolerance: float = DEFAULT_TOLERANCE
 ) -> dict[str, Any]:
-    """Work out what a comparison of two games must come to."""
+    """Compute the expected comparison of two planned runs."""
     return expected_comparison(base.episodes(), planned_run.episodes(), tolerance)
 
 
@@ -89,7 +88,7 @@ def expect_close_means(
 
 @requirement("CMP-001")
 def test_cmp_001_one_entry_per_run_in_their_order(context: CheckContext) -> None:
-    """Three runs are named in every order, with the baseline and a run named twice.
+    """Three runs are listed in every order, with the baseline and one run twice.
 
     Expect the ids of the entries in that order.
     """
@@ -121,7 +120,7 @@ def test_cmp_002_pairs_are_scored_in_both(context: CheckContext) -> None:
 
 @requirement("CMP-003")
 def test_cmp_003_complete_when_both_are(context: CheckContext) -> None:
-    """A whole run, and one that lacks an episode, in both places; then both are whole.
+    """A complete run and an incomplete one, in both orders; then both are complete.
 
     Expect `complete` only then.
     """
@@ -146,10 +145,10 @@ def test_cmp_003_complete_when_both_are(context: CheckContext) -> None:
 
 @requirement("CMP-004")
 def test_cmp_004_difference_is_baseline_minus_run(context: CheckContext) -> None:
-    """Two runs with generated outcomes, of which the second may lack some episodes.
+    """Two runs with generated outcomes; episodes of the second may be missing.
 
     Expect null before there is a pair, then the means over the pairs and their
-    difference, within 1e-12; 0 beside itself, and another sign in the other order.
+    difference, within 1e-12; 0 with itself, and the opposite sign in reverse order.
     """
 
     def check_property(
@@ -190,7 +189,7 @@ def test_cmp_004_difference_is_baseline_minus_run(context: CheckContext) -> None
 
 @requirement("CMP-005")
 def test_cmp_005_groups_by_task(context: CheckContext) -> None:
-    """Tasks with three, two and one episode; of the last no pair is scored.
+    """Tasks with three, two and one episode; the last has no scored pair.
 
     Expect each task once, with pairs, means and difference of its episodes.
     """
@@ -215,10 +214,10 @@ def test_cmp_005_groups_by_task(context: CheckContext) -> None:
 
 
 @requirement("CMP-006")
-def test_cmp_006_counts_who_succeeds_alone(context: CheckContext) -> None:
+def test_cmp_006_counts_one_sided_successes(context: CheckContext) -> None:
     """Every pair of success, failure, abandoned and unscored, in different numbers.
 
-    Expect the counts; in the other order wins and losses change places.
+    Expect the counts; in reverse order wins and losses are exchanged.
     """
     base, planned_run = play_runs(
         context,
@@ -253,10 +252,10 @@ def test_cmp_006_counts_who_succeeds_alone(context: CheckContext) -> None:
 
 @requirement("CMP-007")
 def test_cmp_007_p_value_is_exact(context: CheckContext) -> None:
-    """A baseline that wins half of twelve episodes, and runs from its twin to its
-    contrary.
+    """A baseline with six successes in twelve episodes, and runs from equal to
+    opposite outcomes.
 
-    Expect the p-value of each within 1e-9, and 1 for the twin.
+    Expect the p-value of each within 1e-9, and 1 for equal outcomes.
     """
     half = [SUCCESS] * 6 + [FAILURE] * 6
     others = [[*half], [FAILURE] * 6 + [SUCCESS] * 6, [FAILURE] * 12, [SUCCESS] * 12]
@@ -273,11 +272,13 @@ def test_cmp_007_p_value_is_exact(context: CheckContext) -> None:
 
 
 @requirement("CMP-008")
-def test_cmp_008_releases_what_is_near_everywhere(context: CheckContext) -> None:
-    """A baseline beside runs that are as good, a little or much worse or better, good
-    only on the whole, and not yet complete, with several tolerances.
+def test_cmp_008_release_needs_every_difference_within_tolerance(
+    context: CheckContext,
+) -> None:
+    """A baseline and runs that are equal, slightly or much worse or better, close
+    only in total, and incomplete, with several tolerances.
 
-    Expect `release` where no difference is beyond the tolerance; on its edge, too.
+    Expect `release` where no difference exceeds the tolerance, the limit included.
     """
 
     def scores(first: float, second: float) -> list[PlannedEpisode]:
@@ -309,9 +310,9 @@ def test_cmp_008_releases_what_is_near_everywhere(context: CheckContext) -> None
 def test_cmp_009_cannot_compare_runs_of_different_manifests(
     context: CheckContext,
 ) -> None:
-    """Runs of other tasks, other lengths and other rules, alone and behind a good one.
+    """Runs with other tasks, lengths and rules, alone and after a comparable one.
 
-    Expect `not_comparable` pointing at `query:runs`; the good one alone is compared.
+    Expect `not_comparable` pointing at `query:runs`; the comparable one is compared.
     """
     base, good = (context.submit("score", "count", wait_ready=False) for _ in range(2))
     incomparable_runs = [
@@ -328,10 +329,10 @@ def test_cmp_009_cannot_compare_runs_of_different_manifests(
 
 
 @requirement("CMP-010")
-def test_cmp_010_cannot_compare_runs_of_others(context: CheckContext) -> None:
-    """Another account's runs and one that is none, as baseline and among the runs.
+def test_cmp_010_cannot_compare_runs_of_another_account(context: CheckContext) -> None:
+    """Runs of another account and an unknown id, as baseline and among the runs.
 
-    Expect `not_found` from each, and service for the owner.
+    Expect `not_found` for each, and success for the owner.
     """
     other = context.second_account
     ours = context.submit("score", wait_ready=False)
@@ -348,9 +349,9 @@ def test_cmp_010_cannot_compare_runs_of_others(context: CheckContext) -> None:
 
 @requirement("CMP-011")
 def test_cmp_011_answers_in_every_state(context: CheckContext) -> None:
-    """A run in each of the seven states, beside itself.
+    """A run in each of the seven states is compared with itself.
 
-    Expect an answer in each, in which nothing differs.
+    Expect success in each, without a difference.
     """
     for state in context.spec.lifecycle["states"]:
         run = make_run_in_state(context, state)

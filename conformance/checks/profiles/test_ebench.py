@@ -1,4 +1,4 @@
-"""EBench's wire, where a server offers it: EBE. Runs of calibration, by two doors."""
+"""The API of EBench: the profile `ebench` (EBE), on runs of calibration."""
 
 import time
 from urllib.parse import urlsplit
@@ -26,7 +26,7 @@ from conformance.verdicts.expect import SetUpFailed
 
 @requirement("EBE-001")
 def test_ebe_001_a_task_is_a_run(context: CheckContext) -> None:
-    """A task is made on calibration. Expect a run of that benchmark under its id."""
+    """A task is created on calibration. Expect a run of it under the same id."""
     asked = {"benchmark_set": "calibration", "model_name": "kit", "is_public": 0}
     task_id = expect_success(call_control_plane(context, "createTask", asked))[
         "task_id"
@@ -42,7 +42,7 @@ def test_ebe_001_a_task_is_a_run(context: CheckContext) -> None:
 
 @requirement("EBE-002")
 def test_ebe_002_control_plane_refuses_in_an_envelope(context: CheckContext) -> None:
-    """Tasks and benchmarks that do not exist, a stop too late. Expect envelopes."""
+    """Unknown tasks and benchmarks, a late stop. Expect envelopes with an error."""
     unknown = {"task_id": "no-such-task"}
     expect_refusal(
         call_control_plane(
@@ -60,7 +60,7 @@ def test_ebe_002_control_plane_refuses_in_an_envelope(context: CheckContext) -> 
 
 @requirement("EBE-003")
 def test_ebe_003_ready_waits_for_the_queue(context: CheckContext) -> None:
-    """A run is held in the queue for a while. Expect false, then an endpoint."""
+    """A run waits in the queue for a while. Expect false, then an endpoint."""
     run = context.submit("score", queue_s=1, wait_ready=False)
     answer = call_control_plane(context, "ready", {"task_id": run.id})
     is_queued = run.get()["state"] == "queued"
@@ -82,7 +82,7 @@ def test_ebe_003_ready_waits_for_the_queue(context: CheckContext) -> None:
 
 @requirement("EBE-004")
 def test_ebe_004_an_old_task_id_resumes(context: CheckContext) -> None:
-    """A run is stopped after its first episode. Expect its task_id to go on with it."""
+    """A run is stopped after its first episode. Expect its task_id to resume it."""
     ebench_run = submit_ebench_run(context, "score", "score")
     ebench_run.reset("0")
     ebench_run.step({"0": action(score=0.5, end=1)})
@@ -101,8 +101,8 @@ def test_ebe_004_an_old_task_id_resumes(context: CheckContext) -> None:
 
 
 @requirement("EBE-005")
-def test_ebe_005_the_endpoint_shows_that_it_lives(context: CheckContext) -> None:
-    """The client looks at docs before anything else. Expect 200."""
+def test_ebe_005_the_endpoint_serves_docs(context: CheckContext) -> None:
+    """The client reads `docs` first. Expect 200."""
     expect.equal(
         submit_ebench_run(context, "score").try_get("docs").status, 200, "the status"
     )
@@ -110,7 +110,7 @@ def test_ebe_005_the_endpoint_shows_that_it_lives(context: CheckContext) -> None
 
 @requirement("EBE-006")
 def test_ebe_006_reset_begins_an_episode_for_each_worker(context: CheckContext) -> None:
-    """Two workers without episodes. Expect the first observation of one for each."""
+    """Two workers without an episode. Expect a first observation for each."""
     ebench_run = submit_ebench_run(context, "count", "count")
     shown = expect_workers(ebench_run.try_reset("0", "1"))
     expect.equal(sorted(shown), ["0", "1"], "the workers that are shown")
@@ -123,8 +123,8 @@ def test_ebe_006_reset_begins_an_episode_for_each_worker(context: CheckContext) 
 
 
 @requirement("EBE-007")
-def test_ebe_007_reset_gives_no_second_try(context: CheckContext) -> None:
-    """A worker is reset after two steps. Expect it to stand where it stood."""
+def test_ebe_007_reset_does_not_restart_an_episode(context: CheckContext) -> None:
+    """A worker is reset after two steps. Expect its episode unchanged."""
     ebench_run = submit_ebench_run(context, "count")
     ebench_run.reset("0")
     ebench_run.step([{"0": action()}] * 2)
@@ -154,7 +154,7 @@ def test_ebe_008_step_executes_in_order(context: CheckContext) -> None:
 
 @requirement("EBE-009")
 def test_ebe_009_the_end_of_an_episode_begins_the_next(context: CheckContext) -> None:
-    """The first of two episodes ends. Expect its result beside the next one's start."""
+    """The first of two episodes ends. Expect its result and the next observation."""
     ebench_run = submit_ebench_run(context, "score", "count")
     first = ebench_run.reset("0")["0"]["obs"]
     shown = expect_workers(ebench_run.try_step({"0": action(score=0.25, end=1)}))["0"]
@@ -163,17 +163,17 @@ def test_ebe_009_the_end_of_an_episode_begins_the_next(context: CheckContext) ->
     expect.true(shown["obs"]["episode_id"] != first["episode_id"], "another episode_id")
     expect.equal(shown["metric"], {"score": 0.25}, "metric")
     result = shown["episode_result"] or {}
-    told = [result.get(name) for name in ("episode_id", "task_name", "sr")]
-    expect.equal(told, [first["episode_id"], "score", 0.25], "the episode_result")
+    reported = [result.get(name) for name in ("episode_id", "task_name", "sr")]
+    expect.equal(reported, [first["episode_id"], "score", 0.25], "the episode_result")
     stored = ebench_run.run.episodes()[0]["result"]
     expect.equal(result.get("seed"), stored["seed"], "the seed in the episode_result")
 
 
 @requirement("EBE-010")
-def test_ebe_010_the_end_of_the_run_is_told_and_told_again(
+def test_ebe_010_end_of_run_is_repeated(
     context: CheckContext,
 ) -> None:
-    """Both episodes end. Expect no observation, and metrics, now and later."""
+    """Both episodes end. Expect metrics without an observation, also when repeated."""
     ebench_run = submit_ebench_run(context, "score", "score")
     ebench_run.reset("0")
     ebench_run.step({"0": action(score=1, end=1)})
@@ -186,7 +186,7 @@ def test_ebe_010_the_end_of_the_run_is_told_and_told_again(
 
 @requirement("EBE-011")
 def test_ebe_011_numbers_survive_bit_for_bit(context: CheckContext) -> None:
-    """Numbers that are easily lost, in lists and arrays. Expect them back as sent."""
+    """Numbers that lose bits easily, in lists and arrays. Expect the same bits."""
     ebench_run = submit_ebench_run(context, "echo")
     ebench_run.reset("0")
     hard = [0.1, -0.0, 1e300, 5e-324, 1 / 3, -2.5, 2.0**53, 7.0]
@@ -198,8 +198,8 @@ def test_ebe_011_numbers_survive_bit_for_bit(context: CheckContext) -> None:
 
 
 @requirement("EBE-012")
-def test_ebe_012_one_bad_action_moves_nobody(context: CheckContext) -> None:
-    """Of two workers one has an action that does not fit. Expect neither to move."""
+def test_ebe_012_one_bad_action_refuses_the_step(context: CheckContext) -> None:
+    """One of two workers has an invalid action. Expect no action executed."""
     ebench_run = submit_ebench_run(context, "count", "count")
     ebench_run.reset("0", "1")
     bad = ([0.0] * 3, [float("nan")] * 15, numbers(success=7))
@@ -212,12 +212,12 @@ def test_ebe_012_one_bad_action_moves_nobody(context: CheckContext) -> None:
 
 
 @requirement("EBE-013")
-def test_ebe_013_a_step_whose_answer_was_lost_is_not_executed_twice(
+def test_ebe_013_a_repeated_step_is_not_executed_twice(
     context: CheckContext,
 ) -> None:
-    """The client leaves while a step is executed, and sends it again.
+    """The client disconnects while a step is executed, and repeats it.
 
-    Expect the answer to the first.
+    Expect the response to the first.
     """
     ebench_run = submit_ebench_run(context, "delay")
     ebench_run.reset("0")
@@ -227,7 +227,7 @@ def test_ebe_013_a_step_whose_answer_was_lost_is_not_executed_twice(
             ebench_run.try_step(slow, timeout_s=0.4)
         except NoAnswer:
             continue
-        raise SetUpFailed("a step of a second was answered in less; see CAL-004")
+        raise SetUpFailed("a step with a delay of 1 s took less; see CAL-004")
     expect.equal(
         count(expect_workers(ebench_run.try_step(slow))["0"]), 1, "state.count"
     )
@@ -235,7 +235,7 @@ def test_ebe_013_a_step_whose_answer_was_lost_is_not_executed_twice(
 
 @requirement("EBE-014")
 def test_ebe_014_the_same_action_again_is_a_step(context: CheckContext) -> None:
-    """A policy chooses the same action three times. Expect three steps."""
+    """A policy sends the same action three times. Expect three steps."""
     ebench_run = submit_ebench_run(context, "count")
     ebench_run.reset("0")
     same = {"0": action(vector=[1.0] * 8)}
@@ -246,7 +246,7 @@ def test_ebe_014_the_same_action_again_is_a_step(context: CheckContext) -> None:
 
 @requirement("EBE-015")
 def test_ebe_015_a_pickle_that_calls_is_refused(context: CheckContext) -> None:
-    """Pickles that would call something harmless. Expect refusals, and no call."""
+    """Pickles with a call of a harmless function. Expect refusals, and no call."""
     ebench_run = submit_ebench_run(context, "count")
     ebench_run.reset("0")
     wait_s = 2.0
@@ -272,7 +272,7 @@ def test_ebe_015_a_pickle_that_calls_is_refused(context: CheckContext) -> None:
 
 @requirement("EBE-016")
 def test_ebe_016_kill_ends_a_worker(context: CheckContext) -> None:
-    """One of two workers is killed, then once more. Expect the other one to live."""
+    """One of two workers is killed, twice. Expect the other one unaffected."""
     ebench_run = submit_ebench_run(context, "count", "count")
     ebench_run.reset("0", "1")
     ebench_run.step({"0": action(), "1": action()})
@@ -290,7 +290,7 @@ def test_ebe_016_kill_ends_a_worker(context: CheckContext) -> None:
 def test_ebe_017_a_step_after_the_lease_executes_nothing(context: CheckContext) -> None:
     """A worker is idle for longer than its lease, then steps.
 
-    Expect the action not to be executed, and the episode's beginning to be shown.
+    Expect the action not executed, and the first observation of the episode.
     """
     ebench_run = submit_ebench_run(context, "count", idle_timeout_s=1)
     ebench_run.reset("0")
@@ -309,8 +309,8 @@ def test_ebe_017_a_step_after_the_lease_executes_nothing(context: CheckContext) 
 
 
 @requirement("EBE-018")
-def test_ebe_018_stop_is_found_in_both_places(context: CheckContext) -> None:
-    """Two runs are stopped, one at each URL. Expect both to be stopped."""
+def test_ebe_018_stop_is_served_at_both_urls(context: CheckContext) -> None:
+    """Two runs are stopped, one at each URL. Expect both stopped."""
     for at_root in (False, True):
         ebench_run = submit_ebench_run(context, "count")
         root = ebench_run.endpoint.partition("/api/predict/")[0]
@@ -319,8 +319,8 @@ def test_ebe_018_stop_is_found_in_both_places(context: CheckContext) -> None:
 
 
 @requirement("EBE-019")
-def test_ebe_019_status_tells_how_far_the_run_is(context: CheckContext) -> None:
-    """One of three episodes is scored, one is played. Expect the status to say so."""
+def test_ebe_019_status_has_the_progress(context: CheckContext) -> None:
+    """One of three episodes is scored, one is in progress. Expect these counts."""
     ebench_run = submit_ebench_run(context, "score", "count", "count")
     ebench_run.reset("0")
     ebench_run.step({"0": action(score=0.25, end=1)})
@@ -339,8 +339,8 @@ def test_ebe_019_status_tells_how_far_the_run_is(context: CheckContext) -> None:
 
 
 @requirement("EBE-020")
-def test_ebe_020_answers_name_nothing(context: CheckContext) -> None:
-    """Answers with images, tensors and results. Expect plain data alone."""
+def test_ebe_020_responses_are_plain_data(context: CheckContext) -> None:
+    """Responses with images, tensors and results. Expect pickles of plain data."""
     ebench_run = submit_ebench_run(context, "echo", "score")
     answers = [ebench_run.try_reset("0"), ebench_run.try_step({"0": action()})]
     answers.append(ebench_run.try_step({"0": action(success=1, end=1)}))
@@ -353,7 +353,7 @@ def test_ebe_020_answers_name_nothing(context: CheckContext) -> None:
 
 @requirement("EBE-021")
 def test_ebe_021_another_account_finds_no_run(context: CheckContext) -> None:
-    """Another account knows task_id and endpoint. Expect as much as for no run."""
+    """Another account uses task_id and endpoint. Expect the response of no run."""
     ebench_run = submit_ebench_run(context, "count")
     ebench_run.reset("0")
     other_account = context.second_account
@@ -372,8 +372,8 @@ def test_ebe_021_another_account_finds_no_run(context: CheckContext) -> None:
 
 
 @requirement("EBE-023")
-def test_ebe_023_a_chunk_is_taken_where_ebench_takes_it(context: CheckContext) -> None:
-    """Three steps, then three of which the second ends. Expect both to be told."""
+def test_ebe_023_step_accepts_a_chunk(context: CheckContext) -> None:
+    """Chunks of three steps; the second ends early. Expect both counts."""
     ebench_run = submit_ebench_run(context, "count", "count")
     ebench_run.reset("0")
     for last, executed, stopped_early, seen_after in (
@@ -381,9 +381,11 @@ def test_ebe_023_a_chunk_is_taken_where_ebench_takes_it(context: CheckContext) -
         (1, 2, True, 0),
     ):
         chunk = [{"0": action(end=last if n == 1 else 0)} for n in range(3)]
-        told = expect_workers(ebench_run.try_send("step_chunk", pickles.write(chunk)))
-        expect.equal(count(told["obs"]["0"]), seen_after, "state.count")
-        pair = [told["executed_steps"], told["stopped_early"]]
+        reported = expect_workers(
+            ebench_run.try_send("step_chunk", pickles.write(chunk))
+        )
+        expect.equal(count(reported["obs"]["0"]), seen_after, "state.count")
+        pair = [reported["executed_steps"], reported["stopped_early"]]
         expect.equal(
             pair, [executed, stopped_early], "executed_steps and stopped_early"
         )
@@ -403,8 +405,8 @@ def test_ebe_022_the_score_is_the_run_s(context: CheckContext) -> None:
         }
         ebench_run.step(ends)
     results = [episode.get("result", {}) for episode in run.episodes()]
-    told = sorted(result.get("score", -1) for result in results)
-    expect.equal(told, sorted(scores), "the scores of the episodes")
+    reported = sorted(result.get("score", -1) for result in results)
+    expect.equal(reported, sorted(scores), "the scores of the episodes")
     score = run.score()
     expect.equal(score["score"], 0.4375, "the score")
     expect.equal(run.get()["state"], "completed", "the state of the run")

@@ -1,7 +1,7 @@
-"""Runs that are followed by server-sent events: the profile `events` (EVT).
+"""Server-sent events of a run: the profile `events` (EVT).
 
-Every check reads as any client does: comments and kinds that it does not know mean
-nothing to it, and when a stream ends it comes back with the last id.
+Every check reads like any client: it ignores comments and unknown kinds of events, and
+when a stream ends it reconnects with the last id.
 """
 
 import contextlib
@@ -42,35 +42,35 @@ SILENCE_MARGIN_S = 1.5
 
 
 def in_state(*states: str) -> Callable[[Event], bool]:
-    """Tell whether an event shows the run in one of the states."""
+    """Say whether an event shows the run in one of the states."""
     return lambda event: event.kind == "run" and event.body["state"] in states
 
 
 def counts_scored(scored: int) -> Callable[[Event], bool]:
-    """Tell whether an event shows a run with so many scored episodes."""
+    """Say whether an event shows a run with so many scored episodes."""
     return lambda event: (
         event.kind == "run" and event.body["progress"]["episodes_scored"] == scored
     )
 
 
 def entries_in(events: list[Event]) -> list[dict[str, Any]]:
-    """Give the episodes that were told."""
+    """Give the data of the `episode` events."""
     return [event.body for event in events if event.kind == "episode"]
 
 
 def episodes_in(events: list[Event]) -> list[int]:
-    """Give the episodes that were received, by their place in the manifest."""
+    """Give the episodes that were received, by their position in the manifest."""
     return [entry["index"] for entry in entries_in(events)]
 
 
 def read_until_scored(reader: EventReader, scored: int) -> list[Event]:
-    """Read until the run counts so many scored episodes, and what comes with that."""
+    """Read until the run has this number of scored episodes; give the events."""
     events = reader.until(counts_scored(scored), f"`run` that counts {scored} episodes")
     return events + reader.collect_for(SETTLE_S)
 
 
 def read_events(run: RunClient, scored: int, after: str | None = None) -> list[Event]:
-    """Read what is told of a run with so many scored episodes."""
+    """Read the events of a run with this number of scored episodes."""
     with follow_run(run, after) as reader:
         return read_until_scored(reader, scored)
 
@@ -87,8 +87,8 @@ def ids_of(events: list[Event]) -> list[str]:
 def test_evt_001_events_are_runs_and_episodes(context: CheckContext) -> None:
     """A run of three episodes is followed from its first to its last.
 
-    Expect each event to have an id and one line that fits its schema, the episodes as
-    `list_episodes` has them, and the run at last as `get_run` has it.
+    Expect in each event an id and one line that fits its schema, the episodes of
+    `list_episodes`, and at the end the run of `get_run`.
     """
     worker = submit_and_attach(context, "score", "count", "score")
     run = worker.run
@@ -120,10 +120,10 @@ def faults_of(context: CheckContext, event: Event) -> list[str]:
 
 @requirement("EVT-002")
 def test_evt_002_episodes_come_as_they_were_scored(context: CheckContext) -> None:
-    """Two workers score episodes in another order than the manifest's, one is
-    abandoned; somebody reads from the start, somebody comes late.
+    """Two workers score episodes in another order than the manifest, one is
+    abandoned; one reader starts with the run, another one late.
 
-    Expect both to be told all, each once, as they were scored.
+    Expect both readers to receive every episode once, in the order of scoring.
     """
     run = context.submit("score", "score", "score", "score", max_attempts=1)
     with follow_run(run) as reader:
@@ -137,15 +137,15 @@ def test_evt_002_episodes_come_as_they_were_scored(context: CheckContext) -> Non
             raise SetUpFailed("an episode has no result yet; see EPI-004")
         received = read_until_scored(reader, 4)
     scored = [1, 0, 2, 3]
-    expect.equal(episodes_in(received), scored, "episodes told as they were scored")
+    expect.equal(episodes_in(received), scored, "episodes in the order of scoring")
     expect.equal(
-        episodes_in(read_events(run, 4)), scored, "episodes told to who is late"
+        episodes_in(read_events(run, 4)), scored, "episodes received by the late reader"
     )
 
 
 @requirement("EVT-003")
 def test_evt_003_run_comes_after_what_it_counts(context: CheckContext) -> None:
-    """A run is followed from the start, and by others who come later.
+    """A run is followed from the start, and by readers that start later.
 
     Expect before each `run` event exactly the episodes that it counts.
     """
@@ -161,7 +161,7 @@ def test_evt_003_run_comes_after_what_it_counts(context: CheckContext) -> None:
                     if event.kind == "run":
                         seen = len(set(episodes_in(events[:number])))
                         counted = event.body["progress"]["episodes_scored"]
-                        expect.equal(seen, counted, "episodes told before the run")
+                        expect.equal(seen, counted, "episodes before the `run` event")
 
 
 def expect_change_in_time(
@@ -178,10 +178,10 @@ def expect_change_in_time(
 
 @background
 @requirement("EVT-004")
-def test_evt_004_changes_are_told_within_a_second(context: CheckContext) -> None:
+def test_evt_004_changes_are_sent_within_a_second(context: CheckContext) -> None:
     """A run is attached to, stopped and resumed; turns in between change nothing.
 
-    Expect each change within a second, and otherwise no run like the one before.
+    Expect each change within a second, and no repeated `run` event.
     """
     run = context.submit("count", "count")
     worker = run.worker()
@@ -204,11 +204,11 @@ def test_evt_004_changes_are_told_within_a_second(context: CheckContext) -> None
 
 
 @requirement("EVT-005")
-def test_evt_005_can_go_on_behind_every_event(context: CheckContext) -> None:
-    """A reader breaks off after two of four episodes; then there are readers behind
-    each event that was received, while the run plays on, and when all is told.
+def test_evt_005_can_resume_after_every_event(context: CheckContext) -> None:
+    """A reader stops after two of four episodes; readers then resume after each event
+    received, while the run continues, and after its end.
 
-    Expect each to be told exactly the episodes that are missing.
+    Expect each reader to receive exactly the missing episodes.
     """
     worker = submit_and_attach(context, "score", "score", "score", "score")
     run = worker.run
@@ -219,20 +219,20 @@ def test_evt_005_can_go_on_behind_every_event(context: CheckContext) -> None:
         worker.play()
         worker.play()
         after = read_until_scored(reader, 4)
-    expect.equal(episodes_in(after), [2, 3], "episodes told after the break")
+    expect.equal(episodes_in(after), [2, 3], "episodes received after the break")
     events = before + after
     for number, id_ in enumerate(ids_of(events)[:-1]):
         missing = [i for i in range(4) if i not in episodes_in(events[: number + 1])]
         received = episodes_in(read_events(run, 4, id_))
-        expect.equal(received, missing, f"episodes told behind event {number + 1}")
+        expect.equal(received, missing, f"episodes received after event {number + 1}")
 
 
 @requirement("EVT-006")
 def test_evt_006_ends_when_nothing_can_follow(context: CheckContext) -> None:
     """Runs that are completed, failed for good, stopped, and failed but retryable.
 
-    Expect the streams of the first two to end, and 204 at their last id; the others to
-    be read on.
+    Expect the streams of the first two to end, and 204 after their last id; the others
+    to stay open.
     """
     for state in ("completed", "failed not_retryable"):
         run = make_run_in_state(context, state)
@@ -253,10 +253,10 @@ def test_evt_006_ends_when_nothing_can_follow(context: CheckContext) -> None:
 
 
 @requirement("EVT-007")
-def test_evt_007_cannot_go_on_behind_what_never_was(context: CheckContext) -> None:
-    """Ids that no event had: made up, out of form, and from a run of the same kind.
+def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) -> None:
+    """Unknown event ids: invented, malformed, and of another run.
 
-    Expect `invalid_request`; the run's own id is taken.
+    Expect `invalid_request`; an id of the run itself is accepted.
     """
     runs = [submit_and_attach(context, "score", "score") for _ in range(2)]
     for worker in runs:
@@ -275,7 +275,7 @@ def test_evt_007_cannot_go_on_behind_what_never_was(context: CheckContext) -> No
 @background
 @requirement("EVT-008")
 def test_evt_008_is_never_silent_for_long(context: CheckContext) -> None:
-    """Nothing happens to a run. Expect something to be heard within 15 seconds."""
+    """A run does not change. Expect a comment or an event within 15 seconds."""
     run = context.submit()
     limit_s = SILENCE_S + SILENCE_MARGIN_S + context.tolerance_s
     with follow_run(run) as reader:
@@ -284,19 +284,21 @@ def test_evt_008_is_never_silent_for_long(context: CheckContext) -> None:
         last = reader.received_at[-1]
         while reader.received_at[-1] == last and time.monotonic() < last + limit_s:
             reader.collect_for(0.1)
-        heard = reader.received_at[-1] > last
-        expect.true(heard, f"a comment within {limit_s:.1f} s of silence", "nothing")
+        is_received = reader.received_at[-1] > last
+        expect.true(
+            is_received, f"a comment within {limit_s:.1f} s of silence", "nothing"
+        )
 
 
 @background
 @requirement("EVT-009")
-def test_evt_009_keeps_what_it_told(context: CheckContext) -> None:
-    """A server of its own is killed as soon as it has told of an episode.
+def test_evt_009_sent_events_survive_a_crash(context: CheckContext) -> None:
+    """A private server is killed as soon as it has sent an episode.
 
-    Expect the same episodes after the restart, and each id to be gone on behind.
+    Expect the same episodes after the restart, and every id to be valid.
     """
     if context.shared.settings.restart_cmd is not None:
-        text = "needs --start-cmd: a hook disturbs other checks"
+        text = "requires --start-cmd: --restart-cmd disturbs other checks"
         raise SetUpFailed(text, allowed=True)
     with open_private_server(context) as server:
         worker = submit_and_attach(server.context, "score", "score", "score")
@@ -308,19 +310,19 @@ def test_evt_009_keeps_what_it_told(context: CheckContext) -> None:
         server.restart()
         received = entries_in(reader.received)
         kept = entries_in(read_events(run, len(received)))
-        expect.equal(kept, received, "the episodes that were told before the restart")
+        expect.equal(kept, received, "the episodes sent before the restart")
         for id_ in ids_of(reader.received):
             with follow_run(run, id_) as again:
                 expect.equal(again.first_status(), 200, "status at an id from before")
 
 
 def kill_after_second_episode(server: PrivateServer, reader: EventReader) -> None:
-    """Kill the server when it has told of the second episode."""
+    """Kill the server when it has sent the second episode."""
     reader.until(lambda event: episodes_in([event]) == [1], "`episode` of the second")
     server.kill9()
 
 
 def play_until_killed(worker: WorkerClient) -> None:
-    """Score the second episode; the answer may not come any more."""
+    """Score the second episode; the response may be lost."""
     with contextlib.suppress(NoAnswer):
         worker.try_predict(worker.run.context.action(score=0.75, end=1))

@@ -1,7 +1,7 @@
-"""FlagEval's automatic evaluation, where a server offers it: FLE.
+"""The automatic evaluation of FlagEval: the profile `flageval` (FLE).
 
-The kit is the model that is evaluated; what it says to a question on calibration is the
-episode's score.
+The kit serves the evaluated model; its reply to a question of calibration is the score
+of the episode.
 """
 
 import threading
@@ -27,13 +27,13 @@ from conformance.profiles.flageval import (
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 
-KEY = "sk-of-the-kit-and-nobody-else"
+KEY = "sk-of-the-conformance-kit-only"
 
 
 def hold_questions(
     chat: ScriptedChat, word: str
 ) -> tuple[threading.Event, threading.Event]:
-    """Let questions with a word wait: set when one came, and what they wait for."""
+    """Hold questions with a word; give the events `received` and `release`."""
     arrived, released = threading.Event(), threading.Event()
 
     def say(request: ChatRequest) -> str:
@@ -47,7 +47,7 @@ def hold_questions(
 
 
 def reply_by_model(**words: str) -> Callable[[ChatRequest], str]:
-    """Answer by the end of the model's name."""
+    """Reply by the end of the model's name."""
 
     def say(request: ChatRequest) -> str:
         model = str(request.body.get("model"))
@@ -58,7 +58,7 @@ def reply_by_model(**words: str) -> Callable[[ChatRequest], str]:
 
 @requirement("FLE-001")
 def test_fle_001_an_evaluation_is_a_run(context: CheckContext) -> None:
-    """Two models are evaluated. Expect a run of each, named as it is, in order."""
+    """Two models are evaluated. Expect a run of each, with its name, in order."""
     names = [unique_name("one"), unique_name("two")]
     with chat_server(context) as chat:
         answer = expect_success(
@@ -75,9 +75,9 @@ def test_fle_001_an_evaluation_is_a_run(context: CheckContext) -> None:
 
 @requirement("FLE-002")
 def test_fle_002_refusals_have_err_code_1(context: CheckContext) -> None:
-    """What cannot be meant, what is not there, and a stop too late.
+    """Invalid requests, unknown ids, and a late stop.
 
-    Expect `err_code` 1 and one message under both names.
+    Expect `err_code` 1 and the same text in both message members.
     """
     with chat_server(context) as chat:
         expect_refused_in_form(
@@ -108,7 +108,7 @@ def test_fle_002_refusals_have_err_code_1(context: CheckContext) -> None:
 
 @requirement("FLE-003")
 def test_fle_003_a_name_is_used_once(context: CheckContext) -> None:
-    """A name stands twice, or was used with another chip, behind one that is new.
+    """A name occurs twice, or was used with another chip, after a new name.
 
     Expect refusals, and no run under the new name.
     """
@@ -125,8 +125,8 @@ def test_fle_003_a_name_is_used_once(context: CheckContext) -> None:
 
 
 @requirement("FLE-004")
-def test_fle_004_a_repeat_begins_nothing(context: CheckContext) -> None:
-    """The same body twice. Expect the same request_id, and one run."""
+def test_fle_004_a_repeated_request_starts_no_run(context: CheckContext) -> None:
+    """The same body is sent twice. Expect the same request_id, and one run."""
     name = unique_name("once")
     with chat_server(context) as chat:
         first = begin(context, info(chat, name))
@@ -138,8 +138,10 @@ def test_fle_004_a_repeat_begins_nothing(context: CheckContext) -> None:
 
 
 @requirement("FLE-005")
-def test_fle_005_the_model_is_asked_as_it_was_told(context: CheckContext) -> None:
-    """With numbers and a key, and without. Expect them in every question, or none."""
+def test_fle_005_questions_carry_the_requested_parameters(
+    context: CheckContext,
+) -> None:
+    """With and without parameters and a key. Expect them in every question, or none."""
     with chat_server(context) as chat:
         numbers = "temperature=0.5,top_k=20,max_gen_toks=64"
         asked = info(chat, unique_name("asked"), api_key=KEY, gen_kwargs=numbers)
@@ -159,9 +161,9 @@ def test_fle_005_the_model_is_asked_as_it_was_told(context: CheckContext) -> Non
 
 
 @requirement("FLE-006")
-def test_fle_006_nobody_is_told_the_key(context: CheckContext) -> None:
-    """A key in a good request, in a refused one, and one that cannot be a key; the
-    model says it back. Expect it in no answer."""
+def test_fle_006_key_is_in_no_response(context: CheckContext) -> None:
+    """A key in a valid request and in a refused one, and an invalid key; the model
+    echoes it. Expect it in no response."""
     with chat_server(context, reply=KEY) as chat:
         name = unique_name("secret")
         answer = [try_begin(context, info(chat, name, api_key=KEY))]
@@ -180,7 +182,7 @@ def test_fle_006_nobody_is_told_the_key(context: CheckContext) -> None:
 
 @requirement("FLE-007")
 def test_fle_007_accuracy_is_the_mean_of_a_task(context: CheckContext) -> None:
-    """Two models with different answers. Expect what `get_score` has, task by task."""
+    """Two models with different replies. Expect the values of `get_score` per task."""
     with chat_server(context, reply_by_model(good="1", fair="0.5")) as chat:
         names = [unique_name("good"), unique_name("fair")]
         done = evaluate(context, *(info(chat, name) for name in names))
@@ -196,8 +198,8 @@ def test_fle_007_accuracy_is_the_mean_of_a_task(context: CheckContext) -> None:
 
 
 @requirement("FLE-008")
-def test_fle_008_the_id_stands_in_the_query_or_in_a_body(context: CheckContext) -> None:
-    """Both ways of asking. Expect the same results."""
+def test_fle_008_request_id_in_the_query_or_in_a_body(context: CheckContext) -> None:
+    """The id is sent in the query and in a body. Expect the same results."""
     with chat_server(context) as chat:
         done = evaluate(context, info(chat, unique_name("asked")))
         path = f"/evaldiffs?request_id={done.request_id}"
@@ -209,7 +211,7 @@ def test_fle_008_the_id_stands_in_the_query_or_in_a_body(context: CheckContext) 
 
 @requirement("FLE-009")
 def test_fle_009_status_letters(context: CheckContext) -> None:
-    """A model that waits, is stopped, and goes on to its end; one that is gone.
+    """A model that waits, is stopped and is resumed; one that is unreachable.
 
     Expect R, C, R or S, S, and OOR, in results and progress.
     """
@@ -234,7 +236,7 @@ def test_fle_009_status_letters(context: CheckContext) -> None:
 
 @requirement("FLE-010")
 def test_fle_010_diff_is_baseline_minus_accuracy(context: CheckContext) -> None:
-    """A model alone; beside the baseline of its request; beside an earlier one.
+    """A model alone; with the baseline of its request; with an earlier baseline.
 
     Expect null, then the difference of the accuracies.
     """
@@ -255,11 +257,11 @@ def test_fle_010_diff_is_baseline_minus_accuracy(context: CheckContext) -> None:
 
 
 @requirement("FLE-011")
-def test_fle_011_release_is_a_gate(context: CheckContext) -> None:
-    """Beside a baseline: a twin, one a little worse, one much worse, and one not done.
+def test_fle_011_release_compares_with_the_baseline(context: CheckContext) -> None:
+    """With a baseline: models that are equal, slightly worse, much worse, unfinished.
 
-    Expect release of the twin alone, as `count` knows nothing between 0 and 1; and of
-    nobody without a baseline.
+    Expect release of the equal one only, as `count` is 0 or 1; and of none without a
+    baseline.
     """
     words = reply_by_model(origin="1", twin="1", worse="0.97", bad="0", alone="1")
     with chat_server(context, words) as chat:
@@ -282,10 +284,10 @@ def test_fle_011_release_is_a_gate(context: CheckContext) -> None:
 
 
 @requirement("FLE-012")
-def test_fle_012_stop_stops_what_is_not_over(context: CheckContext) -> None:
-    """Of two models one is done when the request is stopped.
+def test_fle_012_stop_ends_unfinished_evaluations(context: CheckContext) -> None:
+    """One of two models is finished when the request is stopped.
 
-    Expect S and C, and the first dataset of the second kept.
+    Expect S and C, and the first dataset of the second unchanged.
     """
     with chat_server(context) as chat:
         fast, slow = unique_name("fast"), unique_name("slow")
@@ -304,10 +306,10 @@ def test_fle_012_stop_stops_what_is_not_over(context: CheckContext) -> None:
 
 
 @requirement("FLE-013")
-def test_fle_013_resume_goes_on(context: CheckContext) -> None:
-    """Stopped in the second dataset, and resumed.
+def test_fle_013_resume_repeats_no_scored_question(context: CheckContext) -> None:
+    """An evaluation is stopped in the second dataset, and resumed.
 
-    Expect no question of the first one again, and the end.
+    Expect no question of the first dataset again, and completion.
     """
     with chat_server(context) as chat:
         arrived, released = hold_questions(chat, "count")
@@ -324,7 +326,7 @@ def test_fle_013_resume_goes_on(context: CheckContext) -> None:
 
 @requirement("FLE-014")
 def test_fle_014_progress_counts_datasets(context: CheckContext) -> None:
-    """Two models, of which one waits in its second dataset.
+    """Two models; one waits in its second dataset.
 
     Expect 3/4, and count 0/2.
     """
@@ -355,10 +357,10 @@ def test_fle_014_progress_counts_datasets(context: CheckContext) -> None:
 
 
 @requirement("FLE-015")
-def test_fle_015_requests_beside_the_first(context: CheckContext) -> None:
+def test_fle_015_requests_compared_with_the_first(context: CheckContext) -> None:
     """Three requests; the first is the baseline. Expect the others' differences.
 
-    With GET a map, with POST a list, and the same in both.
+    GET returns a map, POST a list, with the same values.
     """
     with chat_server(context, reply_by_model(base="1", twin="1", worse="0.5")) as chat:
         ends = ("base", "twin", "worse")
@@ -385,8 +387,8 @@ def test_fle_015_requests_beside_the_first(context: CheckContext) -> None:
 
 
 @requirement("FLE-016")
-def test_fle_016_requests_of_others_are_not_there(context: CheckContext) -> None:
-    """Another account asks, stops, resumes and compares. Expect refusals."""
+def test_fle_016_cannot_use_requests_of_another_account(context: CheckContext) -> None:
+    """Another account reads, stops, resumes and compares. Expect refusals."""
     other = context.second_account
     with chat_server(context) as chat:
         arrived, released = hold_questions(chat, "count")

@@ -1,4 +1,4 @@
-"""What a policy server has to do, for servers that call it (POL)."""
+"""Policy servers, as servers in push mode call them (POL)."""
 
 from conformance.client.check_context import CheckContext
 from conformance.policy import turn_builder
@@ -15,7 +15,7 @@ _FOR_ALL = ("SVC-003", "ERR-001", "ERR-011")
 
 
 def _start_attempt(context: CheckContext) -> PolicySession:
-    """Give a session whose attempt has begun."""
+    """Give a session with a started attempt."""
     session = PolicySession(context)
     session.reset()
     return session
@@ -36,9 +36,9 @@ def test_pol_001_protocol_range_holds_this_version(context: CheckContext) -> Non
 
 @requirement("POL-002")
 def test_pol_002_answers_are_as_described(context: CheckContext) -> None:
-    """Every operation is called, rightly and wrongly.
+    """Every operation is called with valid and invalid bodies.
 
-    Expect statuses and bodies as the description has them, and problems as problems.
+    Expect statuses, bodies and problems that match policy.yaml.
     """
     session = _start_attempt(context)
     context.call("describe_policy")
@@ -54,7 +54,7 @@ def test_pol_002_answers_are_as_described(context: CheckContext) -> None:
 
 @requirement("POL-003")
 def test_pol_003_reset_is_acknowledged_as_sent(context: CheckContext) -> None:
-    """Two attempts of different episodes begin. Expect each acknowledged as itself."""
+    """Two attempts of different episodes begin. Expect the ids of each echoed."""
     for index, attempt in ((0, 1), (3, 2)):
         session = PolicySession(context)
         body = expect.ok(session.try_reset(index, attempt))
@@ -76,7 +76,7 @@ def test_pol_004_answer_is_for_its_turn(context: CheckContext) -> None:
 
 @requirement("POL-005")
 def test_pol_005_actions_fit_the_benchmark(context: CheckContext) -> None:
-    """A few turns are played. Expect actions that the benchmark would not refuse."""
+    """A few turns are played. Expect actions inside the spaces of the benchmark."""
     session = _start_attempt(context)
     for _ in range(_TURNS):
         action_faults = turn_builder.action_faults(session.benchmark, session.predict())
@@ -100,14 +100,14 @@ def test_pol_006_repeated_turn_has_the_same_answer(context: CheckContext) -> Non
 
 @requirement("POL-007")
 def test_pol_007_session_begins_with_a_reset(context: CheckContext) -> None:
-    """A session that nobody reset is asked. Expect `session_ended`."""
+    """A turn is sent without a reset. Expect `session_ended`."""
     _start_attempt(context).predict()
     expect.refused(PolicySession(context).try_predict(), "session_ended")
 
 
 @requirement("POL-008")
 def test_pol_008_session_is_reset_at_any_time(context: CheckContext) -> None:
-    """A session is reset after its reset, in the middle, and for another episode.
+    """A session is reset after a reset, during an episode, and for another episode.
 
     Expect every reset and the turn after it accepted.
     """
@@ -119,10 +119,10 @@ def test_pol_008_session_is_reset_at_any_time(context: CheckContext) -> None:
 
 
 @requirement("POL-009")
-def test_pol_009_sessions_are_played_side_by_side(context: CheckContext) -> None:
-    """As many sessions as it has room for (at most four) begin, then play in turn.
+def test_pol_009_sessions_are_concurrent(context: CheckContext) -> None:
+    """`max_sessions` sessions (at most four) begin, then play in turn.
 
-    Expect all of them answered, each for itself.
+    Expect a response for each session with its own ids.
     """
     max_sessions = expect.ok(context.call("describe_policy"))["max_sessions"]
     sessions = [PolicySession(context) for _ in range(min(max_sessions, _SESSIONS))]
@@ -140,7 +140,7 @@ def test_pol_009_sessions_are_played_side_by_side(context: CheckContext) -> None
 
 @requirement("POL-010")
 def test_pol_010_broken_json_is_refused(context: CheckContext) -> None:
-    """Bodies break off. Expect `malformed_body`."""
+    """Bodies are cut off. Expect `malformed_body`."""
     _start_attempt(context)
     for operation in ("reset", "predict"):
         for body in (b'{"session_id": ', b""):
@@ -151,7 +151,7 @@ def test_pol_010_broken_json_is_refused(context: CheckContext) -> None:
 
 @requirement("POL-011")
 def test_pol_011_missing_member_is_refused(context: CheckContext) -> None:
-    """Bodies lack a member. Expect `invalid_request`, and with it an answer."""
+    """Bodies lack a member. Expect `invalid_request`; complete bodies succeed."""
     session, other = PolicySession(context), PolicySession(context)
     expect.ok(session.try_reset())
     expect.ok(session.try_predict())
@@ -167,10 +167,12 @@ def test_pol_011_missing_member_is_refused(context: CheckContext) -> None:
 
 
 @requirement("POL-012")
-def test_pol_012_key_is_asked_for(context: CheckContext) -> None:
+def test_pol_012_key_is_required(context: CheckContext) -> None:
     """Calls carry no key, or a wrong one. Expect `unauthenticated`."""
     if context.http_client.token is None:
-        raise NotApplicable("no key was given, so that it may have none")
+        raise NotApplicable(
+            "no API key given (PROCTOR_POLICY_KEY); the policy server may have none"
+        )
     session = _start_attempt(context)
     for wrong in (None, "not-the-key"):
         http_client = context.client_with_token(wrong)
@@ -182,8 +184,8 @@ def test_pol_012_key_is_asked_for(context: CheckContext) -> None:
 
 
 @requirement("POL-013")
-def test_pol_013_unknown_members_are_passed_over(context: CheckContext) -> None:
-    """A later version has more to say. Expect it passed over."""
+def test_pol_013_unknown_members_are_ignored(context: CheckContext) -> None:
+    """Requests with members of a later version. Expect them ignored."""
     session = PolicySession(context)
     expect.ok(session.try_reset(of_a_later_version={"deep": [1]}))
     expect.ok(session.try_predict(session.turn(of_a_later_version=None)))

@@ -1,4 +1,4 @@
-"""The server calls the policy (PUSH): to the score, in bounds, and back from faults."""
+"""Push mode: the server calls the policy. Scores, limits, faults, crash (PUSH)."""
 
 import secrets
 import threading
@@ -31,7 +31,7 @@ _SETTLE_S = 0.3
 
 
 def _hold_predicts(policy: ScriptedPolicy) -> threading.Event:
-    """Let every predict wait for the event that is given."""
+    """Hold every predict until an event is set."""
     released = threading.Event()
 
     def wait(call: PolicyCall) -> PolicyReply:
@@ -44,9 +44,9 @@ def _hold_predicts(policy: ScriptedPolicy) -> threading.Event:
 
 @requirement("PUSH-001")
 def test_push_001_server_plays_the_run(context: CheckContext) -> None:
-    """A policy is called for three episodes, in each with another score.
+    """A policy plays three episodes with different scores.
 
-    Expect a completed run with these scores, each after the steps that were answered.
+    Expect a completed run with these scores, each after the returned actions.
     """
     with policy_server(context) as policy:
 
@@ -67,7 +67,7 @@ def test_push_001_server_plays_the_run(context: CheckContext) -> None:
 
 @requirement("PUSH-002")
 def test_push_002_mode_and_policy_server_belong_together(context: CheckContext) -> None:
-    """A submission has only one of the two. Expect a refusal, and both accepted."""
+    """A submission has only one of the two. Expect a refusal; both are accepted."""
     with policy_server(context) as policy:
         submit_push_run(context, policy)
         body = push_body(policy.url)
@@ -80,11 +80,11 @@ def test_push_002_mode_and_policy_server_belong_together(context: CheckContext) 
 
 
 @requirement("PUSH-003")
-def test_push_003_nobody_else_attaches(context: CheckContext) -> None:
-    """A worker wants into a run that the server plays, also by takeover.
+def test_push_003_cannot_attach_to_a_push_run(context: CheckContext) -> None:
+    """A worker attaches to a push run, also by takeover.
 
-    It then plays, keeps and ends the session that the policy was told of. Expect
-    `illegal_transition`, and the run to be completed without it.
+    It then uses the session of the policy for predict, heartbeat and detach. Expect
+    `illegal_transition`, and the run completed by the policy.
     """
     with policy_server(context) as policy:
         released = _hold_predicts(policy)
@@ -111,7 +111,7 @@ def test_push_003_nobody_else_attaches(context: CheckContext) -> None:
 
 @requirement("PUSH-004")
 def test_push_004_every_call_carries_the_key(context: CheckContext) -> None:
-    """A run has a key. Expect it in the Authorization of every call."""
+    """A run has an API key. Expect it in the Authorization of every call."""
     key = secrets.token_hex(16)
     with policy_server(context) as policy:
         run = submit_push_run(context, policy, "score", "score", api_key=key)
@@ -122,10 +122,10 @@ def test_push_004_every_call_carries_the_key(context: CheckContext) -> None:
 
 
 @requirement("PUSH-005")
-def test_push_005_nobody_is_told_the_key(context: CheckContext) -> None:
-    """The policy refuses, and tells the key in its problem.
+def test_push_005_key_is_in_no_response(context: CheckContext) -> None:
+    """The policy refuses, with the key in its problem.
 
-    Expect no answer that has it: not the run, not its episodes, not a list.
+    Expect the key in no response: run, episodes, list of runs.
     """
     key = secrets.token_hex(16)
     with policy_server(context) as policy:
@@ -146,9 +146,9 @@ def test_push_005_nobody_is_told_the_key(context: CheckContext) -> None:
 
 @requirement("PUSH-006")
 def test_push_006_attempts_begin_with_a_reset(context: CheckContext) -> None:
-    """Resets take a while; the first is acknowledged for an attempt that is none.
+    """Resets are slow; the first is acknowledged with another attempt.
 
-    Expect no predict of an attempt before its reset was acknowledged as it was sent.
+    Expect no predict of an attempt before a correct acknowledgement.
     """
     ready: set[tuple[str, str, int]] = set()
     early: list[str] = []
@@ -181,7 +181,7 @@ def test_push_006_attempts_begin_with_a_reset(context: CheckContext) -> None:
 
 @requirement("PUSH-007")
 def test_push_007_calls_are_bounded(context: CheckContext) -> None:
-    """Six episodes, and two calls at a time. Expect no third in flight."""
+    """Six episodes, `max_concurrent` 2. Expect no third concurrent call."""
     with policy_server(context) as policy:
 
         def slow_reply(call: PolicyCall) -> PolicyReply:
@@ -197,9 +197,9 @@ def test_push_007_calls_are_bounded(context: CheckContext) -> None:
 
 @requirement("PUSH-008")
 def test_push_008_repeated_call_is_the_same_call(context: CheckContext) -> None:
-    """Each predict is turned away once, to come again.
+    """Each predict is refused once with `unavailable`.
 
-    Expect the same body again, and each answer executed once.
+    Expect the same body again, and each response executed once.
     """
     with policy_server(context) as policy:
         asked = Counter[bytes]()
@@ -220,10 +220,10 @@ def test_push_008_repeated_call_is_the_same_call(context: CheckContext) -> None:
 
 
 @requirement("PUSH-009")
-def test_push_009_slow_answer_is_given_up(context: CheckContext) -> None:
-    """An answer begins at once, goes on byte by byte, and never ends.
+def test_push_009_slow_response_times_out(context: CheckContext) -> None:
+    """A response starts at once, continues byte by byte, and never ends.
 
-    Expect the attempt to end when its time is up, and not before.
+    Expect the attempt to end at the timeout, and not before.
     """
     with policy_server(context) as policy:
         policy.on("predict", lambda _: PolicyReply(never_ends=True))
@@ -238,7 +238,7 @@ def test_push_009_slow_answer_is_given_up(context: CheckContext) -> None:
 
 @requirement("PUSH-010")
 def test_push_010_misfit_actions_are_not_executed(context: CheckContext) -> None:
-    """The second of two actions has a vector too long.
+    """The second of two actions has a vector that is too long.
 
     Expect `policy_fault`, no attempt counted, nothing scored.
     """
@@ -266,8 +266,10 @@ def test_push_011_redirect_is_not_followed(context: CheckContext) -> None:
 
 
 @requirement("PUSH-012")
-def test_push_012_no_policy_server_fails_the_run(context: CheckContext) -> None:
-    """The policy server is gone when it is called for another run.
+def test_push_012_unreachable_policy_server_fails_the_run(
+    context: CheckContext,
+) -> None:
+    """The policy server is closed before the next run.
 
     Expect the run to fail, retryable, with a reason that names the policy server.
     """
@@ -282,10 +284,10 @@ def test_push_012_no_policy_server_fails_the_run(context: CheckContext) -> None:
 
 
 @requirement("PUSH-013")
-def test_push_013_failed_run_goes_on(context: CheckContext) -> None:
-    """The policy breaks at its third episode, and is well again after a resume.
+def test_push_013_failed_run_can_be_resumed(context: CheckContext) -> None:
+    """The policy fails in its third episode, and works again after a resume.
 
-    Expect the first two kept as they were, and all scored in the end.
+    Expect the first two results unchanged, and all episodes scored.
     """
     with policy_server(context) as policy:
 
@@ -313,7 +315,7 @@ def test_push_013_failed_run_goes_on(context: CheckContext) -> None:
 
 @requirement("PUSH-014")
 def test_push_014_stop_ends_the_calls(context: CheckContext) -> None:
-    """A run is stopped while its policy thinks. Expect no call begun after that."""
+    """A run is stopped during a call of its policy. Expect no further call."""
     with policy_server(context) as policy:
         released = _hold_predicts(policy)
         run = submit_push_run(context, policy, *["score"] * 3, max_concurrent=1)
@@ -328,14 +330,14 @@ def test_push_014_stop_ends_the_calls(context: CheckContext) -> None:
 
 @background
 @requirement("PUSH-017")
-def test_push_017_goes_on_after_a_crash(context: CheckContext) -> None:
-    """A server of its own is killed while the policy thinks about the third episode.
+def test_push_017_continues_after_a_crash(context: CheckContext) -> None:
+    """A private server is killed during a call of the policy in the third episode.
 
-    Expect the run played to its end with the same key, and what was scored unchanged.
+    Expect the run completed with the same key, and the earlier results unchanged.
     """
     if context.shared.settings.restart_cmd is not None:
         raise SetUpFailed(
-            "needs --start-cmd: a hook disturbs other checks", allowed=True
+            "requires --start-cmd: --restart-cmd disturbs other checks", allowed=True
         )
     released, key = threading.Event(), secrets.token_hex(16)
     with open_private_server(context) as server, policy_server(context) as policy:

@@ -1,4 +1,4 @@
-"""A server that is killed without warning and started again (CRASH)."""
+"""A server that is killed with SIGKILL and restarted (CRASH)."""
 
 import threading
 import time
@@ -17,7 +17,7 @@ FIRST_RESULT_S = 10.0
 
 
 def play_until_killed(worker: WorkerClient, results: list[dict[str, Any]]) -> None:
-    """Play episode after episode, and keep every result that was told."""
+    """Play episode after episode, and collect every result received."""
     number = 0
     try:
         while not worker.turn["done"]:
@@ -31,7 +31,7 @@ def play_until_killed(worker: WorkerClient, results: list[dict[str, Any]]) -> No
 def kill_server_under_load(
     server: PrivateServer, after_s: float
 ) -> tuple[RunClient, list[Any]]:
-    """Kill the server while workers play; the run, and what they were told."""
+    """Kill the server while workers play; give the run and the results received."""
     context = server.context
     run = context.submit(*["score"] * 1000)
     workers = attach_workers(run, min(3, context.limits["max_workers"]))
@@ -42,7 +42,7 @@ def kill_server_under_load(
     ]
     for thread in threads:
         thread.start()
-    # The moment is random; but before anybody was told of a result nothing can be lost.
+    # The moment is random, but after the first result: before it nothing can be lost.
     deadline = time.monotonic() + FIRST_RESULT_S
     while not results and time.monotonic() < deadline:
         time.sleep(0.005)
@@ -55,10 +55,10 @@ def kill_server_under_load(
 
 
 @requirement("CRASH-001")
-def test_crash_001_keeps_what_it_told(context: CheckContext) -> None:
-    """Workers play as fast as they can; the server is killed at random moments.
+def test_crash_001_sent_results_survive_a_crash(context: CheckContext) -> None:
+    """Workers play at full speed; the server is killed at random moments.
 
-    Expect every result that a worker was told of, unchanged, after each restart.
+    Expect every result that a worker received, unchanged, after each restart.
     """
     with open_private_server(context) as server:
         results_by_run: list[tuple[RunClient, list[Any]]] = []
@@ -77,7 +77,7 @@ def test_crash_001_keeps_what_it_told(context: CheckContext) -> None:
 
 
 def play_to_the_end(worker: WorkerClient) -> None:
-    """Expect a worker to come back, whatever became of its session, and to play on."""
+    """Expect a worker to attach again, and to play to the end."""
     turn = expect.ok(worker.try_attach(takeover=True))
     worker.session_id, worker.seq = turn["session_id"], turn["seq"]
     while not turn["done"]:
@@ -87,10 +87,10 @@ def play_to_the_end(worker: WorkerClient) -> None:
 
 @requirement("CRASH-002")
 def test_crash_002_costs_no_attempt(context: CheckContext) -> None:
-    """Only one attempt is allowed; the server is killed with two episodes in play.
+    """`max_attempts` is 1; the server is killed with two episodes in progress.
 
-    Expect them to wait at attempt 1, and the run to be played to its end, after a
-    resume if it asks for one.
+    Expect both pending at attempt 1, and the run to complete, after a resume if its
+    state requires one.
     """
     with open_private_server(context) as server:
         run = server.context.submit("score", "count", "score", max_attempts=1)

@@ -1,4 +1,4 @@
-"""Episodes: handed out in order, tried so often, scored once (EPI)."""
+"""Episodes: order, attempts, results (EPI)."""
 
 from collections.abc import Callable
 from typing import Any
@@ -22,22 +22,22 @@ def read_closed_episode(run: RunClient, index: int = 0) -> dict[str, Any]:
     """Read an episode whose attempt was closed."""
     episode = run.episodes()[index]
     if episode["status"] == "in_progress":
-        raise SetUpFailed("the episode is still in play; see DET-001, STOP-001")
+        raise SetUpFailed("the episode is still in progress; see DET-001, STOP-001")
     return episode
 
 
 def episode_of(worker: WorkerClient) -> tuple[int, str]:
-    """Which episode the worker's latest turn shows."""
+    """Give the episode of the latest turn of a worker."""
     episode = worker.turn["episode"]
     return episode["index"], episode["task"]
 
 
 @requirement("EPI-001")
 def test_epi_001_hands_out_in_manifest_order(context: CheckContext) -> None:
-    """A worker plays on while another one (if allowed) is busy with an episode.
+    """A worker plays while another one (if allowed) holds an episode.
 
-    Expect it to get the first episode in manifest order that is waiting, also when
-    that is one that it gave back.
+    Expect it to get the first pending episode in manifest order, also when it
+    returned that episode itself.
     """
     tasks = ["score", "count", "echo", "delay", "fault"]
     run = context.submit(*tasks)
@@ -59,9 +59,9 @@ def test_epi_001_hands_out_in_manifest_order(context: CheckContext) -> None:
 def test_epi_002_attempt_without_an_action_is_not_counted(
     context: CheckContext,
 ) -> None:
-    """Only one attempt is allowed; workers come and go without an action.
+    """`max_attempts` is 1; workers attach and detach without an action.
 
-    Expect the episode to stay at attempt 1, and to be played in the end.
+    Expect the episode to stay at attempt 1, and to be playable.
     """
     run = context.submit("score", max_attempts=1)
     for _ in range(3):
@@ -83,7 +83,7 @@ def close_by_detach(worker: WorkerClient) -> None:
 
 
 def close_by_stop(worker: WorkerClient) -> None:
-    """Close the attempt by a stop, and go on."""
+    """Close the attempt by a stop, and resume."""
     worker.run.stop()
     worker.run.resume()
     worker.run.until("ready")
@@ -93,7 +93,7 @@ def close_by_stop(worker: WorkerClient) -> None:
 def test_epi_003_closed_attempt_goes_back_to_the_queue(context: CheckContext) -> None:
     """An attempt with one action is closed by a detach, and another by a stop.
 
-    Expect the episode to wait unscored at the next attempt, and to begin from step 0.
+    Expect the episode pending and unscored at the next attempt, starting at step 0.
     """
     worker = submit_and_attach(context, "count")
     closes: list[Callable[[WorkerClient], None]] = [close_by_detach, close_by_stop]
@@ -111,7 +111,7 @@ def test_epi_003_closed_attempt_goes_back_to_the_queue(context: CheckContext) ->
 
 @requirement("EPI-004")
 def test_epi_004_last_attempt_closed_is_abandoned(context: CheckContext) -> None:
-    """Two attempts are allowed, and both are closed after an action worth 0.9.
+    """`max_attempts` is 2; both attempts are closed after an action with score 0.9.
 
     Expect no result after the first; after the second, `abandoned` with score 0, and
     the other episode to be the next.
@@ -135,7 +135,7 @@ def test_epi_004_last_attempt_closed_is_abandoned(context: CheckContext) -> None
 
 
 def play_all(worker: WorkerClient, received: list[dict[str, Any]]) -> None:
-    """Play until no episode is left, and repeat every turn."""
+    """Play until no episode is pending, and repeat every turn."""
     action = worker.run.context.action(score=0.5, end=1)
     while not worker.turn["done"]:
         turn = worker.predict(action)
@@ -146,10 +146,9 @@ def play_all(worker: WorkerClient, received: list[dict[str, Any]]) -> None:
 
 @requirement("EPI-005")
 def test_epi_005_scores_every_episode_once(context: CheckContext) -> None:
-    """Three workers play nine episodes at once, and repeat every turn.
+    """Three workers play nine episodes concurrently, and repeat every turn.
 
-    Expect each episode to be told as scored exactly once, with the result that the
-    completed run lists.
+    Expect one result per episode in the turns, equal to that of the completed run.
     """
     run = context.submit(*["score"] * 9)
     crew = attach_workers(run, min(3, context.limits["max_workers"]))
@@ -160,14 +159,16 @@ def test_epi_005_scores_every_episode_once(context: CheckContext) -> None:
     run.until("completed")
     received.sort(key=lambda result: result["index"])
     expect.equal(
-        [r["index"] for r in received], list(range(9)), "episodes told as scored"
+        [r["index"] for r in received],
+        list(range(9)),
+        "episodes with a result in a turn",
     )
     listed = [episode.get("result") for episode in run.episodes()]
     expect.equal(listed, received, "results listed")
 
 
 def pages(run: RunClient, limit: int) -> list[list[dict[str, Any]]]:
-    """Read all pages of the episodes, of a given length."""
+    """Read all pages of the episodes with a limit."""
     read: list[list[dict[str, Any]]] = []
     params: dict[str, Any] = {"limit": limit}
     while "cursor" not in params or params["cursor"] is not None:
@@ -182,7 +183,7 @@ def pages(run: RunClient, limit: int) -> list[list[dict[str, Any]]]:
 def test_epi_006_pages_show_every_episode_once(context: CheckContext) -> None:
     """Seven episodes, some scored, read in pages of 1, 2, 3, 7 and 100.
 
-    Expect no page longer than asked for, and together each episode once, in order.
+    Expect no page longer than its limit, and each episode once, in order.
     """
     worker = submit_and_attach(context, *["score"] * 7)
     worker.play()
@@ -195,7 +196,7 @@ def test_epi_006_pages_show_every_episode_once(context: CheckContext) -> None:
 
 
 def find_seeds(value: Any, seeds: list[int], path: str = "") -> list[str]:
-    """Where something named `seed`, or equal to one, stands in a turn."""
+    """Find members named `seed`, or equal to a seed, in a turn."""
     if isinstance(value, dict):
         found = [f"{path}/{name}" for name in value if name == "seed"]
         for name, item in value.items():
@@ -209,7 +210,7 @@ def find_seeds(value: Any, seeds: list[int], path: str = "") -> list[str]:
 
 @requirement("EPI-007")
 def test_epi_007_seeds_are_not_in_turns(context: CheckContext) -> None:
-    """Episodes of several tasks are played; their results then tell the seeds.
+    """Episodes of several tasks are played; their results then contain the seeds.
 
     Expect no turn to hold a seed outside `episode_result`, by name or by value.
     """
@@ -229,7 +230,7 @@ def test_epi_007_seeds_are_not_in_turns(context: CheckContext) -> None:
 def test_epi_008_no_episode_is_held_twice(context: CheckContext) -> None:
     """Four workers attach at once, and end their episodes at once, several times.
 
-    Expect the episodes handed out to be all different.
+    Expect different episodes for all workers.
     """
     workers = min(4, context.limits["max_workers"])
     require_worker_limit(context, 2)

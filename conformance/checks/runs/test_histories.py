@@ -1,4 +1,4 @@
-"""Histories: any sequence of requests, and any mixture, against the model (MODEL)."""
+"""Sequential and concurrent request histories, compared with the model (MODEL)."""
 
 from functools import partial
 
@@ -59,12 +59,12 @@ KINDS = [
 
 
 @requirement("MODEL-001")
-def test_model_001_any_sequence(context: CheckContext) -> None:
-    """Two clients send generated requests for three workers, one after another: attach
-    again or anew or by takeover, turns in and out of order, heartbeats, detaches,
-    stops and resumes; at last the run is aborted.
+def test_model_001_sequential_requests(context: CheckContext) -> None:
+    """Two clients send generated requests for three workers, in sequence: attaches
+    with the same key, a new key or takeover, turns in and out of order, heartbeats,
+    detaches, stops and resumes; at the end the run is aborted.
 
-    Expect every answer, and the run, its episodes and its score, as the rules demand.
+    Expect every response, the run, its episodes and its score as the model allows.
     """
 
     def check_property(sequence: list[ClientCommand]) -> None:
@@ -96,12 +96,12 @@ OPENINGS = [
 
 
 def concurrent_commands() -> st.SearchStrategy[list[ClientCommand]]:
-    """Draw what one client does while the others are at it."""
+    """Draw the commands of one client that runs concurrently with others."""
     return st.lists(commands(1, "aaaaab", CONCURRENT_KINDS), min_size=1, max_size=2)
 
 
 def format_history(history: list[TimedExchange]) -> str:
-    """Tell a history in the order in which it was sent."""
+    """Format a history in the order of sending."""
     ordered = sorted(history, key=lambda one: one.started_at)
     first = ordered[0].started_at
     return "; ".join(
@@ -112,11 +112,11 @@ def format_history(history: list[TimedExchange]) -> str:
 
 
 @requirement("MODEL-002")
-def test_model_002_any_mixture(context: CheckContext) -> None:
-    """Three clients that know one session send generated requests at the same time:
-    turns and their repeats, attaches, takeovers, detaches, stops and resumes.
+def test_model_002_concurrent_requests(context: CheckContext) -> None:
+    """Three clients with the same session send generated requests concurrently: turns
+    and repeats, attaches, takeovers, detaches, stops and resumes.
 
-    Expect answers, and afterwards a run and episodes, that some order explains.
+    Expect responses, and then a run and episodes, that some order of them explains.
     """
 
     def check_property(plan: tuple[list[str], list[list[ClientCommand]]]) -> None:

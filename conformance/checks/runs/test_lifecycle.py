@@ -1,7 +1,7 @@
-"""The lifecycle of a run: every cell of the table `x-lifecycle`, walked one by one.
+"""The lifecycle of a run: one check per cell of the table `x-lifecycle` (LIFE).
 
-The table itself comes from the specification; nothing of it is repeated here. A run is
-brought into the state `from`, gets the command, and must be in the state `to`.
+The table is read from the specification, not repeated here. A run is brought into the
+state `from`, gets the command, and must be in the state `to`.
 """
 
 import time
@@ -45,28 +45,28 @@ def rows(wanted: Callable[[Mapping[str, Any]], bool]) -> list[Any]:
 
 
 def is_refused(row: Mapping[str, Any]) -> bool:
-    """Whether the state does not allow the command."""
+    """Whether the state refuses the command."""
     return bool(row["to"] == "refused")
 
 
 def is_same(row: Mapping[str, Any]) -> bool:
-    """Whether the command is true already; an attach always opens a session."""
+    """Whether the command changes nothing; an attach always opens a session."""
     return bool(row["to"] == row["from"] and row["event"] != "attach_worker")
 
 
 def is_move(row: Mapping[str, Any]) -> bool:
-    """Whether the command does something."""
+    """Whether the command changes the state."""
     return not is_refused(row) and not is_same(row)
 
 
 def given_state_of(row: Mapping[str, Any]) -> str:
-    """Name the scene in which a row begins."""
+    """Name the given state of a row."""
     failed_for_good = row.get("when") == "not_retryable"
     return f"{row['from']} not_retryable" if failed_for_good else str(row["from"])
 
 
 def expect_state_soon(run: RunClient, state: str) -> None:
-    """Expect the run to get into a state by itself, soon."""
+    """Expect the run to reach a state without a request, soon."""
     deadline = time.monotonic() + 5
     while run.get()["state"] != state and time.monotonic() < deadline:
         time.sleep(0.005)
@@ -78,7 +78,7 @@ def test_life_cannot(context: CheckContext, row: Mapping[str, Any]) -> None:
     """A command that the run's state does not allow.
 
     A `ready` run accepts the same command. Expect `illegal_transition` in this state,
-    and that nothing of the run has changed.
+    and the run unchanged.
     """
     command = COMMANDS[row["event"]]
     expect.require(
@@ -94,7 +94,7 @@ def test_life_cannot(context: CheckContext, row: Mapping[str, Any]) -> None:
 def test_life_can_without_a_change(
     context: CheckContext, row: Mapping[str, Any]
 ) -> None:
-    """A command that asks for what is so already. Expect success and no change."""
+    """A command for a state that the run already has. Expect success and no change."""
     run = make_run_in_state(context, given_state_of(row))
     before = run.snapshot()
     answer = expect.ok(COMMANDS[row["event"]](run))
@@ -106,8 +106,8 @@ def test_life_can_without_a_change(
 def test_life_can(context: CheckContext, row: Mapping[str, Any]) -> None:
     """A command that the state allows.
 
-    Expect success and the run in its new state, in the answer and when read again. A
-    run that becomes `queued` does not stay so for ever.
+    Expect success and the run in its new state, in the response and when read again. A
+    run that becomes `queued` must leave that state again.
     """
     if (row["from"], row["event"]) == ("running", "attach_worker"):
         require_worker_limit(context, 2)
@@ -123,7 +123,7 @@ def test_life_can(context: CheckContext, row: Mapping[str, Any]) -> None:
 @requirement("LIFE-801")
 @background
 def test_life_801_queued_becomes_ready(context: CheckContext) -> None:
-    """A run that stays queued for a moment. Expect it `ready` without any request."""
+    """A run is queued for a moment. Expect it `ready` without a request."""
     expect_state_soon(make_run_in_state(context, "queued", queue_s=1), "ready")
 
 
@@ -174,7 +174,7 @@ def test_life_805_stopping_becomes_completed(context: CheckContext) -> None:
 
 @requirement("LIFE-806")
 def test_life_806_running_becomes_failed(context: CheckContext) -> None:
-    """An episode may fault twice. Expect `running` after one fault, then `failed`."""
+    """`max_faults` is 2. Expect `running` after one fault, then `failed`."""
     run = context.submit("fault", max_faults=2)
     worker = run.worker()
     worker.attach()
@@ -186,7 +186,7 @@ def test_life_806_running_becomes_failed(context: CheckContext) -> None:
 
 @requirement("LIFE-807")
 def test_life_807_stopping_becomes_failed(context: CheckContext) -> None:
-    """The last allowed fault comes while the run drains. Expect it `failed`."""
+    """The last allowed fault occurs while the run drains. Expect it `failed`."""
     run = context.submit("fault", "fault", max_faults=1)
     worker = run.worker()
     worker.attach()

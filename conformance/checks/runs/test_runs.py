@@ -1,4 +1,4 @@
-"""Submitting, reading and listing runs: RUN, LEASE-007."""
+"""Submitting, reading and listing runs (RUN, LEASE-007)."""
 
 import time
 import uuid
@@ -28,7 +28,7 @@ def uniquely_named_body(context: CheckContext) -> dict[str, Any]:
 
 
 def runs_of(context: CheckContext, body: dict[str, Any]) -> list[str]:
-    """Find the runs that came of a body, by the name of its policy."""
+    """Find the runs of a body, by the name of its policy."""
     page = context.require(
         lambda: context.call("list_runs", params={"limit": 100}), 200, "list_runs"
     )
@@ -36,7 +36,7 @@ def runs_of(context: CheckContext, body: dict[str, Any]) -> list[str]:
 
 
 @requirement("RUN-001")
-def test_run_001_submit_says_where_the_run_is_read(context: CheckContext) -> None:
+def test_run_001_submit_returns_the_location(context: CheckContext) -> None:
     """A run is submitted and read at the Location. Expect 201, then the run."""
     answer = submit(context, context.submit_body())
     run = expect.ok(answer, 201)
@@ -62,9 +62,9 @@ def test_run_002_begins_queued_or_ready(context: CheckContext) -> None:
 
 @requirement("RUN-003")
 def test_run_003_can_repeat_submit_with_the_same_key(context: CheckContext) -> None:
-    """The answer was lost: the same key and body again, and twice at the same time.
+    """The response was lost: the same key and body again, also concurrently.
 
-    Expect the first run each time, and no other.
+    Expect the first run each time, and no other run.
     """
     body, key = uniquely_named_body(context), {"Idempotency-Key": uuid.uuid4().hex}
     first = expect.ok(submit(context, body, headers=key), 201)
@@ -84,7 +84,7 @@ def test_run_003_can_repeat_submit_with_the_same_key(context: CheckContext) -> N
 
 @requirement("RUN-004")
 def test_run_004_cannot_use_a_key_for_another_body(context: CheckContext) -> None:
-    """A used key comes with another body, then a new key with the same.
+    """A used key is sent with another body, then a new key with that body.
 
     Expect `idempotency_conflict` and no run, then a run.
     """
@@ -100,9 +100,9 @@ def test_run_004_cannot_use_a_key_for_another_body(context: CheckContext) -> Non
 
 @requirement("RUN-005")
 def test_run_005_key_of_another_account_has_no_effect(context: CheckContext) -> None:
-    """Two accounts use the same key, with other bodies and with the same.
+    """Two accounts use the same key, with different bodies and with the same body.
 
-    Expect each to get runs of its own.
+    Expect runs of its own for each account.
     """
     second_account = context.second_account
     ids = []
@@ -122,15 +122,15 @@ def test_run_005_key_of_another_account_has_no_effect(context: CheckContext) -> 
 
 @requirement("RUN-006")
 def test_run_006_cannot_submit_for_an_unknown_benchmark(context: CheckContext) -> None:
-    """A benchmark that nobody offers. Expect `invalid_request` at `/benchmark_id`."""
+    """An unknown benchmark. Expect `invalid_request` at `/benchmark_id`."""
     answer = submit(context, context.submit_body(benchmark_id="no_such_benchmark"))
     expect.refused(answer, "invalid_request", pointer="/benchmark_id")
     expect.ok(submit(context, context.submit_body()), 201)
 
 
 @requirement("RUN-007")
-def test_run_007_cannot_shape_another_benchmark(context: CheckContext) -> None:
-    """Options are given for a benchmark with a manifest of its own.
+def test_run_007_cannot_set_options_of_another_benchmark(context: CheckContext) -> None:
+    """Options are sent for a benchmark with a fixed manifest.
 
     Expect `invalid_request` at `/options`, and a run without them.
     """
@@ -140,14 +140,14 @@ def test_run_007_cannot_shape_another_benchmark(context: CheckContext) -> None:
     ids = [benchmark["benchmark_id"] for benchmark in listed["benchmarks"]]
     others = [benchmark_id for benchmark_id in ids if benchmark_id != "calibration"]
     if not others:
-        raise NotApplicable("`calibration` is the only benchmark here")
+        raise NotApplicable("server offers no other benchmark than `calibration`")
     for benchmark_id in others:
         body = context.submit_body(benchmark_id=benchmark_id)
         if submit(context, body).status == 201:
             answer = submit(context, body | {"options": {"max_steps": 5}})
             expect.refused(answer, "invalid_request", pointer="/options")
             return
-    raise SetUpFailed(f"none of {others} can be submitted here now", allowed=True)
+    raise SetUpFailed(f"none of {others} can be submitted now", allowed=True)
 
 
 @requirement("RUN-008")
@@ -158,7 +158,7 @@ def test_run_008_only_a_queued_run_has_a_queue_position(context: CheckContext) -
     """
     queued = context.submit(wait_ready=False, queue_s=10)
     if queued.body["state"] != "queued":
-        raise SetUpFailed(f"the run is {queued.body['state']} in spite of queue_s 10")
+        raise SetUpFailed(f"run state is {queued.body['state']} despite queue_s 10")
     for body in (queued.body, expect.ok(queued.call("get_run"))):
         position = body["queue_position"]
         is_from_1 = isinstance(position, int) and position >= 1
@@ -172,7 +172,7 @@ def test_run_008_only_a_queued_run_has_a_queue_position(context: CheckContext) -
 
 @requirement("RUN-009")
 def test_run_009_pages_show_each_run_once_newest_first(context: CheckContext) -> None:
-    """Five runs are submitted; the pages of two are read while more are submitted.
+    """Five runs are submitted; pages of two are read while more runs are submitted.
 
     Expect the five in reverse order, and no run twice.
     """
@@ -193,7 +193,7 @@ def test_run_009_pages_show_each_run_once_newest_first(context: CheckContext) ->
 
 @requirement("RUN-010")
 def test_run_010_cannot_get_an_unknown_run(context: CheckContext) -> None:
-    """An id that no run has, then one that has. Expect `not_found`, then the run."""
+    """An unknown id, then the id of a run. Expect `not_found`, then the run."""
     run = context.submit()
     unknown = uuid.uuid4().hex
     expect.refused(context.call("get_run", run_id=unknown), "not_found")
@@ -201,7 +201,7 @@ def test_run_010_cannot_get_an_unknown_run(context: CheckContext) -> None:
 
 
 def etag_of(run: RunClient) -> dict[str, str]:
-    """Read the run and give the header that asks for anything newer."""
+    """Read the run and give the header for a conditional read."""
     answer = run.call("get_run")
     etag = answer.headers.get("etag")
     if answer.status != 200 or etag is None:
@@ -230,12 +230,12 @@ def test_run_011_unchanged_run_is_not_sent_again(context: CheckContext) -> None:
 def wait_header(context: CheckContext, wait_s: int) -> dict[str, str]:
     """Give the header of a long-poll."""
     if context.limits["wait_s_max"] < wait_s:
-        raise NotApplicable(f"the server grants no wait of {wait_s} s")
+        raise NotApplicable(f"server does not grant a wait of {wait_s} s")
     return {"Prefer": f"wait={wait_s}"}
 
 
 def change_later(change: Callable[[], Any]) -> float:
-    """Make a change after a while, and say when it was made."""
+    """Make a change after a delay, and give its time."""
     time.sleep(_CHANGE_AFTER_S)
     change()
     return time.monotonic()
@@ -244,9 +244,9 @@ def change_later(change: Callable[[], Any]) -> float:
 @background
 @requirement("RUN-012")
 def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> None:
-    """Two callers wait for changes; one run gets a worker, the other is stopped.
+    """Two long-polls wait for changes; one run gets a worker, the other is stopped.
 
-    Expect both to be answered at once with the new state.
+    Expect both to return at once with the new state.
     """
     wait = wait_header(context, 5)
     attached, stopped = context.submit(), context.submit()
@@ -270,7 +270,7 @@ def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> N
 @background
 @requirement("RUN-013")
 def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -> None:
-    """Nothing happens for two seconds. Expect 304 then, and not before."""
+    """The run does not change for two seconds. Expect 304 then, and not before."""
     wait = wait_header(context, 2)
     run = context.submit()
     answer = run.call("get_run", headers=etag_of(run) | wait)
@@ -279,12 +279,14 @@ def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -
     expect.true(answer.elapsed_s >= 2 - _EARLY_S, "304 after 2 s, not before", took)
     expect.true(answer.elapsed_s <= 2 + _TOO_LATE_S, "304 after 2 s", took)
     if answer.elapsed_s > 2 + _LATE_S + context.tolerance_s:
-        raise Inconclusive(f"the answer came {took}; the server or the way is slow")
+        raise Inconclusive(
+            f"the answer came {took}; server or network too slow to decide"
+        )
 
 
 @requirement("RUN-014")
 def test_run_014_progress_adds_up(context: CheckContext) -> None:
-    """Three episodes are played, begun, given back and aborted.
+    """Three episodes are played, started, returned and aborted.
 
     Expect scored + in progress + pending = 3 at every point.
     """
@@ -317,7 +319,7 @@ def test_run_015_cannot_ask_for_more_workers_than_allowed(
 
 @requirement("RUN-016")
 def test_run_016_endpoint_serves_the_data_plane(context: CheckContext) -> None:
-    """A worker uses nothing but the endpoint that its run names.
+    """A worker uses only the endpoint of its run.
 
     Expect an absolute URL, and every data-plane operation under it.
     """
@@ -337,7 +339,7 @@ def test_run_016_endpoint_serves_the_data_plane(context: CheckContext) -> None:
 def test_run_017_cannot_choose_images_that_are_not_offered(
     context: CheckContext,
 ) -> None:
-    """A size that is not offered, every codec that is not, then one that is.
+    """A size that is not offered, every codec that is not, then offered ones.
 
     Expect `invalid_request` pointing into `/images`, then a run that records it.
     """
@@ -356,7 +358,7 @@ def test_run_017_cannot_choose_images_that_are_not_offered(
 
 @requirement("LEASE-007")
 def test_lease_007_cannot_ask_for_a_lease_out_of_range(context: CheckContext) -> None:
-    """Leases beyond both ends of the announced range, then the ends themselves.
+    """Leases outside both ends of the announced range, then the ends themselves.
 
     Expect `invalid_request` at `/idle_timeout_s`, then runs.
     """

@@ -1,8 +1,7 @@
-"""Scores: of an episode, of a run, and of what is there so far (SCORE).
+"""Scores of episodes, of runs, and of incomplete runs (SCORE).
 
-The task `score` gives an episode the score that is commanded, so any pattern of
-outcomes can be played; what it must come to is worked out in
-`oracle/expected_score.py`.
+The runs are played to a plan (`support/planned_run.py`); `oracle/expected_score.py`
+computes their expected scores.
 """
 
 from collections.abc import Sequence
@@ -34,7 +33,7 @@ from conformance.verdicts import expect
 def play_patterns(
     context: CheckContext, rule: str, patterns: Sequence[Sequence[float]]
 ) -> list[str]:
-    """Play episodes of at most three steps, whose goal holds as given step by step."""
+    """Play episodes of at most three steps with the given success values per step."""
     worker = submit_and_attach(
         context, *["score"] * len(patterns), max_steps=3, success_rule=rule
     )
@@ -49,7 +48,7 @@ def play_patterns(
 
 @requirement("SCORE-001")
 def test_score_001_lies_between_0_and_1(context: CheckContext) -> None:
-    """Episodes of every task, of several steps, whose every step is worth 1, or 0.
+    """Episodes of every task, of several steps, all with score 1, or all with 0.
 
     Expect no score outside [0, 1].
     """
@@ -64,9 +63,9 @@ def test_score_001_lies_between_0_and_1(context: CheckContext) -> None:
 
 @requirement("SCORE-002")
 def test_score_002_any_step(context: CheckContext) -> None:
-    """Rule `any_step`; the goal holds first, last, in between, nearly, and never.
+    """Rule `any_step`; success in the first, last or middle step, nearly, and never.
 
-    Expect a success exactly where it held after some step.
+    Expect a success exactly where `success` was 1 in some step.
     """
     patterns: list[list[float]] = [[1, 0], [0, 1], [0, 1, 0], [0.999, 0.5], [0, 0, 0]]
     found = play_patterns(context, "any_step", patterns)
@@ -75,9 +74,9 @@ def test_score_002_any_step(context: CheckContext) -> None:
 
 @requirement("SCORE-003")
 def test_score_003_last_step(context: CheckContext) -> None:
-    """Rule `last_step`; the goal holds first, in between, never, and in the end.
+    """Rule `last_step`; success in the first or middle step, never, and in the last.
 
-    Expect a success exactly where it held after the last step.
+    Expect a success exactly where `success` was 1 in the last step.
     """
     patterns = [[1, 0], [1, 1, 0], [0, 0], [0, 1], [0, 0, 1], [1]]
     found = play_patterns(context, "last_step", patterns)
@@ -131,7 +130,7 @@ RUN_PLANS = st.lists(EPISODE_PLANS, min_size=1, max_size=40)
 def test_score_006_is_the_mean_of_all_episodes(context: CheckContext) -> None:
     """Runs of up to forty episodes of two tasks, with generated outcomes.
 
-    Expect null while one is missing; then the mean over the episodes, within 1e-12.
+    Expect null while one is unscored; then the mean over the episodes, within 1e-12.
     """
 
     def check_property(plan: list[PlannedEpisode]) -> None:
@@ -147,10 +146,10 @@ def test_score_006_is_the_mean_of_all_episodes(context: CheckContext) -> None:
 
 
 @requirement("SCORE-007")
-def test_score_007_bounds_what_can_come(context: CheckContext) -> None:
-    """Five episodes, one after another, abandoned ones among them.
+def test_score_007_bounds_the_final_score(context: CheckContext) -> None:
+    """Five episodes, one after another, some of them abandoned.
 
-    Expect the bounds after each: the missing ones count as 0, or as 1.
+    Expect the bounds after each: unscored episodes count as 0, or as 1.
     """
     planned_run = PlannedRun(context, [SUCCESS, ABANDONED, FAILURE, SUCCESS, FAILURE])
     for _ in range(6):
@@ -179,10 +178,10 @@ def test_score_008_counts_every_outcome(context: CheckContext) -> None:
 
 
 @requirement("SCORE-009")
-def test_score_009_mean_and_rate_of_what_is_scored(context: CheckContext) -> None:
+def test_score_009_mean_and_rate_of_scored_episodes(context: CheckContext) -> None:
     """Five of seven episodes are played.
 
-    Expect mean and rate null before the first; then those of the scored ones.
+    Expect mean and rate null before the first; then those of the scored episodes.
     """
     planned_run = PlannedRun(
         context, [FAILURE, SUCCESS, ABANDONED, SUCCESS, FAILURE, UNPLAYED, UNPLAYED]
@@ -196,7 +195,7 @@ def test_score_009_mean_and_rate_of_what_is_scored(context: CheckContext) -> Non
 
 @requirement("SCORE-010")
 def test_score_010_answers_in_every_state(context: CheckContext) -> None:
-    """A run in each of the seven states. Expect an answer in each."""
+    """A run in each of the seven states. Expect a score in each."""
     for state in context.spec.lifecycle["states"]:
         run = make_run_in_state(context, state)
         expect.ok(run.call("get_score"))
@@ -225,7 +224,7 @@ def test_score_011_groups_by_task_and_split(context: CheckContext) -> None:
 
 
 def expect_interval(planned_run: PlannedRun, plan: int, member: str) -> None:
-    """Expect the interval before the first trial and after each."""
+    """Expect the interval before the first episode and after each."""
     for _ in range(plan + 1):
         what = f"{member} after {planned_run.played}"
         expect_close_interval(
@@ -237,7 +236,7 @@ def expect_interval(planned_run: PlannedRun, plan: int, member: str) -> None:
 
 @requirement("SCORE-012")
 def test_score_012_interval_of_the_rate(context: CheckContext) -> None:
-    """Six episodes, one after another, and a run in which every one succeeds.
+    """Six episodes, one after another, and a run of successes only.
 
     Expect [0, 1] before the first, and the Wilson interval of the rate after each.
     """
@@ -250,7 +249,7 @@ def test_score_012_interval_of_the_rate(context: CheckContext) -> None:
 
 @requirement("SCORE-013")
 def test_score_013_interval_of_the_mean(context: CheckContext) -> None:
-    """Episodes worth 0.2, 0.9 and 0, one after another, and one worth 1.
+    """Episodes with the scores 0.2, 0.9 and 0, one after another, and one with 1.
 
     Expect [0, 1] before the first, and the Wilson interval of the mean after each.
     """

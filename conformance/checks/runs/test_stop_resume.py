@@ -1,4 +1,4 @@
-"""Stopping, draining and going on (STOP, RES)."""
+"""Stop, drain and resume of a run (STOP, RES)."""
 
 from typing import Any
 
@@ -21,10 +21,10 @@ from conformance.verdicts.expect import SetUpFailed
 
 
 @requirement("STOP-001")
-def test_stop_001_abort_keeps_what_is_scored(context: CheckContext) -> None:
-    """One episode is scored, others are in play, when the run is aborted.
+def test_stop_001_abort_keeps_results(context: CheckContext) -> None:
+    """One episode is scored, others are in progress, when the run is aborted.
 
-    Expect the scored one as it was, the others unscored, and nothing in play.
+    Expect the scored one unchanged, the others unscored, and none in progress.
     """
     run = context.submit("score", "score", "score")
     crew = attach_workers(run, min(2, context.limits["max_workers"]))
@@ -45,9 +45,9 @@ def test_stop_001_abort_keeps_what_is_scored(context: CheckContext) -> None:
 
 @requirement("STOP-002")
 def test_stop_002_abort_ends_the_sessions(context: CheckContext) -> None:
-    """A worker in play, and one that thinks, go on after the run is aborted.
+    """Two workers continue with predict and heartbeat after the run is aborted.
 
-    Expect `session_ended` for what was accepted before.
+    Expect `session_ended` for requests that were accepted before.
     """
     run = context.submit("score", "score", "score")
     crew = attach_workers(run, min(2, context.limits["max_workers"]))
@@ -62,9 +62,9 @@ def test_stop_002_abort_ends_the_sessions(context: CheckContext) -> None:
 
 @requirement("STOP-003")
 def test_stop_003_drain_lets_episodes_end(context: CheckContext) -> None:
-    """Episodes in play go on after a drain.
+    """Episodes in progress continue after a drain.
 
-    Expect their turns accepted, and each to end as the success that it was.
+    Expect their turns accepted, and each to end as a success.
     """
     run = context.submit("score", "score", "score")
     crew = attach_workers(run, min(2, context.limits["max_workers"]))
@@ -82,9 +82,9 @@ def test_stop_003_drain_lets_episodes_end(context: CheckContext) -> None:
 
 @requirement("STOP-004")
 def test_stop_004_draining_worker_is_done(context: CheckContext) -> None:
-    """An episode ends before, and another after, the run begins to drain.
+    """One episode ends before, and another after, the start of a drain.
 
-    Expect the turn that ends the second to be `done`, although a third one is left.
+    Expect `done` in the turn that ends the second, although a third is pending.
     """
     worker = submit_and_attach(context, "score", "score", "score")
     expect.equal(worker.play()["done"], False, "done before the drain")
@@ -96,12 +96,12 @@ def test_stop_004_draining_worker_is_done(context: CheckContext) -> None:
 
 
 def scored(run: RunClient) -> dict[int, Any]:
-    """Read the results that are there, by position in the manifest."""
+    """Read the existing results, by position in the manifest."""
     return {i: result for i, result in enumerate(results(run)) if result is not None}
 
 
 @requirement("RES-001")
-def test_res_001_resume_keeps_what_is_scored(context: CheckContext) -> None:
+def test_res_001_resume_keeps_results(context: CheckContext) -> None:
     """A run with two scored episodes is stopped, resumed, and played to its end.
 
     Expect the two results unchanged after the resume and in the completed run.
@@ -114,7 +114,7 @@ def test_res_001_resume_keeps_what_is_scored(context: CheckContext) -> None:
     run.stop()
     before = scored(run)
     if len(before) != 2:
-        raise SetUpFailed("the stop has lost a result; see STOP-001")
+        raise SetUpFailed("a result is missing after the stop; see STOP-001")
     run.resume()
     expect.equal(scored(run), before, "results after the resume")
     run.until("ready")
@@ -126,10 +126,10 @@ def test_res_001_resume_keeps_what_is_scored(context: CheckContext) -> None:
 
 
 @requirement("RES-002")
-def test_res_002_resume_hands_out_what_is_unscored(context: CheckContext) -> None:
-    """A run of five is stopped when three are unscored, two of them in play.
+def test_res_002_resume_assigns_unscored_episodes(context: CheckContext) -> None:
+    """A run of five episodes is stopped with three unscored, two of them in progress.
 
-    Expect exactly these three to be handed out after the resume.
+    Expect exactly these three to be assigned after the resume.
     """
     run = context.submit(*["score"] * 5)
     crew = attach_workers(run, min(2, context.limits["max_workers"]))
@@ -152,7 +152,7 @@ def test_res_002_resume_hands_out_what_is_unscored(context: CheckContext) -> Non
 
 
 class InterruptedRun:
-    """A run that is played by a plan, one move after another."""
+    """A run that is played to a plan and interrupted."""
 
     def __init__(
         self, context: CheckContext, plan: list[list[float]], workers: int
@@ -164,7 +164,7 @@ class InterruptedRun:
         self.live: list[WorkerClient] = []
 
     def step(self, worker: WorkerClient) -> bool:
-        """Play one action of the plan; False when the worker has nothing to play."""
+        """Play one action of the plan; False when the worker has no episode."""
         if worker not in self.live:
             worker.attach()
             self.live.append(worker)
@@ -180,7 +180,7 @@ class InterruptedRun:
         return True
 
     def interrupt(self, mode: str) -> bool:
-        """Stop and resume; False when the run was complete by then."""
+        """Stop and resume; False when the run was already complete."""
         self.run.stop(mode)
         if mode == "drain":
             for worker in self.live:
@@ -196,7 +196,7 @@ class InterruptedRun:
         return True
 
     def outcome(self) -> dict[str, Any]:
-        """What the run came to, without its name and its history."""
+        """Give score and results of the run, without ids and volatile members."""
         found = {
             f"result of episode {index}": without(
                 result or {}, *VOLATILE_RESULT_MEMBERS
@@ -214,10 +214,10 @@ PLAN = [[0.25, 0.75], [1.0], [0.5, 0.875, 0.125], [0.0625]]
 
 @requirement("RES-003")
 def test_res_003_stops_do_not_change_the_score(context: CheckContext) -> None:
-    """The same actions in an undisturbed run, and in runs with two workers that are
+    """The same actions in an uninterrupted run, and in runs with two workers that are
     aborted or drained and resumed at random points.
 
-    Expect the same score and the same results, but for how often they were tried.
+    Expect the same score and the same results, except for attempts and times.
     """
     undisturbed = InterruptedRun(context, PLAN, workers=1)
     while undisturbed.step(undisturbed.crew[0]):

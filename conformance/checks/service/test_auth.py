@@ -1,4 +1,4 @@
-"""Who may do what: AUTH."""
+"""Authentication, accounts and scopes (AUTH)."""
 
 from conformance.checks.support.operation_samples import (
     READ_OPERATIONS,
@@ -15,9 +15,9 @@ from conformance.verdicts import expect
 def test_auth_001_cannot_do_anything_without_a_valid_token(
     context: CheckContext,
 ) -> None:
-    """Every operation is tried without a token, with a wrong one, and in another way.
+    """Every operation is sent without a token, with a wrong one, with another scheme.
 
-    Expect `unauthenticated` each time, and the run to stand as it did.
+    Expect `unauthenticated` each time, and the run unchanged.
     """
     worker = attach_live_worker(context)
     before = worker.run.snapshot()
@@ -40,7 +40,7 @@ def test_auth_001_cannot_do_anything_without_a_valid_token(
 def test_auth_002_refusal_names_the_scheme(context: CheckContext) -> None:
     """Requests without a token and with a wrong one. Expect `WWW-Authenticate: Bearer`.
 
-    The header tells a client how to authenticate.
+    The header names the authentication scheme.
     """
     for token in (None, "no-such-token"):
         answer = context.call("list_runs", http_client=context.client_with_token(token))
@@ -58,9 +58,9 @@ def test_auth_002_refusal_names_the_scheme(context: CheckContext) -> None:
 def test_auth_003_cannot_see_or_touch_a_run_of_another_account(
     context: CheckContext,
 ) -> None:
-    """Another account knows the ids of a run, of its worker, and of its session.
+    """Another account uses the ids of a run, of its worker, and of its session.
 
-    Expect `not_found` from every operation, and the run to stand as it did.
+    Expect `not_found` from every operation, and the run unchanged.
     """
     other = context.second_account
     worker = attach_live_worker(context)
@@ -73,7 +73,7 @@ def test_auth_003_cannot_see_or_touch_a_run_of_another_account(
 
 @requirement("AUTH-004")
 def test_auth_004_cannot_list_runs_of_another_account(context: CheckContext) -> None:
-    """Two accounts submit a run each and list. Expect each to see its own."""
+    """Two accounts submit a run each and list. Expect each to see only its own run."""
     wires = (context.http_client, context.second_account)
     ours, theirs = (
         context.submit(http_client=http_client, wait_ready=False)
@@ -96,7 +96,7 @@ def test_auth_004_cannot_list_runs_of_another_account(context: CheckContext) -> 
 def test_auth_005_can_only_read_with_the_scope_read(context: CheckContext) -> None:
     """A token with the scope `read` is used for every operation.
 
-    Expect every GET to be served, everything else `forbidden`, and nothing changed.
+    Expect success of every GET, `forbidden` otherwise, and the run unchanged.
     """
     read_only_client = context.read_only_account
     worker = attach_live_worker(context)

@@ -1,4 +1,4 @@
-"""What is offered: BEN."""
+"""Benchmarks of the server (BEN)."""
 
 from functools import partial
 from typing import Any
@@ -22,7 +22,7 @@ def read_benchmarks(context: CheckContext) -> list[dict[str, Any]]:
 
 @requirement("BEN-001")
 def test_ben_001_calibration_is_listed(context: CheckContext) -> None:
-    """We list the benchmarks. Expect `calibration`, once."""
+    """The benchmarks are listed. Expect `calibration`, once."""
     listed = expect.ok(context.call("list_benchmarks"))["benchmarks"]
     ids = [benchmark["benchmark_id"] for benchmark in listed]
     expect.equal(ids.count("calibration"), 1, "entries named `calibration`")
@@ -30,7 +30,7 @@ def test_ben_001_calibration_is_listed(context: CheckContext) -> None:
 
 @requirement("BEN-002")
 def test_ben_002_cannot_get_an_unknown_benchmark(context: CheckContext) -> None:
-    """An id that nobody offers, then one that is. Expect `not_found`, then it."""
+    """An unknown id, then a known one. Expect `not_found`, then the benchmark."""
     unknown = context.call("get_benchmark", benchmark_id="no_such_benchmark")
     expect.refused(unknown, "not_found")
     known = expect.ok(context.call("get_benchmark", benchmark_id="calibration"))
@@ -41,7 +41,7 @@ def test_ben_002_cannot_get_an_unknown_benchmark(context: CheckContext) -> None:
 def test_ben_003_manifest_hash_is_the_same_everywhere(context: CheckContext) -> None:
     """Benchmarks are listed, read, and submitted without options.
 
-    Expect one and the same hash of the manifest.
+    Expect the same hash of the manifest.
     """
     for listed in read_benchmarks(context)[:_BENCHMARKS_SUBMITTED]:
         benchmark_id, listed_sha256 = listed["benchmark_id"], listed["manifest_sha256"]
@@ -56,6 +56,8 @@ def test_ben_003_manifest_hash_is_the_same_everywhere(context: CheckContext) -> 
         body = context.submit_body(benchmark_id=benchmark_id)
         answer = context.call("submit_run", json=body)
         if answer.status != 201:
-            raise SetUpFailed(f"`submit_run` got {expect.describe_answer(answer)}")
+            raise SetUpFailed(
+                f"`submit_run`: unexpected response: {expect.describe_answer(answer)}"
+            )
         run = context.adopt(answer.json)
         expect.equal(run.body["manifest_sha256"], listed_sha256, f"{what} in its run")

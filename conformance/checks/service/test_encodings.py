@@ -1,4 +1,4 @@
-"""Bytes and numbers: ENC."""
+"""Encodings of bodies, numbers, tensors and images (ENC)."""
 
 import base64
 import io
@@ -38,7 +38,7 @@ _FORMATS |= {"float16": "e", "float32": "f", "float64": "d"}
 
 
 def elements(dtype: str) -> list[float]:
-    """Give the elements that calibration.md says."""
+    """Give the elements as calibration.md defines them."""
     bits = 8 * struct.calcsize(f"<{_FORMATS[dtype]}")
     if dtype == "bool":
         return [0, 1, 0, 1, 0, 1]
@@ -88,7 +88,7 @@ def echo(context: CheckContext, **options: Any) -> WorkerClient:
 
 @requirement("ENC-001")
 def test_enc_001_json_is_sent_when_both_are_acceptable(context: CheckContext) -> None:
-    """JSON and MessagePack are acceptable alike, in every order. Expect JSON."""
+    """JSON and MessagePack are equally acceptable, in every order. Expect JSON."""
     worker = echo(context)
     bodies = [False, True] if context.speaks_msgpack else [False]
     for accept in ACCEPT_BOTH:
@@ -104,7 +104,7 @@ def test_enc_001_json_is_sent_when_both_are_acceptable(context: CheckContext) ->
 
 
 def structure(value: Any) -> Any:
-    """Write base64 and bin alike, and refuse what is neither JSON nor bin."""
+    """Convert base64 and bin to one form, and refuse any other type."""
     if isinstance(value, dict):
         return {
             key: blob(item) if key == "data" else structure(item)
@@ -141,7 +141,7 @@ def test_enc_002_msgpack_has_the_structure_of_json(context: CheckContext) -> Non
 
 
 def doubles(context: CheckContext) -> list[float]:
-    """Give doubles that are easily damaged, and random ones."""
+    """Give doubles that lose bits easily, and random ones."""
     chosen = [0.1, -0.0, 1 / 3, 5e-324, 2.0**-1022, 1.7976931348623157e308]
     chosen += [2.0**53 - 1, -(2.0**63), 1e21, 123456789.123456789, -1e-7, 1.0]
     while len(chosen) < 64:
@@ -213,8 +213,10 @@ def images_of(context: CheckContext, codec: str, size: dict[str, int]) -> Iterat
         if "pattern" not in images:
             raise SetUpFailed(f"the task `echo` has no image `pattern`: {[*images]}")
         image = images["pattern"]
-        told = {"codec": codec, "channels": 3, **size}
-        expect.equal({name: image[name] for name in told}, told, "the image's head")
+        expected = {"codec": codec, "channels": 3, **size}
+        expect.equal(
+            {name: image[name] for name in expected}, expected, "the image header"
+        )
         yield blob(image["data"]), 0 if turn["seq"] == 0 else 3
 
 
@@ -237,10 +239,10 @@ def expect_images(
     for size in context.benchmark["image_sizes"][:3]:
         for data, count in images_of(context, codec, size):
             seen = read(data)
-            told = pattern(size["width"], size["height"], count)
+            expected = pattern(size["width"], size["height"], count)
             what = f"bytes of the {codec} image, {size}, count {count}"
-            expect.equal(len(seen), len(told), f"number of {what}")
-            wrong = [n for n in range(len(told)) if seen[n] != told[n]]
+            expect.equal(len(seen), len(expected), f"number of {what}")
+            wrong = [n for n in range(len(expected)) if seen[n] != expected[n]]
             expect.true(not wrong, f"the {what}", f"wrong at {wrong[:5]}")
 
 
@@ -271,9 +273,9 @@ def test_enc_007_jpeg_image_decodes_to_its_size(context: CheckContext) -> None:
 
 @requirement("ENC-008")
 def test_enc_008_cannot_send_an_extension_type(context: CheckContext) -> None:
-    """A value of an application's type, then a timestamp, in a MessagePack body.
+    """A MessagePack body with an application-specific extension type, then a timestamp.
 
-    Expect `malformed_body` and nothing executed; without them the body is served.
+    Expect `malformed_body` and nothing executed; without them the body is accepted.
     """
     worker = context.submit("count").worker()
     worker.attach()

@@ -1,4 +1,4 @@
-"""What is refused, and how: ERR."""
+"""Refusals: problems, statuses and headers (ERR)."""
 
 import json
 import time
@@ -44,7 +44,7 @@ def samples_with_body(worker: WorkerClient) -> OperationSamples:
 def send_body(
     worker: WorkerClient, sample: tuple[str, dict[str, Any]], body: Any
 ) -> Answer:
-    """Send a request with another body: bytes as they are, anything else as JSON."""
+    """Send a request with another body: bytes unchanged, other values as JSON."""
     operation_id, how = sample
     how = {key: value for key, value in how.items() if key != "json"}
     if not isinstance(body, bytes):
@@ -54,14 +54,14 @@ def send_body(
 
 
 def expect_nothing_executed(worker: WorkerClient, executed: int = 1) -> None:
-    """Expect the next action of the worker to be the one after those executed."""
+    """Expect that no action was executed since the given ones."""
     turn = expect.ok(worker.try_predict(worker.run.context.action()))
     expect.equal(count(turn), [executed + 1], "count after the refusals")
 
 
 @requirement("ERR-001")
 def test_err_001_refusals_are_problems(context: CheckContext) -> None:
-    """Refusals of many kinds. Expect problems of the catalogue.
+    """Refusals of many kinds. Expect problems of `x-problems`.
 
     The same is expected of every refusal in all other checks.
     """
@@ -80,8 +80,8 @@ def test_err_001_refusals_are_problems(context: CheckContext) -> None:
 
 
 @requirement("ERR-002")
-def test_err_002_cannot_send_what_is_not_well_formed(context: CheckContext) -> None:
-    """Bodies that are cut off, spoiled or empty, and what JSON can write but not mean.
+def test_err_002_cannot_send_malformed_json(context: CheckContext) -> None:
+    """Bodies that are truncated, corrupted or empty, and unrepresentable JSON values.
 
     Expect `malformed_body` and nothing executed.
     """
@@ -118,7 +118,7 @@ def test_err_002_cannot_send_what_is_not_well_formed(context: CheckContext) -> N
 
 @requirement("ERR-003")
 def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
-    """A member that nobody knows, at the top of every body and inside of it.
+    """An unknown member, at the top of every body and inside it.
 
     Expect `invalid_request` pointing at it, and nothing executed.
     """
@@ -135,7 +135,7 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
 
 @requirement("ERR-004")
 def test_err_004_cannot_send_a_member_of_the_wrong_type(context: CheckContext) -> None:
-    """Strings for numbers, null for what cannot be null, numbers for lists, and so on.
+    """Strings for numbers, null for required values, numbers for lists, and so on.
 
     Expect `invalid_request` pointing at the member, and nothing executed.
     """
@@ -170,9 +170,9 @@ def test_err_005_cannot_send_too_large_a_body(context: CheckContext) -> None:
 
 @requirement("ERR-006")
 def test_err_006_cannot_send_a_body_a_million_deep(context: CheckContext) -> None:
-    """Lists in lists, a million deep, closed and cut off, alone and in a member.
+    """Lists in lists, a million deep, complete and truncated, alone and in a member.
 
-    Expect `malformed_body`; three deep the same body is merely invalid.
+    Expect `malformed_body`; with a depth of three `invalid_request`.
     """
     if context.limits["max_body_bytes"] < 2 * DEEP + 100:
         raise NotApplicable("such a body is larger than the server allows")
@@ -196,16 +196,17 @@ def test_err_006_cannot_send_a_body_a_million_deep(context: CheckContext) -> Non
     shallow = send_body(worker, predict, {"seq": [[[1]]]})
     if shallow.code != "invalid_request":
         raise SetUpFailed(
-            f"three deep it should be invalid: {expect.describe_answer(shallow)}"
+            "a depth of three must be `invalid_request`: "
+            f"{expect.describe_answer(shallow)}"
         )
     expect_nothing_executed(worker)
 
 
 @requirement("ERR-007")
 def test_err_007_cannot_send_another_media_type(context: CheckContext) -> None:
-    """Valid bodies under the name of media types that the operation does not list.
+    """Valid bodies with media types that the operation does not list.
 
-    Expect `unsupported_media_type` and nothing executed; JSON with a charset is read.
+    Expect `unsupported_media_type` and nothing executed; JSON with a charset works.
     """
     worker = attach_live_worker(context)
     operations = context.spec.operations
@@ -229,10 +230,10 @@ def test_err_007_cannot_send_another_media_type(context: CheckContext) -> None:
 
 @requirement("ERR-008")
 def test_err_008_cannot_ask_for_another_media_type(context: CheckContext) -> None:
-    """Requests accept what the operation does not list; then what it lists as well.
+    """`Accept` with media types that the operation does not list; then a listed one.
 
-    Expect `not_acceptable` and nothing executed, then service; a detach, which is
-    answered without a body, is carried out.
+    Expect `not_acceptable` and nothing executed, then success; a detach, which has a
+    response without a body, is executed.
     """
     worker = attach_live_worker(context)
     text = "text/html, image/png;q=0.5"
@@ -259,8 +260,8 @@ def test_err_008_cannot_ask_for_another_media_type(context: CheckContext) -> Non
 
 
 @requirement("ERR-009")
-def test_err_009_cannot_find_other_paths(context: CheckContext) -> None:
-    """Paths beside those of the specification. Expect `not_found`."""
+def test_err_009_unknown_paths_are_not_found(context: CheckContext) -> None:
+    """Paths that are not in the specification. Expect `not_found`."""
     run = context.submit()
     paths = ["/v2", "/v1/nothing", f"/v1/{uuid.uuid4().hex}", "/v1/runs/nothing/at/all"]
     paths += [f"/v1/runs/{run.id}/{name}" for name in ("nothing", "workers")]
@@ -272,9 +273,9 @@ def test_err_009_cannot_find_other_paths(context: CheckContext) -> None:
 
 @requirement("ERR-010")
 def test_err_010_cannot_use_other_methods(context: CheckContext) -> None:
-    """Every path is used with every method that it does not have.
+    """Every path is requested with every method that it does not have.
 
-    Expect `method_not_allowed`, and an Allow header that names those it has.
+    Expect `method_not_allowed`, and an Allow header with its methods.
     """
     worker = attach_live_worker(context)
     names = {"run_id": worker.run.id, "worker_id": worker.id}
@@ -302,8 +303,8 @@ def test_err_010_cannot_use_other_methods(context: CheckContext) -> None:
 
 
 @requirement("ERR-011")
-def test_err_011_answers_that_ask_to_wait_say_how_long(context: CheckContext) -> None:
-    """A second worker attaches where one is allowed. Expect Retry-After on the refusal.
+def test_err_011_refusals_to_wait_have_retry_after(context: CheckContext) -> None:
+    """A second worker attaches with `max_workers` 1. Expect Retry-After on the refusal.
 
     The same is expected of every 429 and 503 in all other checks.
     """
@@ -311,12 +312,14 @@ def test_err_011_answers_that_ask_to_wait_say_how_long(context: CheckContext) ->
     run.worker().attach()
     answer = run.worker().try_attach()
     if answer.status not in (429, 503):
-        raise SetUpFailed(f"nothing asked us to wait: {expect.describe_answer(answer)}")
+        raise SetUpFailed(
+            f"no 429 or 503 was returned: {expect.describe_answer(answer)}"
+        )
 
 
 @requirement("ERR-012")
-def test_err_012_nothing_makes_the_server_fail(context: CheckContext) -> None:
-    """Generated requests, valid and broken, to every operation.
+def test_err_012_no_request_causes_a_server_error(context: CheckContext) -> None:
+    """Generated requests, valid and invalid, to every operation.
 
     Expect no status of 500 or above except 503, here and in all other checks.
     """
@@ -350,9 +353,9 @@ def test_err_013_cannot_send_numbers_that_json_does_not_have(
 def test_err_014_cannot_send_parameters_that_break_their_schema(
     context: CheckContext,
 ) -> None:
-    """Limits, cursors and headers of the wrong kind; a detach that names no session.
+    """Invalid limits, cursors and headers; a detach without a session.
 
-    Expect `invalid_request`; the ends of the range and a whole detach are served.
+    Expect `invalid_request`; the ends of the range and a complete detach succeed.
     """
     run = context.submit()
     worker = run.worker()

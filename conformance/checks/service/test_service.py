@@ -1,4 +1,4 @@
-"""What holds for the service and for every answer: SVC, VER."""
+"""The description of the service, and rules for every response (SVC, VER)."""
 
 from conformance.checks.support.operation_samples import (
     attach_live_worker,
@@ -11,7 +11,7 @@ from conformance.verdicts import expect
 
 
 def number(version: str) -> tuple[int, ...]:
-    """Make versions comparable."""
+    """Convert a version to comparable numbers."""
     return tuple(int(part) for part in version.split("."))
 
 
@@ -19,7 +19,7 @@ def number(version: str) -> tuple[int, ...]:
 def test_svc_001_can_describe_the_service_without_a_token(
     context: CheckContext,
 ) -> None:
-    """A stranger asks, without a token and with a wrong one. Expect the description."""
+    """A request without a token, and one with a wrong token. Expect the description."""
     for anonymous in (
         context.client_with_token(None),
         context.client_with_token("no-such-token"),
@@ -30,7 +30,7 @@ def test_svc_001_can_describe_the_service_without_a_token(
 
 @requirement("SVC-002")
 def test_svc_002_own_version_lies_in_the_announced_range(context: CheckContext) -> None:
-    """We read the range and the header of the same answer. Expect them to agree."""
+    """The range and the header of one response are read. Expect them to agree."""
     answer = context.call("describe_service")
     protocol = expect.ok(answer)["protocol"]
     version = answer.headers.get("proctor-version", "")
@@ -44,9 +44,9 @@ def test_svc_002_own_version_lies_in_the_announced_range(context: CheckContext) 
 
 @requirement("SVC-003")
 def test_svc_003_answers_are_as_described(context: CheckContext) -> None:
-    """Every operation is used once, in JSON and where offered in MessagePack.
+    """Every operation is sent once, in JSON and where offered in MessagePack.
 
-    Expect every answer, here and in all other checks, to fit openapi.yaml.
+    Expect every response, here and in all other checks, to match openapi.yaml.
     """
     worker = attach_live_worker(context)
     context.call("describe_service")
@@ -60,7 +60,7 @@ def test_svc_003_answers_are_as_described(context: CheckContext) -> None:
 
 @requirement("VER-001")
 def test_ver_001_every_answer_carries_the_version(context: CheckContext) -> None:
-    """Answers of many kinds: granted, refused, without a body, on no path at all.
+    """Responses of many kinds: success, refusal, without a body, on an unknown path.
 
     Expect a Proctor-Version header on each, here and in all other checks.
     """
@@ -86,9 +86,9 @@ def test_ver_001_every_answer_carries_the_version(context: CheckContext) -> None
 
 @requirement("VER-002")
 def test_ver_002_cannot_use_a_version_out_of_range(context: CheckContext) -> None:
-    """Requests name a version beyond the range, then the ends of the range.
+    """Requests with versions outside the range, then with its ends.
 
-    Expect `unsupported_version` for the first, and service for the others.
+    Expect `unsupported_version` for the first, and success for the others.
     """
     worker = attach_live_worker(context)
     protocol = context.service["protocol"]

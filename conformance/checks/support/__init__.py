@@ -1,1 +1,1 @@
-"""What several checks share: given states, samples, generated requests."""
+"""Shared by several checks: given states, samples, generated requests."""

@@ -1,7 +1,7 @@
-"""Generated requests: valid and broken ones by schema, and bodies with flipped bytes.
+"""Generated requests: valid and invalid ones by schema, and bodies with flipped bytes.
 
-Nothing is expected but an answer that is no server error; every answer is judged by
-the rules for all answers as well. What breaks the server is made as small as it gets.
+The only expectation is a response without a server error; the universal rules judge
+every response as well. A request that breaks the server is shrunk.
 """
 
 import contextlib
@@ -29,14 +29,14 @@ from conformance.specification.document import JSON, MSGPACK, Operation
 from conformance.verdicts.expect import KitError, Violation, describe_answer
 
 _EXAMPLES = 8
-_HALF = "\\ud800"  # of a pair: JSON can write it, Unicode does not have it
+_HALF = "\\ud800"  # of a surrogate pair: JSON can write it, Unicode cannot
 _EDGE_VALUES: list[Any] = [None, "", "\0", json.loads(f'"{_HALF}"'), "x" * 5000]
 _EDGE_VALUES += [-1, 0, 2**64, 1e308, True, [], {}, [[]], {"": None}]
 _FLIPS = 40
 _EXISTING_IDS_SHARE = 0.8
 _TIMEOUT_S = 10.0
 _SENDABLE = re.compile(r"[\x21-\x7e]([\x20-\x7e]*[\x21-\x7e])?")
-# What the client library adds or HTTP itself reads; ours are right already.
+# Added by the client library or read by HTTP itself; never generated.
 _NOT_GENERATED = (
     *("accept", "accept-encoding", "authorization", "connection", "user-agent"),
     *("content-length", "expect", "host", "te", "transfer-encoding", "upgrade"),
@@ -46,7 +46,7 @@ _LONG_POLL = re.compile(r"wait=[0-9]+")
 
 
 class _OutOfTime(Exception):
-    """Enough was tried."""
+    """The time of the fuzzing is over."""
 
 
 def fuzz_operations(worker: WorkerClient, until: float) -> None:
@@ -54,7 +54,7 @@ def fuzz_operations(worker: WorkerClient, until: float) -> None:
     for operation_id, how in operation_samples(worker):
         for body in _edge_value_bodies(how.get("json")):
             if operation_id == "submit_run" and _HALF in json.dumps(body):
-                continue  # a server may keep the name, and show it in every list
+                continue  # a server may store the name, and show it in every list
             answer = send(worker.run, (operation_id, how | {"json": body}))
             _expect_no_server_error(answer)
     for corrupted, media_type in _flipped_bodies(worker):
@@ -91,7 +91,7 @@ def _expect_no_server_error(answer: Answer) -> None:
 def _try_operation(
     worker: WorkerClient, described: Any, mode: GenerationMode, until: float
 ) -> None:
-    """Let Hypothesis generate requests, and shrink the one that breaks the server."""
+    """Generate requests with Hypothesis, and shrink one that breaks the server."""
     context = worker.run.context
     operation = context.spec.operations[described.definition.raw["operationId"]]
     if not context.offers(operation.profile):
@@ -161,9 +161,9 @@ def _send(
 
 
 def _shorten_long_poll(headers: dict[str, Any]) -> None:
-    """Let a long-poll that may wait for minutes wait for nothing.
+    """Set the wait of a long-poll, which may be minutes, to 0.
 
-    A server that holds the answer back obeys; that it does is judged by other rules.
+    Other rules judge the waiting.
     """
     names = {name.lower(): name for name in headers}
     if "if-none-match" in names and "prefer" in names:
@@ -173,7 +173,7 @@ def _shorten_long_poll(headers: dict[str, Any]) -> None:
 
 
 def _use_existing_ids(worker: WorkerClient, case: Any) -> None:
-    """Put ids that exist in the place of ids that do not, and speak our version."""
+    """Replace generated ids by existing ones, and drop the version header."""
     real = {"run_id": worker.run.id, "worker_id": worker.id}
     real |= {"benchmark_id": "calibration", "session_id": worker.session_id}
     for part in (case.path_parameters, case.query, case.body):

@@ -1,4 +1,4 @@
-"""Laws over generated examples: seeded, shrunk, and honest about what ended them."""
+"""Properties checked on generated examples, seeded and shrunk."""
 
 import math
 import time
@@ -30,10 +30,10 @@ def for_all(
     times: int,
     shrink_s: float = _SHRINK_S,
 ) -> None:
-    """Judge a law on examples; the smallest one that breaks it is what is raised.
+    """Check a property on examples; raise the violation of the smallest one.
 
-    Then the journal holds what was there before, and the exchanges of that example.
-    The first example that could not be judged ends the search, and is raised.
+    The log then holds the exchanges before the examples, and those of that example.
+    The first example that could not be decided ends the search, and is raised.
     """
     ended: list[Exception] = []
     broken: list[tuple[Violation, list[Exchange]]] = []

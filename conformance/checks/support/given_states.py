@@ -1,7 +1,7 @@
-"""Scenes that several checks begin with, and small looks at what they see.
+"""Runs in a given state, as several checks need them, and small readers of responses.
 
-Everything here is set-up: it raises SetUpFailed or NotApplicable and never says that
-a rule was broken, except `expect_pointer`, which completes `expect.refused`.
+Everything here is set-up: it raises SetUpFailed or NotApplicable, never Violation,
+except `expect_pointer`, which completes `expect.refused`.
 """
 
 from collections.abc import Callable, Mapping
@@ -19,30 +19,30 @@ VOLATILE_RESULT_MEMBERS = ("episode_id", "attempt", "faults", "think_s", "finish
 
 
 def require_not_state_refusal(answer: Answer) -> Answer:
-    """Go on only if it was not the run's state that refused; LIFE judges states."""
+    """Require that the run state was not the reason of a refusal (LIFE judges it)."""
     if answer.code == "illegal_transition":
-        raise SetUpFailed("the state of the run refused it; see the rows LIFE-...")
+        raise SetUpFailed("request refused because of the run state; see LIFE-…")
     return answer
 
 
 def require_not_seq_refusal(answer: Answer) -> Answer:
-    """Go on only if seq was right; PRED-004 and PRED-024 judge how it is counted."""
+    """Require that seq was not refused (PRED-004 and PRED-024 judge it)."""
     if answer.code in ("seq_conflict", "seq_out_of_order"):
-        raise SetUpFailed("the server counts seq otherwise; see PRED-004, PRED-024")
+        raise SetUpFailed("server counts seq differently; see PRED-004, PRED-024")
     return answer
 
 
 def require_duration(answer: Answer, delay_s: float) -> None:
-    """Go on only if a step took the time that its action asked for."""
+    """Require that a step took the time that its action requested."""
     if answer.elapsed_s < delay_s:
         text = f"a step of {delay_s:g} s took {answer.elapsed_s:.3f} s; see CAL-004"
         raise SetUpFailed(text)
 
 
 def require_worker_limit(context: RequestContext, workers: int) -> None:
-    """Go on only if a run may have so many live workers."""
+    """Require that a run may have this number of live workers."""
     if context.limits["max_workers"] < workers:
-        raise NotApplicable(f"the server allows no {workers} live workers in a run")
+        raise NotApplicable(f"server does not allow {workers} live workers in a run")
 
 
 def attach_workers(run: RunClient, workers: int) -> list[WorkerClient]:
@@ -62,7 +62,7 @@ def index_of(worker: WorkerClient) -> int:
 
 
 def detach_only_worker(worker: WorkerClient) -> None:
-    """Detach the only live worker of a run, and see that it is gone."""
+    """Detach the only live worker of a run, and verify that it is gone."""
     worker.detach()
     live = worker.run.get()["live_workers"]
     if live != 0:
@@ -70,7 +70,7 @@ def detach_only_worker(worker: WorkerClient) -> None:
 
 
 def start_drain(run: RunClient) -> None:
-    """Let the run drain."""
+    """Start a drain of the run."""
     run.stop("drain")
     _require_state(run, "stopping")
 
@@ -91,7 +91,7 @@ def count(turn: Mapping[str, Any]) -> list[float]:
 
 
 def without(body: Mapping[str, Any], *members: str) -> dict[str, Any]:
-    """Leave out members that may differ."""
+    """Give a body without some members."""
     return {name: value for name, value in body.items() if name not in members}
 
 
@@ -119,7 +119,7 @@ def fail_run(run: RunClient, fault: float = 1) -> None:
 
 
 def make_run_in_state(context: CheckContext, state: str, **options: Any) -> RunClient:
-    """Bring a fresh run into a state."""
+    """Submit a run and bring it into a state."""
     run = _MAKERS_BY_STATE[state](context, options)
     return _require_state(run, state.partition(" ")[0])
 
@@ -127,7 +127,7 @@ def make_run_in_state(context: CheckContext, state: str, **options: Any) -> RunC
 def _require_state(run: RunClient, state: str) -> RunClient:
     now = run.get()["state"]
     if now != state:
-        raise SetUpFailed(f"the run should be `{state}` now; it is `{now}`")
+        raise SetUpFailed(f"run state is `{now}`, expected `{state}`")
     return run
 
 

@@ -1,13 +1,13 @@
-"""Bodies that are spoilt on purpose, and where in a body that can be done.
+"""Request bodies that are invalid on purpose, with the places that are changed.
 
-Knows requests and no answers: what a server should say of them is the checks' affair.
+Contains requests only; the checks state the expected responses.
 """
 
 import json
 from collections.abc import Iterator
 from typing import Any
 
-# Operation and pointer → what stands there instead.
+# Operation and pointer → wrong values.
 WRONG_TYPES: dict[tuple[str, str], list[Any]] = {
     ("submit_run", "/benchmark_id"): [5, None, ["calibration"], {}],
     ("submit_run", "/policy"): ["name", 1, [], None],
@@ -27,7 +27,7 @@ WRONG_TYPES: dict[tuple[str, str], list[Any]] = {
 
 
 def replace_at(body: Any, pointer: str, value: Any) -> Any:
-    """Put a value where a pointer points."""
+    """Replace the value at a JSON pointer."""
     head, _, rest = pointer[1:].partition("/")
     if isinstance(body, list):
         inner = replace_at(body[int(head)], f"/{rest}", value) if rest else value
@@ -52,7 +52,7 @@ def with_unknown_members(body: Any, path: str) -> Iterator[tuple[str, Any]]:
 
 
 def pad_body(body: dict[str, Any], size: int) -> Iterator[bytes]:
-    """Give a JSON body that is made as large as wanted by blanks at its end."""
+    """Give a JSON body that is made as large as wanted by trailing blanks."""
     text = json.dumps(body).encode()
     yield text
     blanks = size - len(text)
@@ -61,7 +61,7 @@ def pad_body(body: dict[str, Any], size: int) -> Iterator[bytes]:
         blanks -= 2**16
 
 
-# Operation → where text stands in its body, and where a number.
+# Operation → pointers of a text and of a number in its body.
 _PLACES = {
     "submit_run": ("/policy/name", "/idle_timeout_s"),
     "predict": ("/session_id", "/actions/0/values/score/0"),
@@ -71,7 +71,7 @@ _NO_DOUBLES = (b"1e999", b"-1e999")
 
 
 def unrepresentable_json(operation_id: str, how: dict[str, Any]) -> Iterator[bytes]:
-    """Give bodies that keep JSON's grammar, with text and numbers that cannot be."""
+    """Give bodies with valid JSON grammar, but impossible texts and numbers."""
     if operation_id not in _PLACES:
         return
     text, number = _PLACES[operation_id]

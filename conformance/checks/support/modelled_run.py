@@ -1,7 +1,7 @@
-"""Generated requests of several clients to one run, and the model that judges them.
+"""Generated requests of several clients to one run, judged by the model.
 
-A command says what a client wants; it becomes a request when the client knows enough:
-before its first predict it attaches. What it knows is what its answers told it.
+A command becomes a request when the client has the ids for it: before its first predict
+it attaches. A client knows only the content of its own responses.
 """
 
 import copy
@@ -61,7 +61,7 @@ SEQ_OFFSETS = {NEXT_SEQ: 1, REPEAT: 0, REPEAT_CHANGED: 0, SKIPPED_SEQ: 2, OLD_SE
 
 @dataclass(frozen=True)
 class ClientCommand:
-    """What client number `client` wants with a worker, or with the run."""
+    """A command of client number `client` for a worker, or for the run."""
 
     client: int
     kind: str
@@ -98,7 +98,7 @@ def commands(
 
 @dataclass
 class SessionHandle:
-    """What a client knows of its session of one worker."""
+    """What a client knows about its session of one worker."""
 
     session: str
     key: str
@@ -148,7 +148,7 @@ class ModelClient:
         return None if handle is None else _of_session(command, handle)
 
     def learn(self, request: Request, answer: Answer) -> None:
-        """Keep what an answer tells."""
+        """Store the session and the seq of an answer."""
         if answer.status != 200 or not isinstance(answer.json, dict):
             return
         if isinstance(request, Attach):
@@ -162,7 +162,7 @@ class ModelClient:
 
 
 class ModelledRun:
-    """A fresh run, its clients, and what the model says of it so far."""
+    """A new run, its clients, and the states that the model allows so far."""
 
     def __init__(self, context: CheckContext, clients: int) -> None:
         workers = min(MAX_WORKERS, context.limits["max_workers"])
@@ -190,7 +190,7 @@ class ModelledRun:
         return answer, AnswerSummary(answer.status, answer.code, answer.json)
 
     def execute(self, command: ClientCommand) -> None:
-        """Carry a command out and judge the answer."""
+        """Execute a command and judge the answer."""
         if command.kind == RESTART:
             self.execute(replace(command, kind="abort"))
             self.execute(replace(command, kind="resume"))
@@ -231,7 +231,7 @@ class ModelledRun:
                 ) from None
 
     def expect_state_of_model(self) -> None:
-        """Expect the run, its episodes and its score to be as the model says."""
+        """Expect the run, its episodes and its score to match the model."""
         for request in (Read(), ReadEpisodes()):
             self.expect_allowed(request, self.read(request), type(request).__name__)
         self.expect_score_of_model()
@@ -263,7 +263,7 @@ class ModelledRun:
     def send_timed(
         self, client: ModelClient, command: ClientCommand
     ) -> TimedExchange | None:
-        """Carry a command out beside others; it is judged with them later."""
+        """Execute a command beside others; they are judged together later."""
         request = client.request(command)
         if request is None:
             return None
@@ -272,13 +272,13 @@ class ModelledRun:
         return TimedExchange(request, summary, answer.started_at, answer.ended_at)
 
     def read_timed(self, request: Request) -> TimedExchange:
-        """Read the run or its episodes when all others have their answers."""
+        """Read the run or its episodes after all other requests."""
         started_at = time.monotonic()
         summary = self.read(request)
         return TimedExchange(request, summary, started_at, time.monotonic())
 
     def copy_first_client(self, count: int) -> list[ModelClient]:
-        """Give each thread a client of its own that knows what the first one knows."""
+        """Give each thread its own copy of the first client."""
         return [
             replace(copy.deepcopy(self.clients[0]), number=number)
             for number in range(1, count + 1)
@@ -286,7 +286,7 @@ class ModelledRun:
 
 
 def send(run: RunClient, request: Request) -> Answer:
-    """Put a request on the wire."""
+    """Send a request of the model."""
     operation, how = _http_request(request)
     if isinstance(request, Attach | Predict | Heartbeat | Detach):
         how["worker_id"] = request.worker

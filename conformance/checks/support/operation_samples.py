@@ -1,6 +1,6 @@
-"""One valid request of every operation, for rules that hold for all of them.
+"""One valid request of every operation, for rules about all operations.
 
-The order is such that all can be sent one after another on the same live run.
+In their order, all can be sent one after another on the same live run.
 """
 
 from collections.abc import Iterator
@@ -72,7 +72,7 @@ def run_read_samples() -> Iterator[OperationSample]:
 def send(
     run: RunClient, sample: OperationSample, http_client: HttpClient | None = None
 ) -> Answer:
-    """Send one of them; a run that it makes is stopped after the check."""
+    """Send a sample; a run that it submits is stopped after the check."""
     operation_id, how = sample
     answer = run.call(operation_id, http_client=http_client or run.http_client, **how)
     if operation_id == "submit_run" and answer.status == 201:

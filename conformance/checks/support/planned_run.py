@@ -22,7 +22,7 @@ from conformance.verdicts.expect import SetUpFailed
 
 @dataclass(frozen=True)
 class PlannedEpisode:
-    """What is to become of an episode; an outcome of None leaves it unscored."""
+    """The planned end of an episode; an outcome of None leaves it unscored."""
 
     outcome: str | None
     score: float = 0.0
@@ -38,12 +38,12 @@ ABANDONED = PlannedEpisode("abandoned", 0.7)
 
 
 class PlannedRun:
-    """A run that is played trial by trial, and what its score must be."""
+    """A run that is played episode by episode, with its expected score."""
 
     def __init__(self, context: CheckContext, plan: Sequence[PlannedEpisode]) -> None:
         self.run: RunClient = context.submit(*[t.task for t in plan], max_attempts=1)
         self.played = 0
-        self._story = context
+        self._context = context
         self._plan = plan
         self._worker: WorkerClient | None = None
 
@@ -57,7 +57,7 @@ class PlannedRun:
         planned_episode = self._plan[self.played]
         is_abandoned = planned_episode.outcome == "abandoned"
         self._worker.predict(
-            self._story.action(
+            self._context.action(
                 score=planned_episode.score,
                 success=int(planned_episode.outcome == "success"),
                 end=int(not is_abandoned),
@@ -72,7 +72,7 @@ class PlannedRun:
         self.played += 1
 
     def play_all(self) -> dict[str, Any]:
-        """Play up to the first trial that is to be left; the score then."""
+        """Play up to the first unscored episode of the plan; give the score."""
         while self.played < len(self._plan) and self._plan[self.played].outcome:
             self.play_next()
         return self.score()
@@ -82,11 +82,11 @@ class PlannedRun:
         return expect.ExpectedBody(self.run.score())
 
     def expected(self) -> dict[str, Any]:
-        """Work out the score, of what was played so far."""
+        """Compute the score of the episodes played so far."""
         return expected_score(self.episodes())
 
     def episodes(self) -> list[dict[str, Any]]:
-        """Give what was played so far in the format of the scoring vectors."""
+        """Give the episodes played so far in the format of the scoring vectors."""
         return [
             {
                 "task": planned_episode.task,
@@ -109,7 +109,7 @@ def _score_of(planned_episode: PlannedEpisode) -> float:
 def expect_close(
     observed: object, expected: Fraction | float | None, what: str
 ) -> None:
-    """Expect a number, as exactly as the rules ask for."""
+    """Expect a number, within the tolerance of the rules."""
     shown = None if expected is None else float(expected)
     expect.true(is_close(observed, expected), f"{what} = {shown}", [observed])
 

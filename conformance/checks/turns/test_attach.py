@@ -1,4 +1,4 @@
-"""Opening and closing sessions: attach, take over, detach (ATT, DET)."""
+"""Sessions: attach, takeover, detach (ATT, DET)."""
 
 from collections import Counter
 from typing import Any
@@ -24,12 +24,12 @@ RACES = 5
 
 
 def codes(answers: list[Answer]) -> dict[str, int]:
-    """Count how a race was answered."""
+    """Count the responses of a race by status or code."""
     return dict(Counter(answer.code or str(answer.status) for answer in answers))
 
 
 def expect_turn_0(worker: WorkerClient, answer: Answer) -> dict[str, Any]:
-    """Expect an open session, and let the worker use it."""
+    """Expect a new session, and store it in the worker."""
     worker.turn = turn = expect.ok(answer)
     worker.session_id, worker.seq = turn["session_id"], turn["seq"]
     return worker.turn
@@ -37,7 +37,7 @@ def expect_turn_0(worker: WorkerClient, answer: Answer) -> dict[str, Any]:
 
 @requirement("ATT-001")
 def test_att_001_session_begins_with_turn_0(context: CheckContext) -> None:
-    """A worker attaches, plays a little, detaches, and attaches again.
+    """A worker attaches, plays, detaches, and attaches again.
 
     Expect both sessions to begin at seq 0 and step 0 with nothing executed.
     """
@@ -57,10 +57,10 @@ def test_att_001_session_begins_with_turn_0(context: CheckContext) -> None:
 
 @requirement("ATT-002")
 def test_att_002_can_repeat_attach(context: CheckContext) -> None:
-    """The answer to an attach was lost, at the beginning and again after a turn.
+    """The response to an attach was lost, at the beginning and again after a turn.
 
-    Expect the same key to give the same session and its latest turn, and the session
-    to go on.
+    Expect the same session and its latest turn for the same key, and the session
+    to continue.
     """
     worker = context.submit("count").worker()
     worker.attach()
@@ -78,9 +78,9 @@ def test_att_002_can_repeat_attach(context: CheckContext) -> None:
 def test_att_003_cannot_attach_a_live_worker_with_another_key(
     context: CheckContext,
 ) -> None:
-    """Another client uses the id of a live worker, then again when it is free.
+    """Another client uses the id of a live worker, then again after its detach.
 
-    Expect `worker_busy`, and the session to go on as if nobody had asked.
+    Expect `worker_busy`, and the session unaffected.
     """
     run = context.submit("count")
     worker = run.worker("shared")
@@ -98,9 +98,9 @@ def test_att_003_cannot_attach_a_live_worker_with_another_key(
 
 @requirement("ATT-004")
 def test_att_004_can_take_over(context: CheckContext) -> None:
-    """A restarted client takes its worker over in the middle of an episode.
+    """A restarted client takes its worker over during an episode.
 
-    Expect a new session with the episode, attempt, step and observation as they stood.
+    Expect a new session with the same episode, attempt, step and observation.
     """
     run = context.submit("echo", "echo")
     old, new = run.worker("same"), run.worker("same")
@@ -117,11 +117,11 @@ def test_att_004_can_take_over(context: CheckContext) -> None:
 
 
 @requirement("ATT-005")
-def test_att_005_cannot_use_a_session_taken_over(context: CheckContext) -> None:
-    """The old client goes on after a takeover, while its successor lives.
+def test_att_005_cannot_use_a_superseded_session(context: CheckContext) -> None:
+    """The old client continues after a takeover, while the new session is live.
 
-    Expect `session_superseded` for its predict, heartbeat and detach, all of which the
-    new session may do.
+    Expect `session_superseded` for its predict, heartbeat and detach; the new session
+    succeeds with all of them.
     """
     run = context.submit("count")
     old, new = run.worker("same"), run.worker("same")
@@ -138,8 +138,8 @@ def test_att_005_cannot_use_a_session_taken_over(context: CheckContext) -> None:
 
 
 @requirement("ATT-006")
-def test_att_006_cannot_attach_one_worker_too_many(context: CheckContext) -> None:
-    """One worker more than the run may have; it comes again when a slot is free.
+def test_att_006_cannot_attach_more_workers_than_allowed(context: CheckContext) -> None:
+    """One worker more than `max_workers` attaches, and again when a slot is free.
 
     Expect `worker_limit` for the first attempt.
     """
@@ -154,7 +154,7 @@ def test_att_006_cannot_attach_one_worker_too_many(context: CheckContext) -> Non
 
 @requirement("ATT-007")
 def test_att_007_race_for_the_last_slots(context: CheckContext) -> None:
-    """More workers than allowed attach at once, several times.
+    """More workers than allowed attach concurrently, several times.
 
     Expect exactly `max_workers` of them to succeed each time.
     """
@@ -169,7 +169,7 @@ def test_att_007_race_for_the_last_slots(context: CheckContext) -> None:
 
 @requirement("ATT-008")
 def test_att_008_race_for_one_worker(context: CheckContext) -> None:
-    """Several clients attach the same worker at once, several times.
+    """Several clients attach the same worker concurrently, several times.
 
     Expect exactly one of them to succeed each time.
     """
@@ -194,10 +194,10 @@ WRONG: list[tuple[dict[str, Any], str]] = [
 
 @requirement("ATT-010")
 def test_att_010_cannot_attach_with_a_wrong_assumption(context: CheckContext) -> None:
-    """A policy that assumes another rate, size, unit, rotation, frame and so on.
+    """A policy with wrong assumptions of rate, size, unit, rotation, frame and so on.
 
-    One that assumes the right rate is let in. Expect `convention_mismatch` pointing at
-    what is wrong, and no session.
+    Expect `convention_mismatch` pointing at the wrong value, and no session; the right
+    rate is accepted.
     """
     run = context.submit("score")
     worker = run.worker()
@@ -211,7 +211,7 @@ def test_att_010_cannot_attach_with_a_wrong_assumption(context: CheckContext) ->
 
 
 def assumptions(space: dict[str, Any]) -> dict[str, Any]:
-    """Everything that can be assumed of the vectors of a space."""
+    """Give all possible assumptions about the vectors of a space."""
     members = ("size", "unit", "rotation", "frame", "relative")
     return {
         name: {member: vector[member] for member in members}
@@ -221,7 +221,7 @@ def assumptions(space: dict[str, Any]) -> dict[str, Any]:
 
 @requirement("ATT-011")
 def test_att_011_can_attach_with_right_assumptions(context: CheckContext) -> None:
-    """A policy that assumes exactly what the benchmark declares, or a part of it.
+    """A policy with exactly the declarations of the benchmark, or a part of them.
 
     Expect a session each time.
     """
@@ -237,7 +237,7 @@ def test_att_011_can_attach_with_right_assumptions(context: CheckContext) -> Non
 
 @requirement("ATT-012")
 def test_att_012_attach_without_an_episode_left(context: CheckContext) -> None:
-    """The only episode is in play when a second worker attaches.
+    """The only episode is in progress when a second worker attaches.
 
     Expect a session whose turn 0 is `done`, with neither observation nor episode.
     """
@@ -245,7 +245,7 @@ def test_att_012_attach_without_an_episode_left(context: CheckContext) -> None:
     first = submit_and_attach(context, "score")
     turn = expect.ok(require_not_state_refusal(first.run.worker().try_attach()))
     if turn.get("episode") == first.turn["episode"]:
-        raise SetUpFailed("the episode in play was handed out again; see EPI-008")
+        raise SetUpFailed("the episode in progress was assigned again; see EPI-008")
     expect.equal(turn["done"], True, "done")
     expect.true("observation" not in turn, "no observation", turn.get("observation"))
     expect.equal(turn["seq"], 0, "seq")
@@ -254,9 +254,9 @@ def test_att_012_attach_without_an_episode_left(context: CheckContext) -> None:
 
 @requirement("ATT-013")
 def test_att_013_cannot_attach_with_a_bad_worker_id(context: CheckContext) -> None:
-    """Worker ids with a space, a dot, another alphabet, and one too long by one.
+    """Worker ids with a space, a dot, another alphabet, and one character too many.
 
-    Expect `invalid_request`; the longest and oddest id that is allowed is accepted.
+    Expect `invalid_request`; the longest valid id is accepted.
     """
     run = context.submit("score")
     for worker_id in ("a b", "a.b", "ä", "a:b", "w" * 65):
@@ -266,9 +266,9 @@ def test_att_013_cannot_attach_with_a_bad_worker_id(context: CheckContext) -> No
 
 @requirement("DET-001")
 def test_det_001_detach_frees_the_slot(context: CheckContext) -> None:
-    """A full run: the second worker is let in only after the first has detached.
+    """`max_workers` is 1; a second worker attaches before and after the first detaches.
 
-    Expect it to be let in at once.
+    Expect a refusal, then success at once.
     """
     run = context.submit("score", "score", max_workers=1)
     first, second = run.worker(), run.worker()
@@ -279,12 +279,12 @@ def test_det_001_detach_frees_the_slot(context: CheckContext) -> None:
 
 
 def end_by_detach(worker: WorkerClient) -> None:
-    """End the session by its own wish."""
+    """End the session by a detach."""
     worker.detach()
 
 
 def end_by_stop(worker: WorkerClient) -> None:
-    """End the session from the control plane."""
+    """End the session by a stop of the run."""
     worker.run.stop()
 
 
@@ -296,10 +296,10 @@ def end_and_reattach(worker: WorkerClient) -> None:
 
 @requirement("DET-002")
 def test_det_002_can_detach_twice(context: CheckContext) -> None:
-    """A session that ended by a detach (whether followed by another or not) or by a
-    stop is detached again.
+    """A session that ended by a detach (with or without a successor) or by a stop is
+    detached again.
 
-    It is refused a heartbeat by then. Expect 204 and that nothing changes.
+    Its heartbeat is refused by then. Expect 204 and no change.
     """
     for end in (end_by_detach, end_and_reattach, end_by_stop):
         worker = submit_and_attach(context, "count", "count")

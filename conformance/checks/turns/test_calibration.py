@@ -1,4 +1,4 @@
-"""The benchmark `calibration` is what calibration.md says (CAL)."""
+"""The benchmark `calibration` as calibration.md defines it (CAL)."""
 
 from typing import Any
 
@@ -36,7 +36,7 @@ SIZES = [{"width": 16, "height": 12}, {"width": 64, "height": 48}]
 
 
 def expect_declared_rules(context: CheckContext, benchmark: dict[str, Any]) -> None:
-    """Expect the numbers, lists and choices of the benchmark."""
+    """Expect the declared limits, lists and options of the benchmark."""
     for member, value in RULES.items():
         expect.equal(benchmark[member], value, member)
     expect.equal(benchmark["max_chunk"], context.limits["max_chunk"], "max_chunk")
@@ -74,7 +74,7 @@ def expect_declared_spaces(benchmark: dict[str, Any]) -> None:
 def test_cal_001_has_the_shape_of_calibration_md(context: CheckContext) -> None:
     """The description of the benchmark, and a run with one episode of every task.
 
-    Expect rules, spaces, tasks, splits, seeds and options as calibration.md has them.
+    Expect rules, spaces, tasks, splits, seeds and options of calibration.md.
     """
     answer = context.call("get_benchmark", benchmark_id="calibration")
     benchmark = expect.ok(answer)
@@ -94,9 +94,9 @@ def test_cal_001_has_the_shape_of_calibration_md(context: CheckContext) -> None:
 
 @requirement("CAL-002")
 def test_cal_002_score_is_the_last_commanded(context: CheckContext) -> None:
-    """Scores that rise and fall, with and without success, in one chunk and in many.
+    """Rising and falling scores, with and without success, in one chunk and in many.
 
-    Expect the last one to be the result.
+    Expect the last one in the result.
     """
     patterns = [[0.9, 0.25], [0.0, 0.1, 0.75], [1.0, 0.0], [0.5]]
     worker = submit_and_attach(context, *["score"] * len(patterns))
@@ -127,7 +127,7 @@ def test_cal_003_counts_in_every_task(context: CheckContext) -> None:
 
 @requirement("CAL-004")
 @background
-def test_cal_004_delay_takes_its_time(context: CheckContext) -> None:
+def test_cal_004_delay_is_executed(context: CheckContext) -> None:
     """Two steps of 0.2 s in one turn, then one of 0.3 s.
 
     Expect the turns to take at least as long.
@@ -148,7 +148,7 @@ def test_cal_004_delay_takes_its_time(context: CheckContext) -> None:
 def test_cal_005_end_ends_every_task(context: CheckContext) -> None:
     """In every task an action with `end` just below 1, then one with 1.
 
-    Expect the episode to go on after the first, and to have terminated by the second.
+    Expect the episode to continue after the first, and to terminate with the second.
     """
     worker = submit_and_attach(context, *TASKS)
     for task in TASKS:

@@ -1,4 +1,4 @@
-"""Simulators that break: at no cost to the policy, and never in silence (FAULT)."""
+"""Simulator faults: reported, and without cost for the policy (FAULT)."""
 
 from conformance.checks.support.given_states import (
     attach_workers,
@@ -13,7 +13,7 @@ from conformance.verdicts import expect
 
 @requirement("FAULT-001")
 def test_fault_001_episode_begins_again(context: CheckContext) -> None:
-    """The simulator dies in the third step of an episode; then it is played again.
+    """The simulator fails in the third step of an episode; the episode is repeated.
 
     Expect `fault` in that turn only, and the same episode and attempt at step 0.
     """
@@ -36,7 +36,7 @@ def test_fault_001_episode_begins_again(context: CheckContext) -> None:
 
 @requirement("FAULT-002")
 def test_fault_002_failed_run_is_retryable(context: CheckContext) -> None:
-    """An episode faults as often as it may. Expect a reason, and `retryable` true."""
+    """An episode faults `max_faults` times. Expect a reason, and `retryable` true."""
     run = context.submit("fault", max_faults=2)
     worker = run.worker()
     worker.attach()
@@ -49,9 +49,9 @@ def test_fault_002_failed_run_is_retryable(context: CheckContext) -> None:
 
 @requirement("FAULT-003")
 def test_fault_003_failed_run_can_go_on(context: CheckContext) -> None:
-    """A run fails with one episode scored; the faults cease, and it is resumed.
+    """A run fails with one episode scored, and is resumed without further faults.
 
-    Expect the result kept, and the run completed.
+    Expect the result unchanged, and the run completed.
     """
     run = context.submit("score", "fault", max_faults=1)
     worker = run.worker()
@@ -72,9 +72,9 @@ def test_fault_003_failed_run_can_go_on(context: CheckContext) -> None:
 
 @requirement("FAULT-004")
 def test_fault_004_other_workers_are_not_disturbed(context: CheckContext) -> None:
-    """One worker's simulator dies again and again while another worker plays on.
+    """The simulator of one worker fails repeatedly while another worker plays.
 
-    Expect the other to go on step by step, in the same attempt, without a fault.
+    Expect the other worker to play step by step, in one attempt, without a fault.
     """
     run = context.submit("fault", "count", max_faults=10, max_steps=100)
     unlucky, other = attach_workers(run, 2)
@@ -93,9 +93,9 @@ def test_fault_004_other_workers_are_not_disturbed(context: CheckContext) -> Non
 
 @requirement("FAULT-005")
 def test_fault_005_unplayable_task_fails_the_run(context: CheckContext) -> None:
-    """Three faults are allowed, but the task is reported unplayable at once.
+    """`max_faults` is 3, but the simulator reports the task as unplayable at once.
 
-    Expect the run failed, and not to be retryable.
+    Expect the run failed and not retryable.
     """
     run = context.submit("fault", max_faults=3)
     worker = run.worker()
@@ -110,7 +110,7 @@ def test_fault_005_unplayable_task_fails_the_run(context: CheckContext) -> None:
 def test_fault_006_predict_that_fails_the_run(context: CheckContext) -> None:
     """A turn fails the run: by the last fault allowed, or by an unplayable task.
 
-    Expect `session_ended` with `ended_by` `run_failed`, where a turn was before.
+    Expect `session_ended` with `ended_by` `run_failed`; earlier turns succeed.
     """
     for fault in (1, 2):
         worker = submit_and_attach(context, "fault", max_faults=1)

@@ -1,8 +1,8 @@
 """Leases: how long a session lives without a request (LEASE).
 
-These checks keep their own clock. A server is blamed only for what it did inside or
-outside a lease whatever the network did meanwhile; when the kit itself was too slow to
-ask in time, the story is told again, at most three times.
+These checks use their own clock. A server is judged only by responses that were surely
+inside or outside a lease, whatever the network delay; if the kit was late, the check is
+repeated, at most three times.
 """
 
 import functools
@@ -22,7 +22,7 @@ TRIES = 3
 
 
 def retry_when_late(check: Check) -> Check:
-    """Tell the story again when the kit was late."""
+    """Repeat a check when the kit was late."""
 
     @functools.wraps(check)
     def retried(context: CheckContext) -> None:
@@ -37,13 +37,13 @@ def retry_when_late(check: Check) -> Check:
 
 
 def lease_of(context: CheckContext) -> float:
-    """The shortest lease that the server allows and the network lets us watch."""
+    """Give the shortest lease that the server allows and the network delay permits."""
     shortest: float = context.limits["idle_timeout_s_min"]
     return max(1.0, shortest, 4 * context.tolerance_s)
 
 
 def attach_with_lease(context: CheckContext) -> tuple[WorkerClient, Answer]:
-    """Attach a worker with a short lease; the answer that began it."""
+    """Attach a worker with a short lease; give the answer that started it."""
     worker = context.submit("count", idle_timeout_s=lease_of(context)).worker()
     answer = worker.try_attach()
     worker.session_id = expect.require(answer, 200, "attach_worker")["session_id"]
@@ -63,27 +63,27 @@ def sleep_until(moment: float) -> None:
 
 
 def sleep_past(answer: Answer, context: CheckContext) -> None:
-    """Sleep until the lease that an answer began is surely over."""
+    """Sleep until the lease that an answer started is surely over."""
     sleep_until(answer.ended_at + lease_of(context) + context.tolerance_s)
 
 
 def require_inside_lease(
     probe: Answer, lease_began: Answer, context: CheckContext
 ) -> None:
-    """Go on only if a request was answered while the lease surely lived."""
+    """Require that a request was answered surely inside the lease."""
     if probe.ended_at > lease_began.started_at + lease_of(context):
         raise Inconclusive("a request of the kit came too late to be inside the lease")
 
 
 def require_ended_session(worker: WorkerClient) -> None:
-    """Go on only if leases end at all; LEASE-001 judges that."""
+    """Require that leases end at all; LEASE-001 judges that."""
     expect.require(worker.try_heartbeat(), 409, "a session that is over")
 
 
 @requirement("LEASE-001")
 @background
 def test_lease_001_session_ends(context: CheckContext) -> None:
-    """A worker plays a turn and then says nothing for longer than its lease.
+    """A worker plays a turn and then sends nothing for longer than its lease.
 
     Expect `session_ended` for its next predict and its next heartbeat.
     """
@@ -98,8 +98,8 @@ def test_lease_001_session_ends(context: CheckContext) -> None:
 @requirement("LEASE-002")
 @background
 @retry_when_late
-def test_lease_002_session_lives_until_then(context: CheckContext) -> None:
-    """A worker is silent for nearly its whole lease, another one for all of it.
+def test_lease_002_session_lives_for_its_lease(context: CheckContext) -> None:
+    """A worker sends nothing for nearly its whole lease, another one for all of it.
 
     Expect the turn of the first to be accepted.
     """
@@ -139,7 +139,7 @@ def expect_lease_extension(
 @background
 @retry_when_late
 def test_lease_003_heartbeat_extends(context: CheckContext) -> None:
-    """A thinking worker sends a heartbeat, then another when the first lease is over.
+    """A worker sends a heartbeat, then another when its first lease is over.
 
     Expect the second accepted, and the session ended one lease after it.
     """
@@ -183,9 +183,9 @@ def test_lease_005_execution_does_not_count(context: CheckContext) -> None:
 @requirement("LEASE-006")
 @background
 def test_lease_006_end_of_lease_frees_the_slot(context: CheckContext) -> None:
-    """The only slot of a run is taken by a worker that falls silent.
+    """The worker in the only slot of a run stops sending requests.
 
-    Expect another worker to be let in when the lease has ended.
+    Expect another worker to attach when the lease has ended.
     """
     lease_s = lease_of(context)
     run = context.submit("score", "score", max_workers=1, idle_timeout_s=lease_s)
@@ -203,7 +203,7 @@ def test_lease_006_end_of_lease_frees_the_slot(context: CheckContext) -> None:
 @background
 @retry_when_late
 def test_lease_008_refusals_do_not_extend(context: CheckContext) -> None:
-    """A worker's last accepted request is its attach; later it sends refused ones.
+    """A worker attaches; all its later requests are refused.
 
     Expect the session ended one lease after the attach.
     """

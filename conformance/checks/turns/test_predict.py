@@ -1,4 +1,4 @@
-"""Turns: what a chunk does, how an episode ends, what a turn tells (PRED)."""
+"""Turns: execution of chunks, ends of episodes, members of a turn (PRED)."""
 
 import time
 from typing import Any
@@ -25,7 +25,7 @@ from conformance.verdicts import expect
 def test_pred_001_executes_all_actions_in_order(context: CheckContext) -> None:
     """A chunk of three different actions.
 
-    Expect three executed, and the last one to be the last.
+    Expect three executed actions, the last one last.
     """
     worker = submit_and_attach(context, "score", "score")
     chunk = [context.action(vector=[n] * 8, score=n / 4) for n in (3.0, 1.0, 2.0)]
@@ -39,7 +39,7 @@ def test_pred_001_executes_all_actions_in_order(context: CheckContext) -> None:
 def play_in_chunks(
     context: CheckContext, actions: list[Any], lengths: list[int]
 ) -> dict[int, Any]:
-    """Play actions in chunks; what was seen after so many of them, and in the end."""
+    """Play actions in chunks; give the observations at the cuts, and the end."""
     worker = submit_and_attach(context, "score", max_steps=7)
     seen: dict[int, Any] = {}
     first, rewards = 0, 0.0
@@ -56,7 +56,7 @@ def play_in_chunks(
 
 @requirement("PRED-006")
 def test_pred_006_chunks_are_single_actions(context: CheckContext) -> None:
-    """The same actions, once one by one and once cut into chunks at random.
+    """The same actions, sent one by one and in random chunks.
 
     Expect the same observations and rewards at every cut, and the same result, whether
     the episode ends by itself, at `max_steps`, or not at all.
@@ -82,7 +82,7 @@ def test_pred_006_chunks_are_single_actions(context: CheckContext) -> None:
 
 @requirement("PRED-007")
 def test_pred_007_stops_when_the_episode_ends(context: CheckContext) -> None:
-    """Chunks that go on after the end, end with the episode, or end before it.
+    """Chunks that are longer than the episode, end with it, or end before it.
 
     Expect `stopped_early` only for the first, and nothing executed after the end.
     """
@@ -103,11 +103,11 @@ def test_pred_007_stops_when_the_episode_ends(context: CheckContext) -> None:
 
 
 @requirement("PRED-008")
-def test_pred_008_tells_result_and_next_episode(context: CheckContext) -> None:
+def test_pred_008_returns_result_and_next_episode(context: CheckContext) -> None:
     """Two episodes; the first ends with its second action.
 
     Expect no result before the end; then the result of that episode, and the first
-    observation of the other one.
+    observation of the next one.
     """
     worker = submit_and_attach(context, "count", "count")
     turn = worker.predict(context.action())
@@ -125,8 +125,8 @@ def test_pred_008_tells_result_and_next_episode(context: CheckContext) -> None:
 
 
 @requirement("PRED-009")
-def test_pred_009_says_done(context: CheckContext) -> None:
-    """The last episode ends. Expect `done` then, not earlier, and nothing to play."""
+def test_pred_009_done_after_the_last_episode(context: CheckContext) -> None:
+    """The last episode ends. Expect `done` then, not earlier, and no episode."""
     worker = submit_and_attach(context, "score", "score")
     expect.equal(worker.play()["done"], False, "done with an episode left")
     turn = expect.ok(worker.try_predict(context.action(end=1)))
@@ -137,7 +137,7 @@ def test_pred_009_says_done(context: CheckContext) -> None:
 
 @requirement("PRED-012")
 def test_pred_012_observes_all(context: CheckContext) -> None:
-    """A chunk that is executed wholly, and one that the episode's end cuts short.
+    """A chunk that is executed completely, and one that the episode's end truncates.
 
     Expect one observation per executed action, in order.
     """
@@ -155,7 +155,7 @@ def test_pred_012_observes_all(context: CheckContext) -> None:
 
 @requirement("PRED-020")
 def test_pred_020_truncates_at_max_steps(context: CheckContext) -> None:
-    """An episode of at most three steps is played on, and another ends by itself.
+    """An episode with `max_steps` 3 is played to the limit, and another terminates.
 
     Expect the first truncated and not terminated, at its third step and not before;
     the other terminated at that step.
@@ -177,7 +177,7 @@ def test_pred_020_truncates_at_max_steps(context: CheckContext) -> None:
 
 @requirement("PRED-021")
 def test_pred_021_rewards_each_action(context: CheckContext) -> None:
-    """A chunk of three actions, then one of which the episode's end leaves two.
+    """A chunk of three actions, then one of which two are executed.
 
     Expect the reward of each executed action, which is its `score`.
     """
@@ -196,7 +196,7 @@ def test_pred_021_rewards_each_action(context: CheckContext) -> None:
 def longest_turn_beside(
     slow: WorkerClient, quick: WorkerClient, delay_s: float
 ) -> float:
-    """Let one worker take a long turn; the other's longest turn meanwhile."""
+    """Let one worker take a long turn; give the longest turn of the other."""
     context = slow.run.context
     until = time.monotonic() + delay_s / 2
     turns_s: list[float] = []
@@ -223,8 +223,8 @@ def longest_turn_beside(
 def test_pred_022_workers_do_not_wait_for_each_other(context: CheckContext) -> None:
     """One worker takes a turn of a second while another takes short ones.
 
-    Expect each short turn to end long before the long one. A slow moment of the
-    machine is not held against the server: it has three tries.
+    Expect each short turn to end long before the long one. As the machine may be slow
+    for a moment, there are three tries.
     """
     run = context.submit("delay", "count", max_steps=10000)
     slow, quick = attach_workers(run, 2)

@@ -1,4 +1,4 @@
-"""Exactly once: repeated and misplaced turns, and chunks that are refused (PRED)."""
+"""Exactly once: repeated and out-of-order turns, refused chunks (PRED)."""
 
 import math
 from typing import Any
@@ -19,9 +19,9 @@ from conformance.verdicts.expect import Inconclusive, NotApplicable, SetUpFailed
 
 @requirement("PRED-002")
 def test_pred_002_can_repeat_a_turn(context: CheckContext) -> None:
-    """The answer to a turn was lost twice: inside an episode, and at its end.
+    """The response to a turn was lost twice: during an episode, and at its end.
 
-    Expect the stored answer each time, and nothing executed.
+    Expect the stored response each time, and nothing executed.
     """
     worker = submit_and_attach(context, "count", "count")
     for action in (context.action(), context.action(end=1)):
@@ -36,7 +36,7 @@ def test_pred_002_can_repeat_a_turn(context: CheckContext) -> None:
 def test_pred_003_cannot_repeat_with_another_body(context: CheckContext) -> None:
     """The last seq again with another action, another length, another `observe`.
 
-    Expect `seq_conflict` and nothing executed; the true body is accepted again.
+    Expect `seq_conflict` and nothing executed; the original body is accepted again.
     """
     worker = submit_and_attach(context, "count")
     action, other = context.action(), context.action(score=0.5)
@@ -70,9 +70,9 @@ def test_pred_004_cannot_skip_or_go_back(context: CheckContext) -> None:
 @requirement("PRED-005")
 @background
 def test_pred_005_repeat_waits_for_the_first(context: CheckContext) -> None:
-    """An impatient client sends a turn again while it is executed.
+    """A client repeats a turn while it is executed.
 
-    Expect both to get the same answer, and the action executed once.
+    Expect the same response to both, and the action executed once.
     """
     worker = submit_and_attach(context, "delay")
     action = context.action(delay_s=0.5)
@@ -87,9 +87,9 @@ def test_pred_005_repeat_waits_for_the_first(context: CheckContext) -> None:
 
 @requirement("PRED-010")
 def test_pred_010_can_repeat_the_last_turn(context: CheckContext) -> None:
-    """The answer that ended the whole run was lost.
+    """The response to the last turn of the run was lost.
 
-    Expect it again when the `predict` is repeated, although the run has completed.
+    Expect it again when the `predict` is repeated, although the run is completed.
     """
     worker = submit_and_attach(context, "score")
     turn = worker.play(score=0.25)
@@ -102,8 +102,8 @@ def test_pred_010_can_repeat_the_last_turn(context: CheckContext) -> None:
 
 @requirement("PRED-011")
 def test_pred_011_cannot_play_on_when_done(context: CheckContext) -> None:
-    """A session that was told `done` sends another turn, while another worker still
-    plays and after the run has completed.
+    """A session with `done` sends another turn, while another worker still plays and
+    after the run has completed.
 
     Expect `no_episode` both times.
     """
@@ -118,7 +118,7 @@ def test_pred_011_cannot_play_on_when_done(context: CheckContext) -> None:
 def expect_invalid_values(
     worker: WorkerClient, values: dict[str, Any], *pointers: str, msgpack: bool = False
 ) -> None:
-    """Expect an action refused for its values, and pointed at."""
+    """Expect an action refused with a pointer to its values."""
     answer = require_not_seq_refusal(
         worker.try_predict({"values": values}, msgpack=msgpack)
     )
@@ -129,7 +129,7 @@ def expect_invalid_values(
 def expect_only_one_executed(
     worker: WorkerClient, executed: int, **values: Any
 ) -> None:
-    """Expect that nothing but this action was executed since `executed` were."""
+    """Expect that only this action was executed since the `executed` ones."""
     turn = worker.predict(worker.run.context.action(**values))
     expect.equal(count(turn), [executed + 1], "count in the next turn")
 
@@ -149,7 +149,7 @@ def test_pred_013_cannot_send_a_wrong_length(context: CheckContext) -> None:
 
 @requirement("PRED-014")
 def test_pred_014_cannot_send_unknown_or_missing_names(context: CheckContext) -> None:
-    """A name too many, a name too few, and one misspelt.
+    """An unknown name, a missing name, and a misspelt one.
 
     Expect `invalid_request` pointing at it, and nothing executed.
     """
@@ -197,10 +197,10 @@ def test_pred_016_cannot_send_nan_or_infinity(context: CheckContext) -> None:
 
 
 @requirement("PRED-017")
-def test_pred_017_cannot_leave_a_refused_range(context: CheckContext) -> None:
-    """Values just outside their range, and at its very ends.
+def test_pred_017_cannot_send_values_out_of_range(context: CheckContext) -> None:
+    """Values just outside their range, and at its ends.
 
-    Expect `invalid_request` pointing at those outside; nothing of them is executed.
+    Expect `invalid_request` pointing at those outside, and nothing executed.
     """
     worker = submit_and_attach(context, "count")
     good = context.action()["values"]
@@ -220,9 +220,9 @@ def test_pred_017_cannot_leave_a_refused_range(context: CheckContext) -> None:
 
 @requirement("PRED-018")
 def test_pred_018_clips_where_declared(context: CheckContext) -> None:
-    """Values beyond a range declared `clip`, and inside it.
+    """Values outside a range declared `clip`, and inside it.
 
-    Expect the nearest value inside to be executed.
+    Expect the nearest value of the range executed.
     """
     worker = submit_and_attach(context, "count")
     for sent, executed in (
@@ -237,7 +237,7 @@ def test_pred_018_clips_where_declared(context: CheckContext) -> None:
 
 @requirement("PRED-019")
 def test_pred_019_one_bad_action_refuses_the_chunk(context: CheckContext) -> None:
-    """A chunk of good actions with one bad one: first, in the middle, last.
+    """A chunk of valid actions with one invalid: first, in the middle, last.
 
     Expect the whole chunk refused, and nothing executed; without it, all are executed.
     """
@@ -255,9 +255,9 @@ def test_pred_019_one_bad_action_refuses_the_chunk(context: CheckContext) -> Non
 
 @requirement("PRED-024")
 def test_pred_024_refusal_does_not_use_up_seq(context: CheckContext) -> None:
-    """A turn is refused, then sent again under the same seq with its fault corrected.
+    """A turn is refused, then sent again with the same seq and its error corrected.
 
-    Expect it accepted, as if the refused one had never been sent.
+    Expect it accepted.
     """
     worker = submit_and_attach(context, "count")
     bad = context.action(vector=[0.0] * 7)

@@ -63,7 +63,7 @@ def printed_script(mutant: str, requirement_id: str, report: Path) -> str:
         check=False,
     )
     assert done.returncode == 1, done.stdout
-    card = done.stdout.partition("\n  repeat ")[2].splitlines()
+    card = done.stdout.partition("\n  reproduce ")[2].splitlines()
     lines = [line[4:] for line in card if line.startswith("    ") and line[4] != " "]
     (row,) = json.loads((report / "report.json").read_text())["rows"]
     assert lines == row["script"].splitlines()

@@ -69,12 +69,12 @@ def failed() -> Verdict:
 @pytest.mark.parametrize(
     ("verdict", "code", "says"),
     [
-        (Verdict("ATT-003", Outcome.PASSED), 0, "conformant in the rows"),
-        (FAILED, 1, "NOT conformant in the rows"),
-        (Verdict("ATT-003", Outcome.INCONCLUSIVE), 2, "could not judge"),
-        (Verdict("ATT-003", Outcome.KIT_ERROR, check="x"), 2, "could not judge"),
-        (Verdict("ATT-003", Outcome.NOT_APPLICABLE), 0, "conformant in the rows"),
-        (Verdict("ATT-003", Outcome.NOT_VERIFIED), 2, "could not judge"),
+        (Verdict("ATT-003", Outcome.PASSED), 0, "conformant (selected rules)"),
+        (FAILED, 1, "NOT conformant (selected rules)"),
+        (Verdict("ATT-003", Outcome.INCONCLUSIVE), 2, "not decided"),
+        (Verdict("ATT-003", Outcome.KIT_ERROR, check="x"), 2, "not decided"),
+        (Verdict("ATT-003", Outcome.NOT_APPLICABLE), 0, "conformant (selected rules)"),
+        (Verdict("ATT-003", Outcome.NOT_VERIFIED), 2, "not decided"),
         (Verdict("ATT-003", Outcome.NOT_VERIFIED, "", True), 0, "conformant in"),
     ],
 )
@@ -209,7 +209,7 @@ def test_script_catches_ids_and_keeps_pauses() -> None:
         ),
         "# → 409 worker_busy after 0 ms",
         'curl -sS "$URL/v1" -H "Authorization: Bearer $TOKEN"',
-        "# → no answer: ReadTimeout: slow",
+        "# → no response: ReadTimeout: slow",
     ]
 
 

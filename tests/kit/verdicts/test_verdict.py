@@ -1,4 +1,4 @@
-"""What many verdicts come to: conformant, violated, or could not judge."""
+"""What many verdicts come to: conformant, violated, or not decided."""
 
 import json
 from typing import Any

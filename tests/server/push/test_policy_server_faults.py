@@ -328,7 +328,7 @@ def test_the_problem_of_a_policy_appears_in_the_reason(
 ) -> None:
     policy.on("describe_policy", lambda _: busy_reply())
     run = play_push_run(push_server, policy.url)
-    assert "unavailable: The kit wants this call once more." in run["reason"]
+    assert "unavailable: Temporarily unavailable; repeat the call." in run["reason"]
 
 
 def test_the_server_works_after_all_faults(

@@ -1,0 +1,60 @@
+"""The frame of a kit run: errors become a problem of the result, reports are written.
+
+Shared by `python -m conformance` and `python -m conformance.policy`. Knows neither how
+a server is inspected nor which checks run.
+"""
+
+import contextlib
+import signal
+import time
+from collections.abc import Callable, Iterator
+from datetime import UTC, datetime
+from types import FrameType
+
+from conformance.cli.arguments import BadArguments
+from conformance.cli.console import Terminal
+from conformance.reports.files import write_reports
+from conformance.runner.preflight import CannotJudge
+from conformance.runner.server_process import StartFailed
+from conformance.specification.document import load_spec
+from conformance.verdicts.result import Result, conclude
+from conformance.verdicts.universal_rules import Tally
+
+
+def run_kit(result: Result, terminal: Terminal, judge: Callable[[], None]) -> int:
+    """Judge, write and print the reports, and give the exit code.
+
+    `judge` fills in the result; it raises when nothing can be decided.
+    """
+    result.started_at = datetime.now(UTC).isoformat(timespec="seconds")
+    began_at = time.monotonic()
+    signal.signal(signal.SIGTERM, _raise_interrupt)
+    try:
+        judge()
+    except BadArguments as error:
+        result.problem = f"{error} (see --help)"
+    except (CannotJudge, StartFailed) as error:
+        result.problem = str(error)
+    except KeyboardInterrupt:
+        result.problem = "interrupted"
+    result.elapsed_s = time.monotonic() - began_at
+    if result.problem is not None and not result.rows:
+        conclude(result, {}, Tally(load_spec()), set())
+    with _report_write_errors(terminal, result):
+        write_reports(result)
+    terminal.report(result)
+    return result.exit_code
+
+
+@contextlib.contextmanager
+def _report_write_errors(terminal: Terminal, result: Result) -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        terminal.say(f"the reports could not be written: {error}", "bold red")
+        result.problem = result.problem or f"no reports: {error}"
+
+
+def _raise_interrupt(_number: int, _frame: FrameType | None) -> None:
+    """Treat SIGTERM as Ctrl-C, so that a server started by the kit ends, too."""
+    raise KeyboardInterrupt
