@@ -9,8 +9,8 @@ from pathlib import Path
 from conformance.cli.arguments import (
     BadArguments,
     build_parser,
-    read_selection,
     read_known_failures,
+    read_selection,
     read_settings,
 )
 from conformance.cli.console import Terminal
