@@ -40,7 +40,7 @@ CODE_FORMAT_READERS = {
     "benchmarks/contenders/ebench_client.py": "pickle is what is measured",
     "benchmarks/contenders/ebench_server.py": "and both ends are ours",
     "conformance/profiles/pickles.py": "EBench; its reader lets nothing be named",
-    "tests/support/profiles/ebench_client.py": "EBench client, and attacks",
+    "tests/support/profiles/ebench_client.py": "sends EBench's pickles, and attacks",
 }
 VAGUE_NAMES = {"base", "common", "helper", "helpers", "manager", "utils"}
 FUNCTION_LINES_MAX = 70
