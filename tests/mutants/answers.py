@@ -1,4 +1,4 @@
-"""Mutants of answers: scores, runs, errors, accounts, encodings."""
+"""Mutants of answers: scores, versions, problems, encodings."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from starlette.responses import Response
 
 from reference_server import app
 from reference_server.generated.problem_codes import PROBLEMS
-from reference_server.http import auth, codec, dispatch, handlers, problems
-from reference_server.rules import effects, scoring
+from reference_server.http import codec, dispatch, problems
+from reference_server.rules import scoring
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.runs.registry import RunRegistry
@@ -114,67 +114,6 @@ def uses_the_normal_interval() -> None:
     change_score(spoil)
 
 
-@mutant("RUN-003", "RUN-004")
-def ignores_idempotency_keys() -> None:
-    """A repeated submit evaluates everything twice."""
-    right = RunRegistry.add
-
-    async def wrong(self: RunRegistry, run: Run, _key: str | None, body: str) -> Run:
-        return await right(self, run, None, body)
-
-    put(RunRegistry, "add", wrong)
-
-
-@mutant("RUN-004")
-def answers_a_used_key_whatever_the_body() -> None:
-    """The second of two different runs is not created, without an error."""
-    right = RunRegistry.add
-
-    async def wrong(self: RunRegistry, run: Run, key: str | None, _body: str) -> Run:
-        return await right(self, run, key, "same")
-
-    put(RunRegistry, "add", wrong)
-
-
-@mutant("AUTH-003", "CMP-010")
-def shows_runs_to_every_account() -> None:
-    """Every account can read and stop the runs of all accounts."""
-    right = RunRegistry.get
-
-    async def wrong(self: RunRegistry, run_id: str, _account: str | None = None) -> Run:
-        return await right(self, run_id)
-
-    put(RunRegistry, "get", wrong)
-
-
-@mutant("AUTH-003", "CMP-010")
-def says_that_a_foreign_run_exists() -> None:
-    """Run ids of other accounts can be found by trying."""
-    right = RunRegistry.get
-
-    async def wrong(self: RunRegistry, run_id: str, account: str | None = None) -> Run:
-        run = await right(self, run_id)
-        if account not in (None, run.account):
-            raise Refused("forbidden", "This run is not yours.")
-        return run
-
-    put(RunRegistry, "get", wrong)
-
-
-@mutant("AUTH-005")
-def lets_readers_write() -> None:
-    """A token for a dashboard can stop runs."""
-    right = auth.Tokens.parse
-
-    def wrong(text: str) -> auth.Tokens:
-        tokens: auth.Tokens = right(text)
-        for hashed, caller in tokens._by_hash.items():
-            tokens._by_hash[hashed] = auth.Caller(caller.account, auth.SCOPES)
-        return tokens
-
-    put(auth.Tokens, "parse", wrong)
-
-
 @mutant("VER-002")
 def accepts_any_version() -> None:
     """A client of another protocol is misunderstood instead of refused."""
@@ -189,24 +128,6 @@ def does_not_name_its_version() -> None:
         await self._app(scope, receive, send)
 
     put(app.Application, "__call__", wrong)
-
-
-@mutant("ERR-003")
-def ignores_unknown_members() -> None:
-    """A misspelt option is not applied, without an error."""
-    right = codec.validate
-
-    def wrong(model: Any, data: Any) -> Any:
-        try:
-            return right(model, data)
-        except Refused:
-            if isinstance(data, dict):
-                known = {k: v for k, v in data.items() if k in model.model_fields}
-                if known != data:
-                    return right(model, known)
-            raise
-
-    put(codec, "validate", wrong)
 
 
 @mutant("ERR-001")
@@ -256,39 +177,6 @@ def prefers_messagepack() -> None:
         return right(request, tuple(reversed(writable)))
 
     put(codec, "negotiate_media_type", wrong)
-
-
-@mutant("RUN-011", "RUN-012", "RUN-013")
-def ignores_etags() -> None:
-    """Every poll transfers the whole answer."""
-    put(handlers, "_matches", lambda _wanted, _etag: False)
-
-
-@mutant("RUN-012")
-def answers_long_polls_only_at_their_end() -> None:
-    """A long poll is no faster than polling at intervals."""
-
-    async def wrong(
-        _self: RunRegistry, _change_events: asyncio.Event, timeout_s: float
-    ) -> bool:
-        await asyncio.sleep(timeout_s)
-        return True
-
-    put(RunRegistry, "wait_for_change", wrong)
-
-
-@mutant("LIFE-801")
-def forgets_runs_that_were_held_in_the_queue() -> None:
-    """A queued run never starts."""
-    right = effects.admit
-
-    def wrong(queued: list[Run], *rest: Any) -> list[Run]:
-        options = [run.submission.get("options", {}) for run in queued]
-        held = [bool(option.get("queue_s")) for option in options]
-        free = [run for run, is_held in zip(queued, held, strict=True) if not is_held]
-        return right(free, *rest)
-
-    put(effects, "admit", wrong)
 
 
 @mutant("CRASH-001")

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from reference_server.rules import effects
-from reference_server.rules.run import Episode, Run, Session
+from reference_server.rules.run import Episode, Run, Session, SessionEnd
+from reference_server.storage import rows
+from reference_server.views import turn_view
 from tests.mutants import mutant, put
 from tests.mutants.turns import change_turn
 
@@ -190,3 +193,127 @@ def ends_every_session_when_one_simulator_breaks() -> None:
         return others + right(run, session, *rest, **named)
 
     put(effects, "record_fault", wrong)
+
+
+@mutant("EPI-007")
+def shows_the_seed_to_the_policy() -> None:
+    """A policy can look the episode up instead of solving it."""
+    right = turn_view._episode_view
+    put(
+        turn_view,
+        "_episode_view",
+        lambda session, episode: right(session, episode) | {"seed": episode.seed},
+    )
+
+
+@mutant("ATT-001")
+def claims_a_step_before_the_first_action() -> None:
+    """A client that counts steps counts one too many."""
+    right = turn_view.turn_view
+
+    def wrong(session: Session, **members: Any) -> dict[str, Any]:
+        body = right(session, **members)
+        return body if body["seq"] else body | {"executed_steps": 1, "rewards": [0.0]}
+
+    put(turn_view, "turn_view", wrong)
+
+
+@mutant("FAULT-003", "RES-001", "RES-003")
+def rounds_scores_on_resume() -> None:
+    """Resuming changes results that were published."""
+    right = effects.resume
+
+    def wrong(run: Run, queue_until_wall: float) -> None:
+        right(run, queue_until_wall)
+        for episode in run.episodes:
+            if episode.result is not None:
+                episode.result = replace(
+                    episode.result, score=float(round(episode.result.score))
+                )
+                run.changed.add(episode.index)
+
+    put(effects, "resume", wrong)
+
+
+@mutant("RES-002", "RES-003")
+def forgets_one_episode_on_resume() -> None:
+    """A resumed run never completes."""
+    right = effects.resume
+
+    def wrong(run: Run, queue_until_wall: float) -> None:
+        right(run, queue_until_wall)
+        if len(run.pending) > 1:
+            run.pending.remove(max(run.pending))
+
+    put(effects, "resume", wrong)
+
+
+@mutant("RES-003")
+def halves_the_score_of_later_attempts() -> None:
+    """A stop of the run costs score."""
+    right = effects._record_result
+
+    def wrong(run: Run, episode: Any, result: Any) -> None:
+        if episode.attempt > 1 and result.outcome != "abandoned":
+            result = replace(result, score=result.score / 2)
+        right(run, episode, result)
+
+    put(effects, "_record_result", wrong)
+
+
+@mutant("FAULT-002")
+def gives_no_reason_for_a_failure() -> None:
+    """A run has failed and its user cannot learn why."""
+    right = effects.record_fault
+
+    def wrong(run: Run, *rest: Any, **named: Any) -> list[Session]:
+        ended = right(run, *rest, **named)
+        if run.state == "failed":
+            run.reason = ""
+        return ended
+
+    put(effects, "record_fault", wrong)
+
+
+@mutant("FAULT-003")
+def forgets_scores_when_a_failed_run_resumes() -> None:
+    """One broken episode costs the scores of all others."""
+    right = effects.resume
+
+    def wrong(run: Run, queue_until_wall: float) -> None:
+        failed = run.state == "failed"
+        right(run, queue_until_wall)
+        for episode in run.episodes if failed else []:
+            if episode.result is not None:
+                episode.result = None
+                run.scored -= 1
+                run.return_to_pending(episode)
+                run.changed.add(episode.index)
+
+    put(effects, "resume", wrong)
+
+
+@mutant("FAULT-006")
+def does_not_say_that_the_run_failed() -> None:
+    """The client attaches again to a run that has failed."""
+    right = Run.record_end
+
+    def wrong(self: Run, session: Session, ended_by: SessionEnd) -> None:
+        right(self, session, "unknown" if ended_by == "run_failed" else ended_by)
+
+    put(Run, "record_end", wrong)
+
+
+@mutant("CRASH-002")
+def counts_attempts_over_a_crash() -> None:
+    """A crash of the server uses up an attempt of every running policy."""
+    right = rows.run_of
+
+    def wrong(*stored: Any) -> Run:
+        run = right(*stored)
+        for episode in run.episodes:
+            if episode.result is None:
+                episode.attempt += 1
+        return run
+
+    put(rows, "run_of", wrong)

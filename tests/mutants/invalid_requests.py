@@ -230,3 +230,21 @@ def offers_another_calibration() -> None:
 def reads_minus_zero_as_an_integer() -> None:
     """A sign is lost when a language writes whole numbers without a fraction."""
     put(codec, "_parse_signed_zero", int)
+
+
+@mutant("ERR-003")
+def ignores_unknown_members() -> None:
+    """A misspelt option is not applied, without an error."""
+    right = codec.validate
+
+    def wrong(model: Any, data: Any) -> Any:
+        try:
+            return right(model, data)
+        except Refused:
+            if isinstance(data, dict):
+                known = {k: v for k, v in data.items() if k in model.model_fields}
+                if known != data:
+                    return right(model, known)
+            raise
+
+    put(codec, "validate", wrong)

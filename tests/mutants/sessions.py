@@ -8,9 +8,16 @@ from dataclasses import replace
 from typing import Any
 
 from reference_server.rules import effects, lifecycle
-from reference_server.rules.lifecycle import GUARDS, Attach, Detach, Refuse, Verdict
+from reference_server.rules.lifecycle import (
+    GUARDS,
+    Attach,
+    Detach,
+    Heartbeat,
+    Refuse,
+    Verdict,
+)
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, Session
+from reference_server.rules.run import Run, Session, SessionEnd
 from reference_server.runs import session_resources
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.runs.session_resources import ResourceManager, SessionResources
@@ -265,3 +272,21 @@ def refuses_a_second_detach() -> None:
         return lifecycle._session_is_live(run, heartbeat, now)
 
     replace_guard(lifecycle._detach_target_exists, wrong)
+
+
+@mutant("STOP-002")
+def accepts_heartbeats_of_a_stopped_run() -> None:
+    """A client computes for hours for a run that has ended."""
+    right, remember = SessionExecutor.heartbeat, Run.record_end
+    stopped: dict[str, Session] = {}
+
+    def wrong_remember(self: Run, session: Session, ended_by: SessionEnd) -> None:
+        remember(self, session, ended_by)
+        if ended_by == "run_stopped":
+            stopped[session.session_id] = session
+
+    def wrong(self: SessionExecutor, run: Run, command: Heartbeat) -> Session:
+        return stopped.get(command.session_id) or right(self, run, command)
+
+    put(Run, "record_end", wrong_remember)
+    put(SessionExecutor, "heartbeat", wrong)
