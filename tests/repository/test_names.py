@@ -82,14 +82,13 @@ WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
 # File names that several folders have -> why their subjects are one.
 SAME_FILE_NAME = {
     "__init__.py __main__.py conftest.py": "Python's own names",
-    "arguments.py main.py settings.py": "of each command",
+    "arguments.py main.py": "of each command",
     "benchmark.py experts.py layout.py plans.py": "the same part of each benchmark",
     "scene.py simulator.py skills.py tasks.py world.py": "the same part of each",
-    "chat.py ebench.py events.py flageval.py lifecycle.py turns.py": "an area of the "
+    "ebench.py events.py flageval.py lifecycle.py": "an area of the "
     "rules: its checks, its decisions, the mutants that break it",
     "ebench_client.py openpi_client.py": "clients of the same third-party server",
     "fork_server.py": "each starts processes by fork",
-    "handlers.py requests.py responses.py": "of HTTP and of each profile",
     "test_calibration.py test_events.py test_lifecycle.py test_scoring.py"
     " test_benchmarks.py test_errors.py test_policy.py": "the kit's check of a subject "
     "and our own test of it",
