@@ -82,16 +82,16 @@ WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
 # File names that several folders have -> why their subjects are one.
 SAME_FILE_NAME = {
     "__init__.py __main__.py conftest.py": "Python's own names",
-    "arguments.py main.py settings.py": "of each command",
+    "arguments.py main.py": "of each command",
     "benchmark.py experts.py layout.py plans.py": "the same part of each benchmark",
     "scene.py simulator.py skills.py tasks.py world.py": "the same part of each",
-    "chat.py ebench.py events.py flageval.py lifecycle.py turns.py": "an area of the "
+    "ebench.py events.py flageval.py lifecycle.py": "an area of the "
     "rules: its checks, its decisions, the mutants that break it",
     "ebench_client.py openpi_client.py": "clients of the same third-party server",
     "fork_server.py": "each starts processes by fork",
-    "handlers.py requests.py responses.py": "of HTTP and of each profile",
-    "test_calibration.py test_events.py test_lifecycle.py test_scoring.py": "the kit's "
-    "check of a subject and our own test of it",
+    "test_calibration.py test_events.py test_lifecycle.py test_scoring.py"
+    " test_benchmarks.py test_errors.py test_policy.py": "the kit's check of a subject "
+    "and our own test of it",
     # Different subjects; to be renamed.
     "app.py": "the HTTP application, and one that libraries are measured with",
     "comparison.py": "comparison of two runs, and of libraries",
@@ -111,6 +111,7 @@ SAME_CLASS = {
     # Different subjects; to be renamed.
     "Connection": "the client's, and a contender's",
     "Contender": "of two kinds of measurements",
+    "EpisodePlan": "an episode of a benchmark, and of a file",
     "Expert": "scripted policies of two tools and a benchmark",
     "Handler": "of two HTTP servers",
     "Question": "asked by a benchmark, and of libraries",
@@ -127,6 +128,7 @@ MORE_SIBLINGS = {
     "reference_sim/benchmarks/mobile_bimanual": "the parts of one benchmark",
     "tests/mutants": "a file for each area of the rules",
     "tests/repository": "a test for each page and each rule on the repository",
+    "tests/support": "what several folders of tests share, by subject",
     "tools/generators": "a file for each language",
 }
 PACKAGES = ("conformance", "reference_client", "reference_server", "reference_sim")
