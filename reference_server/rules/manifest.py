@@ -24,7 +24,7 @@ class ObservationSpace(TypedDict):
     state: Mapping[str, Mapping[str, Any]]
 
 
-class EpisodePlan(TypedDict):
+class ManifestEpisode(TypedDict):
     """One episode of the manifest."""
 
     task: str
@@ -39,7 +39,7 @@ class Manifest(TypedDict):
     version: str
     title: str
     episodes_total: int
-    episodes: Sequence[EpisodePlan]
+    episodes: Sequence[ManifestEpisode]
     control_rate_hz: float
     max_steps: int
     max_chunk: int

@@ -11,7 +11,7 @@ from typing import Any
 
 import msgspec
 
-from reference_server.rules.manifest import EpisodePlan, Manifest
+from reference_server.rules.manifest import ManifestEpisode, Manifest
 from reference_server.rules.run import Episode, Result, Run, RunHead
 
 Row = Mapping[str, Any]
@@ -88,7 +88,7 @@ def episode_rows(run: Run, changed: set[int]) -> list[dict[str, Any]]:
 
 
 def episodes_of(
-    plans: Sequence[EpisodePlan], start: int, stored: Iterable[EpisodeRow]
+    plans: Sequence[ManifestEpisode], start: int, stored: Iterable[EpisodeRow]
 ) -> list[Episode]:
     """Episodes from `start`, by their plans and what has happened to them."""
     episodes = [_from_plan(index, plan) for index, plan in enumerate(plans, start)]
@@ -97,14 +97,14 @@ def episodes_of(
     return episodes
 
 
-def episode_of(plans: Sequence[EpisodePlan], row: EpisodeRow) -> Episode:
+def episode_of(plans: Sequence[ManifestEpisode], row: EpisodeRow) -> Episode:
     """One episode by the plans of all and what has happened to it."""
     episode = _from_plan(row[0], plans[row[0]])
     _apply_row(episode, row)
     return episode
 
 
-def _from_plan(index: int, plan: EpisodePlan) -> Episode:
+def _from_plan(index: int, plan: ManifestEpisode) -> Episode:
     return Episode(index, plan["task"], plan["split"], plan["seed"])
 
 

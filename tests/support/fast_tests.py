@@ -1,6 +1,6 @@
 """What keeps `make check` fast: hooks of pytest that know fast tests from slow ones.
 
-A test is slow when it is marked so, or when it has the fixture `server`. Any other
+A test is slow when it is marked so, or when it has one of SLOW_FIXTURES. Any other
 fails when it starts a server or a kit, or computes for long: the marks stay complete.
 """
 
@@ -16,15 +16,17 @@ import pytest
 # What a fast test may not start, and how long it may compute.
 SLOW_PROGRAMS = {"reference_server", "conformance", "conformance.policy"}
 FAST_TEST_MAX_S = 20.0
+# Fixtures that start a server, or build the wheel.
+SLOW_FIXTURES = {"push_server", "server", "wheel"}
 
 _fast_test = [False]  # whether such a test runs now
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """A test that has the fixture `server` is slow; others say it themselves."""
+    """A test with a slow fixture is slow; others are marked."""
     for item in items:
-        if "server" in getattr(item, "fixturenames", ()):
-            item.add_marker(pytest.mark.slow("starts a server"))
+        if SLOW_FIXTURES & set(getattr(item, "fixturenames", ())):
+            item.add_marker(pytest.mark.slow("has a slow fixture"))
 
 
 def _refuse_programs(event: str, details: tuple[Any, ...]) -> None:

@@ -31,7 +31,7 @@ from conformance.verdicts.expect import KitError, Violation, describe_answer
 _EXAMPLES = 8
 _HALF = "\\ud800"  # of a surrogate pair: JSON can write it, Unicode cannot
 _EDGE_VALUES: list[Any] = [None, "", "\0", json.loads(f'"{_HALF}"'), "x" * 5000]
-_EDGE_VALUES += [-1, 0, 2**64, 1e308, True, [], {}, [[]], {"": None}]
+_EDGE_VALUES += ["\u540d\u524d", -1, 0, 2**64, 1e308, True, [], {}, [[]], {"": None}]
 _FLIPS = 40
 _EXISTING_IDS_SHARE = 0.8
 _TIMEOUT_S = 10.0

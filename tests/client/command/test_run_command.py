@@ -190,6 +190,7 @@ def test_when_every_process_dies_the_run_is_not_complete(
     assert "--processes" in answer_json["resume"]
 
 
+@pytest.mark.slow("starts servers")
 def test_a_server_that_restarts_is_waited_for(
     policy_folder: Path, tmp_path_factory: pytest.TempPathFactory
 ) -> None:

@@ -163,6 +163,7 @@ def policy() -> Iterator[ScriptedPolicy]:
         yield server
 
 
+@pytest.mark.slow("starts a server")
 def test_a_connection_uses_the_address_that_was_checked(
     monkeypatch: pytest.MonkeyPatch, policy: ScriptedPolicy
 ) -> None:

@@ -299,6 +299,7 @@ def test_the_command_prints_its_findings(capsys: pytest.CaptureFixture[str]) -> 
     assert "nothing.toml: No such file" in capsys.readouterr().err
 
 
+@pytest.mark.slow("starts a server")
 def test_a_server_with_an_invalid_benchmark_exits_with_one_line(tmp_path: Path) -> None:
     file = tmp_path / "mine.toml"
     file.write_text('environment = "CartPole-v1"\nmax_steps = 0\n')

@@ -298,6 +298,7 @@ class ZeroPolicy:
         return [{"action": [0.0]}] * 50
 
 
+@pytest.mark.slow("starts a server")
 def test_a_server_offers_added_benchmarks_and_a_client_plays_them(
     tmp_path: Path,
 ) -> None:
