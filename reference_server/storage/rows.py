@@ -11,7 +11,7 @@ from typing import Any
 
 import msgspec
 
-from reference_server.rules.manifest import ManifestEpisode, Manifest
+from reference_server.rules.manifest import Manifest, ManifestEpisode
 from reference_server.rules.run import Episode, Result, Run, RunHead
 
 Row = Mapping[str, Any]
