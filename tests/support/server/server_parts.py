@@ -27,6 +27,7 @@ from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.store import Store
 from reference_sim import benchmark_registry
 from reference_sim.process.pool import SimulatorPool
+from tests.support.calibration_action import calibration_action
 from tests.support.server.runs import make_run
 from tests.support.servers import TIMEOUT_S
 
@@ -162,9 +163,7 @@ def calibration_run(*tasks: str, run_id: str = "run_1", **changes: Any) -> Run:
 def predict_command(
     turn: dict[str, Any], worker_id: str = "w", **values: float
 ) -> Predict:
-    sizes = {"vector": 8, "clipped": 2}
-    names = ("score", "success", "end", "delay_s", "fault", "vector", "clipped")
-    action = {n: [float(values.get(n, 0))] * sizes.get(n, 1) for n in names}
+    action = calibration_action(**values)
     return Predict(worker_id, turn["session_id"], turn["seq"] + 1, [action])
 
 
