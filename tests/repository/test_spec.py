@@ -1,4 +1,4 @@
-"""The specification against its own rules, and the house against the specification.
+"""The specification against its own rules, and the server against the specification.
 
 The subset of OpenAPI that every generator reads alike is a set of lint rules here; each
 rule is also shown a document that breaks it, so that none can be green by blindness.

@@ -176,7 +176,7 @@ def test_sessions_share_one_connection() -> None:
 def test_a_lost_session_truncates_and_the_episode_comes_again(
     direct_client: DirectClient,
 ) -> None:
-    """Another program takes the worker over and leaves. Expect to be told why."""
+    """Another program takes the worker over and leaves. Expect an error with the reason."""
     env = remote("count")
     env.reset()
     first, *_ = env.step(arrays())

@@ -233,7 +233,7 @@ def test_ctrl_c_detaches_and_prints_how_to_resume(
     ).complete
 
 
-# What a person is told
+# Error texts
 
 
 def evaluate_and_fail(

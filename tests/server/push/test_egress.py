@@ -134,7 +134,7 @@ def patch_resolver(
 def test_an_address_is_judged_without_a_resolver(
     monkeypatch: pytest.MonkeyPatch, host: str, connected_to: str | None
 ) -> None:
-    """Strangers' slow names hold up names alone."""
+    """Slow name resolution delays other resolutions only."""
     resolved_names = patch_resolver(monkeypatch, ["9.9.9.9"])
     if connected_to is None:
         with pytest.raises(AddressNotAllowed):

@@ -130,7 +130,7 @@ def action(**values: float | list[float]) -> Json:
 
 
 def submit_native_run(http: httpx.Client, *tasks: str, **members: Any) -> str:
-    """A calibration run submitted by our own door; its id."""
+    """A calibration run submitted by the native protocol; its id."""
     body = {"benchmark_id": "calibration", "policy": {"name": "p"}, **members}
     body["options"] = {"tasks": tasks} | members.get("options", {})
     answer = http.post("/v1/runs", json=body)

@@ -70,7 +70,7 @@ Scenario = Callable[["ServerParts"], Awaitable[None]]
 
 @dataclass
 class ServerParts:
-    """Store, runs, simulators and stage, put together as `app` does."""
+    """Store, runs, simulators and executor, put together as `app` does."""
 
     path: Path
     store: Store
