@@ -21,7 +21,7 @@ import httpx
 from tests.interop import expected_values
 from tests.interop.later_version import NEW, extended
 from tests.interop.proxy import Proxy
-from tests.support.calibration_action import SIZES
+from tests.support.sim.calibration_action import SIZES
 
 TIMEOUT_S = 120.0
 VECTORS = Path(__file__).resolve().parents[2] / "spec" / "vectors" / "wire"

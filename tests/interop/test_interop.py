@@ -31,8 +31,8 @@ from tests.interop.scenarios import (
     UnexpectedResult,
     apply_known_limits,
 )
-from tests.support.calibration_action import calibration_action
 from tests.support.servers import TOKENS, ReferenceServer
+from tests.support.sim.calibration_action import calibration_action
 from tools import interop
 
 pytestmark = pytest.mark.slow("starts servers and clients")

@@ -24,7 +24,7 @@ from reference_server.http.dispatch import (
 from reference_server.http.handlers import Handlers
 from reference_server.settings import Settings
 from tests.support.paths import SPEC
-from tests.support.specification import (
+from tests.support.repository.specification import (
     DOCUMENT,
     PARAMETER_SCHEMAS,
     Json,

@@ -1,6 +1,6 @@
 """What keeps `make check` fast: hooks of pytest that know fast tests from slow ones.
 
-A test is slow when it is marked so, or when it has the fixture `server`. Any other
+A test is slow when it is marked so, or when it has a fixture of a server. Any other
 fails when it starts a server or a kit, or computes for long: the marks stay complete.
 """
 
@@ -15,15 +15,16 @@ import pytest
 
 # What a fast test may not start, and how long it may compute.
 SLOW_PROGRAMS = {"reference_server", "conformance", "conformance.policy"}
+SERVER_FIXTURES = {"server", "push_server"}
 FAST_TEST_MAX_S = 20.0
 
 _fast_test = [False]  # whether such a test runs now
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """A test that has the fixture `server` is slow; others say it themselves."""
+    """A test with the fixture of a server is slow; others say it themselves."""
     for item in items:
-        if "server" in getattr(item, "fixturenames", ()):
+        if SERVER_FIXTURES & set(getattr(item, "fixturenames", ())):
             item.add_marker(pytest.mark.slow("starts a server"))
 
 

@@ -17,7 +17,6 @@ import pytest
 from proctor_client import Action, Predict
 
 from reference_client import Observation, ProctorError, evaluate
-from tests.support.calibration_action import calibration_action as action
 from tests.support.client.direct_client import ACCEPT_ANY, DirectClient
 from tests.support.client.evaluations import (
     ProgressRecorder,
@@ -33,6 +32,7 @@ from tests.support.client.policies import (
     GradedPolicy,
 )
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
+from tests.support.sim.calibration_action import calibration_action as action
 
 
 @pytest.fixture(scope="module")

@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 
 from reference_server.generated import models
 from reference_server.generated.problem_codes import PROBLEMS
-from tests.support.calibration_action import calibration_action
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
+from tests.support.sim.calibration_action import calibration_action
 
 pytestmark = pytest.mark.slow("starts servers or kits")
 

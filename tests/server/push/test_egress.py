@@ -22,8 +22,8 @@ from reference_server.push.egress import (
     HostNotResolved,
 )
 from reference_server.push.http_calls import CallLimits, HttpCalls, PolicyFault
-from tests.support.certificates import create_certificate
 from tests.support.push_runs import ALLOW_LOOPBACK, play_push_run, push_submission
+from tests.support.server.certificates import create_certificate
 from tests.support.servers import ReferenceServer
 
 PUBLIC = ["93.184.215.14", "1.1.1.1", "2606:4700:4700::1111", "2002:5db8:d70e::1"]

@@ -14,8 +14,8 @@ from starlette.types import ASGIApp
 
 from reference_client import Observation
 from reference_client.policies.policy_http_app import PolicyApp
-from tests.support.calibration_action import calibration_action
 from tests.support.servers import TOKENS, ReferenceServer
+from tests.support.sim.calibration_action import calibration_action
 
 KEY = "sesame"
 ACTION: dict[str, Any] = calibration_action(score=0.5, success=1.0)

@@ -15,7 +15,7 @@ from typing import Any
 import httpx
 import numpy as np
 
-from tests.support.calibration_action import SIZES
+from tests.support.sim.calibration_action import SIZES
 
 Json = dict[str, Any]
 CONTROL = "/api/v1/benchmark/onlineEvaluation"

@@ -27,9 +27,9 @@ from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.store import Store
 from reference_sim import benchmark_registry
 from reference_sim.process.pool import SimulatorPool
-from tests.support.calibration_action import calibration_action
 from tests.support.server.runs import make_run
 from tests.support.servers import TIMEOUT_S
+from tests.support.sim.calibration_action import calibration_action
 
 
 class BlockedCall:
@@ -179,7 +179,7 @@ def fail_writes(
 ) -> Callable[[str], Awaitable[str]]:
     """Lets no write of a run in `broken` succeed.
 
-    Returns what waits for the next good write of a run and tells the state in it.
+    Returns what waits for the next good write of a run and returns the state in it.
     """
     save = parts.store.save
     written: dict[str, asyncio.Future[str]] = {}
