@@ -21,15 +21,11 @@ import httpx
 from tests.interop import expected_values
 from tests.interop.later_version import NEW, extended
 from tests.interop.proxy import Proxy
+from tests.support.sim.calibration_action import SIZES
 
 TIMEOUT_S = 120.0
 VECTORS = Path(__file__).resolve().parents[2] / "spec" / "vectors" / "wire"
 VECTOR = [-0.0, 0.1, 5e-324, 1.7976931348623157e308, 2.0**53 - 1, 1 / 3, -2.5e-8, 1e22]
-ACTION_SIZES = {
-    **dict.fromkeys(("score", "success", "end", "delay_s", "fault"), 1),
-    "vector": 8,
-    "clipped": 2,
-}
 # What a language cannot do, with the reason; the matrix shows it.
 LIMITS = {
     ("typescript", "echo"): "JSON.stringify writes −0 as `0`: its sign is lost",
@@ -127,7 +123,7 @@ def submit(server: Server, program: Program) -> None:
     expect("runs listed under this id", observed["listed"], 1)
     limits = server.read("/v1")["limits"]
     expect("limits.max_workers", observed["max_workers"], limits["max_workers"])
-    expect("sizes of the action space", observed["action_sizes"], ACTION_SIZES)
+    expect("sizes of the action space", observed["action_sizes"], SIZES)
 
 
 def two_workers(server: Server, program: Program) -> None:
@@ -137,7 +133,7 @@ def two_workers(server: Server, program: Program) -> None:
     expect("workers", sorted(played), ["worker-0", "worker-1"])
     expect("episodes played", sorted(itertools.chain(*played.values())), list(range(8)))
     if not all(played.values()):
-        raise UnexpectedResult(f"one worker played everything: {played}")
+        raise UnexpectedResult(f"one worker played all episodes: {played}")
 
 
 def chunks(server: Server, program: Program) -> None:
@@ -209,7 +205,7 @@ def lost_session(server: Server, program: Program) -> None:
 
 def restart(server: Server, program: Program) -> None:
     if server.restart is None:
-        raise ScenarioNotRunnable("nobody can restart this server; give RESTART_CMD")
+        raise ScenarioNotRunnable("this scenario needs RESTART_CMD")
 
     failures: list[Exception] = []
 
@@ -335,9 +331,9 @@ DESCRIPTIONS = {
     "chunks": "chunks of actions, all observations, the step limit",
     "echo": "image, tensors and numbers arrive bit for bit",
     "lost_answer": "lost answers to submit, attach and predict: nothing happens twice",
-    "lost_session": "a lease that ends: the worker attaches again and goes on",
+    "lost_session": "a lease that ends: the worker attaches again and continues",
     "restart": "the server is killed in the middle and started again",
-    "worker_limit": "429 with Retry-After: the worker waits its turn",
+    "worker_limit": "429 with Retry-After: the worker waits and retries",
     "stop_resume": "a run is stopped and resumed; scored episodes are kept",
     "problems": "refusals arrive as typed problems",
     "score": "the score, its interval and the pages of episodes",

@@ -32,6 +32,7 @@ from tests.interop.scenarios import (
     apply_known_limits,
 )
 from tests.support.servers import TOKENS, ReferenceServer
+from tests.support.sim.calibration_action import calibration_action
 from tools import interop
 
 pytestmark = pytest.mark.slow("starts servers and clients")
@@ -144,9 +145,7 @@ class Counter:
         """Nothing is remembered."""
 
     def act(self, _observation: Observation) -> list[dict[str, list[float]]]:
-        sizes = {"vector": 8, "clipped": 2}
-        names = ("score", "success", "end", "delay_s", "fault", "vector", "clipped")
-        return [{name: [0.0] * sizes.get(name, 1) for name in names}] * 2
+        return [calibration_action()] * 2
 
 
 def test_the_reference_client_reads_a_later_version(server: Server) -> None:

@@ -12,8 +12,8 @@ from xml.etree import ElementTree as ET
 import jsonschema
 import pytest
 
-from tests.support import null_servers
-from tests.support.null_servers import Behaviour, run_server
+from tests.support.kit import null_servers
+from tests.support.kit.null_servers import Behaviour, run_server
 from tests.support.paths import ROOT
 
 pytestmark = pytest.mark.slow("starts servers or kits")

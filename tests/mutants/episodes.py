@@ -127,7 +127,7 @@ def _unscore(run: Run) -> None:
 
 @mutant("STOP-003", "STOP-004", "LIFE-303")
 def aborts_when_asked_to_drain() -> None:
-    """The episode in play is lost although the submitter asked to finish it."""
+    """The episode in play is lost although the user chose mode `drain`."""
     right = effects.stop
 
     def wrong(run: Run, _mode: str, now_wall: float) -> list[Session]:

@@ -1,4 +1,4 @@
-"""Mutants of events: what is told, in which order, from where, when, until when."""
+"""Mutants of events: content, order, start, delay and end of a stream."""
 
 from __future__ import annotations
 

@@ -21,7 +21,8 @@ from reference_server.http.dispatch import PATH_PATTERNS
 from reference_server.rules import lifecycle, run
 from reference_server.rules.lifecycle import TRANSITIONS, Event, legal
 from reference_server.rules.run import State
-from tests.support.imports import (
+from tests.support.paths import ROOT
+from tests.support.repository.imports import (
     HAND_WRITTEN,
     PACKAGES,
     files_of_package,
@@ -31,7 +32,6 @@ from tests.support.imports import (
     name_of,
     tops,
 )
-from tests.support.paths import ROOT
 from tests.support.server.runs import make_run
 
 CODE_FORMAT_MODULES = {"cloudpickle", "dill", "joblib", "marshal", "pickle", "shelve"}

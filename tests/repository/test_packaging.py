@@ -1,4 +1,4 @@
-"""The kit as strangers get it: alone, and with the specification that it judges."""
+"""The kit as users install it: alone, and with the specification that it judges."""
 
 import ast
 import re

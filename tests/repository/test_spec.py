@@ -1,4 +1,4 @@
-"""The specification against its own rules, and the house against the specification.
+"""The specification against its own rules, and the server against the specification.
 
 The subset of OpenAPI that every generator reads alike is a set of lint rules here; each
 rule is also shown a document that breaks it, so that none can be green by blindness.
@@ -24,7 +24,7 @@ from reference_server.http.dispatch import (
 from reference_server.http.handlers import Handlers
 from reference_server.settings import Settings
 from tests.support.paths import SPEC
-from tests.support.specification import (
+from tests.support.repository.specification import (
     DOCUMENT,
     PARAMETER_SCHEMAS,
     Json,

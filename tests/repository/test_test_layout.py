@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.imports import imports, module_of, name_of
 from tests.support.paths import ROOT
+from tests.support.repository.imports import imports, module_of, name_of
 
 FILES = sorted((ROOT / "tests").rglob("*.py"))
 

@@ -33,7 +33,7 @@ WORKER = "/v1/runs/{run_id}/workers/w"
 
 
 def environment(**settings: str) -> dict[str, str]:
-    """This process's, without settings of the house and without proxies."""
+    """This process's, without settings of the server and without proxies."""
     inherited = {
         name: value
         for name, value in os.environ.items()

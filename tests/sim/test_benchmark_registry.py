@@ -7,8 +7,8 @@ import pytest
 from reference_sim import benchmark_registry
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.gymnasium import BadBenchmark
-from tests.support.imports import files_of_package, importers_of
 from tests.support.paths import ROOT
+from tests.support.repository.imports import files_of_package, importers_of
 
 EXAMPLES = ROOT / "examples" / "benchmarks"
 

@@ -2,10 +2,9 @@
 
 import contextlib
 import subprocess
-import time
 from pathlib import Path
 
-from tests.support.servers import TIMEOUT_S
+from tests.support.waiting import wait_until
 
 
 def descendants(pid: int) -> set[int]:
@@ -22,13 +21,11 @@ def descendants(pid: int) -> set[int]:
 
 def wait_until_ended(pids: set[int]) -> None:
     """Waits until the processes are gone; a zombie is gone."""
-    deadline = time.monotonic() + TIMEOUT_S
-    while alive := {pid for pid in pids if _is_alive(pid)}:
-        assert time.monotonic() < deadline, f"{alive} still live"
-        time.sleep(0.01)
+    wait_until(lambda: not any(map(is_alive, pids)), f"{pids} have ended")
 
 
-def _is_alive(pid: int) -> bool:
+def is_alive(pid: int) -> bool:
+    """A zombie is not alive: its parent may be slow to reap it."""
     with contextlib.suppress(FileNotFoundError, ProcessLookupError):
         stat = Path(f"/proc/{pid}/stat").read_text()
         return stat.rpartition(")")[2].split()[0] not in ("Z", "X")

@@ -80,7 +80,7 @@ def play_push_run(
 
 @contextlib.contextmanager
 def raw_socket_server(respond: Callable[[socket.socket], None]) -> Iterator[str]:
-    """A server that says the same to everybody; yields its URL."""
+    """A server that says the same to every client; yields its URL."""
     with socket.create_server(("127.0.0.1", 0)) as listener:
 
         def serve() -> None:

@@ -15,10 +15,10 @@ from gymnasium.utils.env_checker import check_env
 
 from reference_client import ProctorError
 from reference_client.gymnasium_env.remote_env import ENV_ID, RemoteEnv, RunDone
-from tests.support.calibration_action import calibration_action as action
 from tests.support.client.direct_client import DirectClient
 from tests.support.paths import ROOT
 from tests.support.servers import TOKENS, ReferenceServer
+from tests.support.sim.calibration_action import calibration_action as action
 
 pytestmark = pytest.mark.slow("starts servers or kits")
 
@@ -176,7 +176,7 @@ def test_sessions_share_one_connection() -> None:
 def test_a_lost_session_truncates_and_the_episode_comes_again(
     direct_client: DirectClient,
 ) -> None:
-    """Another program takes the worker over and leaves. Expect to be told why."""
+    """Another program takes the worker over and leaves. Expect the reason."""
     env = remote("count")
     env.reset()
     first, *_ = env.step(arrays())

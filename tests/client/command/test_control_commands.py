@@ -1,4 +1,4 @@
-"""`proctor submit, status, stop, resume, results, benchmarks`: asked of a real server.
+"""`proctor submit, status, stop, resume, results, benchmarks` with a real server.
 
 What people read, what scripts read, the exit codes, and every mistake in one line.
 """
@@ -80,7 +80,7 @@ def test_the_submitter_is_recorded(proctor: ProctorCommand) -> None:
 def test_gmp_commands_are_accepted(
     server: ReferenceServer, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The line of the other house's manual, with our benchmark. Expect a ready run."""
+    """The command of EBench's manual, with our benchmark. Expect a ready run."""
     line = "--benchmark_set calibration --model_name internVLA --model_type VLA"
     submitter_flags = (
         "--submitter_name test --submitter_homepage http://h --is_public 0"

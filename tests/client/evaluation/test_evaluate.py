@@ -17,7 +17,6 @@ import pytest
 from proctor_client import Action, Predict
 
 from reference_client import Observation, ProctorError, evaluate
-from tests.support.calibration_action import calibration_action as action
 from tests.support.client.direct_client import ACCEPT_ANY, DirectClient
 from tests.support.client.evaluations import (
     ProgressRecorder,
@@ -33,6 +32,7 @@ from tests.support.client.policies import (
     GradedPolicy,
 )
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
+from tests.support.sim.calibration_action import calibration_action as action
 
 
 @pytest.fixture(scope="module")
@@ -156,7 +156,7 @@ def test_lost_answers_to_predict_execute_nothing_twice(
     for episode in direct_client.episodes(score.run_id):
         assert episode.result is not None
         assert (episode.result.attempt, episode.result.steps) == (1, 10)
-    # 10 turns of 2 steps, and 7 that were asked for again.
+    # 10 turns of 2 steps, and 7 that were repeated.
     assert len(proxy.bodies("predict")) == 17
 
 
@@ -165,7 +165,7 @@ def test_a_lost_answer_to_attach_is_repeated(
     proxy: FaultyProxy, direct_client: DirectClient
 ) -> None:
     proxy.faults["attach_worker"] = deque(["lose_answer", "cut_answer"])
-    # With a short lease, so that a session that nobody knows of would not hold us up.
+    # With a short lease, so that a lost session does not delay the test.
     score = evaluate(
         ExactlyOncePolicy,
         url=proxy.url,

@@ -22,7 +22,6 @@ from reference_client import (
     RunStopped,
     evaluate,
 )
-from tests.support.calibration_action import calibration_action as action
 from tests.support.client.direct_client import DirectClient
 from tests.support.client.evaluations import (
     calibration_evaluation,
@@ -38,6 +37,7 @@ from tests.support.client.policies import (
 )
 from tests.support.paths import ROOT
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
+from tests.support.sim.calibration_action import calibration_action as action
 
 
 @pytest.fixture(scope="module")
@@ -233,7 +233,7 @@ def test_ctrl_c_detaches_and_prints_how_to_resume(
     ).complete
 
 
-# What a person is told
+# Error texts
 
 
 def evaluate_and_fail(

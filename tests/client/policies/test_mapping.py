@@ -1,4 +1,4 @@
-"""Mappings and references: what a policy of another house is given, what is read back.
+"""Mappings and references: what a third-party policy receives and returns.
 
 The ready mappings are those of docs/evaluate/policies.md, each played through a real
 server by a policy that holds still in its own words and checks what it is given.
@@ -323,7 +323,7 @@ def test_a_documented_mapping_plays_a_turn(
     source: str,
     reference: str,
 ) -> None:
-    """One turn of the real benchmark by a policy of that house, which checks its
+    """One turn of the real benchmark by a policy of that library, which checks its
     request. Expect that the actions are accepted and executed."""
     (policy_folder / f"{name}.py").write_text(source)
     made = PolicyMapping.of(READY[name], name)

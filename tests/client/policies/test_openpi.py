@@ -1,4 +1,4 @@
-"""Policy servers that speak openpi's WebSocket protocol, asked by `proctor run`.
+"""Policy servers that speak openpi's WebSocket protocol, called by `proctor run`.
 
 The server here is ours, and writes its dialect by hand; GOLDEN was written by
 openpi-client 0.1.2, which also read what we write.

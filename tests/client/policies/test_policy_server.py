@@ -1,4 +1,4 @@
-"""This client asks a policy server: the same turns, in the other direction."""
+"""The client calls a policy server: the same turns, in the other direction."""
 
 import json
 import threading
@@ -49,7 +49,7 @@ def test_a_policy_server_is_evaluated_by_this_client(
 
 
 def test_the_same_turns_come_in_both_directions(push_server: ReferenceServer) -> None:
-    """What a policy is asked by this client is what a server asks it."""
+    """Requests of this client to a policy are those of the server."""
     bodies_by_direction: list[list[dict[str, Any]]] = []
     for direction in ("pull", "push"):
         with ScriptedPolicy() as policy, push_server.client() as client:

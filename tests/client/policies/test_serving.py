@@ -34,6 +34,7 @@ from tests.support.push_runs import (
     wait_for_state,
 )
 from tests.support.servers import TIMEOUT_S, ReferenceServer
+from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.usefixtures("policy_key")
 
@@ -109,10 +110,7 @@ def test_an_evicted_session_has_ended() -> None:
         assert began.wait(TIMEOUT_S)
         second = threads.submit(predict, client, "a", 1)
         other = threads.submit(reset, client, "b")
-        deadline = time.monotonic() + TIMEOUT_S
-        while "b" not in app._sessions:
-            assert time.monotonic() < deadline
-            time.sleep(0.005)
+        wait_until(lambda: "b" in app._sessions, "b has a session")
         may_continue.set()
         assert first.result().status_code == 200
         assert second.result().json()["code"] == "session_ended"

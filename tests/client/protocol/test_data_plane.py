@@ -19,10 +19,10 @@ from reference_client.generated.messages import Turn
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.data_plane import JSON, MSGPACK, DataPlane
 from reference_client.protocol.retry_policy import FAILURES
-from tests.support.calibration_action import calibration_action as action
 from tests.support.client.direct_client import DirectClient
 from tests.support.client.faulty_proxy import serve_in_thread
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
+from tests.support.sim.calibration_action import calibration_action as action
 
 PIXELS = bytes(range(12))
 

@@ -17,7 +17,7 @@ from reference_client.protocol.http_connection import (
     BrokenAnswer,
     HttpConnection,
 )
-from tests.support.certificates import create_certificate
+from tests.support.server.certificates import create_certificate
 
 TIMEOUTS_S = (5.0, 20.0)
 REQUEST = b"POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 0\r\n\r\n"

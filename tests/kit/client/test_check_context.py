@@ -27,8 +27,8 @@ from conformance.verdicts.expect import (
     Violation,
 )
 from conformance.verdicts.verdict import Outcome
-from tests.support import null_servers
-from tests.support.null_servers import run_server
+from tests.support.kit import null_servers
+from tests.support.kit.null_servers import run_server
 
 PROBLEM = {"code": "seq_out_of_order", "expected_seq": 3, "errors": [{"pointer": "/a"}]}
 

@@ -17,8 +17,8 @@ from conformance.client.run_client import RunClient
 from conformance.run_settings import Settings
 from conformance.runner.preflight import inspect
 from conformance.verdicts.expect import SetUpFailed, Violation
-from tests.support import null_servers
-from tests.support.null_servers import Reply, Request, run_server
+from tests.support.kit import null_servers
+from tests.support.kit.null_servers import Reply, Request, run_server
 
 HEADERS = {"Content-Type": "text/event-stream; charset=utf-8", "Proctor-Version": "1.0"}
 TEXT = """\ufeff: a comment

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from conformance.oracle.expected_comparison import expected_comparison, mcnemar
+from tests.support.kit.score_differences import differences
 from tests.support.paths import ROOT
-from tests.support.score_differences import differences
 
 VECTORS = sorted((ROOT / "spec" / "vectors" / "comparison").iterdir())
 

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 from conformance.oracle.expected_score import expected_score, is_close, wilson
+from tests.support.kit.score_differences import differences
 from tests.support.paths import ROOT
-from tests.support.score_differences import differences
 
 VECTORS = sorted((ROOT / "spec" / "vectors" / "scoring").iterdir())
 

@@ -6,7 +6,6 @@ Most runs are on `calibration` and submitted by `submit_run`, because that has o
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
 from typing import Any
 from urllib.parse import urlsplit
@@ -31,7 +30,8 @@ from tests.support.profiles.ebench_client import (
     run_of,
     submit_native_run,
 )
-from tests.support.servers import TIMEOUT_S, ReferenceServer
+from tests.support.servers import ReferenceServer
+from tests.support.waiting import wait_until
 
 
 @pytest.fixture(scope="module")
@@ -136,11 +136,8 @@ def test_a_queued_task_is_not_ready(http: httpx.Client) -> None:
     )
     first = client.find()
     assert first["data"] == {"ready": False, "endpoint": ""}
-    deadline = time.monotonic() + TIMEOUT_S
-    while not (answer := client.find())["data"]["ready"]:
-        assert time.monotonic() < deadline
-        time.sleep(0.05)
-    assert answer["data"]["endpoint"]
+    wait_until(lambda: client.find()["data"]["ready"], "the task is ready")
+    assert client.find()["data"]["endpoint"]
 
 
 # --- steps ---

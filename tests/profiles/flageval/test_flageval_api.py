@@ -83,7 +83,7 @@ def test_models_are_compared_with_their_baseline(
 
 
 def test_an_evaluation_is_a_run(client: httpx.Client, chat: ScriptedChat) -> None:
-    """The same numbers by the native door; what was asked reaches the model."""
+    """The same numbers by the native protocol; the settings reach the model."""
     answer = post_evaluation(
         client,
         model_info(

@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 from reference_server.generated import models
 from reference_server.generated.problem_codes import PROBLEMS
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
+from tests.support.sim.calibration_action import calibration_action
 
 pytestmark = pytest.mark.slow("starts servers or kits")
 
@@ -44,9 +45,7 @@ class LiveRun:
         return [self.client.get(path).json() for path in paths]
 
     def action(self) -> dict[str, list[float]]:
-        sizes = {"vector": 8, "clipped": 2}
-        names = ("score", "success", "end", "delay_s", "fault", "vector", "clipped")
-        return {name: [0.0] * sizes.get(name, 1) for name in names}
+        return calibration_action()
 
     def raw(self, request: bytes) -> bytes:
         """The answer to bytes of any kind; empty when the server only hung up."""

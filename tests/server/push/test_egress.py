@@ -22,8 +22,8 @@ from reference_server.push.egress import (
     HostNotResolved,
 )
 from reference_server.push.http_calls import CallLimits, HttpCalls, PolicyFault
-from tests.support.certificates import create_certificate
 from tests.support.push_runs import ALLOW_LOOPBACK, play_push_run, push_submission
+from tests.support.server.certificates import create_certificate
 from tests.support.servers import ReferenceServer
 
 PUBLIC = ["93.184.215.14", "1.1.1.1", "2606:4700:4700::1111", "2002:5db8:d70e::1"]
@@ -134,7 +134,7 @@ def patch_resolver(
 def test_an_address_is_judged_without_a_resolver(
     monkeypatch: pytest.MonkeyPatch, host: str, connected_to: str | None
 ) -> None:
-    """Strangers' slow names hold up names alone."""
+    """Slow name resolution delays other resolutions only."""
     resolved_names = patch_resolver(monkeypatch, ["9.9.9.9"])
     if connected_to is None:
         with pytest.raises(AddressNotAllowed):

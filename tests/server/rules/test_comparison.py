@@ -24,8 +24,8 @@ from reference_server.rules.comparison import (
 from reference_server.rules.run import Outcome
 from reference_server.rules.scoring import ScoredEpisode
 from tests.support.paths import ROOT
+from tests.support.repository.specification import DOCUMENT, PARAMETER_SCHEMAS
 from tests.support.server.score_equality import EXACTNESS, assert_same
-from tests.support.specification import DOCUMENT, PARAMETER_SCHEMAS
 
 SPEC = ROOT / "spec"
 VECTORS = sorted((SPEC / "vectors" / "comparison").glob("*.json"))

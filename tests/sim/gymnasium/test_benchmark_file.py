@@ -1,4 +1,4 @@
-"""Benchmark files: what they may say, and how they are told what is wrong with them."""
+"""Benchmark files: what they may contain, and the errors for what they may not."""
 
 from __future__ import annotations
 

@@ -4,31 +4,10 @@ import os
 import signal
 import subprocess
 import sys
-import time
-from collections.abc import Sequence
 
 import pytest
 
-DEADLINE_S = 30.0
-
-
-def is_running(pid: int | None) -> bool:
-    """A zombie does not run; who has to reap it is not always in our hands."""
-    listed = subprocess.run(
-        ["ps", "-o", "stat=", "-p", str(pid)],
-        check=False,  # fails when there is no such process
-        capture_output=True,
-        text=True,
-    )
-    return listed.stdout.strip()[:1] not in ("", "Z", "X")
-
-
-def wait_until_all_ended(pids: Sequence[int]) -> None:
-    deadline = time.monotonic() + DEADLINE_S
-    while any(is_running(pid) for pid in pids):
-        assert time.monotonic() < deadline, "a process was left behind"
-        time.sleep(0.02)
-
+from tests.support.processes import is_alive, wait_until_ended
 
 SERVER = """
 import asyncio, os, signal, sys
@@ -64,9 +43,9 @@ def test_no_process_outlives_a_server_that_was_killed(fork: bool) -> None:
         assert server.stdout is not None
         pids = [int(pid) for pid in server.stdout.readline().split()]
         assert len(pids) == 3 + fork
-        assert all(is_running(pid) for pid in pids)
+        assert all(is_alive(pid) for pid in pids)
         server.kill()
-    wait_until_all_ended(pids)
+    wait_until_ended(set(pids))
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="forks on Linux only")
@@ -79,4 +58,4 @@ def test_no_process_outlives_a_fork_server_and_a_server_killed_together() -> Non
         server.send_signal(signal.SIGSTOP)
         os.kill(pids[0], signal.SIGKILL)
         server.kill()
-    wait_until_all_ended(pids)
+    wait_until_ended(set(pids))

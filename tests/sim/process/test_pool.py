@@ -21,7 +21,7 @@ from reference_sim.process.pool import (
     TaskUnplayable,
 )
 from reference_sim.process.simulator_process import ForkStarter
-from tests.support.calibration_action import calibration_action as action
+from tests.support.sim.calibration_action import calibration_action as action
 
 DEADLINE_S = 30.0
 WORLD = benchmark_registry.resolve("calibration").world

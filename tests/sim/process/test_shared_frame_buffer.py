@@ -27,7 +27,7 @@ from reference_sim.shared_frame_buffer import (
     SharedMemoryRegion,
     map_memory,
 )
-from tests.support.calibration_action import calibration_action as action
+from tests.support.sim.calibration_action import calibration_action as action
 
 HEIGHT, WIDTH = 30, 40
 SIZE = HEIGHT * WIDTH * 3

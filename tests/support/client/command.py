@@ -64,7 +64,7 @@ class Dies(Graded):
 
 
 class Always:
-    """Kills its process whenever it is asked."""
+    """Kills its process at every call."""
 
     def reset(self, instruction):
         pass

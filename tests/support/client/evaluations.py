@@ -23,7 +23,7 @@ def calibration_evaluation(*tasks: str, **options: Any) -> dict[str, Any]:
 
 
 def ignore_progress(_progress: Progress) -> None:
-    """For evaluations whose progress nobody reads."""
+    """For evaluations whose progress is not compared."""
 
 
 def run_in_thread(

@@ -5,8 +5,8 @@ from __future__ import annotations
 import threading
 
 from reference_client import Observation
-from tests.support.calibration_action import calibration_action
 from tests.support.servers import TIMEOUT_S
+from tests.support.sim.calibration_action import calibration_action
 
 Actions = list[dict[str, list[float]]]
 

@@ -1,6 +1,4 @@
-"""A policy server in this process, a policy for the benchmark `calibration`, and a
-server that may call it.
-"""
+"""A policy server in this process, and a policy for the benchmark `calibration`."""
 
 import contextlib
 import os
@@ -17,21 +15,14 @@ from starlette.types import ASGIApp
 from reference_client import Observation
 from reference_client.policies.policy_http_app import PolicyApp
 from tests.support.servers import TOKENS, ReferenceServer
+from tests.support.sim.calibration_action import calibration_action
 
 KEY = "sesame"
-ACTION: dict[str, Any] = {
-    "score": [0.5],
-    "success": [1.0],
-    "end": [0.0],
-    "delay_s": [0.0],
-    "fault": [0.0],
-    "vector": [0.0] * 8,
-    "clipped": [0.0, 0.0],
-}
+ACTION: dict[str, Any] = calibration_action(score=0.5, success=1.0)
 
 
 class CountingPolicy:
-    """Ends an episode at its third act; has its score from how often it was asked."""
+    """Ends an episode at its third act; its score is a tenth of its calls."""
 
     def reset(self, instruction: str) -> None:
         self.acts = 0

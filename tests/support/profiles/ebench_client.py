@@ -15,6 +15,8 @@ from typing import Any
 import httpx
 import numpy as np
 
+from tests.support.sim.calibration_action import SIZES
+
 Json = dict[str, Any]
 CONTROL = "/api/v1/benchmark/onlineEvaluation"
 PICKLED = {"Content-Type": "application/octet-stream"}
@@ -117,21 +119,18 @@ class MaliciousObject:
 
 # --- runs of calibration, and what is seen of them ---
 
-SIZES = {"clipped": 2, "delay_s": 1, "end": 1, "fault": 1, "score": 1, "success": 1}
-SIZES |= {"vector": 8}
-
 
 def action(**values: float | list[float]) -> Json:
     """An action of the benchmark calibration; names that are left out are zero."""
     numbers: list[float] = []
-    for name, size in SIZES.items():
+    for name, size in sorted(SIZES.items()):
         value = values.get(name, 0.0)
         numbers += value if isinstance(value, list) else [value] * size
     return {"action": np.array(numbers), "control_type": "joint_position"}
 
 
 def submit_native_run(http: httpx.Client, *tasks: str, **members: Any) -> str:
-    """A calibration run submitted by our own door; its id."""
+    """A calibration run submitted by the native protocol; its id."""
     body = {"benchmark_id": "calibration", "policy": {"name": "p"}, **members}
     body["options"] = {"tasks": tasks} | members.get("options", {})
     answer = http.post("/v1/runs", json=body)

@@ -4,7 +4,7 @@ from typing import Any
 
 import httpx
 
-from tests.support.calibration_action import calibration_action
+from tests.support.sim.calibration_action import calibration_action
 
 
 def submit(client: httpx.Client, *tasks: str) -> str:

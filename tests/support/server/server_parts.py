@@ -29,6 +29,7 @@ from reference_sim import benchmark_registry
 from reference_sim.process.pool import SimulatorPool
 from tests.support.server.runs import make_run
 from tests.support.servers import TIMEOUT_S
+from tests.support.sim.calibration_action import calibration_action
 
 
 class BlockedCall:
@@ -69,7 +70,7 @@ Scenario = Callable[["ServerParts"], Awaitable[None]]
 
 @dataclass
 class ServerParts:
-    """Store, runs, simulators and stage, put together as `app` does."""
+    """Store, runs, simulators and executor, put together as `app` does."""
 
     path: Path
     store: Store
@@ -162,9 +163,7 @@ def calibration_run(*tasks: str, run_id: str = "run_1", **changes: Any) -> Run:
 def predict_command(
     turn: dict[str, Any], worker_id: str = "w", **values: float
 ) -> Predict:
-    sizes = {"vector": 8, "clipped": 2}
-    names = ("score", "success", "end", "delay_s", "fault", "vector", "clipped")
-    action = {n: [float(values.get(n, 0))] * sizes.get(n, 1) for n in names}
+    action = calibration_action(**values)
     return Predict(worker_id, turn["session_id"], turn["seq"] + 1, [action])
 
 
@@ -180,7 +179,7 @@ def fail_writes(
 ) -> Callable[[str], Awaitable[str]]:
     """Lets no write of a run in `broken` succeed.
 
-    Returns what waits for the next good write of a run and tells the state in it.
+    Returns what waits for the next good write of a run and returns the state in it.
     """
     save = parts.store.save
     written: dict[str, asyncio.Future[str]] = {}
