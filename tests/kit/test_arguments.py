@@ -62,7 +62,7 @@ def test_dry_run_lists_checks_and_sends_nothing(tmp_path: Path) -> None:
     assert "test_pred_004_cannot_skip_or_go_back" in output
     assert "LEASE-" not in output
     last = output.splitlines()[-1]
-    assert "nothing was sent; 1 of the 15 rules selected cannot be observed" in last
+    assert "no request was sent; 1 of the 15 selected rules are not observable" in last
 
 
 def test_an_empty_dry_run_is_no_success(tmp_path: Path) -> None:
@@ -126,7 +126,7 @@ def test_the_time_limit_hides_no_violation(
         ("pred-004", "did you mean PRED-004"),
         ("ATT-999", "did you mean ATT-0"),
         ("LEESE", "did you mean LEASE?"),
-        ("zzz", "the areas are SVC, "),
+        ("zzz", "areas: SVC, "),
     ],
 )
 def test_unknown_id_gets_a_suggestion(wanted: str, says: str) -> None:
