@@ -194,7 +194,8 @@ def test_script_catches_ids_and_keeps_pauses() -> None:
         "http://host",
     )
     assert lines[0] == (
-        ': "${URL:?base URL of the server}" "${TOKEN:?a token with the scopes read and run}"'
+        ': "${URL:?base URL of the server}" '
+        '"${TOKEN:?a token with the scopes read and run}"'
     )
     start = next(i for i, line in enumerate(lines) if line.startswith("RUN_1="))
     assert [line.split("(")[0] for line in lines[1:start]] == ["curl", "keep"]
