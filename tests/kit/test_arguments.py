@@ -87,7 +87,7 @@ def test_rules_after_the_time_limit_are_not_verified(
     assert code == 2
     assert "time limit reached (--max-time 0.1)" in output.splitlines()[-1]
     found_outcomes, ledger = outcomes(written), load_ledger()
-    disabled_profiles_rows = {  # the doors of other houses
+    disabled_profiles_rows = {  # APIs of other systems
         id_
         for id_ in found_outcomes
         if ledger[id_].profile in ("ebench", "flageval") and ledger[id_].is_observable

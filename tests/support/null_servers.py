@@ -173,7 +173,7 @@ def canned_answers(request: Request) -> Reply:
 
 
 def refuse_everyone(request: Request) -> Reply:
-    """Describe the service and admit nobody."""
+    """Describe the service and refuse every caller."""
     if request.path == "/v1":
         return 200, _JSON, _dump(SERVICE)
     return 401, _JSON, b'{"code": "unauthenticated"}'
