@@ -58,6 +58,12 @@ def build_parser() -> argparse.ArgumentParser:
         "--token-read",
         help="token of the first account with the scope read only [PROCTOR_TOKEN_READ]",
     )
+    _add_selection(parser)
+    _add_execution(parser)
+    return parser
+
+
+def _add_selection(parser: argparse.ArgumentParser) -> None:
     selection = parser.add_argument_group("selection")
     selection.add_argument("--only", metavar="ID,...", help="rule ids or id prefixes")
     selection.add_argument("--profile", metavar="NAME,...", help=", ".join(PROFILES))
@@ -72,6 +78,9 @@ def build_parser() -> argparse.ArgumentParser:
         action="store_true",
         help="print the checks that would run and their rules; send no request",
     )
+
+
+def _add_execution(parser: argparse.ArgumentParser) -> None:
     execution = parser.add_argument_group("execution")
     execution.add_argument(
         "--seed", type=int, help="seed of the generated requests (reproduces a kit run)"
@@ -95,7 +104,6 @@ def build_parser() -> argparse.ArgumentParser:
         help="file with one rule id and a # comment per line: these failures do not "
         "fail the run; an entry that passes does",
     )
-    return parser
 
 
 def read_selection(options: argparse.Namespace) -> Settings:

@@ -4,7 +4,7 @@
   const filters = document.querySelector(".filters");
   const items = [...document.querySelectorAll("[data-verdict]")];
   const text = filters.querySelector("input");
-  const told = filters.querySelector("output");
+  const shownCount = filters.querySelector("output");
   const chosen = { verdict: new Set(), area: new Set(), level: new Set() };
 
   function isShown(item, words) {
@@ -18,7 +18,7 @@
     for (const item of items) item.hidden = !isShown(item, words);
     const rows = items.filter((item) => item.tagName === "TR");
     const shown = rows.filter((row) => !row.hidden).length;
-    told.textContent = `${shown} of ${rows.length} rules`;
+    shownCount.textContent = `${shown} of ${rows.length} rules`;
     for (const section of document.querySelectorAll("section")) {
       section.hidden = !section.querySelector("[data-verdict]:not([hidden])");
     }

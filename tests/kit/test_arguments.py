@@ -62,7 +62,7 @@ def test_dry_run_lists_checks_and_sends_nothing(tmp_path: Path) -> None:
     assert "test_pred_004_cannot_skip_or_go_back" in output
     assert "LEASE-" not in output
     last = output.splitlines()[-1]
-    assert "nothing was sent; 1 of the 15 rules selected cannot be observed" in last
+    assert "no request was sent; 1 of the 15 selected rules are not observable" in last
 
 
 def test_an_empty_dry_run_is_no_success(tmp_path: Path) -> None:
@@ -87,7 +87,7 @@ def test_rules_after_the_time_limit_are_not_verified(
     assert code == 2
     assert "time limit reached (--max-time 0.1)" in output.splitlines()[-1]
     found_outcomes, ledger = outcomes(written), load_ledger()
-    disabled_profiles_rows = {  # the doors of other houses
+    disabled_profiles_rows = {  # APIs of other systems
         id_
         for id_ in found_outcomes
         if ledger[id_].profile in ("ebench", "flageval") and ledger[id_].is_observable
@@ -126,7 +126,7 @@ def test_the_time_limit_hides_no_violation(
         ("pred-004", "did you mean PRED-004"),
         ("ATT-999", "did you mean ATT-0"),
         ("LEESE", "did you mean LEASE?"),
-        ("zzz", "the areas are SVC, "),
+        ("zzz", "areas: SVC, "),
     ],
 )
 def test_unknown_id_gets_a_suggestion(wanted: str, says: str) -> None:

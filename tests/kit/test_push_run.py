@@ -1,5 +1,5 @@
-"""The kit and servers that call policies: where they may not, that is told and is no
-violation; and the policy server that the kit gives them is one by its own rules.
+"""The kit and servers that call policies: where calls are not allowed, the report has the
+reason and no violation; and the kit's policy server obeys the rules of policy servers.
 """
 
 import json
@@ -91,7 +91,7 @@ def test_on_this_machine_the_kit_serves_on_loopback(url: str, address: str) -> N
 
 def test_an_unknown_own_address_leaves_the_rules_unverified() -> None:
     with pytest.raises(SetUpFailed, match="no address of this machine") as caught:
-        push_run.own_address("https://nobody.invalid")
+        push_run.own_address("https://unknown.invalid")
     assert caught.value.allowed
 
 

@@ -92,7 +92,7 @@ def test_wheel_carries_the_specification(wheel: Path) -> None:
                 packed.read(f"{PACKED}/{name}") == (ROOT / "spec" / name).read_bytes()
             )
         names = set(packed.namelist())
-    for name in ("report.schema.json", "report.css", "report.js"):
+    for name in ("report.schema.json", "report.html.j2", "report.css", "report.js"):
         assert f"conformance/reports/{name}" in names
 
 

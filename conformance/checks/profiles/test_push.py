@@ -237,7 +237,7 @@ def test_push_009_slow_response_times_out(context: CheckContext) -> None:
 
 
 @requirement("PUSH-010")
-def test_push_010_misfit_actions_are_not_executed(context: CheckContext) -> None:
+def test_push_010_invalid_actions_are_not_executed(context: CheckContext) -> None:
     """The second of two actions has a vector that is too long.
 
     Expect `policy_fault`, no attempt counted, nothing scored.

@@ -41,13 +41,15 @@ def test_epi_001_hands_out_in_manifest_order(context: CheckContext) -> None:
     """
     tasks = ["score", "count", "echo", "delay", "fault"]
     run = context.submit(*tasks)
-    crew = attach_workers(run, min(2, context.limits["max_workers"]))
-    for index, worker in enumerate(crew):
+    attached_workers = attach_workers(run, min(2, context.limits["max_workers"]))
+    for index, worker in enumerate(attached_workers):
         expect.equal(episode_of(worker), (index, tasks[index]), "a first episode")
-    for index in range(len(crew), 4):
-        crew[0].play()
-        expect.equal(episode_of(crew[0]), (index, tasks[index]), "the next episode")
-    worker = crew[0]
+    for index in range(len(attached_workers), 4):
+        attached_workers[0].play()
+        expect.equal(
+            episode_of(attached_workers[0]), (index, tasks[index]), "the next episode"
+        )
+    worker = attached_workers[0]
     returned_episode = episode_of(worker)
     worker.predict(context.action())
     worker.detach()
@@ -151,10 +153,13 @@ def test_epi_005_scores_every_episode_once(context: CheckContext) -> None:
     Expect one result per episode in the turns, equal to that of the completed run.
     """
     run = context.submit(*["score"] * 9)
-    crew = attach_workers(run, min(3, context.limits["max_workers"]))
+    attached_workers = attach_workers(run, min(3, context.limits["max_workers"]))
     received: list[dict[str, Any]] = []
     context.call_concurrently(
-        *[lambda worker=worker: play_all(worker, received) for worker in crew]
+        *[
+            lambda worker=worker: play_all(worker, received)
+            for worker in attached_workers
+        ]
     )
     run.until("completed")
     received.sort(key=lambda result: result["index"])
@@ -235,11 +240,11 @@ def test_epi_008_no_episode_is_held_twice(context: CheckContext) -> None:
     workers = min(4, context.limits["max_workers"])
     require_worker_limit(context, 2)
     run = context.submit(*["score"] * 4 * workers)
-    crew = [run.worker() for _ in range(workers)]
-    context.call_concurrently(*[worker.attach for worker in crew])
-    held = sorted(map(index_of, crew))
+    attached_workers = [run.worker() for _ in range(workers)]
+    context.call_concurrently(*[worker.attach for worker in attached_workers])
+    held = sorted(map(index_of, attached_workers))
     expect.equal(held, sorted(set(held)), "episodes held after the attaches")
     for number in range(3):
-        context.call_concurrently(*[worker.play for worker in crew])
-        held = sorted([*held, *map(index_of, crew)])
+        context.call_concurrently(*[worker.play for worker in attached_workers])
+        held = sorted([*held, *map(index_of, attached_workers)])
         expect.equal(held, sorted(set(held)), f"episodes held after {number + 1}")

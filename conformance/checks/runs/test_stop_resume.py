@@ -27,10 +27,10 @@ def test_stop_001_abort_keeps_results(context: CheckContext) -> None:
     Expect the scored one unchanged, the others unscored, and none in progress.
     """
     run = context.submit("score", "score", "score")
-    crew = attach_workers(run, min(2, context.limits["max_workers"]))
-    scored = index_of(crew[0])
-    crew[0].play(score=0.75)
-    for worker in crew:
+    attached_workers = attach_workers(run, min(2, context.limits["max_workers"]))
+    scored = index_of(attached_workers[0])
+    attached_workers[0].play(score=0.75)
+    for worker in attached_workers:
         worker.predict(context.action(score=1, success=1))
     before = run.episodes()[scored]
     expect.ok(run.call("stop_run", json={"mode": "abort"}))
@@ -50,12 +50,12 @@ def test_stop_002_abort_ends_the_sessions(context: CheckContext) -> None:
     Expect `session_ended` for requests that were accepted before.
     """
     run = context.submit("score", "score", "score")
-    crew = attach_workers(run, min(2, context.limits["max_workers"]))
-    for worker in crew:
+    attached_workers = attach_workers(run, min(2, context.limits["max_workers"]))
+    for worker in attached_workers:
         worker.predict(context.action())
         worker.heartbeat()
     run.stop()
-    for worker in crew:
+    for worker in attached_workers:
         expect.refused(worker.try_predict(context.action()), "session_ended")
         expect.refused(worker.try_heartbeat(), "session_ended")
 
@@ -67,11 +67,11 @@ def test_stop_003_drain_lets_episodes_end(context: CheckContext) -> None:
     Expect their turns accepted, and each to end as a success.
     """
     run = context.submit("score", "score", "score")
-    crew = attach_workers(run, min(2, context.limits["max_workers"]))
-    for worker in crew:
+    attached_workers = attach_workers(run, min(2, context.limits["max_workers"]))
+    for worker in attached_workers:
         worker.predict(context.action())
     run.stop("drain")
-    for worker in crew:
+    for worker in attached_workers:
         expect.ok(worker.try_predict(context.action()))
         worker.seq += 1
         index = index_of(worker)
@@ -132,11 +132,11 @@ def test_res_002_resume_assigns_unscored_episodes(context: CheckContext) -> None
     Expect exactly these three to be assigned after the resume.
     """
     run = context.submit(*["score"] * 5)
-    crew = attach_workers(run, min(2, context.limits["max_workers"]))
-    crew[-1].predict(context.action())
-    crew[0].play()
-    if len(crew) > 1:
-        crew[0].play()
+    attached_workers = attach_workers(run, min(2, context.limits["max_workers"]))
+    attached_workers[-1].predict(context.action())
+    attached_workers[0].play()
+    if len(attached_workers) > 1:
+        attached_workers[0].play()
     run.stop()
     unscored = sorted(set(range(5)) - scored(run).keys())
     run.resume()
@@ -160,7 +160,7 @@ class InterruptedRun:
         self.context = context
         self.plan = plan
         self.run = context.submit(*["score"] * len(plan), max_attempts=10)
-        self.crew = [self.run.worker() for _ in range(workers)]
+        self.attached_workers = [self.run.worker() for _ in range(workers)]
         self.live: list[WorkerClient] = []
 
     def step(self, worker: WorkerClient) -> bool:
@@ -220,7 +220,7 @@ def test_res_003_stops_do_not_change_the_score(context: CheckContext) -> None:
     Expect the same score and the same results, except for attempts and times.
     """
     undisturbed = InterruptedRun(context, PLAN, workers=1)
-    while undisturbed.step(undisturbed.crew[0]):
+    while undisturbed.step(undisturbed.attached_workers[0]):
         pass
     expected = undisturbed.outcome()
 
@@ -233,9 +233,9 @@ def test_res_003_stops_do_not_change_the_score(context: CheckContext) -> None:
             if is_open and move in ("abort", "drain"):
                 is_open = play.interrupt(move)
             elif is_open:
-                play.step(play.crew[int(move) % len(play.crew)])
+                play.step(play.attached_workers[int(move) % len(play.attached_workers)])
                 is_open = play.run.get()["state"] != "completed"
-        while is_open and any(map(play.step, play.crew)):
+        while is_open and any(map(play.step, play.attached_workers)):
             is_open = play.run.get()["state"] != "completed"
         for what, value in play.outcome().items():
             expect.equal(value, expected[what], what)

@@ -48,11 +48,11 @@ def require_worker_limit(context: RequestContext, workers: int) -> None:
 def attach_workers(run: RunClient, workers: int) -> list[WorkerClient]:
     """Attach some workers, one after another, each to an episode of its own."""
     require_worker_limit(run.context, workers)
-    crew = [run.worker() for _ in range(workers)]
-    held = [worker.attach()["episode"]["index"] for worker in crew]
+    attached_workers = [run.worker() for _ in range(workers)]
+    held = [worker.attach()["episode"]["index"] for worker in attached_workers]
     if len(set(held)) < workers:
         raise SetUpFailed(f"workers hold the same episode, {held}; see EPI-008")
-    return crew
+    return attached_workers
 
 
 def index_of(worker: WorkerClient) -> int:

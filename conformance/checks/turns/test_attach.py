@@ -145,10 +145,10 @@ def test_att_006_cannot_attach_more_workers_than_allowed(context: CheckContext) 
     """
     most = min(2, context.limits["max_workers"])
     run = context.submit(*["score"] * 4, max_workers=most)
-    crew = attach_workers(run, most)
+    attached_workers = attach_workers(run, most)
     late = run.worker("late")
     expect.refused(late.try_attach(), "worker_limit")
-    crew[0].detach()
+    attached_workers[0].detach()
     late.attach()
 
 
@@ -161,8 +161,10 @@ def test_att_007_race_for_the_last_slots(context: CheckContext) -> None:
     most = min(3, context.limits["max_workers"])
     for _ in range(RACES):
         run = context.submit(*["score"] * 8, max_workers=most)
-        crew = [run.worker() for _ in range(most + 4)]
-        answers = context.call_concurrently(*[worker.try_attach for worker in crew])
+        attached_workers = [run.worker() for _ in range(most + 4)]
+        answers = context.call_concurrently(
+            *[worker.try_attach for worker in attached_workers]
+        )
         opened = sum(require_not_state_refusal(a).status == 200 for a in answers)
         expect.true(opened == most, f"{most} sessions opened", codes(answers))
 

@@ -1,4 +1,4 @@
-"""What checks are built of: expectations, verdicts, stories told in threads."""
+"""The parts of checks: expectations, verdicts, contexts used by several threads."""
 
 import contextlib
 import json
@@ -87,7 +87,7 @@ def test_refused_wants_code_status_members_and_pointer() -> None:
 def test_given_never_reports_a_violation() -> None:
     with pytest.raises(SetUpFailed):
         expect.require(answer(500), 200, "attach_worker")
-    with pytest.raises(SetUpFailed, match="lacks the member `b`"):
+    with pytest.raises(SetUpFailed, match="member `b` is missing"):
         expect.require(answer(200, {"a": 1}), 200, "attach_worker")["b"]
 
 
@@ -120,8 +120,8 @@ def test_a_request_refused_for_capacity_is_repeated(context: CheckContext) -> No
     free = answer(200, {})
     answers = iter([full, full, free])
     assert context._retry_while_no_capacity(lambda: next(answers)) is free
-    context.shared.timeouts.record_miss("room")
-    with pytest.raises(SetUpFailed, match="no room"):
+    context.shared.timeouts.record_miss("capacity")
+    with pytest.raises(SetUpFailed, match="no capacity"):
         context._retry_while_no_capacity(lambda: full)
     ill = answer(503, {"code": "unavailable", "detail": "ill"})
     assert context._retry_while_no_capacity(lambda: ill) is ill

@@ -34,7 +34,7 @@ def few_tools(tmp_path: Path) -> Path:
 
 @contextmanager
 def start_mutant(mutant: str, directory: Path) -> Iterator[dict[str, str]]:
-    """A mutant that nobody has talked to, as the variables of the script."""
+    """A fresh mutant, as the variables of the script."""
     tokens = AccountTokens.generate()
     command = f"{sys.executable} -m tests.mutants.serve {mutant}"
     server = ServerProcess(command, tokens, directory, directory / "server.log")
@@ -87,7 +87,7 @@ def printed_script(mutant: str, requirement_id: str, report: Path) -> str:
         ("never_ends_a_lease", "LEASE-001", ("200", '"seq":2')),
         # It asks again before the first request was answered.
         ("refuses_a_repeat_in_flight", "PRED-005", ("409", "seq_conflict")),
-        # It goes on behind events that were told before.
+        # It resumes after events that were sent before.
         ("restarts_the_stream_on_reconnect", "EVT-005", ("200", "event: episode")),
         # Its body is MessagePack.
         ("reads_messagepack_extensions", "ENC-008", ("422", "invalid_request")),

@@ -243,7 +243,7 @@ def test_session_that_ends_in_its_turn_leaves_what_it_has_done() -> None:
     cut = at((PLAY[0], ended), 0, 2)
     found = explain(RULES, opened, [cut, at(ABORT, 0, 2)])
     assert found
-    # Nobody ended it: it is not the session that ended.
+    # No request ended it: it is not the session that ended.
     assert not explain(RULES, opened, [cut])
     again = (Resume(), run("ready", 0, 0, 0, 2))
     for attempt in (1, 2):

@@ -75,7 +75,11 @@ def failed() -> Verdict:
         (Verdict("ATT-003", Outcome.KIT_ERROR, check="x"), 2, "not decided"),
         (Verdict("ATT-003", Outcome.NOT_APPLICABLE), 0, "conformant (selected rules)"),
         (Verdict("ATT-003", Outcome.NOT_VERIFIED), 2, "not decided"),
-        (Verdict("ATT-003", Outcome.NOT_VERIFIED, "", True), 0, "conformant in"),
+        (
+            Verdict("ATT-003", Outcome.NOT_VERIFIED, "", True),
+            0,
+            "conformant (selected rules)",
+        ),
     ],
 )
 def test_exit_code(verdict: Verdict, code: int, says: str) -> None:
@@ -143,11 +147,11 @@ def test_junit_has_a_real_failure() -> None:
 
 
 def test_problem_is_an_error_in_every_report() -> None:
-    judged = Result(Settings(profiles=PROFILES), problem="nothing answers")
+    judged = Result(Settings(profiles=PROFILES), problem="no response")
     conclude(judged, {}, Tally(load_spec()), set())
     assert judged.exit_code == 2
-    assert 'message="nothing answers"' in junit(judged)
-    assert "nothing answers" in page(judged)
+    assert 'message="no response"' in junit(judged)
+    assert "no response" in page(judged)
     jsonschema.validate(as_plain(judged), SCHEMA)
 
 
@@ -190,7 +194,8 @@ def test_script_catches_ids_and_keeps_pauses() -> None:
         "http://host",
     )
     assert lines[0] == (
-        ': "${URL:?of the server}" "${TOKEN:?a token with the scopes read and run}"'
+        ': "${URL:?base URL of the server}" '
+        '"${TOKEN:?a token with the scopes read and run}"'
     )
     start = next(i for i, line in enumerate(lines) if line.startswith("RUN_1="))
     assert [line.split("(")[0] for line in lines[1:start]] == ["curl", "keep"]
@@ -258,9 +263,14 @@ def test_page_shows_when_each_request_was_sent() -> None:
     ("verdict", "only", "says", "colour"),
     [
         (Verdict("ATT-003", Outcome.PASSED), "", "verified", "#1f7a38"),
-        (Verdict("ATT-003", Outcome.PASSED), "ATT-003", "1/1 verified of", "#5b6472"),
+        (
+            Verdict("ATT-003", Outcome.PASSED),
+            "ATT-003",
+            "1/1 verified (selection)",
+            "#5b6472",
+        ),
         (FAILED, "ATT-003", "0/1 verified, 1 violated", "#c62828"),
-        (Verdict("ATT-003", Outcome.INCONCLUSIVE), "ATT-003", "could not", "#96600a"),
+        (Verdict("ATT-003", Outcome.INCONCLUSIVE), "ATT-003", "not decided", "#96600a"),
     ],
 )
 def test_badge(verdict: Verdict, only: str, says: str, colour: str) -> None:
