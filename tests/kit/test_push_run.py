@@ -1,5 +1,7 @@
-"""The kit and servers that call policies: where calls are not allowed, the report has the
-reason and no violation; and the kit's policy server obeys the rules of policy servers.
+"""The kit and servers that call policies.
+
+Where calls are not allowed, the report has the reason and no violation; the kit's own
+policy server obeys the rules of policy servers.
 """
 
 import json

@@ -110,7 +110,6 @@ SAME_CLASS = {
     # Different subjects; to be renamed.
     "Connection": "the client's, and a contender's",
     "Contender": "of two kinds of measurements",
-    "EpisodePlan": "an episode of a benchmark, and of a file",
     "Expert": "scripted policies of two tools and a benchmark",
     "Handler": "of two HTTP servers",
     "Question": "asked by a benchmark, and of libraries",
@@ -127,7 +126,6 @@ MORE_SIBLINGS = {
     "reference_sim/benchmarks/mobile_bimanual": "the parts of one benchmark",
     "tests/mutants": "a file for each area of the rules",
     "tests/repository": "a test for each page and each rule on the repository",
-    "tests/support": "what several folders of tests share, by subject",
     "tools/generators": "a file for each language",
 }
 PACKAGES = ("conformance", "reference_client", "reference_server", "reference_sim")

@@ -93,6 +93,7 @@ def printed_script(mutant: str, requirement_id: str, report: Path) -> str:
         ("reads_messagepack_extensions", "ENC-008", ("422", "invalid_request")),
     ],
 )
+@pytest.mark.slow("starts a server and the kit")
 def test_script_finds_the_same_wrong_answer(
     tmp_path: Path,
     few_tools: Path,

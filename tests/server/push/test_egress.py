@@ -264,6 +264,7 @@ def client_without_allowed_networks(
         "http://192.168.0.1:443",
     ],
 )
+@pytest.mark.slow("starts a server")
 def test_a_private_address_is_refused_at_submit(
     client_without_allowed_networks: httpx.Client, url: str
 ) -> None:
