@@ -71,6 +71,7 @@ def printed_script(mutant: str, requirement_id: str, report: Path) -> str:
 
 
 # What a mutant answers wrongly: status, and a part of the body.
+@pytest.mark.slow("starts servers and kits")
 @pytest.mark.parametrize(
     ("mutant", "requirement_id", "answered"),
     [
