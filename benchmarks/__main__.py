@@ -20,7 +20,7 @@ from benchmarks import (
     round_trips,
     throughput,
 )
-from benchmarks.libraries import comparison, tables
+from benchmarks.libraries import library_comparison, tables
 
 ALL_CONTENDERS = (
     *("tcp", *contender_registry.PEERS),
@@ -70,7 +70,7 @@ def _measure(options: argparse.Namespace) -> None:
         else:
             results.update("throughput", body)
     if "libraries" in options.parts:
-        body = comparison.measure(options.try_, _say)
+        body = library_comparison.measure(options.try_, _say)
         _say(tables.tables(body))
         if not options.try_:
             results.update("libraries", body)

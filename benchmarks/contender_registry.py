@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 from benchmarks.contenders.ours_client import TOKEN
-from benchmarks.rounds import ROOT, Contender
+from benchmarks.interleaved_rounds import ROOT, Contender
 
 PEERS_PYTHON = ROOT / ".venv-bench" / "bin" / "python"
 _MODULES = "benchmarks.contenders"
@@ -44,7 +44,7 @@ def _ours(name: str, scenario: str, scratch: Path) -> Contender:
     return Contender(
         name,
         [
-            *(sys.executable, "-m", "benchmarks.still_life.server"),
+            *(sys.executable, "-m", "benchmarks.still_life.still_life_server"),
             *("--port", "0", "--database", str(database)),
         ],
         [sys.executable, "-m", f"{_MODULES}.{client}"],

@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any, cast
 from urllib.parse import urlsplit
 
-from benchmarks import rounds
+from benchmarks import interleaved_rounds
 from benchmarks.contenders.ours_client import TOKEN
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, Outcome, Result, Run, State
@@ -161,7 +161,7 @@ class ServerProcess:
         }
         self.process = subprocess.Popen(
             [sys.executable, "-m", "reference_server"],
-            cwd=rounds.ROOT,
+            cwd=interleaved_rounds.ROOT,
             env=os.environ | chosen | settings,
             stdout=subprocess.PIPE,
             text=True,
@@ -187,7 +187,7 @@ class ServerProcess:
         return int(line.split()[1]) / 1024
 
     def cpu_s(self) -> float:
-        return rounds.cpu_s(self.process.pid)
+        return interleaved_rounds.cpu_s(self.process.pid)
 
     def written_bytes(self) -> int:
         counts = Path(f"/proc/{self.process.pid}/io").read_text().splitlines()

@@ -1,6 +1,6 @@
 """The round trip of predict, compared with alternatives: section `round_trips`.
 
-For each scenario all contenders run at once and play alternately (rounds.py). A round
+For each scenario all contenders run at once and play alternately (interleaved_rounds.py). A round
 gives each contender the same time, so a faster one plays more turns. A contender that
 fails ends the measurement; none is omitted silently.
 """
@@ -16,7 +16,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from benchmarks import contender_registry, observations, rounds
+from benchmarks import contender_registry, interleaved_rounds, observations
 from benchmarks.byte_counting_relay import ByteCounts
 from benchmarks.results import Json
 
@@ -58,10 +58,12 @@ def _scenario(scenario: str, names: Sequence[str], count: int, say: Say) -> Json
         for name in names:
             say(f"{scenario}: starting {name}")
             contender = contender_registry.contender(name, scenario, Path(scratch))
-            pairs.append(standing.enter_context(rounds.ContenderPair(contender)))
+            pairs.append(
+                standing.enter_context(interleaved_rounds.ContenderPair(contender))
+            )
         turns = {pair.name: _warm_up(pair) for pair in pairs}
         say(f"{scenario}: playing {count} rounds")
-        played = rounds.play(pairs, count, turns)
+        played = interleaved_rounds.play(pairs, count, turns)
         weights = {pair.name: pair.byte_counts for pair in pairs}
     shown = {name: _summary(played[name], weights[name]) for name in names}
     for name, one in shown.items():
@@ -69,19 +71,19 @@ def _scenario(scenario: str, names: Sequence[str], count: int, say: Say) -> Json
     return shown
 
 
-def _warm_up(pair: rounds.ContenderPair) -> int:
+def _warm_up(pair: interleaved_rounds.ContenderPair) -> int:
     """How many turns it shall play in a round."""
     pair.play(2, whole=True)
-    tried = rounds.TurnTimes()
+    tried = interleaved_rounds.TurnTimes()
     pair.play(2, tried)
     slow = statistics.mean(tried.ns) / 1e9 > SHARE_S
     if not slow:
-        tried = rounds.TurnTimes()
+        tried = interleaved_rounds.TurnTimes()
         pair.play(WARM_UP_TURNS, tried)
     return max(1, min(TURNS_MAX, int(SHARE_S * 1e9 / statistics.median(tried.ns))))
 
 
-def _summary(played: rounds.TurnTimes, byte_counts: ByteCounts) -> Json:
+def _summary(played: interleaved_rounds.TurnTimes, byte_counts: ByteCounts) -> Json:
     turns = len(played.ns)
     percentiles = statistics.quantiles(played.ns, n=100, method="inclusive")
     return {

@@ -15,7 +15,7 @@ from collections.abc import Callable
 from typing import Any
 
 HOST = "127.0.0.1"
-APP = "benchmarks.libraries.app:app"
+APP = "benchmarks.libraries.sample_app:app"
 _UNTIL_S = 20.0
 
 
@@ -74,7 +74,7 @@ def _hypercorn(listener: socket.socket) -> None:
     from hypercorn.asyncio import serve
     from hypercorn.config import Config
 
-    from benchmarks.libraries.app import app
+    from benchmarks.libraries.sample_app import app
 
     config = Config()
     config.bind = [f"fd://{listener.detach()}"]

@@ -19,7 +19,7 @@ from urllib.parse import urlsplit
 
 from proctor_client import AttachWorker
 
-from benchmarks import contender_registry, observations, rounds
+from benchmarks import contender_registry, interleaved_rounds, observations
 from benchmarks.contenders import ours_client
 from benchmarks.libraries.samples import CAMERAS, STATE, Sample
 from reference_client.protocol.connection import Connection
@@ -52,7 +52,7 @@ def _server(scratch: Path) -> Iterator[str]:
     ours = contender_registry.contender("ours msgpack", STATE, scratch)
     with subprocess.Popen(
         list(ours.server),
-        cwd=rounds.ROOT,
+        cwd=interleaved_rounds.ROOT,
         env={**os.environ, **ours.environment},
         stdout=subprocess.PIPE,
         text=True,
@@ -103,7 +103,7 @@ def _raw_answer(url: str, request: bytes) -> bytes:
         while not parser.is_complete:
             piece = connection.recv(2**20)
             if not piece:
-                raise rounds.ContenderFailed(
+                raise interleaved_rounds.ContenderFailed(
                     f"the server broke off after {bytes(read[:500])!r}"
                 )
             parser.feed(memoryview(piece))

@@ -2,7 +2,7 @@
 
 Every server is called by the reference client's connection; every client calls uvicorn
 as the reference server runs it. Started, commanded, timed and ended like the contenders
-of the round trips (rounds.py).
+of the round trips (interleaved_rounds.py).
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from benchmarks import contender_registry, rounds
+from benchmarks import contender_registry, interleaved_rounds
 from benchmarks.libraries.interleaved_timing import UNITS_NS
 from benchmarks.libraries.samples import CAMERAS, COPIES, FOLDER, STATE
 
@@ -68,10 +68,10 @@ def clients(folder: Path, count: int, say: Callable[[str], None]) -> Figures:
 
 def contender(
     name: str, server: str, client: str, folder: Path, sample: str
-) -> rounds.Contender:
+) -> interleaved_rounds.Contender:
     python = str(contender_registry.PEERS_PYTHON)
     copies = {COPIES: "1"} if server == GRANIAN else {}
-    return rounds.Contender(
+    return interleaved_rounds.Contender(
         name,
         [python, "-m", "benchmarks.libraries.asgi_servers", *SERVERS[server]],
         [python, "-m", "benchmarks.libraries.http_clients"],
@@ -81,20 +81,24 @@ def contender(
 
 
 def turn_times(
-    contenders: Sequence[rounds.Contender], count: int, turns: int
-) -> dict[str, rounds.TurnTimes]:
+    contenders: Sequence[interleaved_rounds.Contender], count: int, turns: int
+) -> dict[str, interleaved_rounds.TurnTimes]:
     with contextlib.ExitStack() as standing:
-        pairs = [rounds.ContenderPair(one) for one in contenders]
+        pairs = [interleaved_rounds.ContenderPair(one) for one in contenders]
         for pair in pairs:
             standing.callback(pair.close)
         with ThreadPoolExecutor(os.cpu_count()) as threads:  # they take a second each
-            list(threads.map(rounds.ContenderPair.__enter__, pairs))
+            list(threads.map(interleaved_rounds.ContenderPair.__enter__, pairs))
         for pair in pairs:
             pair.play(_WARM_UP)
-        return rounds.play(pairs, count, {pair.name: turns for pair in pairs})
+        return interleaved_rounds.play(
+            pairs, count, {pair.name: turns for pair in pairs}
+        )
 
 
-def _p50(turn_times: dict[str, rounds.TurnTimes], unit: str) -> dict[str, float]:
+def _p50(
+    turn_times: dict[str, interleaved_rounds.TurnTimes], unit: str
+) -> dict[str, float]:
     scale = UNITS_NS[unit]
     return {
         name: round(statistics.median(one.ns) / scale, 4)
@@ -102,6 +106,6 @@ def _p50(turn_times: dict[str, rounds.TurnTimes], unit: str) -> dict[str, float]
     }
 
 
-def _each(cpu_s: float, one: rounds.TurnTimes, unit: str) -> float:
+def _each(cpu_s: float, one: interleaved_rounds.TurnTimes, unit: str) -> float:
     """CPU of one request."""
     return round(cpu_s * 1e9 / len(one.ns) / UNITS_NS[unit], 4)

@@ -24,7 +24,7 @@ from reference_client.command.exit_codes import (
     UsageError,
 )
 from reference_client.command.output import Printer, ProgressDisplay
-from reference_client.evaluation import plan
+from reference_client.evaluation import parameters
 from reference_client.evaluation.status_board import Progress
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
@@ -155,7 +155,7 @@ def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRu
         )
     name = args.name or name or "unnamed"
     try:
-        return plan.submission(
+        return parameters.submission(
             args.benchmark,
             PolicyInfo(
                 name=f"{name} ({args.type})" if args.type else name,

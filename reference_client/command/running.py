@@ -33,7 +33,7 @@ from reference_client.command.exit_codes import (
 from reference_client.command.output import Printer, ProgressDisplay
 from reference_client.errors import PolicyFailed, ProctorError, RunFailed
 from reference_client.evaluation.evaluate import run_evaluation
-from reference_client.evaluation.plan import EvaluationPlan, parse_strictly
+from reference_client.evaluation.parameters import EvaluationPlan, parse_strictly
 from reference_client.evaluation.status_board import Progress, StatusBoard
 from reference_client.evaluation.worker_pool import ThreadWorkerPool, WorkerPool
 from reference_client.evaluation.worker_processes import ProcessWorkerPool

@@ -16,7 +16,11 @@ from proctor_client import Assumptions, PolicyInfo, Run, Score
 
 from reference_client.api.policy import Policy
 from reference_client.errors import RunFailed, RunStopped, how_to_resume
-from reference_client.evaluation.plan import EvaluationPlan, parse_strictly, submission
+from reference_client.evaluation.parameters import (
+    EvaluationPlan,
+    parse_strictly,
+    submission,
+)
 from reference_client.evaluation.rounds import EvaluationRounds
 from reference_client.evaluation.status_board import (
     Progress,

@@ -12,7 +12,7 @@ from typing import Protocol
 from proctor_client import Run
 
 from reference_client.api.policy import Policy
-from reference_client.evaluation.plan import EvaluationPlan
+from reference_client.evaluation.parameters import EvaluationPlan
 from reference_client.evaluation.rounds import RunWorker
 from reference_client.evaluation.status_board import StatusBoard
 from reference_client.evaluation.worker_loop import WorkerLoop

@@ -29,7 +29,7 @@ from reference_client.api.observation import (
 )
 from reference_client.api.policy import chunk_of
 from reference_client.errors import ProctorError
-from reference_client.evaluation.plan import parse_strictly, submission
+from reference_client.evaluation.parameters import parse_strictly, submission
 from reference_client.generated.messages import Turn
 from reference_client.gymnasium_env import spaces
 from reference_client.protocol.connection import Connection

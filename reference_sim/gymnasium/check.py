@@ -25,7 +25,7 @@ from reference_sim.definition import Json
 from reference_sim.gymnasium import entries, environments
 from reference_sim.gymnasium.benchmark_file import Benchmark
 from reference_sim.gymnasium.entries import Entry
-from reference_sim.gymnasium.plan import PlanDraft, Unsettled
+from reference_sim.gymnasium.manifest_plan import PlanDraft, Unsettled
 from reference_sim.gymnasium.simulator import GymnasiumSimulator
 
 SEED, OTHER_SEED = 20, 21

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from benchmarks import performance_page, results, rounds
+from benchmarks import interleaved_rounds, performance_page, results
 from benchmarks.libraries import (
     capture,
     interleaved_timing,
@@ -84,7 +84,7 @@ def test_with_pictures_does_not_change_the_turn(
 
 
 def versions_in(lock: str) -> dict[str, str]:
-    text = (rounds.ROOT / "requirements" / lock).read_text()
+    text = (interleaved_rounds.ROOT / "requirements" / lock).read_text()
     return dict(re.findall(r"^([a-z0-9-]+)==([^ ]+)", text, re.MULTILINE))
 
 
@@ -162,7 +162,9 @@ def test_an_encoder_with_wrong_output_is_not_measured(
 # --- on loopback ---
 
 
-def with_this_python(contender: rounds.Contender) -> rounds.Contender:
+def with_this_python(
+    contender: interleaved_rounds.Contender,
+) -> interleaved_rounds.Contender:
     """By the Python of the tests."""
     return dataclasses.replace(
         contender,
@@ -195,7 +197,7 @@ def test_a_wrong_answer_ends_the_measurement(folder: Path, tmp_path: Path) -> No
     wrong_contender = dataclasses.replace(
         with_this_python(correct), arguments=[name, str(tmp_path), samples.STATE]
     )
-    with pytest.raises(rounds.ContenderFailed, match=name):
+    with pytest.raises(interleaved_rounds.ContenderFailed, match=name):
         loopback.turn_times([wrong_contender], FEW, 3)
 
 

@@ -91,12 +91,6 @@ SAME_FILE_NAME = {
     "test_calibration.py test_events.py test_lifecycle.py test_scoring.py"
     " test_benchmarks.py test_errors.py test_policy.py": "the kit's check of a subject "
     "and our own test of it",
-    # Different subjects; to be renamed.
-    "app.py": "the HTTP application, and one that libraries are measured with",
-    "comparison.py": "comparison of two runs, and of libraries",
-    "plan.py": "the workers of an evaluation, and the episodes of a benchmark",
-    "rounds.py": "rounds of an evaluation, and of a measurement",
-    "server.py": "of the view of a run, and of a still picture",
 }
 # Class names that several modules define -> why. A package that may not import another
 # has its own class for a noun of the protocol.

@@ -27,7 +27,7 @@ from benchmarks import (
     throughput,
 )
 from benchmarks.contenders.turn_client import TurnClient
-from benchmarks.rounds import ContenderFailed, ContenderPair, cpu_s
+from benchmarks.interleaved_rounds import ContenderFailed, ContenderPair, cpu_s
 
 pytestmark = pytest.mark.slow("measures every contender")
 

@@ -17,7 +17,7 @@ import yaml
 
 from reference_client.command import aliases
 from reference_client.command.main import main
-from reference_client.evaluation.plan import WORKER_ID
+from reference_client.evaluation.parameters import WORKER_ID
 from reference_sim import benchmark_registry
 from tests.support.client.command import ProctorCommand, options
 from tests.support.paths import ROOT

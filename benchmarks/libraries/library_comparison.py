@@ -15,7 +15,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from benchmarks import contender_registry, results, rounds
+from benchmarks import contender_registry, interleaved_rounds, results
 from benchmarks.libraries import capture, loopback
 from benchmarks.results import Json
 
@@ -57,7 +57,7 @@ def _in_one_process(folder: Path, count: int) -> dict[str, Any]:
     module = "benchmarks.libraries.one_process"
     completed = subprocess.run(
         [str(contender_registry.PEERS_PYTHON), "-m", module, str(folder), str(count)],
-        cwd=rounds.ROOT,
+        cwd=interleaved_rounds.ROOT,
         check=True,
         stdout=subprocess.PIPE,
         text=True,
