@@ -1,7 +1,8 @@
 """The reference server with the benchmark `still_life`.
 
-Run as a module, with the options of the server. The benchmark is added to the registries of the server and of its simulator processes. The public way,
-the Gymnasium adapter, would add its own cost to the measurement.
+Run as a module, with the options of the server. The benchmark is added to the
+registries of the server and of its simulator processes. The public way, the Gymnasium
+adapter, would add its own cost to the measurement.
 """
 
 from __future__ import annotations
