@@ -1,8 +1,8 @@
 """The round trip of predict, compared with alternatives: section `round_trips`.
 
-For each scenario all contenders run at once and play alternately (interleaved_rounds.py).
-A round gives each contender the same time, so a faster one plays more turns. A
-contender that fails ends the measurement; none is omitted silently.
+For each scenario all contenders run at once and play alternately
+(interleaved_rounds.py). A round gives each contender the same time, so a faster one
+plays more turns. A contender that fails ends the measurement; none is omitted silently.
 """
 
 from __future__ import annotations

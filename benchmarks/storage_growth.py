@@ -269,7 +269,7 @@ async def follow(netloc: str, number: int) -> Connection:
 
 
 async def poll(netloc: str, number: int) -> Connection:
-    """A get_run that waits for news of a run of its own."""
+    """A get_run that waits for a change of a run of its own."""
     path = f"/v1/runs/completed_{number}"
     (reader, writer), head = await connected(netloc, path)
     writer.write(f"{head}\r\n".encode())

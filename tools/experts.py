@@ -220,7 +220,7 @@ def measure(names: Iterable[str], seeds: int, processes: int) -> list[TrialResul
     return outcomes
 
 
-# Telling
+# The page
 
 
 def page(names: Iterable[str], outcomes: Sequence[TrialResult]) -> str:

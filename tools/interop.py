@@ -193,17 +193,17 @@ def the_server(arguments: argparse.Namespace) -> Iterator[Server]:
         yield Server(arguments.url.rstrip("/"), token, restart if command else None)
         return
     with tempfile.TemporaryDirectory() as directory:
-        house = ReferenceServer(Path(directory))
+        reference = ReferenceServer(Path(directory))
 
         def again() -> str:
-            house.end(signal.SIGKILL)
-            house.start()
-            return house.url
+            reference.end(signal.SIGKILL)
+            reference.start()
+            return reference.url
 
         try:
-            yield Server(house.url, TOKENS["alice"], again)
+            yield Server(reference.url, TOKENS["alice"], again)
         finally:
-            house.end(signal.SIGTERM)
+            reference.end(signal.SIGTERM)
 
 
 def chosen(text: str, known: list[str]) -> list[str]:

@@ -1,4 +1,4 @@
-"""The benchmark of the round trips: a simulator of a static scene that costs nothing.
+"""The benchmark of the round trips: a simulator of a still picture that costs nothing.
 
 A `Simulator` in an ordinary simulator process; server.py adds it to the registry. Like
 a MuJoCo camera it renders into the frame buffer; an image that is already in a half of

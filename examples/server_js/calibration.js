@@ -44,7 +44,7 @@ const ABOUT = {
   benchmark_id: 'calibration',
   version: '1',
   title: 'Calibration',
-  description: 'No physics: a stranger judges a server by it.',
+  description: 'No physics: a server is checked with it from outside.',
   tasks: ['score', 'count', 'echo', 'delay', 'fault'],
   splits: ['even', 'odd'],
   control_rate_hz: 10,
@@ -127,7 +127,7 @@ export class Simulator {
     this.terminated = false;
   }
 
-  // Told as the step limit only when the task did not end by itself at that step.
+  // Reported as the step limit only when the task did not end by itself at that step.
   get truncated() { return !this.terminated && this.steps >= this.rules.max_steps; }
   get over() { return this.terminated || this.truncated; }
 

@@ -32,7 +32,7 @@ export function parse(bytes) {
     const text = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
     if (!tooDeep(text)) return JSON.parse(text, wellFormed);
   } catch {
-    // said below: the parser's own words help nobody who sees only the wire
+    // refused below: the parser's own words do not help a client
   }
   throw new Problem('malformed_body');
 }

@@ -17,7 +17,7 @@ const PROBLEMS = {
   session_ended: [409, false, 'none', 'The session is not live any more', 'Attach again with a new attach_key; scored episodes are kept.'],
   seq_conflict: [409, false, 'none', 'The same seq with another body', 'Repeat the body that was sent under this seq, or go on with the next seq.'],
   seq_out_of_order: [409, false, 'none', 'Not the seq that is expected', 'Send `expected_seq`.'],
-  no_episode: [409, false, 'none', 'The session was told that it is done', 'Detach; attach again if get_run shows pending episodes.'],
+  no_episode: [409, false, 'none', 'The session is done', 'Detach; attach again if get_run shows pending episodes.'],
   body_too_large: [413, false, 'none', 'The body is too large', 'Stay below max_body_bytes of describe_service.'],
   unsupported_media_type: [415, false, 'none', "The body's media type is not read here", 'Send application/json.'],
   invalid_request: [422, false, 'none', "The request breaks the schema or the benchmark's spaces", 'Correct what `errors` points at.'],

@@ -18,7 +18,7 @@ const TRANSITIONS = {
   failed: { resume_run: 'queued' },
   completed: {},
 };
-// Nobody plays a run after a crash; its episodes go on where they began.
+// A run has no workers after a crash; its episodes start again from their beginning.
 const AFTER_CRASH = { running: 'ready', stopping: 'stopped' };
 
 export class Run {
@@ -135,7 +135,7 @@ export class Run {
     return all.filter(({ ended, done }) => !ended && !done).length;
   }
 
-  /** The events that nobody commands. A session that is done holds nothing and keeps nothing going. */
+  /** The events that no command causes. A session that is done holds nothing and keeps nothing going. */
   settle() {
     if (this.state !== 'running' && this.state !== 'stopping') return;
     if (this.episodes.every(({ status }) => status === 'scored')) this.move('all_scored');

@@ -2,7 +2,7 @@
 import { createHash } from 'node:crypto';
 import { once } from 'node:events';
 import { createServer } from 'node:http';
-import { Book } from './book.js';
+import { RunRegistry } from './registry.js';
 import { describe } from './calibration.js';
 import { listener, notHttp, page, parameter, readTokens } from './http.js';
 import { write } from './json.js';
@@ -15,19 +15,19 @@ if (!PROCTOR_TOKENS) {
   console.error('Set PROCTOR_TOKENS to account:scopes:token, comma-separated, scopes being read, run or read+run.');
   process.exit(2);
 }
-const book = new Book(PROCTOR_DATABASE);
+const registry = new RunRegistry(PROCTOR_DATABASE);
 
 function view(run, { headers }) {
-  return { ...run.view(), endpoint: `http://${headers.host ?? `${host}:${port}`}`, queue_position: book.queuePosition(run) };
+  return { ...run.view(), endpoint: `http://${headers.host ?? `${host}:${port}`}`, queue_position: registry.queuePosition(run) };
 }
-const runOf = ({ account, params }) => book.find(account, params.run_id);
+const runOf = ({ account, params }) => registry.find(account, params.run_id);
 const runView = (act) => (context) => {
   const run = runOf(context);
   act(run, context);
   return { body: view(run, context) };
 };
 
-/** A data-plane operation; the run comes first, so that a stranger's run is not found whatever else is wrong. */
+/** A data-plane operation; the run comes first, so that a run of another account is not found whatever else is wrong. */
 const forWorker = (act) => async (context) => {
   const run = runOf(context);
   const { worker_id } = context.params;
@@ -47,19 +47,19 @@ async function getRun(context) {
     const ETag = `"${createHash('sha256').update(write(body)).digest('base64url')}"`;
     if (!known.includes(ETag) && !known.includes('*')) return { body, headers: { ETag } };
     if (Number(wait) === 0 || signal.aborted) return { status: 304, headers: { ETag } };
-    await once(book.changes, 'change', { signal }).catch(() => {});
+    await once(registry.changes, 'change', { signal }).catch(() => {});
   }
 }
 
 function submit(context) {
   const key = context.headers['idempotency-key'];
   if (key !== undefined && !/^[\x21-\x7e]{1,128}$/.test(key)) throw invalid(['header:Idempotency-Key', 'breaks its pattern']);
-  const run = book.submit(context.account, key, context.body);
+  const run = registry.submit(context.account, key, context.body);
   return { status: 201, headers: { Location: `/v1/runs/${run.record.run_id}` }, body: view(run, context) };
 }
 
 function listRuns(context) {
-  const mine = [...book.runs.values()].filter((run) => run.record.account === context.account).reverse();
+  const mine = [...registry.runs.values()].filter((run) => run.record.account === context.account).reverse();
   const { shown, next_cursor } = page(mine, context.query, (run) => run.record.number);
   return { body: { runs: shown.map((run) => view(run, context)), next_cursor } };
 }

@@ -27,7 +27,7 @@ function live(run, worker, id) {
   return session;
 }
 
-/** Puts a session before its next episode, or tells it that it is done. */
+/** Puts a session before its next episode, or marks it as done. */
 function proceed(run, session) {
   session.episode = run.handOut();
   session.done = session.episode === null;
@@ -99,7 +99,7 @@ function open(run, worker, body, current, began) {
 
 export async function predict(run, worker, body) {
   const began = performance.now();
-  // PRED-005: whoever comes while a turn executes waits, and is then judged by what the turn has left.
+  // PRED-005: a request that arrives while a turn executes waits, and is then decided on the state after the turn.
   for (let s = run.sessions.get(body.session_id); s?.inflight;) await s.inflight;
   const session = live(run, worker, body.session_id);
   const print = fingerprint(body);

@@ -183,7 +183,7 @@ def encode_segments(
 
     Large images are parts of their own: uncopied in MessagePack, and in JSON Base64 by
     pybase64, which takes a tenth of the time that msgspec does. What stands around them
-    is encoded with a mark in their places, which nobody can guess, and cut there: no
+    is encoded with a mark in their places, which cannot be guessed, and cut there: no
     encoder of ours is needed for that.
     """
     if media_type == MSGPACK:

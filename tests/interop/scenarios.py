@@ -40,7 +40,7 @@ class UnexpectedResult(Exception):
 class Server:
     """The server under which the programs run.
 
-    restart: kills it, starts it again and returns its URL; None where nobody can.
+    restart: kills it, starts it again and returns its URL; None if it cannot be.
     """
 
     url: str

@@ -360,7 +360,7 @@ def hides_scores_until_the_end() -> None:
 
 @mutant("SCORE-008")
 def counts_abandoned_episodes_as_failures() -> None:
-    """Abandoned episodes cannot be told from failed ones."""
+    """Abandoned episodes cannot be distinguished from failed ones."""
     right = scoring.score_of
 
     def wrong(episodes: Any) -> dict[str, Any]:

@@ -151,7 +151,7 @@ def scores_the_best_and_not_the_last_value() -> None:
 
 @mutant("ATT-004", "CAL-003", "FAULT-004", "PRED-001", "PRED-004", "PRED-012")
 def counts_one_action_too_many() -> None:
-    """The kit cannot tell what was executed."""
+    """The kit cannot determine what was executed."""
 
     def wrong(observation: dict[str, Any]) -> None:
         if observation["state"]["count"][0] > 2:

@@ -57,7 +57,7 @@ IMPORTED = "imported"
 
 
 class _ByFile:
-    """Tells the measurement whose test runs."""
+    """Sets the measurement's context to the file of the test that runs."""
 
     def __init__(self, measured: coverage.Coverage) -> None:
         self._measured = measured

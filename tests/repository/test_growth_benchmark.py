@@ -1,4 +1,4 @@
-"""The databases that growth is measured on are what they seem; its page tells all."""
+"""Databases of the growth benchmark hold valid runs; its page reports every figure."""
 
 import asyncio
 from collections.abc import Sequence
@@ -18,7 +18,7 @@ pytestmark = pytest.mark.slow("measures databases")
 
 
 def test_a_filled_database_contains_valid_runs(tmp_path: Path) -> None:
-    path = tmp_path / "shelf.sqlite"
+    path = tmp_path / "runs.sqlite"
     fill(path, DatabaseCase("small", runs=3, episodes=8))
     assert count_rows(path, "runs") == 3 + READY_RUNS
     assert count_rows(path, "episodes") == 3 * 8
@@ -49,11 +49,11 @@ def test_a_filled_database_contains_valid_runs(tmp_path: Path) -> None:
 
 
 def test_the_page_contains_every_figure() -> None:
-    shelves = [database_case.name for database_case in DATABASE_CASES]
+    case_names = [database_case.name for database_case in DATABASE_CASES]
     figures = iter(range(1000, 2000))
     cost = {
-        "p50_ms": {name: float(next(figures)) for name in shelves},
-        "ratio": {name: float(next(figures)) for name in shelves},
+        "p50_ms": {name: float(next(figures)) for name in case_names},
+        "ratio": {name: float(next(figures)) for name in case_names},
     }
     weighed = {
         name: {"few_mb": float(next(figures)), "many_mb": float(next(figures))}

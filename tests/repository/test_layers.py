@@ -1,7 +1,7 @@
-"""How the house is built: who may know whom, what is said once, how big a part may be.
+"""Architecture: which package may import which, what is defined once, sizes of parts.
 
 Imports are read from the source text: nothing is imported to learn what it imports.
-The lifecycle and the problems of the house are those of the specification.
+The lifecycle and the problems of the server are those of the specification.
 """
 
 import ast

@@ -19,7 +19,7 @@ README = (ROOT / "README.md").read_text()
 
 
 def test_commands_stand_in_the_first_25_lines() -> None:
-    """A stranger sees what to type before anything else."""
+    """A new reader sees what to type before anything else."""
     beginning = "\n".join(README.splitlines()[:25])
     for target in ("conformance", "serve", "test"):
         assert f"make {target}" in beginning

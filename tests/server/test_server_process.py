@@ -200,7 +200,7 @@ def test_long_polls_are_answered_at_shutdown(server: ReferenceServer) -> None:
 def test_cancelled_requests_are_answered_with_503() -> None:
     async def endless(_call: Any) -> Response:
         await asyncio.Event().wait()
-        raise AssertionError("nobody sets it")
+        raise AssertionError("the event is never set")
 
     async def scenario() -> Response:
         request = Request({"type": "http", "headers": [], "query_string": b""})

@@ -13,7 +13,7 @@ STEP: Action = {"nothing": [0.0]}
 
 @dataclass
 class ScriptedSimulator:
-    """`Simulator` that does what it was told beforehand."""
+    """`Simulator` whose outcomes are given beforehand."""
 
     outcomes: Sequence[StepOutcome]
     steps: int = 0

@@ -19,7 +19,7 @@ namespace worker {
 using namespace proctor;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::seconds patience{60};
+constexpr std::chrono::seconds retry_timeout{60};
 inline const std::string version = "1.0";
 
 inline std::shared_ptr<Connection> connect(std::string const& url, std::string const& token) {
@@ -28,7 +28,7 @@ inline std::shared_ptr<Connection> connect(std::string const& url, std::string c
 
 /// Send a request until it is answered: a repeat executes nothing twice.
 template <typename Request> auto ask(Request request) -> decltype(request()) {
-    auto const deadline = Clock::now() + patience;
+    auto const deadline = Clock::now() + retry_timeout;
     for (double pause_s = 0.1;; pause_s = std::min(2 * pause_s, 2.0)) {
         double wait_s = pause_s;
         try {
@@ -43,7 +43,7 @@ template <typename Request> auto ask(Request request) -> decltype(request()) {
     }
 }
 
-/// A name that nobody has used.
+/// A name that is not in use.
 inline std::string unique() {
     std::random_device entropy;
     std::ostringstream name;

@@ -258,13 +258,13 @@ static json stop_resume(Session& s) {
 static json problems(Session& s) {
     auto unknown = calibration("score", 1, 10);
     unknown.benchmark_id = "no_such";
-    ControlApi stranger(connect(s.url, "not-a-token"));
+    ControlApi unauthenticated(connect(s.url, "not-a-token"));
     auto const run = s.submit(calibration("count", 1, 10));
     auto const turn = s.attach(run);
     return {{"problems", {
         problem_of([&] { s.control.submitRun(unknown, {}, version); }),
         problem_of([&] { s.control.getRun("no_such", {}, {}, version); }),
-        problem_of([&] { stranger.listRuns({}, {}, version); }),
+        problem_of([&] { unauthenticated.listRuns({}, {}, version); }),
         problem_of([&] { s.predict(run, turn, 1, {with(act(0), "vector", {1})}); }),
         problem_of([&] { s.predict(run, turn, 7, {act(0)}); }),
     }}};

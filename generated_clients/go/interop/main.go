@@ -247,12 +247,12 @@ var scenarios = map[string]func(*Server, string) seen{
 	},
 	"problems": func(s *Server, url string) seen {
 		unknown := proctor.SubmitRun{BenchmarkId: "no_such", Policy: proctor.PolicyInfo{Name: "interop"}}
-		stranger, run := At(url, "not-a-token"), submit(s, 1, "count", 10, Key(), nil)
+		unauthenticated, run := At(url, "not-a-token"), submit(s, 1, "count", 10, Key(), nil)
 		turn := attach(s, run)
 		return seen{"problems": []seen{
 			problemOf(s.Control.SubmitRun(s.Context).SubmitRun(unknown).Execute),
 			problemOf(s.Control.GetRun(s.Context, "no_such").Execute),
-			problemOf(stranger.Control.ListRuns(stranger.Context).Execute),
+			problemOf(unauthenticated.Control.ListRuns(unauthenticated.Context).Execute),
 			problemOf(chunk(s, run, turn, 1, with(Act(0), "vector", 1)).Execute),
 			problemOf(chunk(s, run, turn, 7, Act(0)).Execute),
 		}}

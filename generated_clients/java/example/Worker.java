@@ -17,7 +17,7 @@ import proctor.client.model.*;
  * <p>The same loop stands in every language of generated_clients/; see docs/implement/clients.md.
  */
 public final class Worker {
-    static final long PATIENCE_MS = 60_000;
+    static final long RETRY_TIMEOUT_MS = 60_000;
 
     /** The server said no: `problem` says why and what to do. */
     static final class Refused extends Exception {
@@ -74,7 +74,7 @@ public final class Worker {
 
     /** Send a request until it is answered: a repeat executes nothing twice. */
     static <T> T ask(Request<T> request) throws Exception {
-        long deadline = System.currentTimeMillis() + PATIENCE_MS;
+        long deadline = System.currentTimeMillis() + RETRY_TIMEOUT_MS;
         for (long pause = 100; ; pause = Math.min(2 * pause, 2000)) {
             long wait = pause;
             try {

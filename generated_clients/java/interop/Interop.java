@@ -262,13 +262,13 @@ public final class Interop {
 
     Object problems() throws Exception {
         SubmitRun unknown = new SubmitRun().benchmarkId("no_such").policy(new PolicyInfo().name("interop"));
-        Worker stranger = new Worker(url, "not-a-token");
+        Worker unauthenticated = new Worker(url, "not-a-token");
         Run run = submit(calibration(CalibrationTask.COUNT, 1, 10), unique());
         Turn turn = attach(run);
         return seen("problems", List.of(
                 problemOf(() -> Worker.once(() -> server.control.submitRun(unknown, null, null))),
                 problemOf(() -> Worker.once(() -> server.control.getRun("no_such", null, null, null))),
-                problemOf(() -> Worker.once(() -> stranger.control.listRuns(null, null, null))),
+                problemOf(() -> Worker.once(() -> unauthenticated.control.listRuns(null, null, null))),
                 problemOf(() -> predict(run, turn, 1, List.of(with(Worker.act(0), "vector", List.of(1.0))))),
                 problemOf(() -> predict(run, turn, 7, List.of(Worker.act(0))))));
     }

@@ -34,7 +34,7 @@ from proctor_client import (
 )
 
 T = TypeVar("T")
-PATIENCE_S = 60.0
+RETRY_TIMEOUT_S = 60.0
 
 
 class Refused(Exception):
@@ -70,7 +70,7 @@ class Server:
 
     def ask(self, request: Callable[[], T]) -> T:
         """Send a request until it is answered: a repeat executes nothing twice."""
-        deadline, pause = time.monotonic() + PATIENCE_S, 0.1
+        deadline, pause = time.monotonic() + RETRY_TIMEOUT_S, 0.1
         while True:
             try:
                 return self.once(request)

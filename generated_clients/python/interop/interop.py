@@ -186,13 +186,13 @@ def scenario_stop_resume(server: Server, url: str) -> dict[str, Any]:
 
 def scenario_problems(server: Server, url: str) -> dict[str, Any]:
     unknown = pc.SubmitRun(benchmark_id="no_such", policy=pc.PolicyInfo(name="interop"))
-    stranger = Server(url, "not-a-token").control
+    unauthenticated = Server(url, "not-a-token").control
     run = submit(server, ["count"])
     turn = attach(server, run, "worker-0")
     return {"problems": [
         problem_of(lambda: server.once(lambda: server.control.submit_run(unknown))),
         problem_of(lambda: server.once(lambda: server.control.get_run("no_such"))),
-        problem_of(lambda: server.once(stranger.list_runs)),
+        problem_of(lambda: server.once(unauthenticated.list_runs)),
         problem_of(lambda: predict(server, run, "worker-0", turn, [act(0.0, vector=[1.0])])),
         problem_of(lambda: predict(server, run, "worker-0", turn, [act(0.0)], seq=7)),
     ]}

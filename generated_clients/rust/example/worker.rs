@@ -12,7 +12,7 @@ use proctor_client::models::{
     Action, AttachWorker, EpisodeResult, Predict, Problem, Run, RunState, Turn,
 };
 
-const PATIENCE: Duration = Duration::from_secs(60);
+const RETRY_TIMEOUT: Duration = Duration::from_secs(60);
 
 /// Why a request brought nothing.
 #[derive(Debug)]
@@ -65,7 +65,7 @@ pub async fn ask<T, E, F>(mut send: impl FnMut() -> F) -> Result<T, Failure>
 where
     F: Future<Output = Result<T, Error<E>>>,
 {
-    let (deadline, mut pause_s) = (Instant::now() + PATIENCE, 0.1_f64);
+    let (deadline, mut pause_s) = (Instant::now() + RETRY_TIMEOUT, 0.1_f64);
     loop {
         let failure = match send().await {
             Ok(value) => return Ok(value),
@@ -142,7 +142,7 @@ pub async fn until_open(control: &Configuration, run_id: &str) -> Result<Run, Fa
     }
 }
 
-/// A name that nobody has used.
+/// A name that is not in use.
 pub fn unique() -> String {
     static COUNT: AtomicU64 = AtomicU64::new(0);
     let now = SystemTime::now().duration_since(UNIX_EPOCH).expect("after 1970").as_nanos();

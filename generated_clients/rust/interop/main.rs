@@ -265,14 +265,14 @@ async fn stop_resume(control: &Configuration) -> Seen {
 
 async fn problems(control: &Configuration) -> Seen {
     let unknown = SubmitRun::new("no_such".to_owned(), PolicyInfo::new("interop".to_owned()));
-    let stranger = at(&control.base_path, "not-a-token");
+    let unauthenticated = at(&control.base_path, "not-a-token");
     let run = submit(control, &choice(CalibrationTask::Count, 1, 10), &unique()).await?;
     let turn = attach(control, &run).await?;
     let short = vec![with(act(0.0), "vector", &[1.0])];
     Ok(json!({ "problems": [
         problem_of(once(control_api::submit_run(control, unknown, None, None).await)),
         problem_of(once(control_api::get_run(control, "no_such", None, None, None).await)),
-        problem_of(once(control_api::list_runs(&stranger, None, None, None).await)),
+        problem_of(once(control_api::list_runs(&unauthenticated, None, None, None).await)),
         problem_of(predict(control, &run, &turn, 1, short).await),
         problem_of(predict(control, &run, &turn, 7, vec![act(0.0)]).await),
     ]}))

@@ -12,7 +12,7 @@ import {
   type Action, type EpisodeResult, type Problem, type Run, type Turn,
 } from "../src";
 
-const PATIENCE_MS = 60_000;
+const RETRY_TIMEOUT_MS = 60_000;
 
 export const sleep = (ms: number) => new Promise((done) => setTimeout(done, ms));
 
@@ -60,7 +60,7 @@ export class Server {
 
   /** Send a request until it is answered: a repeat executes nothing twice. */
   async ask<T>(request: () => Promise<T>): Promise<T> {
-    const deadline = Date.now() + PATIENCE_MS;
+    const deadline = Date.now() + RETRY_TIMEOUT_MS;
     for (let pause = 100; ; pause = Math.min(2 * pause, 2000)) {
       try {
         return await this.once(request);

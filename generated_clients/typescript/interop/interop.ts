@@ -180,14 +180,14 @@ const scenarios: Record<string, (server: Server, url: string) => Promise<Seen>> 
 
   async problems(server, url) {
     const unknown = { benchmark_id: "no_such", policy: { name: "interop" } };
-    const stranger = new Server(url, "not-a-token");
+    const unauthenticated = new Server(url, "not-a-token");
     const run = await submit(server, ["count"]);
     const turn = await attach(server, run, "worker-0");
     return {
       problems: [
         await problemOf(() => server.once(() => server.control.submitRun({ submitRun: unknown }))),
         await problemOf(() => server.once(() => server.control.getRun({ runId: "no_such" }))),
-        await problemOf(() => stranger.once(() => stranger.control.listRuns())),
+        await problemOf(() => unauthenticated.once(() => unauthenticated.control.listRuns())),
         await problemOf(() => predict(server, run, turn, [act(0, { vector: [1] })])),
         await problemOf(() => predict(server, run, turn, [act(0)], undefined, 7)),
       ],

@@ -2,7 +2,7 @@
 
 Proctor's own requests count turns (`seq`), so that a repeat is known by its number.
 EBench's do not: a step with an equal body is either the last one, whose answer did not
-arrive, or a new one that happens to be equal. The two are told apart by the delivery:
+arrive, or a new one that happens to be equal. The delivery distinguishes them:
 while the answer of a step is not known to have been sent to a connected client, an
 equal step repeats it (EBE-013); afterwards it is a step of its own (EBE-014).
 

@@ -171,7 +171,7 @@ class Handover:
     def goal_holds(self, scene: MobileBimanualScene) -> bool:
         """The right hand holds the bar up, and the left hand does not touch it.
 
-        That is the end; how the right hand came by the bar only the stages tell.
+        How the right hand came to hold the bar is recorded by the stages alone.
         """
         return (
             scene.height_m("bar") >= BAR_HALF_M + LIFTED_M

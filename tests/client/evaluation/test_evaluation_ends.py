@@ -191,9 +191,10 @@ def test_a_policy_that_raises_ends_the_other_workers_too(
 
 INTERRUPTED = """
 import sys, threading
-from reference_client import evaluate, evaluation
+from reference_client import evaluate
+from reference_client.evaluation import rounds
 
-evaluation.FAREWELL_S = 0.2
+rounds.STOP_TIMEOUT_S = 0.2
 
 class Stuck:
     def reset(self, instruction): ...

@@ -101,8 +101,8 @@ def test_a_benchmark_set_is_a_benchmark(
         ("createTask", {"benchmark_set": "No such set"}, 422),
         ("createTask", {"benchmark_set": 7}, 422),
         ("createTask", {"model_name": "x" * 300}, 422),
-        ("createTask", {"task_id": "run_of_nobody"}, 404),
-        ("ready", {"task_id": "run_of_nobody"}, 404),
+        ("createTask", {"task_id": "run_unknown"}, 404),
+        ("ready", {"task_id": "run_unknown"}, 404),
         ("ready", {}, 422),
     ],
 )
@@ -182,7 +182,7 @@ def test_a_worker_plays_a_run_to_its_end(http: httpx.Client) -> None:
         "active_workers": [],
         "results": {"count": 1.0, "score": 0.25},
     }
-    # The end stays the end, for whoever comes.
+    # The run stays completed, for every worker that connects.
     assert client.step({"0": action()})[0]["0"]["obs"] is None
     client.worker_ids = ("0", "late")
     assert [w["obs"] for w in client.reset().values()] == [None, None]

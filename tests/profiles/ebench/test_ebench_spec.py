@@ -112,7 +112,7 @@ def test_a_route_takes_what_is_described(at: tuple[str, str]) -> None:
         if media_type != "application/problem+json"
     ]
     assert tuple(media) == route.writes
-    # The control plane tells in its envelope what went wrong, all others in a problem.
+    # The control plane reports errors in its envelope, all others in a problem.
     assert (route.refusal_response is not None) == (described["tags"] == ["control"])
 
 

@@ -96,7 +96,7 @@ async def complete_run(parts: ServerParts, run: Run) -> None:
     await parts.registry.commit(run)
 
 
-# --- news ---
+# --- changes of a run ---
 
 
 def test_a_stream_carries_each_change(tmp_path: Path) -> None:
@@ -169,7 +169,7 @@ def test_a_stream_of_an_unchanged_busy_run_sends_comments(
 def test_frequent_changes_are_sent_in_one_batch(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Changes that follow one another closely are told together."""
+    """Changes that follow one another closely are sent together."""
     monkeypatch.setattr(event_streams, "PAUSE_S", 1.0)
 
     async def scenario(parts: ServerParts) -> None:
@@ -204,7 +204,7 @@ def test_a_wrong_count_does_not_cause_polling(
 def test_nothing_is_queued_for_a_slow_client(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Nothing is looked at while it takes nothing; then it is told all at once."""
+    """No event is read while it takes nothing; then all are sent at once."""
     cursors_read = []
     right = EventStream._read_batch
 
@@ -320,7 +320,7 @@ def test_an_id_that_is_ahead_of_the_run_is_refused(tmp_path: Path) -> None:
     run_scenarios(tmp_path, scenario)
 
 
-@pytest.mark.parametrize("account", ["bob", "nobody"])
+@pytest.mark.parametrize("account", ["bob", "unknown"])
 def test_runs_of_other_accounts_are_not_found(tmp_path: Path, account: str) -> None:
     async def scenario(parts: ServerParts) -> None:
         await add_stored_run(parts)

@@ -91,7 +91,7 @@ def test_event_ids_are_valid_after_a_kill(server: ReferenceServer) -> None:
 
 
 def test_a_detach_after_completion_sends_no_event(server: ReferenceServer) -> None:
-    """Most workers do, after whoever follows the run was told its last event."""
+    """Most workers detach after the last event was sent to the run's followers."""
     with server.client() as client:
         run_id = submit(client, "score")
         player = ScoringWorker(client, run_id, "w")
@@ -159,7 +159,7 @@ def test_streams_end_with_the_server(server: ReferenceServer) -> None:
 def test_disconnected_streams_do_not_delay_the_shutdown(
     server: ReferenceServer,
 ) -> None:
-    """The server would wait at its end for streams that somebody reads."""
+    """The server would wait at its end for streams that a client reads."""
     with server.client() as client:
         run_id = submit(client, "score")
         for _ in range(20):

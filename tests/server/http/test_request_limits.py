@@ -26,7 +26,7 @@ DEEP = 10**6
 
 
 class LiveRun:
-    """A server and a run on it with one live session, used by nobody else."""
+    """A server and a run on it with one live session, used by no other test."""
 
     def __init__(self, server: ReferenceServer) -> None:
         self.server = server
@@ -253,7 +253,7 @@ def test_other_media_types_are_refused(live_run: LiveRun, media_type: str) -> No
 
 
 @pytest.mark.parametrize(
-    "secret", [b"nobody", b"\xc3\xa9", b"\xff", b"a b", b"a" * 10**5], ids=len
+    "secret", [b"unknown", b"\xc3\xa9", b"\xff", b"a b", b"a" * 10**5], ids=len
 )
 def test_requests_without_a_valid_token_are_refused(
     live_run: LiveRun, secret: bytes
@@ -328,7 +328,7 @@ def test_no_request_is_answered_with_status_500(
         assert_problem(answer, answer.json()["code"])
 
 
-# --- patience ---
+# --- slow and waiting requests ---
 
 
 def test_a_slow_body_delays_no_other_request(live_run: LiveRun) -> None:

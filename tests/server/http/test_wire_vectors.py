@@ -1,4 +1,4 @@
-"""The golden vectors of spec/vectors/wire, against this house's codec and models.
+"""The golden vectors of spec/vectors/wire, against this server's codec and models.
 
 Both encodings of a vector hold one value; it comes through our decoder and models, and
 out of our encoder the same; what is marked refused, our server refuses.
@@ -62,7 +62,7 @@ def execute(media_type: str, body: bytes) -> None:
     message = codec.validate(models.Predict, codec.decode(body, media_type))
     actions = [action.values for action in message.actions]
     if breaches := action_space.action_errors(actions, UNBOUNDED):
-        raise Refused("invalid_request", "Misfits.", errors=list(breaches))
+        raise Refused("invalid_request", "Mismatches.", errors=list(breaches))
 
 
 def test_there_are_vectors_of_every_kind() -> None:

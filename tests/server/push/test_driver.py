@@ -85,14 +85,14 @@ def make_driver_with(parts: ServerParts, key_encryption: KeyEncryption) -> Drive
 
 async def wait_until_completed(parts: ServerParts) -> Run:
     while True:
-        news, run = (
+        change, run = (
             parts.registry.change_event("run_1"),
             await parts.registry.get("run_1"),
         )
         if run.state in ("completed", "failed"):
             assert run.state == "completed", run.reason
             return run
-        await parts.registry.wait_for_change(news, 10)
+        await parts.registry.wait_for_change(change, 10)
 
 
 @pytest.fixture
@@ -165,7 +165,7 @@ def test_the_backoff_restarts() -> None:
 def test_a_session_without_a_simulator_is_not_stored(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Nothing of the run has changed that the store has; who waits is told."""
+    """No stored part of the run has changed; clients that wait are notified."""
 
     async def acquire(*_: Any, **__: Any) -> Any:
         raise NoCapacity("All simulators are busy.")
@@ -192,7 +192,7 @@ def test_a_session_without_a_simulator_is_not_stored(
 def test_loading_a_run_is_retried(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """PUSH-017: nobody asks for it meanwhile."""
+    """PUSH-017: no client requests it meanwhile."""
     monkeypatch.setitem(PROTOCOLS, "proctor", FaultyPolicy())
     monkeypatch.setattr(driver, "RELOAD_S", 0.001, raising=False)
 
@@ -234,7 +234,7 @@ def policy() -> Iterator[ScriptedPolicy]:
 
 
 def fault_text(policy: ScriptedPolicy, key: str, operation: str = "describe") -> str:
-    """What a run's submitter is told when the policy server is asked."""
+    """The text that a run's submitter reads when a call of the policy server fails."""
 
     async def ask() -> Any:
         limits = CallLimits(2.0, 1, 0, 65536)

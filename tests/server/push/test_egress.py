@@ -34,7 +34,7 @@ NOT_PUBLIC = [
     "10.1.2.3",
     "172.16.0.1",
     "192.168.1.1",
-    "169.254.169.254",  # where clouds tell secrets to whoever asks from inside
+    "169.254.169.254",  # where clouds return secrets to every caller inside
     "100.64.0.1",
     "192.0.0.170",
     "192.0.2.1",
@@ -100,7 +100,7 @@ def test_a_name_is_judged_by_what_it_resolves_to(host: str) -> None:
         run(EgressPolicy().resolve(host, 80))
 
 
-@pytest.mark.parametrize("host", ["nobody.invalid", "", "a" * 64 + ".example", "a..b"])
+@pytest.mark.parametrize("host", ["unknown.invalid", "", "a" * 64 + ".example", "a..b"])
 def test_a_name_without_address_is_unresolved(host: str) -> None:
     with pytest.raises((HostNotResolved, AddressNotAllowed)):
         run(EgressPolicy().resolve(host, 80))
@@ -199,7 +199,7 @@ def test_the_next_address_is_tried(
 
 
 def test_the_key_is_not_sent_to_a_server_without_tls(policy: ScriptedPolicy) -> None:
-    """TLS to a server that speaks none: told, and nothing of the key is sent."""
+    """TLS to a server without it: an error is reported, and the key is not sent."""
     with pytest.raises(PolicyFault, match=r"is unreachable|closed the connection"):
         run(call_describe(policy.url.replace("http:", "https:"), EgressPolicy("all")))
     assert policy.calls == []

@@ -77,9 +77,9 @@ def test_a_refused_connection_fails_the_run(push_server: ReferenceServer) -> Non
 
 
 def test_a_name_without_address_fails_the_run(push_server: ReferenceServer) -> None:
-    run = play_push_run(push_server, "http://nobody.invalid/")
+    run = play_push_run(push_server, "http://unknown.invalid/")
     assert (run["state"], run["retryable"]) == ("failed", True)
-    assert "nobody.invalid cannot be resolved" in run["reason"]
+    assert "unknown.invalid cannot be resolved" in run["reason"]
 
 
 Wrong = Callable[[PolicyCall], PolicyReply]

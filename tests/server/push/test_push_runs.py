@@ -213,7 +213,7 @@ def test_workers_cannot_attach_to_a_push_run(
             "illegal_transition",
         )
         assert answer.json()["state"] == "running"
-    # What the policy server was told of the session opens nothing either.
+    # What the policy server received about the session gives no access either.
     turn = policy.calls_of("predict")[0].body
     session = {"session_id": turn["session_id"]}
     play = {"seq": turn["seq"] + 1, "actions": [CheckContext.action(end=1)]}

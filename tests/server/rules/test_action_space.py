@@ -48,7 +48,7 @@ def test_an_action_must_fit(action: dict[str, list[float]], pointer: str) -> Non
     assert action_errors(ACTION, action) == [f"/actions/1/values/{pointer}"]
 
 
-def test_every_misfit_is_named() -> None:
+def test_every_mismatch_is_named() -> None:
     first = {"z": [0.0], "grip": [2.0], "a": [0.0]}
     assert action_errors(first, ACTION, {"arm": [], "grip": [0.0], "head": [0.0]}) == [
         "/actions/0/values/z",

@@ -64,7 +64,7 @@ STEPS = {
 
 
 class AnyOrder(RuleBasedStateMachine):
-    """The pure core as the stage uses it: sweep, decide, and do what is accepted.
+    """The pure core as the executor uses it: sweep, decide, and do what is accepted.
 
     Between the parts of a turn anything else may happen, as it does when a simulator
     executes while other requests arrive.

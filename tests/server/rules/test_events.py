@@ -1,4 +1,4 @@
-"""What a reader of events is told next: nothing lost, nothing twice, from any place."""
+"""Which events a reader gets next: none lost, none twice, from any cursor."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def read_batch(run: Run, cursor: Cursor) -> EventBatch:
 
 
 def read_all_events(run: Run, cursor: Cursor) -> tuple[list[Event], Cursor]:
-    """All that there is to tell behind a cursor, and the place behind that."""
+    """All events after a cursor, and the cursor after them."""
     parser, events = EventParser(), []
     while True:
         batch = read_batch(run, cursor)
@@ -76,7 +76,7 @@ def test_an_event_id_has_one_spelling() -> None:
     assert Cursor.parse(id_.replace("7", "8", 1), "run_1") is None
 
 
-# --- what is told ---
+# --- what is sent ---
 
 
 def test_an_unchanged_run_is_sent_once() -> None:
@@ -152,7 +152,7 @@ def apply_changes(run: Run, order: list[Any]) -> Iterator[None]:
 def test_a_stream_can_resume_after_any_event(
     order: list[Any], read_points: list[bool]
 ) -> None:
-    """One looks when it will; then one goes on behind each event that was told."""
+    """One reads at any time; then one goes on behind each event that was sent."""
     run, cursor = make_run(LENGTH), Cursor()
     received: list[Event] = []
     for _, has_time in zip(apply_changes(run, order), read_points, strict=False):

@@ -119,7 +119,7 @@ SAME, OTHER, TAKEOVER = (
         ({"busy": "playing"}, TAKEOVER, "Wait"),
         (OVER, OTHER, "Accept"),
         (OVER, TAKEOVER, "Accept"),
-        # A session that is done stands in nobody's way, once its last turn is answered.
+        # A session that is done blocks no worker, once its last turn is answered.
         (DONE, OTHER, "Accept"),
         (DONE, TAKEOVER, "Accept"),
         (DONE | {"busy": "turning"}, OTHER, "Wait"),
@@ -197,7 +197,7 @@ def test_a_live_session_can_do_everything() -> None:
 def ended_by_reasons(
     run: Run, session_id: str = "session-of-w", now: float = NOW
 ) -> list[str]:
-    """`ended_by` as predict and heartbeat tell it; detach finds nothing to do."""
+    """`ended_by` as predict and heartbeat report it; detach finds nothing to do."""
     play, beat, detach = session_commands(session_id)
     assert decide(run, detach, now) == NoChange()  # DET-002
     refused = [expect_refuse(run, play, now), expect_refuse(run, beat, now)]
@@ -316,7 +316,7 @@ def test_the_state_comes_before_conventions_and_those_before_workers() -> None:
 
 
 def test_every_guard_is_called() -> None:
-    """A guard that nobody calls would be a rule that does not hold."""
+    """A guard that is not called would be a rule that does not hold."""
     called = {guard for guards in GUARDS.values() for guard in guards}
     source = Path(lifecycle.__file__).read_text()
     section = source.partition("# --- guards")[2].partition("def _event_of")[0]

@@ -55,7 +55,7 @@ def session_commands(by_server: bool) -> list[Command]:
 
 
 def test_commands_for_a_session_of_the_server_are_refused() -> None:
-    """A policy server is told the session; it has not to play it."""
+    """A policy server is sent the session's id; it does not play the session."""
     run = push_run("running")
     add_session(run)
     for command in session_commands(by_server=True):

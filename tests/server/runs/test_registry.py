@@ -1,4 +1,4 @@
-"""The runs in memory: one object each, and never ahead of the disk for a stranger."""
+"""The runs in memory: one object each, and no client sees more than is stored."""
 
 import asyncio
 import contextlib
@@ -155,7 +155,7 @@ def test_an_unstored_result_is_not_answered(tmp_path: Path) -> None:
         )
         with parts.reject_writes(), expect_refusal("unavailable"):
             await parts.executor.predict(run, predict_command(a, "a", score=1, end=1))
-        assert await waiting, "whoever waits for a change is woken"
+        assert await waiting, "every caller that waits for a change is woken"
         # The run is as the store has it: in no session's hands, with nothing scored.
         found = await parts.registry.get(run.run_id)
         assert found is not run
@@ -220,7 +220,7 @@ def test_any_failed_write_reloads_the_run(
 def test_a_run_whose_admission_failed_is_admitted_later(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, readable: bool
 ) -> None:
-    """Nobody asks for it; it keeps its place, and the rest of the queue waits on."""
+    """No client requests it; it keeps its place, and the rest of the queue waits on."""
 
     async def scenario(parts: ServerParts) -> None:
         first = await parts.registry.add(calibration_run(), None, "")

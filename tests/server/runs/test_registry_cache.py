@@ -1,4 +1,4 @@
-"""Runs at rest: read for whoever looks, in nobody's memory, no older than told."""
+"""Runs at rest: read for each request, not held in memory, no older than shown."""
 
 import asyncio
 import gc
@@ -211,7 +211,7 @@ def test_a_run_in_use_stays_one_object(
 def test_waiters_are_notified_of_evicted_runs(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """It waits for the id: the run is loaded again by whoever changes it."""
+    """It waits for the id: the run is loaded again by the caller that changes it."""
     monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 1)
 
     async def scenario(parts: ServerParts) -> None:
@@ -239,9 +239,9 @@ def test_waiters_are_notified_of_evicted_runs(
 def test_waiting_keeps_no_run_in_memory(tmp_path: Path) -> None:
     async def scenario(parts: ServerParts) -> None:
         await insert_runs(parts, calibration_run(state="ready"))
-        news = parts.registry.change_event("run_1")
+        change = parts.registry.change_event("run_1")
         await parts.registry.read_view("run_1", "alice", run_summary)
-        waiting = start_task(parts.registry.wait_for_change(news, TIMEOUT_S))
+        waiting = start_task(parts.registry.wait_for_change(change, TIMEOUT_S))
         await asyncio.sleep(0)
         assert runs_in_memory(parts) == []
         run = await parts.registry.get("run_1")
@@ -266,12 +266,12 @@ def test_a_lease_ends_without_requests(
         await parts.executor.predict(run, predict_command(turn))
         del run
         await parts.registry.get("run_2")
-        news = parts.registry.change_event("run_1")
+        change = parts.registry.change_event("run_1")
         while (await parts.registry.read_view("run_1", "alice", run_summary))[
             0
         ] == "running":
-            assert await parts.registry.wait_for_change(news, TIMEOUT_S)
-            news = parts.registry.change_event("run_1")
+            assert await parts.registry.wait_for_change(change, TIMEOUT_S)
+            change = parts.registry.change_event("run_1")
         await parts.registry.get("run_2")
         await parts.registry.close()
         assert runs_in_memory(parts) == ["run_2"]
@@ -330,16 +330,16 @@ def test_only_later_queue_positions_change(tmp_path: Path) -> None:
             await parts.registry.add(run, None, "")
         positions = [parts.registry.queue_position(run) for run in runs]
         assert positions == [1, 2, 3, 4]
-        news = [parts.registry.change_event(run.run_id) for run in runs]
+        changes = [parts.registry.change_event(run.run_id) for run in runs]
         effects.stop(runs[1], "abort", 0.0)
         await parts.registry.commit(runs[1])
-        assert [event.is_set() for event in news] == [False, True, True, True]
+        assert [event.is_set() for event in changes] == [False, True, True, True]
         positions = [parts.registry.queue_position(run) for run in runs]
         assert positions == [1, None, 2, 3]
-        news = [parts.registry.change_event(run.run_id) for run in runs]
+        changes = [parts.registry.change_event(run.run_id) for run in runs]
         effects.resume(runs[1], 1e11)  # an old number: it comes before newer runs
         await parts.registry.commit(runs[1])
-        assert [event.is_set() for event in news] == [False, True, True, True]
+        assert [event.is_set() for event in changes] == [False, True, True, True]
         positions = [parts.registry.queue_position(run) for run in runs]
         assert positions == [1, 2, 3, 4]
 

@@ -29,7 +29,7 @@ def shown_score(run: RunHead) -> int:
 
 
 def test_shown_results_are_stored(tmp_path: Path) -> None:
-    """A write that was only just begun counts as well; nobody waits for it here."""
+    """A write that was only just begun counts as well; no caller waits for it here."""
 
     async def scenario(parts: ServerParts) -> None:
         run = await parts.registry.add(calibration_run(), None, "")
@@ -142,23 +142,23 @@ def test_a_refusal_states_only_stored_states(
     run_scenarios(tmp_path, scenario)
 
 
-# --- news ---
+# --- changes ---
 
 
 def test_no_change_between_read_and_wait_is_missed(tmp_path: Path) -> None:
     async def scenario(parts: ServerParts) -> None:
         run = await parts.registry.add(calibration_run(), None, "")
         await parts.registry.is_stored(run)
-        news = parts.registry.change_event(run.run_id)
+        change = parts.registry.change_event(run.run_id)
         parts.registry.notify(run)
-        assert await parts.registry.wait_for_change(news, TIMEOUT_S)
+        assert await parts.registry.wait_for_change(change, TIMEOUT_S)
         assert not await parts.registry.wait_for_change(
             parts.registry.change_event(run.run_id), 0.001
         )
-        del news
+        del change
         gc.collect()
         assert len(parts.registry._change_events) == 0, (
-            "what nobody waits for is not kept"
+            "an event without waiting callers is not kept"
         )
 
     run_scenarios(tmp_path, scenario)

@@ -40,13 +40,13 @@ def record_computed_scores(patch: pytest.MonkeyPatch) -> list[str]:
 
 
 async def evict_run(parts: ServerParts, run: Run) -> None:
-    """The run is stored and leaves memory as soon as nobody holds it."""
+    """The run is stored and leaves memory as soon as no caller holds it."""
     await parts.registry.commit(run)
     parts.registry._recent.clear()
 
 
 async def add_stopped_run(parts: ServerParts, run_id: str, count: int) -> None:
-    """A stopped run with three episodes and `count` results, in nobody's memory."""
+    """A stopped run with three episodes and `count` results, not held in memory."""
     run = calibration_run("score", "score", "score", run_id=run_id, state="stopped")
     await parts.registry.add(run, None, "")
     for index in range(count):

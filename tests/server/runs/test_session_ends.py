@@ -120,7 +120,7 @@ def test_a_stop_when_the_simulator_has_just_answered(
     method: str,
     attempt: int,
 ) -> None:
-    """The answer comes too late: it is not told, and what it says is not scored."""
+    """The answer comes too late: it is not sent, and its content is not scored."""
 
     async def scenario(parts: ServerParts) -> None:
         run = await parts.registry.add(calibration_run("count"), None, "")

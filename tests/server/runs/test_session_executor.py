@@ -10,7 +10,7 @@ import pytest
 from reference_server.rules.lifecycle import Attach, Heartbeat
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
-from reference_server.runs import session_executor as stage_module
+from reference_server.runs import session_executor
 from reference_sim.process.pool import SimulatorHandle
 from tests.support.server.server_parts import (
     BlockedCall,
@@ -242,7 +242,7 @@ def test_a_lease_end_is_evaluated_once_per_command(
 
         clock = types.SimpleNamespace(**vars(time))
         clock.monotonic = monotonic
-        monkeypatch.setattr(stage_module, "time", clock)
+        monkeypatch.setattr(session_executor, "time", clock)
         with expect_refusal("worker_busy"):
             await parts.executor.attach(run, Attach("w", "another"))
         turn = await parts.executor.attach(run, Attach("w", "another"))

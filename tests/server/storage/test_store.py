@@ -215,7 +215,7 @@ def test_reads_are_read_only(tmp_path: Path) -> None:
     [
         "nonsense",
         "nonsense://x",
-        "sqlite:///x",  # a driver that would block everybody
+        "sqlite:///x",  # a driver that would block every caller
         "sqlite+aiosqlite:////proc/nowhere/x",
         f"sqlite+aiosqlite:///{Path(__file__).parent}",
         f"sqlite+aiosqlite:///{Path(__file__)}",
@@ -264,7 +264,7 @@ def test_an_unreachable_database_is_reported(tmp_path: Path) -> None:
             return self
 
         async def __aenter__(self) -> None:
-            raise ConnectionRefusedError("nobody\nlistens")
+            raise ConnectionRefusedError("refused\nby the host")
 
         async def __aexit__(self, *_: object) -> None: ...
 
@@ -284,7 +284,7 @@ def test_an_unreachable_database_is_reported(tmp_path: Path) -> None:
             parts.store.insert(calibration_run(run_id="run_2"), None, ""),
             parts.store.load(run.run_id),
         ):
-            with pytest.raises(StoreFailed, match=r"^nobody$"):
+            with pytest.raises(StoreFailed, match=r"^refused$"):
                 await work
         assert run.changed == {0}
         parts.store._engine, parts.store._read_engine = engine, reader

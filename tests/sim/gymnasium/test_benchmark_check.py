@@ -63,7 +63,7 @@ def test_a_valid_environment_has_no_faults() -> None:
         ("RewardIsNotFinite", "the reward is inf"),
         ("ConstructorRaises", "OSError: the robot is not plugged in"),
         ("HasText", "'action' is a Text, which has no vector"),
-        ("Nobody", "gymnasium_envs.py has no class or function Nobody"),
+        ("Missing", "gymnasium_envs.py has no class or function Missing"),
         ("RaisesLater", None),
     ],
 )

@@ -50,11 +50,11 @@ def test_memory_is_shared_once_its_size_is_known() -> None:
     assert frame_buffer.place_of(first) is None
     assert frame_buffer.pending_mapping() is None
     (second,) = draw(frame_buffer, 2)
-    told = frame_buffer.pending_mapping()
-    assert told is not None
+    mapping = frame_buffer.pending_mapping()
+    assert mapping is not None
     assert frame_buffer.pending_mapping() is None
     assert frame_buffer.place_of(second) is not None
-    seen = map_memory(os.getpid(), told)
+    seen = map_memory(os.getpid(), mapping)
     offset, length = frame_buffer.place_of(second) or (0, 0)
     assert seen[offset : offset + length] == bytes([2]) * SIZE
     more = draw(frame_buffer, 3, images=2)

@@ -81,7 +81,7 @@ class EbenchClient:
         return dict(answer.json()["data"])
 
     def stop(self, url: str | None = None) -> dict[str, Any]:
-        query = {"run_id": self.task_id, "user_id": "somebody"}
+        query = {"run_id": self.task_id, "user_id": "another_user"}
         answer = self.http.post(url or f"{self.endpoint}/stop", params=query)
         assert answer.status_code == 200, answer.text
         return dict(answer.json())

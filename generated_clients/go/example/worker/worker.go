@@ -15,7 +15,7 @@ import (
 	"proctor"
 )
 
-const patience = 60 * time.Second
+const retryTimeout = 60 * time.Second
 
 // Refused: the server said no, and Problem says why and what to do.
 type Refused struct {
@@ -62,7 +62,7 @@ func Once[T any](send func() (T, *http.Response, error)) (T, error) {
 
 // Ask sends a request until it is answered: a repeat executes nothing twice.
 func Ask[T any](send func() (T, *http.Response, error)) (T, error) {
-	pause, deadline := 100*time.Millisecond, time.Now().Add(patience)
+	pause, deadline := 100*time.Millisecond, time.Now().Add(retryTimeout)
 	for {
 		value, err := Once(send)
 		var refused *Refused
@@ -124,7 +124,7 @@ func (s *Server) untilOpen(runID string) (*proctor.Run, error) {
 	}
 }
 
-// Key is a name nobody has used.
+// Key is a name that is not in use.
 func Key() string {
 	random := make([]byte, 16)
 	_, _ = rand.Read(random) // never fails

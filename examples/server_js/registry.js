@@ -9,7 +9,7 @@ import { Problem, invalid } from './problems.js';
 import { Run } from './run.js';
 import { LIMITS } from './shapes.js';
 
-export class Book {
+export class RunRegistry {
   constructor(path) {
     this.runs = new Map(); // run id → run, oldest first
     this.keys = new Map(); // account and Idempotency-Key → run
@@ -20,7 +20,7 @@ export class Book {
   restore(path) {
     mkdirSync(dirname(path), { recursive: true });
     const lines = existsSync(path) ? readFileSync(path, 'utf8').split('\n') : [];
-    const whole = lines.slice(0, -1); // a line that was being written when the server died was told to nobody
+    const whole = lines.slice(0, -1); // a line that was being written when the server died was not answered yet
     for (const line of whole.filter(Boolean)) this.apply(line);
     this.file = openSync(path, 'a');
     if (lines.at(-1)) writeSync(this.file, '\n');
