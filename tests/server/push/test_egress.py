@@ -171,7 +171,7 @@ def test_a_connection_uses_the_address_that_was_checked(
     resolved_names = patch_resolver(monkeypatch, ["127.0.0.1"], ["10.0.0.1"])
     url = policy.url.replace("127.0.0.1", "policy.example")
     answer = run(call_describe(url, EgressPolicy("127.0.0.1")))
-    assert answer["name"] == "the kit's own policy"
+    assert answer["name"] == "policy server of the conformance kit"
     assert [host for host, _ in resolved_names] == ["policy.example"]
     (call,) = policy.calls
     assert call.headers["host"] == url.removeprefix("http://")
