@@ -15,7 +15,8 @@ from pathlib import Path
 import coverage
 import pytest
 
-from tests.support.paths import ROOT
+# Run as a program this file imports nothing of tests: pytest has to do that itself.
+ROOT = Path(__file__).resolve().parents[2]
 
 pytestmark = pytest.mark.slow("measures the unit tests of the rules")
 
