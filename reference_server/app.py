@@ -15,8 +15,9 @@ from starlette.responses import Response
 from starlette.routing import Route, Router
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http.auth import Tokens
-from reference_server.http.dispatch import VERSION, Operation, perform
+from reference_server.http.dispatch import Operation, perform
 from reference_server.http.handlers import Handlers
 from reference_server.http.problems import problem_response
 from reference_server.profiles import profile_tables
@@ -37,7 +38,7 @@ from reference_sim.process.pool import SimulatorPool
 
 log = logging.getLogger("proctor.app")
 
-_VERSION_HEADER = (b"proctor-version", VERSION.encode())
+_VERSION_HEADER = (b"proctor-version", PROTOCOL_VERSION.encode())
 
 
 def build(settings: Settings, tokens: Tokens) -> Application:

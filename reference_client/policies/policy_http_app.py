@@ -26,9 +26,9 @@ from reference_client.api.observation import observation_of
 from reference_client.api.policy import Policy, chunk_of
 from reference_client.errors import ProctorError
 from reference_client.generated.messages import EpisodeView, Turn
+from reference_client.generated.protocol_version import PROTOCOL_VERSION
 from reference_client.policies.error_origin import describe_policy_error
 
-VERSION = "1.0"
 # A turn may carry several raw images in Base64.
 BODY_BYTES_MAX = 64 * 2**20
 # Code → status, retryable, title; as in x-problems of openapi.yaml.
@@ -115,7 +115,7 @@ class PolicyApp:
     async def describe_policy(self, _request: Request) -> dict[str, Any]:
         body: dict[str, Any] = {
             "name": self._name,
-            "protocol": {"min": VERSION, "max": VERSION},
+            "protocol": {"min": PROTOCOL_VERSION, "max": PROTOCOL_VERSION},
             "max_sessions": self._max_sessions,
         }
         return body if self._assumes is None else body | {"assumes": self._assumes}

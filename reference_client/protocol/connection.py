@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.metadata
 from types import TracebackType
 from typing import Self
 from urllib.parse import urlsplit
@@ -9,10 +10,10 @@ from urllib.parse import urlsplit
 from proctor_client import ApiClient, Configuration, ControlApi
 
 from reference_client.errors import BAD_ANSWER, ProctorError
+from reference_client.generated.protocol_version import PROTOCOL_VERSION
 from reference_client.protocol.data_plane import DataPlane
 
-PROTOCOL_VERSION = "1.0"
-USER_AGENT = "proctor-reference-client/0.1.0"
+USER_AGENT = f"proctor-reference-client/{importlib.metadata.version('proctor-eval')}"
 # (connect, read). A turn may take longer: the repeated request waits for it (PRED-005).
 TIMEOUTS_S = (5.0, 60.0)
 

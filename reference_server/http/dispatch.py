@@ -19,6 +19,7 @@ from pydantic import BaseModel
 from starlette.requests import Request
 from starlette.responses import Response
 
+from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http import codec
 from reference_server.http.auth import Caller, Tokens
 from reference_server.http.problems import problem_response
@@ -27,9 +28,8 @@ from reference_server.storage.store import StoreFailed
 
 log = logging.getLogger("proctor.http")
 
-VERSION = "1.0"
-VERSION_MIN = "1.0"
-VERSION_MAX = "1.0"
+# This server speaks one version.
+VERSION_MIN = VERSION_MAX = PROTOCOL_VERSION
 
 # name → (pattern, code): path parameters of unknown form name nothing that exists, but
 # a worker id is the client's own choice and so its own mistake (ATT-013).

@@ -7,6 +7,7 @@ response. It holds no rule, no state and no SQL.
 from __future__ import annotations
 
 import hashlib
+import importlib.metadata
 import time
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -30,7 +31,7 @@ from reference_server.runs.service import RunService
 from reference_server.settings import Settings
 from reference_server.views import run_views
 
-SOFTWARE_VERSION = "0.1.0"
+SOFTWARE_VERSION = importlib.metadata.version("proctor-eval")
 IDLE_TIMEOUT_S_MIN = 1.0
 PAGE = 100
 PROFILES: tuple[models.Profile, ...] = ("core", "msgpack", "compare", "events", "push")

@@ -15,8 +15,8 @@ from typing import Any, Protocol, TypeVar
 from pydantic import BaseModel, ValidationError
 
 from reference_server.generated import models
+from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http.codec import pointer, validate
-from reference_server.http.dispatch import VERSION
 from reference_server.push.http_calls import HttpCalls, PolicyFault
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.refusal import Refused
@@ -63,11 +63,12 @@ class ProctorPolicy:
         answer = await self._calls.get("/v1/policy")
         received = self._read(models.PolicyDescription, answer, "describe_policy")
         supported = received.protocol
-        if not _number(supported.min) <= _number(VERSION) <= _number(supported.max):
+        ours = _number(PROTOCOL_VERSION)
+        if not _number(supported.min) <= ours <= _number(supported.max):
             least, most = map(self._calls.redact_key, (supported.min, supported.max))
             raise PolicyFault(
                 f"The policy server supports versions {least[:20]} to {most[:20]}, not "
-                f"{VERSION}."
+                f"{PROTOCOL_VERSION}."
             )
         assumes = received.model_dump().get("assumes")
         return Description(received.max_sessions, assumes)

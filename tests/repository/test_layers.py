@@ -86,7 +86,7 @@ MAY_IMPORT: dict[str, set[str]] = {
 ONLY: dict[tuple[str, str], set[str]] = {
     ("http", "storage"): {"StoreFailed"},
     ("push", "storage"): {"StoreFailed"},
-    ("push", "http"): {"JSON", "PROBLEM_JSON", "VERSION"}
+    ("push", "http"): {"JSON", "PROBLEM_JSON"}
     | {"codec", "decode", "pointer", "validate"},
 }
 

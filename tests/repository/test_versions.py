@@ -1,0 +1,41 @@
+"""The versions of the protocol and of the software stand in one place each."""
+
+import re
+import tomllib
+
+import pytest
+import yaml
+
+from reference_client.generated import protocol_version as of_client
+from reference_server.generated import protocol_version as of_server
+from reference_server.http.handlers import SOFTWARE_VERSION
+from tests.support.paths import ROOT, SPEC
+
+VERSION = yaml.safe_load((SPEC / "openapi.yaml").read_text())["info"]["version"]
+
+
+@pytest.mark.parametrize(
+    "document",
+    ["policy.yaml", *(f"profiles/{p.name}" for p in SPEC.glob("profiles/*"))],
+)
+def test_all_documents_have_one_version(document: str) -> None:
+    assert yaml.safe_load((SPEC / document).read_text())["info"]["version"] == VERSION
+
+
+def test_server_and_client_speak_the_version_of_the_specification() -> None:
+    spoken = VERSION.rpartition(".")[0]
+    assert of_server.PROTOCOL_VERSION == of_client.PROTOCOL_VERSION == spoken
+
+
+def test_the_server_has_the_version_of_the_project() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    assert project["version"] == SOFTWARE_VERSION
+
+
+def test_no_generator_has_a_version_of_its_own() -> None:
+    found = [
+        str(path.relative_to(ROOT))
+        for path in (ROOT / "tools" / "generators").rglob("*.yaml")
+        if re.search(r"(package|artifact|npm)Version:", path.read_text())
+    ]
+    assert found == []
