@@ -8,12 +8,15 @@ inconclusive    clock or network did not allow a decision
 kit_error       an error of the kit, never of the server
 """
 
+import re
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass, field
 from enum import StrEnum
 from typing import Any
 
 from conformance.exchanges.exchange import Exchange
+
+_RULE_ID = re.compile(r"\b[A-Z]{2,6}-[0-9]{3}\b")
 
 
 class Outcome(StrEnum):
@@ -62,6 +65,11 @@ class Verdict:
         return cls(**(plain | {"exchanges": exchanges, "outcome": outcome}))
 
 
+def rules_named_in(reason: str) -> set[str]:
+    """Give the ids in a text: a row that could not be judged names what it needs."""
+    return set(_RULE_ID.findall(reason))
+
+
 def exit_code(verdicts: Iterable[Verdict], levels: dict[str, str]) -> int:
     """Give 0 for conformant, 1 for violated, 2 for not decided."""
     rows = list(verdicts)
@@ -75,8 +83,14 @@ def exit_code(verdicts: Iterable[Verdict], levels: dict[str, str]) -> int:
     undecided = (Outcome.KIT_ERROR, Outcome.INCONCLUSIVE)
     if any(row.outcome in undecided for row in rows):
         return 2
-    if any(row.outcome == Outcome.NOT_VERIFIED and not row.allowed for row in rows):
-        # A prerequisite failed; with a known failure that is its consequence.
-        return 0 if any(row.is_known_failure for row in rows) else 2
+    known = {row.requirement_id for row in rows if row.is_known_failure}
+    if any(
+        row.outcome == Outcome.NOT_VERIFIED
+        and not row.allowed
+        and not known & rules_named_in(row.reason)
+        for row in rows
+    ):
+        # A prerequisite failed, and not by what is known to fail.
+        return 2
     judged = (Outcome.PASSED, Outcome.FAILED)
     return 0 if any(row.outcome in judged for row in rows) else 2

@@ -8,7 +8,7 @@ import pytest
 from conformance.exchanges.exchange import Exchange
 from conformance.verdicts.verdict import Outcome, Verdict, exit_code
 
-LEVELS = {"A-001": "MUST", "A-002": "MUST", "A-003": "SHOULD"}
+LEVELS = {"A-001": "MUST", "A-002": "MUST", "A-003": "SHOULD", "AB-002": "MUST"}
 
 
 def verdict(requirement_id: str, outcome: str, **changes: Any) -> Verdict:
@@ -17,6 +17,7 @@ def verdict(requirement_id: str, outcome: str, **changes: Any) -> Verdict:
 
 PASSED, FAILED = verdict("A-001", "passed"), verdict("A-002", "failed")
 KNOWN = verdict("A-002", "failed", is_known_failure=True)
+NAMED = verdict("AB-002", "failed", is_known_failure=True)
 
 
 @pytest.mark.parametrize(
@@ -32,7 +33,10 @@ KNOWN = verdict("A-002", "failed", is_known_failure=True)
         ([PASSED, verdict("A-002", "inconclusive")], 2),
         ([PASSED, verdict("A-002", "not_verified")], 2),
         ([PASSED, verdict("A-002", "not_verified", allowed=True)], 0),
-        ([KNOWN, verdict("A-001", "not_verified")], 0),
+        # A known failure excuses what names it, and nothing else.
+        ([KNOWN, verdict("A-001", "not_verified", reason="status 500; see AB-002")], 2),
+        ([KNOWN, verdict("A-001", "not_verified")], 2),
+        ([NAMED, verdict("A-001", "not_verified", reason="status 500; see AB-002")], 0),
         ([PASSED, verdict("A-002", "not_applicable")], 0),
         # Nothing was judged: that is no conformance.
         ([verdict("A-001", "not_applicable")], 2),
