@@ -203,13 +203,17 @@ def _at_random(space: Mapping[str, Any], rng: np.random.Generator) -> Policy:
     return act
 
 
-def measure(names: Iterable[str], seeds: int, processes: int) -> list[TrialResult]:
+def measure(
+    names: Iterable[str], seeds: int, processes: int, only_task: str | None = None
+) -> list[TrialResult]:
+    """Play the trials of all tasks, or of one."""
     trials = [
         Trial(name, task, split, player, max(1, int(seeds * share)))
         for name in names
         for player, share in {"expert": 1.0, **LUCK_SHARE}.items()
         for task in manifest(name)["tasks"]
         for split in manifest(name)["splits"]
+        if only_task in (None, task)
     ]
     outcomes = []
     spawn = multiprocessing.get_context("spawn")  # a process that drew must not fork
@@ -350,15 +354,23 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("benchmarks", nargs="*", help="all that have an expert if none")
     parser.add_argument("--seeds", type=int, default=100, help="per task and split")
+    parser.add_argument("--task", help="measure this task alone")
+    parser.add_argument("--draw", action="store_true", help="only the pictures")
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--write", action="store_true", help="page and pictures")
     options = parser.parse_args()
     # The processes are the parallelism; threads on top make it twice as slow.
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
     names = options.benchmarks or benchmark_names()
-    if options.write and names != benchmark_names():
+    if options.write and (names != benchmark_names() or options.task):
         parser.error("the page shows all benchmarks: --write measures all")
-    outcomes = measure(names, options.seeds, options.processes)
+    if options.task and not any(options.task in tasks_of(name) for name in names):
+        parser.error(f"no task {options.task} in {', '.join(names)}")
+    if options.draw:
+        for name in names:
+            draw(name)
+        return 0
+    outcomes = measure(names, options.seeds, options.processes, options.task)
     if options.write:
         for name in names:
             draw(name)

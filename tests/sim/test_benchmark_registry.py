@@ -27,7 +27,8 @@ def test_added_benchmarks_are_offered() -> None:
     added = {"acrobot_v1", "cartpole", "pendulum"}
     assert set(benchmark_registry.benchmark_ids()) == {*built_in, *added}
     assert benchmark_registry.unavailable_reason("cartpole") is None
-    (warning,) = warnings
+    # A slow machine adds lines of progress.
+    (warning,) = (line for line in warnings if ": checking, " not in line)
     assert warning.startswith("acrobot_v1: no camera: DependencyNotInstalled: pygame")
 
     resolved = benchmark_registry.resolve("cartpole", max_chunk=7)

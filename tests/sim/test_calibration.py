@@ -328,5 +328,10 @@ def test_tabletop_offers_cameras_and_tabletop_state_none() -> None:
     assert cameras["observation_space"]["state"] == blind["observation_space"]["state"]
     assert cameras["episodes"] == blind["episodes"]
     assert cameras["action_space"]["gripper"]["gripper_open"] == 1.0
+    tasks = len(cameras["tasks"])
     splits = [episode["split"] for episode in cameras["episodes"]]
-    assert splits == ["val_train"] * 16 + ["val_unseen"] * 16 + ["test"] * 32
+    assert splits == [
+        split
+        for split, episodes in (("val_train", 2), ("val_unseen", 2), ("test", 4))
+        for _ in range(episodes * tasks)
+    ]
