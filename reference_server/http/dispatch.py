@@ -187,7 +187,7 @@ def _path(request: Request) -> Mapping[str, str]:
 
 
 def _query(request: Request, operation: Operation) -> Mapping[str, str]:
-    """ERR-014: a name that the operation does not have is refused."""
+    """ERR-014: the values obey their schemas; unknown names are refused, too."""
     seen: dict[str, str] = {}
     if not request.scope["query_string"] and not operation.required_query:
         return seen

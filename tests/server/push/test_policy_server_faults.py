@@ -127,7 +127,7 @@ DESCRIPTIONS: dict[str, tuple[Wrong, str]] = {
     "assumes_nonsense": (description_with(assumes={"action": 7}), "/assumes/action"),
     "assumes_else": (
         description_with(assumes={"action": {"score": {"size": 7}}}),
-        "assumes conventions.*score",
+        "assumed conventions.*score",
     ),
 }
 
