@@ -108,7 +108,7 @@ export class Run {
     } else this.scored(episode, simulator, { outcome: 'abandoned', score: 0 });
   }
 
-  /** Gives the episode its result; it is in the journal before anybody hears of it. */
+  /** Gives the episode its result; it is in the journal before it is sent. */
   scored(episode, simulator, { outcome, score: points }) {
     const { index, attempt, faults, task, split, seed, episode_id } = episode;
     const finished = outcome !== 'abandoned';

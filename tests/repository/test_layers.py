@@ -5,7 +5,6 @@ The lifecycle and the problems of the server are those of the specification.
 """
 
 import ast
-import graphlib
 import itertools
 import re
 import subprocess
@@ -113,28 +112,6 @@ def test_a_folder_imports_only_what_its_rule_allows(folder: str) -> None:
     assert found - {folder} <= MAY_IMPORT[folder]
     for pair, allowed in ONLY.items():
         assert names.get(pair, set()) <= allowed
-
-
-def imported_on_load(path: Path) -> set[str]:
-    """Modules of ours that a file needs to be imported: not those inside functions."""
-    module = module_of(path)
-    found: set[str] = set()
-    for node in ast.parse(path.read_text()).body:
-        if isinstance(node, ast.ImportFrom) and node.module and not node.level:
-            for alias in node.names:
-                inner = f"{node.module}.{alias.name}"
-                found.add(inner if inner in MODULES else node.module)
-        elif isinstance(node, ast.Import):
-            found |= {alias.name for alias in node.names}
-    return {name for name in found if name in MODULES} - {module}
-
-
-MODULES = {module_of(path): path for path in files_of_package(*PACKAGES)}
-
-
-def test_no_modules_import_each_other_in_a_cycle() -> None:
-    graph = {name: imported_on_load(path) for name, path in MODULES.items()}
-    graphlib.TopologicalSorter(graph).prepare()  # raises CycleError with the cycle
 
 
 @pytest.mark.parametrize("name", PURE)
