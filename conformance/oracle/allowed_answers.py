@@ -331,9 +331,9 @@ def _command(rules: Rules, model: RunModel, command: str) -> Iterator[AllowedAns
             if session.status == "live":
                 after = close_session(rules, after, session)
         if after.all_scored and not model.all_scored:
-            # The last attempts were closed: LIFE-804 speaks as well as the command.
             complete = apply_automatic_events(rules, after)
-            yield AllowedAnswer("LIFE-804, LIFE-805", 200, lambda _: complete)
+            yield AllowedAnswer("EPI-009", 200, lambda _: complete)
+            return
     moved = apply_automatic_events(rules, replace(after, state=to))
     yield AllowedAnswer(rule, 200, lambda _: moved)
 

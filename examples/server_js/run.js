@@ -27,7 +27,7 @@ export class Run {
     Object.assign(this, { record, keep, changed });
     this.rules = plan(record.submit.options);
     this.episodes = this.rules.episodes.map((episode) => ({
-      ...episode, episode_id: `episode-${episode.index}`, status: 'pending', attempt: 1, faults: 0,
+      ...episode, episode_id: `episode-${episode.index}`, status: 'pending', attempt: 1, faults: 0, recentFaults: 0,
     }));
     Object.assign(this, { state: 'queued', reason: null, retryable: null, updated_at: record.created_at });
     this.sessions = new Map(); // session id → session, for as long as the process lives
@@ -37,6 +37,7 @@ export class Run {
   /** Applies one line of the journal. */
   restore({ state, reason, retryable, episode, at }) {
     if (state) Object.assign(this, { state: AFTER_CRASH[state] ?? state, reason, retryable });
+    if (state === 'queued') this.forgiveFaults();
     if (episode) Object.assign(this.episodes[episode.index], episode, { status: episode.result ? 'scored' : 'pending' });
     this.updated_at = at;
   }
@@ -52,7 +53,10 @@ export class Run {
     if (to === this.state) return;
     Object.assign(this, { state: to, reason, retryable });
     this.write({ state: to, reason, retryable });
-    if (to === 'queued') this.queue();
+    if (to === 'queued') {
+      this.forgiveFaults();
+      this.queue();
+    }
   }
 
   write(facts) {
@@ -61,9 +65,11 @@ export class Run {
     this.changed();
   }
 
-  /** There is always capacity here; `queue_s` pretends otherwise. Faults are forgiven by queueing. */
+  /** FAULT-010: only faults since the run was last queued count. */
+  forgiveFaults() { for (const episode of this.episodes) episode.recentFaults = 0; }
+
+  /** There is always capacity here; `queue_s` pretends otherwise (LIFE-810). */
   queue() {
-    for (const episode of this.episodes) episode.recentFaults = 0;
     const seconds = this.record.submit.options?.queue_s ?? 0;
     clearTimeout(this.queueing);
     const leave = () => this.state === 'queued' && this.move('capacity');
@@ -72,10 +78,12 @@ export class Run {
   }
 
   stop(mode) {
-    const before = this.state;
-    this.move(`stop_${mode}`, `stopped by a request with mode ${mode}`);
+    this.permit(`stop_${mode}`);
     // A run that has stopped before is not changed: a session that is done may still repeat its last turn.
-    if (mode === 'abort' && before !== 'stopped') this.endAll('run_stopped');
+    if (mode === 'abort' && this.state !== 'stopped') this.endAll('run_stopped');
+    // EPI-009: what an abort has closed may be the last attempt of the last episode.
+    if (this.allScored()) this.settle();
+    else this.move(`stop_${mode}`, `stopped by a request with mode ${mode}`);
   }
 
   resume() { this.move('resume_run'); }
@@ -85,17 +93,23 @@ export class Run {
     this.endAll('run_failed');
   }
 
-  endAll(why) { for (const session of this.sessions.values()) this.end(session, why); }
+  /** Ends all sessions; the state is the caller's to move. */
+  endAll(why) { for (const session of this.sessions.values()) this.endSession(session, why); }
 
-  /** Ends a session, closing its attempt unscored. */
   end(session, why) {
+    this.endSession(session, why);
+    this.settle();
+  }
+
+  /** Ends a session, closing its attempt unscored; a fault that fails the run costs no attempt (FAULT-007). */
+  endSession(session, why) {
     if (session.ended) return;
     session.ended = why;
     clearTimeout(session.timer);
-    if (session.episode) this.close(session.episode, session.simulator);
+    if (session.episode && why === 'run_failed') session.episode.status = 'pending';
+    else if (session.episode) this.close(session.episode, session.simulator);
     session.episode = null;
     this.changed();
-    this.settle();
   }
 
   /** EPI-002 to EPI-004: what an attempt that is closed unscored costs. */
@@ -104,8 +118,13 @@ export class Run {
     if (simulator.steps === 0) return;
     if (episode.attempt < this.rules.max_attempts) {
       episode.attempt += 1;
-      this.write({ episode: { index: episode.index, attempt: episode.attempt, faults: episode.faults } });
+      this.writeEpisode(episode);
     } else this.scored(episode, simulator, { outcome: 'abandoned', score: 0 });
+  }
+
+  /** What a restart needs of an episode without a result (CRASH-005). */
+  writeEpisode({ index, attempt, faults, recentFaults }) {
+    this.write({ episode: { index, attempt, faults, recentFaults } });
   }
 
   /** Gives the episode its result; it is in the journal before it is sent. */
@@ -135,10 +154,12 @@ export class Run {
     return all.filter(({ ended, done }) => !ended && !done).length;
   }
 
+  allScored() { return this.episodes.every(({ status }) => status === 'scored'); }
+
   /** The events that no command causes. A session that is done holds nothing and keeps nothing going. */
   settle() {
     if (this.state !== 'running' && this.state !== 'stopping') return;
-    if (this.episodes.every(({ status }) => status === 'scored')) this.move('all_scored');
+    if (this.allScored()) this.move('all_scored');
     else if (this.holders() === 0) this.move('last_lease_ends', this.state === 'stopping' ? 'drained' : null);
   }
 

@@ -6,7 +6,6 @@ import { Problem } from './problems.js';
 
 function renew(run, session) {
   const idle = run.record.idle_timeout_s;
-  session.answered = performance.now();
   session.lease = { expires_at: new Date(Date.now() + idle * 1000).toISOString(), idle_timeout_s: idle };
   clearTimeout(session.timer);
   // LEASE-005: a turn in execution renews the lease itself when it is through.
@@ -53,6 +52,12 @@ function turn(session, began, played = {}) {
   };
 }
 
+/** Keeps the turn for a repeat; from here on the policy thinks (EPI-011). */
+function answer(session, began, played) {
+  session.turn = turn(session, began, played);
+  session.answered = performance.now();
+}
+
 export async function attach(run, worker, body) {
   const began = performance.now();
   checkAssumptions(body.assumes);
@@ -91,7 +96,7 @@ function open(run, worker, body, current, began) {
   }
   if (!session.episode) proceed(run, session);
   renew(run, session);
-  session.turn = turn(session, began);
+  answer(session, began);
   run.changed();
   run.settle();
   return session.turn;
@@ -118,7 +123,7 @@ export async function predict(run, worker, body) {
     const played = await play(run, session, body);
     Object.assign(session, { seq: body.seq, print });
     renew(run, session);
-    session.turn = turn(session, began, played);
+    answer(session, began, played);
     return session.turn;
   } finally {
     session.inflight = null;
@@ -165,7 +170,7 @@ function breakDown(run, session, kind) {
   episode.faults += 1;
   episode.recentFaults += 1;
   session.simulator = new Simulator(episode.task, run.rules, run.record.images);
-  run.write({ episode: { index: episode.index, attempt: episode.attempt, faults: episode.faults } });
+  run.writeEpisode(episode);
   if (kind === 'unplayable') run.fail(`the task ${episode.task} cannot be played`, false);
   else if (episode.recentFaults >= run.rules.max_faults) run.fail(`episode ${episode.index} broke its simulator too often`, true);
   if (session.ended) throw new Problem('session_ended', { ended_by: session.ended });

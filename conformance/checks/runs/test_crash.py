@@ -2,9 +2,23 @@
 
 import threading
 import time
+import uuid
 from typing import Any
 
-from conformance.checks.support.given_states import attach_workers
+from conformance.checks.support.expected_states import expect_state_soon
+from conformance.checks.support.given_states import (
+    attach_workers,
+    make_run_in_state,
+    start_drain,
+    submit_and_attach,
+    without,
+)
+from conformance.checks.support.planned_run import (
+    ABANDONED,
+    PlannedEpisode,
+    PlannedRun,
+)
+from conformance.checks.support.submissions import submit
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.runner.private_server import PrivateServer, open_private_server
@@ -110,3 +124,134 @@ def test_crash_002_costs_no_attempt(context: CheckContext) -> None:
             if run.get()["state"] != "completed":
                 play_to_the_end(worker)
         expect.equal(run.get()["state"], "completed", "state in the end")
+
+
+def make_resting_runs(context: CheckContext) -> list[RunClient]:
+    """Submit runs that no restart may change: completed, stopped and failed ones."""
+    completed = PlannedRun(context, [PlannedEpisode("success", 1 / 3), ABANDONED])
+    completed.play_all()
+    lease_s = (context.limits["idle_timeout_s_min"] + 7) / 2
+    images = context.benchmark["image_sizes"][-1] | {"codec": "raw"}
+    stopped = context.submit(
+        *["score"] * 3,
+        max_workers=1,
+        idle_timeout_s=min(lease_s, context.limits["idle_timeout_s_max"]),
+        images=images,
+        max_attempts=1,
+    )
+    worker = stopped.worker()
+    worker.attach()
+    worker.play(score=0.1)
+    worker.predict(context.action())
+    stopped.stop()
+    failed = [make_run_in_state(context, s) for s in ("failed", "failed not_retryable")]
+    return [completed.run, stopped, *failed]
+
+
+def listed_ids(context: CheckContext, runs: list[RunClient]) -> list[str]:
+    """Read the ids of some runs, which are among the newest, from `list_runs`."""
+    answer = expect.ok(context.call("list_runs", params={"limit": 100}))
+    ids = {run.id for run in runs}
+    return [run["run_id"] for run in answer["runs"] if run["run_id"] in ids]
+
+
+def expect_run_unchanged(run: RunClient, shown: dict[str, Any]) -> None:
+    """Expect a run as it was before the restart; its reason may have other words."""
+    expect.ok(run.call("get_run"))
+    now = run.snapshot()
+    for part in ("episodes", "score"):
+        expect.equal(now[part], shown[part], f"{part} of the run")
+    wanted = without(shown["run"], "reason")
+    expect.equal(without(now["run"], "reason"), wanted, "the run")
+    if shown["run"]["state"] == "failed":
+        expect.true(now["run"]["reason"], "a reason when failed", None)
+
+
+def expect_key_in_use(context: CheckContext, key: str, first: dict[str, Any]) -> None:
+    """Expect the run of a key for its body, and a conflict for another body."""
+    body = context.submit_body(options={"tasks": ["score", "count"]})
+    other = context.submit_body(options={"tasks": ["count", "score"]})
+    headers = {"Idempotency-Key": key}
+    again = expect.ok(submit(context, body, headers=headers), 201)
+    expect.equal(again["run_id"], first["run_id"], "run_id for the same key")
+    conflict = submit(context, other, headers=headers)
+    expect.refused(conflict, "idempotency_conflict")
+    new = {"Idempotency-Key": uuid.uuid4().hex}
+    another = expect.ok(submit(context, body, headers=new), 201)
+    expect.true(another["run_id"] != first["run_id"], "a run for a new key", another)
+
+
+@requirement("CRASH-003")
+def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
+    """Completed, stopped and failed runs, with abandoned episodes and choices of their
+    own, and a run with an Idempotency-Key, when the server is killed.
+
+    Expect each run, its episodes, its score, their order and the key as before.
+    """
+    with open_private_server(context) as server:
+        runs = make_resting_runs(server.context)
+        key = uuid.uuid4().hex
+        body = server.context.submit_body(options={"tasks": ["score", "count"]})
+        answer = submit(server.context, body, headers={"Idempotency-Key": key})
+        first = expect.require(answer, 201, "`submit_run`")
+        before = [run.snapshot() for run in runs]
+        order = listed_ids(server.context, runs)
+        server.kill9()
+        server.restart()
+        for run, shown in zip(runs, before, strict=True):
+            expect_run_unchanged(run, shown)
+        expect.equal(listed_ids(server.context, runs), order, "runs listed")
+        expect_key_in_use(server.context, key, first)
+
+
+def expect_attempt_and_fault(worker: WorkerClient) -> None:
+    """Expect attempt 2 and one fault of two, and a run that goes on and can fail."""
+    run, context = worker.run, worker.run.context
+    expect.ok(run.call("get_run"))
+    episode = run.episodes()[0]
+    expect.equal(episode["attempt"], 2, "attempt")
+    expect.equal(episode["faults"], 1, "faults")
+    if run.get()["state"] in ("stopped", "failed"):
+        run.resume()
+        run.until("ready")
+    turn = worker.attach(takeover=True)
+    expect.equal(turn["episode"]["attempt"], 2, "attempt of the turn")
+    # Whether a restart queues the run, and forgives the fault, is the server's choice.
+    if worker.try_predict(context.action(fault=1)).status == 200:
+        worker.seq += 1
+        worker.try_predict(context.action(fault=1))
+    expect.equal(run.get()["state"], "failed", "state after two more faults")
+
+
+@requirement("CRASH-004")
+def test_crash_004_commands_survive_a_crash(context: CheckContext) -> None:
+    """Runs are draining with an episode in play, resumed, in the queue, and stopped
+    again, and an episode is at its second attempt with a fault, when the server is
+    killed.
+
+    Expect the first and the stopped one `stopped`, the others to become `ready`, and
+    the attempt and the fault counted.
+    """
+    with open_private_server(context) as server:
+        context = server.context
+        stopped, resumed = context.submit("score"), context.submit("score")
+        requeued = context.submit("score", queue_s=0.5)
+        faulty = submit_and_attach(context, "fault", max_faults=2)
+        faulty.predict(context.action())
+        faulty.detach()
+        faulty.attach()
+        faulty.predict(context.action(fault=1))
+        for run in (stopped, resumed, requeued):
+            run.stop()
+            run.resume()
+        draining = submit_and_attach(context, "score", "score").run
+        submitted = context.submit("score", wait_ready=False, queue_s=2)
+        stopped.stop()
+        start_drain(draining)
+        server.kill9()
+        server.restart()
+        for run in (draining, stopped):
+            expect.equal(expect.ok(run.call("get_run"))["state"], "stopped", "state")
+        for run in (submitted, resumed, requeued):
+            expect_state_soon(run, "ready")
+        expect_attempt_and_fault(faulty)

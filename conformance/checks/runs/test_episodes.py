@@ -1,8 +1,13 @@
 """Episodes: order, attempts, results (EPI)."""
 
+import time
 from collections.abc import Callable
 from typing import Any
 
+from conformance.checks.support.expected_states import (
+    CLOCK_TOLERANCE,
+    expect_state_soon,
+)
 from conformance.checks.support.given_states import (
     attach_workers,
     count,
@@ -13,7 +18,7 @@ from conformance.checks.support.given_states import (
 )
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
-from conformance.runner.requirement import requirement
+from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
@@ -87,19 +92,46 @@ def close_by_detach(worker: WorkerClient) -> None:
 def close_by_stop(worker: WorkerClient) -> None:
     """Close the attempt by a stop, and resume."""
     worker.run.stop()
-    worker.run.resume()
-    worker.run.until("ready")
+    resume_unless_completed(worker.run)
+
+
+def close_in_drain(worker: WorkerClient) -> None:
+    """Close the attempt by a detach while the run drains, and resume."""
+    worker.run.stop("drain")
+    worker.detach()
+    resume_unless_completed(worker.run)
+
+
+def close_by_stop_in_drain(worker: WorkerClient) -> None:
+    """Close the attempt by a stop while the run drains, and resume."""
+    worker.run.stop("drain")
+    worker.run.stop()
+    resume_unless_completed(worker.run)
+
+
+def resume_unless_completed(run: RunClient) -> None:
+    """Resume a stopped run; one whose last episode is scored has completed."""
+    if run.get()["state"] != "completed":
+        run.resume()
+        run.until("ready")
+
+
+CLOSES: list[Callable[[WorkerClient], None]] = [
+    close_by_detach,
+    close_by_stop,
+    close_in_drain,
+    close_by_stop_in_drain,
+]
 
 
 @requirement("EPI-003")
 def test_epi_003_closed_attempt_goes_back_to_the_queue(context: CheckContext) -> None:
-    """An attempt with one action is closed by a detach, and another by a stop.
+    """Attempts with one action are closed: by a detach and a stop, also in a drain.
 
     Expect the episode pending and unscored at the next attempt, starting at step 0.
     """
-    worker = submit_and_attach(context, "count")
-    closes: list[Callable[[WorkerClient], None]] = [close_by_detach, close_by_stop]
-    for attempt, close in enumerate(closes, start=2):
+    worker = submit_and_attach(context, "count", max_attempts=10)
+    for attempt, close in enumerate(CLOSES, start=2):
         worker.predict(context.action())
         close(worker)
         episode = read_closed_episode(worker.run)
@@ -114,9 +146,10 @@ def test_epi_003_closed_attempt_goes_back_to_the_queue(context: CheckContext) ->
 @requirement("EPI-004")
 def test_epi_004_last_attempt_closed_is_abandoned(context: CheckContext) -> None:
     """`max_attempts` is 2; both attempts are closed after an action with score 0.9.
+    Then it is 1, and attempts are closed in each way.
 
-    Expect no result after the first; after the second, `abandoned` with score 0, and
-    the other episode to be the next.
+    Expect no result after the first of two; after the last, `abandoned` with score 0,
+    and the next episode to be the next.
     """
     worker = submit_and_attach(context, "score", "score", max_attempts=2)
     first = index_of(worker)
@@ -134,11 +167,20 @@ def test_epi_004_last_attempt_closed_is_abandoned(context: CheckContext) -> None
     expect.equal(result.get("score"), 0, "score")
     worker.attach()
     expect.true(index_of(worker) != first, "another episode next", worker.turn)
+    worker = submit_and_attach(context, *["score"] * 5, max_attempts=1)
+    for index, close in enumerate(CLOSES):
+        expect.equal(index_of(worker), index, "the next episode")
+        worker.predict(context.action(score=0.9, success=1))
+        close(worker)
+        outcomes = [e.get("result", {}).get("outcome") for e in worker.run.episodes()]
+        expected = ["abandoned"] * (index + 1) + [None] * (4 - index)
+        expect.equal(outcomes, expected, f"outcomes after {close.__name__}")
+        worker.attach()
 
 
 def play_all(worker: WorkerClient, received: list[dict[str, Any]]) -> None:
     """Play until no episode is pending, and repeat every turn."""
-    action = worker.run.context.action(score=0.5, end=1)
+    action = worker.run.context.action(score=1 / 3, end=1)
     while not worker.turn["done"]:
         turn = worker.predict(action)
         received.append(turn["episode_result"])
@@ -248,3 +290,80 @@ def test_epi_008_no_episode_is_held_twice(context: CheckContext) -> None:
         context.call_concurrently(*[worker.play for worker in attached_workers])
         held = sorted([*held, *map(index_of, attached_workers)])
         expect.equal(held, sorted(set(held)), f"episodes held after {number + 1}")
+
+
+def close_by_lease(worker: WorkerClient) -> None:
+    """Send nothing until the lease is over."""
+    time.sleep(worker.run.body["idle_timeout_s"] + worker.run.context.tolerance_s)
+
+
+@requirement("EPI-009")
+@background
+def test_epi_009_completed_whatever_closed_the_last_attempt(
+    context: CheckContext,
+) -> None:
+    """`max_attempts` is 1; the attempt of the last episode is closed after an action:
+    by a detach, a stop, both in a drain, and the end of a lease.
+
+    Expect the run `completed`.
+    """
+    shortest_s = max(2.0, context.limits["idle_timeout_s_min"])
+    for close in (*CLOSES, close_by_lease):
+        lease_s = shortest_s if close is close_by_lease else None
+        run = context.submit("score", "score", max_attempts=1, idle_timeout_s=lease_s)
+        worker = run.worker()
+        worker.attach()
+        worker.play()
+        worker.predict(context.action())
+        close(worker)
+        expect_state_soon(run, "completed")
+        expect.equal(run.score()["complete"], True, "complete")
+
+
+@requirement("EPI-010")
+def test_epi_010_result_of_an_abandoned_episode(context: CheckContext) -> None:
+    """`max_attempts` is 2; the first attempt has one action, the second has three.
+
+    Expect `attempt` 2 and `steps` 3, neither terminated nor truncated.
+    """
+    worker = submit_and_attach(context, *["count"] * 5, max_attempts=2)
+    for index, close in enumerate(CLOSES):
+        worker.predict(context.action())
+        worker.detach()
+        worker.attach()
+        worker.predict(context.action(), context.action())
+        worker.predict(context.action())
+        close(worker)
+        result = worker.run.episodes()[index].get("result")
+        if result is None:
+            raise SetUpFailed("the episode is not abandoned; see EPI-004")
+        expected = {"attempt": 2, "steps": 3, "terminated": False, "truncated": False}
+        found = {name: result[name] for name in expected}
+        expect.equal(found, expected, f"the result after {close.__name__}")
+        worker.attach()
+
+
+@requirement("EPI-011")
+@background
+def test_epi_011_think_time_is_that_between_turns(context: CheckContext) -> None:
+    """A policy thinks in its first attempt, and in the second one between a turn that
+    takes some time, a heartbeat and the last turn.
+
+    Expect `think_s` of the second attempt alone, without the time of its long turn.
+    """
+    thought_s = delay_s = 0.3
+    worker = submit_and_attach(context, "delay", max_attempts=2)
+    time.sleep(2 * thought_s)
+    worker.predict(context.action())
+    worker.detach()
+    began = time.monotonic()
+    worker.attach()
+    worker.predict(context.action(delay_s=delay_s))
+    for _ in ("before the heartbeat", "after it"):
+        time.sleep(thought_s / 2)
+        worker.heartbeat()
+    turn = worker.predict(context.action(end=1))
+    most_s = time.monotonic() - began - delay_s
+    think_s = turn["episode_result"]["think_s"]
+    in_range = CLOCK_TOLERANCE * thought_s <= think_s <= most_s / CLOCK_TOLERANCE
+    expect.true(in_range, f"`think_s` from {thought_s:g} to {most_s:.3f}", think_s)

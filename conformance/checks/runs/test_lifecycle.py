@@ -10,7 +10,12 @@ from typing import Any
 
 import pytest
 
+from conformance.checks.support.expected_states import (
+    CLOCK_TOLERANCE,
+    expect_state_soon,
+)
 from conformance.checks.support.given_states import (
+    attach_workers,
     detach_only_worker,
     make_run_in_state,
     require_worker_limit,
@@ -22,6 +27,10 @@ from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.specification.document import load_spec
 from conformance.verdicts import expect
+from conformance.verdicts.expect import SetUpFailed
+
+POLL_S = 0.05
+READS_MAX = 20
 
 COMMANDS: dict[str, Callable[[RunClient], Answer]] = {
     "attach_worker": lambda run: run.worker("newcomer").try_attach(),
@@ -63,14 +72,6 @@ def given_state_of(row: Mapping[str, Any]) -> str:
     """Name the given state of a row."""
     failed_for_good = row.get("when") == "not_retryable"
     return f"{row['from']} not_retryable" if failed_for_good else str(row["from"])
-
-
-def expect_state_soon(run: RunClient, state: str) -> None:
-    """Expect the run to reach a state without a request, soon."""
-    deadline = time.monotonic() + 5
-    while run.get()["state"] != state and time.monotonic() < deadline:
-        time.sleep(0.005)
-    expect.equal(run.body["state"], state, "state")
 
 
 @pytest.mark.parametrize("row", rows(is_refused))
@@ -123,30 +124,52 @@ def test_life_can(context: CheckContext, row: Mapping[str, Any]) -> None:
 @requirement("LIFE-801")
 @background
 def test_life_801_queued_becomes_ready(context: CheckContext) -> None:
-    """A run is queued for a moment. Expect it `ready` without a request."""
-    expect_state_soon(make_run_in_state(context, "queued", queue_s=1), "ready")
+    """A run is queued for a moment, then stopped and resumed, twice.
+
+    Expect it `ready` without a request, each time.
+    """
+    run = make_run_in_state(context, "queued", queue_s=1)
+    expect_state_soon(run, "ready")
+    for _ in range(2):
+        run.stop()
+        run.resume()
+        expect_state_soon(run, "ready")
 
 
 @requirement("LIFE-802")
 def test_life_802_running_becomes_ready(context: CheckContext) -> None:
-    """The only worker of a running run detaches. Expect the run `ready`."""
-    run = context.submit("count", "count")
-    worker = run.worker()
-    worker.attach()
-    run.until("running")
-    detach_only_worker(worker)
-    expect_state_soon(run, "ready")
+    """The workers of a running run, two if allowed, detach one after another, twice.
+
+    Expect `running` while one is left, and then `ready`.
+    """
+    run = context.submit("count", "count", "count")
+    for _ in range(2):
+        *others, last = attach_workers(run, min(2, context.limits["max_workers"]))
+        run.until("running")
+        for worker in others:
+            worker.detach()
+            expect.equal(run.get()["state"], "running", "state with a worker left")
+        detach_only_worker(last)
+        expect_state_soon(run, "ready")
 
 
 @requirement("LIFE-803")
 def test_life_803_stopping_becomes_stopped(context: CheckContext) -> None:
-    """The last worker of a draining run detaches. Expect the run `stopped`."""
-    run = context.submit("count", "count")
-    worker = run.worker()
-    worker.attach()
-    start_drain(run)
-    detach_only_worker(worker)
-    expect_state_soon(run, "stopped")
+    """The workers of a draining run, two if allowed, detach one after another, twice.
+
+    Expect `stopping` while one is left, and then `stopped`.
+    """
+    run = context.submit("count", "count", "count")
+    for _ in range(2):
+        *others, last = attach_workers(run, min(2, context.limits["max_workers"]))
+        start_drain(run)
+        for worker in others:
+            worker.detach()
+            expect.equal(run.get()["state"], "stopping", "state with a worker left")
+        detach_only_worker(last)
+        expect_state_soon(run, "stopped")
+        run.resume()
+        run.until("ready")
 
 
 @requirement("LIFE-804")
@@ -186,10 +209,106 @@ def test_life_806_running_becomes_failed(context: CheckContext) -> None:
 
 @requirement("LIFE-807")
 def test_life_807_stopping_becomes_failed(context: CheckContext) -> None:
-    """The last allowed fault occurs while the run drains. Expect it `failed`."""
-    run = context.submit("fault", "fault", max_faults=1)
+    """`max_faults` is 2; the run drains. Expect `stopping` after one, then `failed`."""
+    run = context.submit("fault", "fault", max_faults=2)
     worker = run.worker()
     worker.attach()
     start_drain(run)
+    worker.predict(context.action(fault=1))
+    expect.equal(run.get()["state"], "stopping", "state after one fault of two")
     worker.try_predict(context.action(fault=1))
     expect_state_soon(run, "failed")
+
+
+def expect_queued_for(run: RunClient, since: float, queue_s: float) -> None:
+    """Expect the run in the queue until `queue_s` after a moment before it entered."""
+    deadline = since + queue_s + 5
+    while run.get()["state"] == "queued" and time.monotonic() < deadline:
+        time.sleep(POLL_S)
+    if run.body["state"] == "queued":
+        raise SetUpFailed("the run stays `queued`; see LIFE-801")
+    waited_s = time.monotonic() - since
+    expect.true(
+        waited_s >= CLOCK_TOLERANCE * queue_s,
+        f"a run that is `queued` for {queue_s:g} s",
+        f"{run.body['state']} after {waited_s:.3f} s",
+    )
+
+
+@requirement("LIFE-810")
+@background
+def test_life_810_stays_in_the_queue(context: CheckContext) -> None:
+    """A run with `queue_s` waits; is stopped in the queue and resumed; is stopped when
+    it is ready and resumed.
+
+    Expect it `queued` for that time, counted from the submit or the last resume.
+    """
+    queue_s = 0.8
+    before = time.monotonic()
+    run = context.submit("score", wait_ready=False, queue_s=queue_s)
+    expect_queued_for(run, before, queue_s)
+    run = context.submit("score", wait_ready=False, queue_s=queue_s)
+    for pause_s in (queue_s / 2, 0.0):
+        time.sleep(pause_s)
+        run.stop()
+        before = time.monotonic()
+        run.resume()
+        expect_queued_for(run, before, queue_s)
+
+
+@requirement("LIFE-811")
+@background
+def test_life_811_stopped_in_the_queue_stays_stopped(context: CheckContext) -> None:
+    """Runs are stopped in the queue, with `abort`, with `drain` and after a resume.
+
+    Expect them `stopped` when their `queue_s` has passed.
+    """
+    runs = [
+        context.submit("score", wait_ready=False, queue_s=0.5)
+        for _ in ("abort", "drain", "abort")
+    ]
+    for run, mode in zip(runs, ("abort", "drain", "abort"), strict=True):
+        run.stop(mode)
+    runs[-1].resume()
+    runs[-1].stop()
+    time.sleep(1.0)
+    for run in runs:
+        expect.equal(run.get()["state"], "stopped", "state after `queue_s`")
+
+
+@requirement("LIFE-812")
+def test_life_812_only_a_failed_run_has_retryable(context: CheckContext) -> None:
+    """A run in each state, and one that failed, was resumed and stopped.
+
+    Expect `retryable` true or false when failed, and null otherwise.
+    """
+    for state in [*context.spec.lifecycle["states"], "failed not_retryable"]:
+        run = make_run_in_state(context, state)
+        allowed = [True, False] if run.body["state"] == "failed" else [None]
+        found = run.body["retryable"]
+        expect.true(found in allowed, f"`retryable` {allowed} when {state}", found)
+    run = make_run_in_state(context, "failed")
+    for body in (run.resume(), run.until("ready"), run.stop()):
+        expect.equal(body["retryable"], None, f"retryable when {body['state']}")
+
+
+@requirement("LIFE-813")
+def test_life_813_no_queue_position_twice(context: CheckContext) -> None:
+    """Three runs wait in the queue; then the first one is stopped.
+
+    Expect different positions; read again while others may enter and leave the queue.
+    """
+    runs = [
+        context.submit("score", wait_ready=False, queue_s=10)
+        for _ in ("first", "second", "third")
+    ]
+    for waiting in (runs, runs[1:]):
+        for _ in range(READS_MAX):
+            bodies = [run.get() for run in waiting]
+            if any(body["state"] != "queued" for body in bodies):
+                raise SetUpFailed("a run leaves the queue too early; see LIFE-810")
+            positions = [body["queue_position"] for body in bodies]
+            if len(set(positions)) == len(positions):
+                break
+        expect.equal(len(set(positions)), len(positions), "different positions")
+        runs[0].stop()

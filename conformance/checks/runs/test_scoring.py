@@ -147,18 +147,19 @@ def test_score_006_is_the_mean_of_all_episodes(context: CheckContext) -> None:
 
 @requirement("SCORE-007")
 def test_score_007_bounds_the_final_score(context: CheckContext) -> None:
-    """Five episodes, one after another, some of them abandoned.
+    """Seven episodes, one after another, some of them abandoned.
 
     Expect the bounds after each: unscored episodes count as 0, or as 1.
     """
-    planned_run = PlannedRun(context, [SUCCESS, ABANDONED, FAILURE, SUCCESS, FAILURE])
-    for _ in range(6):
+    plan = [SUCCESS, ABANDONED, FAILURE, SUCCESS, FAILURE, ABANDONED, SUCCESS]
+    planned_run = PlannedRun(context, plan)
+    for _ in range(len(plan) + 1):
         score, expected = planned_run.score(), planned_run.expected()
         for member in ("score_low", "score_high"):
             expect_close(
                 score[member], expected[member], f"{member} after {planned_run.played}"
             )
-        if planned_run.played < 5:
+        if planned_run.played < len(plan):
             planned_run.play_next()
 
 
@@ -179,13 +180,12 @@ def test_score_008_counts_every_outcome(context: CheckContext) -> None:
 
 @requirement("SCORE-009")
 def test_score_009_mean_and_rate_of_scored_episodes(context: CheckContext) -> None:
-    """Five of seven episodes are played.
+    """Six of eight episodes are played.
 
     Expect mean and rate null before the first; then those of the scored episodes.
     """
-    planned_run = PlannedRun(
-        context, [FAILURE, SUCCESS, ABANDONED, SUCCESS, FAILURE, UNPLAYED, UNPLAYED]
-    )
+    plan = [FAILURE, SUCCESS, ABANDONED, FAILURE, SUCCESS, FAILURE]
+    planned_run = PlannedRun(context, [*plan, UNPLAYED, UNPLAYED])
     before = planned_run.score()
     after, expected = planned_run.play_all(), planned_run.expected()
     for member in ("mean", "success_rate"):
@@ -203,11 +203,12 @@ def test_score_010_answers_in_every_state(context: CheckContext) -> None:
 
 @requirement("SCORE-011")
 def test_score_011_groups_by_task_and_split(context: CheckContext) -> None:
-    """Tasks with three, two and one episode, the last one not played.
+    """Tasks with thirteen, two and one episode, the last one not played.
 
     Expect each task and each split once, with counts, mean and rate of its episodes.
     """
-    plan = [SUCCESS, FAILURE, ABANDONED]
+    plan = [SUCCESS, FAILURE, ABANDONED] + [FAILURE, FAILURE, SUCCESS, FAILURE] * 2
+    plan += [SUCCESS, SUCCESS]
     plan += [
         PlannedEpisode("success", task="count"),
         PlannedEpisode("failure", task="count"),
@@ -249,7 +250,7 @@ def test_score_012_interval_of_the_rate(context: CheckContext) -> None:
 
 @requirement("SCORE-013")
 def test_score_013_interval_of_the_mean(context: CheckContext) -> None:
-    """Episodes with the scores 0.2, 0.9 and 0, one after another, and one with 1.
+    """Episodes of several scores, one after another, and one with score 1.
 
     Expect [0, 1] before the first, and the Wilson interval of the mean after each.
     """

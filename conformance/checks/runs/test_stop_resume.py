@@ -127,26 +127,26 @@ def test_res_001_resume_keeps_results(context: CheckContext) -> None:
 
 @requirement("RES-002")
 def test_res_002_resume_assigns_unscored_episodes(context: CheckContext) -> None:
-    """A run of five episodes is stopped with three unscored, two of them in progress.
+    """A run of seven episodes is stopped three times, with one more scored each time,
+    and two in progress.
 
-    Expect exactly these three to be assigned after the resume.
+    Expect exactly the unscored ones to be assigned after the last resume.
     """
-    run = context.submit(*["score"] * 5)
-    attached_workers = attach_workers(run, min(2, context.limits["max_workers"]))
-    attached_workers[-1].predict(context.action())
-    attached_workers[0].play()
-    if len(attached_workers) > 1:
-        attached_workers[0].play()
-    run.stop()
-    unscored = sorted(set(range(5)) - scored(run).keys())
-    run.resume()
-    run.until("ready")
+    run = context.submit(*["score"] * 7, max_attempts=10)
+    for _ in range(3):
+        workers = attach_workers(run, min(2, context.limits["max_workers"]))
+        workers[-1].predict(context.action())
+        workers[0].play()
+        run.stop()
+        run.resume()
+        run.until("ready")
+    unscored = sorted(set(range(7)) - scored(run).keys())
     worker = run.worker()
     turn = worker.attach()
     handed_out: list[int] = []
     while not turn["done"]:
         handed_out.append(turn["episode"]["index"])
-        expect.true(len(handed_out) <= 5, "an end of the episodes", handed_out)
+        expect.true(len(handed_out) <= 7, "an end of the episodes", handed_out)
         turn = worker.play()
     expect.equal(sorted(handed_out), unscored, "episodes handed out after the resume")
 
@@ -207,6 +207,7 @@ class InterruptedRun:
         return {**found, "score": score}
 
 
+OFTEN_STOPPED = ["0", "abort", "0", "1", "drain", "1", "abort", "0", "drain", "abort"]
 MOVES = st.lists(st.sampled_from(["0", "1", "0", "1", "abort", "drain"]), max_size=9)
 # Sums of these are exact, in whatever order a server adds them.
 PLAN = [[0.25, 0.75], [1.0], [0.5, 0.875, 0.125], [0.0625]]
@@ -215,7 +216,7 @@ PLAN = [[0.25, 0.75], [1.0], [0.5, 0.875, 0.125], [0.0625]]
 @requirement("RES-003")
 def test_res_003_stops_do_not_change_the_score(context: CheckContext) -> None:
     """The same actions in an uninterrupted run, and in runs with two workers that are
-    aborted or drained and resumed at random points.
+    aborted or drained and resumed: five times, and at random points.
 
     Expect the same score and the same results, except for attempts and times.
     """
@@ -240,4 +241,5 @@ def test_res_003_stops_do_not_change_the_score(context: CheckContext) -> None:
         for what, value in play.outcome().items():
             expect.equal(value, expected[what], what)
 
-    for_all(context, MOVES, check_property, times=8)
+    check_property(OFTEN_STOPPED)
+    for_all(context, MOVES, check_property, times=7)

@@ -29,9 +29,10 @@ class PlannedEpisode:
     task: str = "score"
 
 
+# No decimal fraction of few digits, so that a rounded number is seen.
 SUCCESS, FAILURE, UNPLAYED = (
-    PlannedEpisode("success", 0.9),
-    PlannedEpisode("failure", 0.2),
+    PlannedEpisode("success", 0.9123456789012345),
+    PlannedEpisode("failure", 1 / 3),
     PlannedEpisode(None),
 )
 ABANDONED = PlannedEpisode("abandoned", 0.7)

@@ -1,5 +1,6 @@
 """The benchmark `calibration` as calibration.md defines it (CAL)."""
 
+import math
 from typing import Any
 
 from conformance.checks.support.given_states import count, submit_and_attach
@@ -99,6 +100,8 @@ def test_cal_002_score_is_the_last_commanded(context: CheckContext) -> None:
     Expect the last one in the result.
     """
     patterns = [[0.9, 0.25], [0.0, 0.1, 0.75], [1.0, 0.0], [0.5]]
+    # Neighbours of short numbers, which a rounded number is not.
+    patterns += [[1 / 3], [0.1 + 0.2], [math.nextafter(1, 0)], [math.nextafter(0, 1)]]
     worker = submit_and_attach(context, *["score"] * len(patterns))
     for index, pattern in enumerate(patterns):
         actions = [context.action(score=score, success=index % 2) for score in pattern]

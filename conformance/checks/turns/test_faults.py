@@ -1,12 +1,17 @@
 """Simulator faults: reported, and without cost for the policy (FAULT)."""
 
+from typing import Any
+
 from conformance.checks.support.given_states import (
     attach_workers,
     count,
+    fail_run,
     results,
     submit_and_attach,
+    without,
 )
 from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient, WorkerClient
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 
@@ -117,3 +122,213 @@ def test_fault_006_predict_that_fails_the_run(context: CheckContext) -> None:
         worker.predict(context.action())
         answer = worker.try_predict(context.action(fault=fault))
         expect.refused(answer, "session_ended", ended_by="run_failed")
+
+
+def attach_beside_a_fault_task(run: RunClient) -> list[WorkerClient]:
+    """Attach a worker to the first episode, and another one if that is allowed."""
+    return attach_workers(run, min(2, run.context.limits["max_workers"]))
+
+
+@requirement("FAULT-007")
+def test_fault_007_a_failure_counts_no_attempt(context: CheckContext) -> None:
+    """`max_attempts` is 1; two workers (if allowed) have executed actions when the
+    simulator of the first one fails the run, by a fault or as unplayable.
+
+    Expect both episodes pending at attempt 1.
+    """
+    for fault in (1, 2):
+        run = context.submit("fault", "score", max_faults=1, max_attempts=1)
+        workers = attach_beside_a_fault_task(run)
+        for worker in workers:
+            worker.predict(context.action(success=1))
+        workers[0].try_predict(context.action(), context.action(fault=fault))
+        progress = run.until("failed")["progress"]
+        expect.equal(progress["episodes_in_progress"], 0, "episodes_in_progress")
+        for episode in run.episodes():
+            expect.equal(episode["status"], "pending", "status")
+            expect.equal(episode["attempt"], 1, "attempt")
+
+
+@requirement("FAULT-008")
+def test_fault_008_what_came_before_a_fault_does_not_count(
+    context: CheckContext,
+) -> None:
+    """`max_steps` is 3; an episode faults after a success and two steps, and is played
+    to the step limit. Another faults after an action, and its attempt is closed.
+
+    Expect a failure with 3 steps; and the other episode at attempt 1, not abandoned.
+    """
+    worker = submit_and_attach(
+        context, "fault", "fault", max_steps=3, max_attempts=1, success_rule="any_step"
+    )
+    worker.predict(context.action(success=1), context.action())
+    worker.predict(context.action(success=1, fault=1))
+    turn = worker.predict(context.action(), context.action())
+    expect.true("episode_result" not in turn, "no end after two of three steps", turn)
+    turn = expect.ok(worker.try_predict(context.action()))
+    worker.seq += 1
+    expect.equal(turn["truncated"], True, "truncated")
+    result = turn["episode_result"]
+    expect.equal(result["steps"], 3, "steps")
+    expect.equal(result["outcome"], "failure", "outcome")
+    worker.predict(context.action())
+    worker.predict(context.action(fault=1))
+    worker.detach()
+    episode = worker.run.episodes()[1]
+    expect.equal(episode["status"], "pending", "status of the other episode")
+    expect.equal(episode["attempt"], 1, "attempt of the other episode")
+
+
+@requirement("FAULT-009")
+def test_fault_009_faults_are_counted(context: CheckContext) -> None:
+    """An episode faults in two attempts, fails the run, and faults after the resume.
+
+    Expect 1, 2 and 3 in the turns and in the list, 3 in the result, 0 for the other.
+    """
+    worker = submit_and_attach(context, "fault", "fault", max_faults=2)
+    run = worker.run
+
+    def fault(number: int) -> None:
+        answer = worker.try_predict(context.action(fault=1))
+        if number != 2:  # that one fails the run
+            worker.seq += 1
+            turn = expect.ok(answer)
+            expect.equal(turn["fault"]["faults"], number, "fault.faults")
+        listed = [episode["faults"] for episode in run.episodes()]
+        expect.equal(listed, [number, 0], "`faults` in `list_episodes`")
+
+    fault(1)
+    worker.predict(context.action())
+    worker.detach()
+    worker.attach()
+    fault(2)
+    run.until("failed")
+    run.resume()
+    run.until("ready")
+    worker.attach()
+    fault(3)
+    expect.equal(worker.play()["episode_result"]["faults"], 3, "faults of the result")
+    expect.equal(worker.play()["episode_result"]["faults"], 0, "faults of the other")
+
+
+@requirement("FAULT-010")
+def test_fault_010_faults_count_since_the_run_was_queued(
+    context: CheckContext,
+) -> None:
+    """`max_faults` is 2. Episodes fault: one once; the next in two attempts; then,
+    after each resume, again.
+
+    Expect `failed` after two faults of one episode since the run was last queued; a
+    resume of a run that is running counts for nothing.
+    """
+    worker = submit_and_attach(context, "fault", "fault", max_faults=2)
+    run, fault = worker.run, context.action(fault=1)
+    worker.predict(fault)
+    worker.play()
+    worker.predict(fault)
+    expect.equal(run.get()["state"], "running", "state after a fault of each episode")
+    worker.predict(context.action())
+    worker.detach()
+    worker.attach()
+    worker.predict(context.action())
+    worker.try_predict(fault)
+    expect.equal(run.get()["state"], "failed", "state after a fault of two attempts")
+    for _ in range(2):
+        run.resume()
+        run.until("ready")
+        worker.attach()
+        worker.predict(fault)
+        expect.equal(run.get()["state"], "running", "state after a resume and a fault")
+        run.stop()
+        run.resume()
+        run.until("ready")
+        worker.attach()
+        worker.predict(fault)
+        expect.equal(run.get()["state"], "running", "state after a stop and a fault")
+        run.resume()
+        worker.try_predict(fault)
+        expect.equal(run.get()["state"], "failed", "state after the second fault")
+
+
+@requirement("FAULT-011")
+def test_fault_011_can_repeat_the_turn_that_faulted(context: CheckContext) -> None:
+    """`max_faults` is 2; the turn that faulted is repeated twice, and the next played.
+
+    Expect the same turn, one fault, and the run to go on.
+    """
+    worker = submit_and_attach(context, "fault", max_faults=2)
+    chunk = [context.action(), context.action(fault=1)]
+    turn = without(worker.predict(*chunk), "lease", "timing")
+    for _ in range(2):
+        again = expect.ok(worker.try_predict(*chunk, seq=worker.seq))
+        expect.equal(without(again, "lease", "timing"), turn, "the turn")
+    expect.equal(worker.run.episodes()[0]["faults"], 1, "faults")
+    expect.equal(expect.ok(worker.try_predict(context.action()))["seq"], 2, "seq")
+
+
+@requirement("FAULT-012")
+def test_fault_012_nothing_of_the_chunk_is_executed(context: CheckContext) -> None:
+    """The second of three actions breaks the simulator; the third would end it all.
+
+    Expect no step, reward, observation of the chunk or result in the turn.
+    """
+    worker = submit_and_attach(context, "fault")
+    chunk = [context.action(score=1), context.action(fault=1), context.action(end=1)]
+    for observe in ("last", "all"):
+        turn = expect.ok(worker.try_predict(*chunk, observe=observe))
+        worker.seq += 1
+        expect.equal(turn["executed_steps"], 0, "executed_steps")
+        expect.equal(turn["rewards"], [], "rewards")
+        expect.equal(turn.get("observations", []), [], "observations")
+        expect.equal(turn["done"], False, "done")
+        expect.true("episode_result" not in turn, "no episode_result", turn)
+        for member in ("terminated", "truncated"):
+            expect.equal(turn[member], False, member)
+
+
+@requirement("FAULT-013")
+def test_fault_013_which_values_break_the_simulator(context: CheckContext) -> None:
+    """Values of `fault` from 0 to 2, in the task `fault` and in the others.
+
+    Expect a fault from 1 to below 2, an unplayable task at 2, and nothing elsewhere.
+    """
+
+    def fault(value: float) -> bool:
+        turn = expect.ok(worker.try_predict(context.action(fault=value)))
+        worker.seq += 1
+        return "fault" in turn
+
+    values = [0.0, 0.5, 0.999, 1.0, 1.001, 1.5, 1.999]
+    worker = submit_and_attach(context, "fault", max_faults=10)
+    found = [fault(value) for value in values]
+    expect.equal(found, [value >= 1 for value in values], f"faults with {values}")
+    others = ["score", "count", "echo", "delay"]
+    worker = submit_and_attach(context, *others, max_faults=1)
+    for task in others:
+        for value in (1.0, 1.5, 2.0):
+            expect.equal(fault(value), False, f"a fault in the task {task}")
+        worker.turn = worker.play()
+    run = context.submit("fault", max_faults=3)
+    fail_run(run, fault=2)
+    expect.equal(run.body["retryable"], False, "retryable with 2")
+
+
+@requirement("FAULT-014")
+def test_fault_014_a_failure_ends_every_session(context: CheckContext) -> None:
+    """The first of two workers (if allowed) fails the run, in two ways.
+
+    Expect `session_ended` with `ended_by` `run_failed` for requests of both.
+    """
+    for fault in (1, 2):
+        run = context.submit("fault", "score", "score", max_faults=1)
+        workers = attach_beside_a_fault_task(run)
+        for worker in workers:
+            worker.predict(context.action())
+            worker.heartbeat()
+        workers[0].try_predict(context.action(fault=fault))
+        run.until("failed")
+        ended: dict[str, Any] = {"ended_by": "run_failed"}
+        for worker in workers[::-1]:
+            answer = worker.try_predict(context.action())
+            expect.refused(answer, "session_ended", **ended)
+            expect.refused(worker.try_heartbeat(), "session_ended", **ended)
