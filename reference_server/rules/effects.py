@@ -57,7 +57,10 @@ class Expiry(NamedTuple):
 
 
 def apply_event(run: Run, event: Event, reason: str | None = None) -> None:
-    """Change the state as the table says; an event without a row changes nothing."""
+    """Change the state as the table says; an event without a row changes nothing.
+
+    LIFE-812: the state that follows is not failed, or `retryable` is set by its caller.
+    """
     if not legal(run, event):
         return
     after = TRANSITIONS[(run.state, event)]
@@ -101,7 +104,10 @@ def open_session(run: Run, command: Attach, session_id: str, now: float) -> Sess
 
 
 def begin_turn(session: Session, command: Predict, now: float) -> None:
-    """The chunk is about to be executed; from here its seq is used up."""
+    """The chunk is about to be executed; from here its seq is used up.
+
+    EPI-011: the policy has thought since the last turn was answered.
+    """
     session.seq = command.seq
     session.request = (command.actions, command.observe)
     session.turn = None
@@ -225,7 +231,10 @@ def lose_sessions(run: Run) -> None:
 
 
 def stop(run: Run, mode: str, now_wall: float) -> list[Session]:
-    """Returns the sessions that the stop ended (STOP-001, STOP-002)."""
+    """Returns the sessions that the stop ended (STOP-001, STOP-002).
+
+    EPI-009: if they held the last attempts, the run has completed and is not stopped.
+    """
     sessions = list(run.workers.values()) if mode == "abort" else []
     reason = f"Stopped by its submitter ({mode})."
     _end_sessions(run, sessions, "run_stopped", now_wall, counted=True)
@@ -236,7 +245,9 @@ def stop(run: Run, mode: str, now_wall: float) -> list[Session]:
 def resume(run: Run, queue_until_wall: float) -> None:
     """RES-001, RES-002: back to the queue; every result stays (FAULT-003).
 
-    PUSH-013: also when the policy server failed the run.
+    PUSH-013: also when the policy server failed the run. FAULT-009: `faults` goes on
+    counting. FAULT-010: what is forgiven does not count. LIFE-810: the time in the
+    queue begins anew.
     """
     if not changes_state(run, "resume_run"):
         return
@@ -258,14 +269,16 @@ def record_fault(
 
     The episode begins again in the same attempt (FAULT-001), unless it has faulted
     `max_faults` times or can never be played: then the run fails, and the sessions
-    that ended with it are returned (FAULT-002, FAULT-005).
+    that ended with it are returned (FAULT-002, FAULT-005, FAULT-014). FAULT-008: what
+    the attempt has executed is forgotten. FAULT-007: a fault that fails the run costs
+    no worker an attempt.
     """
     episode = _episode_of(session)
     episode.faults += 1
     run.changed.add(episode.index)
     session.steps = 0
     if not unplayable:
-        # LIFE-806, LIFE-807: faults from before the last resume do not count.
+        # LIFE-806, LIFE-807, FAULT-010: those before the last resume do not count.
         since_resume = episode.faults - episode.faults_forgiven
         if since_resume < run.manifest["max_faults"]:
             return []
@@ -282,6 +295,7 @@ def admit(
 ) -> list[Run]:
     """LIFE-801: which queued runs, oldest first, become ready now; they are moved.
 
+    LIFE-810: none before its time. LIFE-811: one that was stopped is not queued.
     A run without a number is not stored yet: it is the youngest.
     """
     admitted: list[Run] = []
@@ -302,7 +316,7 @@ def _episode_of(session: Session) -> Episode:
 def _record_result(run: Run, episode: Episode, result: Result) -> None:
     run.record_result(episode, result)
     episode.in_progress = False
-    if run.scored == len(run.episodes):  # LIFE-804, LIFE-805
+    if run.scored == len(run.episodes):  # LIFE-804, LIFE-805, EPI-009
         apply_event(run, "all_scored")
 
 
@@ -337,7 +351,7 @@ def _close_attempt(
         episode.attempt += 1
         run.return_to_pending(episode)
         return
-    abandoned = Result(
+    abandoned = Result(  # EPI-010
         outcome="abandoned",
         score=0.0,
         attempt=episode.attempt,

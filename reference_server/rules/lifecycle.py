@@ -77,8 +77,8 @@ TRANSITIONS: dict[tuple[State, Event], State] = {
 PLAYABLE_STATES = frozenset(s for s, event in TRANSITIONS if event == "attach_worker")
 # The run waits until there is capacity for it (LIFE-801, RUN-008).
 WAITING_STATES = frozenset(s for s, event in TRANSITIONS if event == "capacity")
-# CRASH-002: sessions do not outlive the process, so a restart is what the end of the
-# last session is (LIFE-802, LIFE-803). Other states outlive a restart.
+# CRASH-002, CRASH-004: sessions do not outlive the process, so a restart is what the
+# end of the last session is (LIFE-802, LIFE-803). Other states outlive a restart.
 STATES_AFTER_RESTART: Mapping[State, State] = {
     state: after
     for (state, event), after in TRANSITIONS.items()
@@ -317,7 +317,10 @@ def _conventions_agree(run: Run, command: Attach, _now: float) -> Verdict | None
 def _session_is_live(
     run: Run, command: Predict | Heartbeat, now: float
 ) -> Verdict | None:
-    """ATT-005, FAULT-006; LEASE-008: a refusal leaves the lease as it is."""
+    """ATT-005, FAULT-006, FAULT-014.
+
+    LEASE-008: a refusal leaves the lease as it is.
+    """
     session = run.workers.get(command.worker_id)
     ended_by = run.ended.get(command.session_id)
     if session is not None and session.session_id == command.session_id:
@@ -349,7 +352,7 @@ def _detach_target_exists(run: Run, command: Detach, now: float) -> Verdict | No
 
 
 def _repeated_seq(run: Run, command: Predict, _now: float) -> Verdict | None:
-    """Exactly once: PRED-002, PRED-003, PRED-005.
+    """Exactly once: PRED-002, PRED-003, PRED-005; also a turn that faulted (FAULT-011).
 
     PRED-010: also the turn that is `done`, whatever the run's state.
     """

@@ -211,7 +211,10 @@ class SessionExecutor:
     async def _begin_turn(
         self, resources: SessionResources, started: float
     ) -> dict[str, Any]:
-        """The turn that shows step 0, at first and after a fault (FAULT-001)."""
+        """The turn that shows step 0, at first and after a fault (FAULT-001).
+
+        FAULT-012: it shows nothing of the chunk in which the simulator broke.
+        """
         beginning, queue_s = await self._begin(resources)
         turn = turn_view.turn_view(
             resources.session,

@@ -181,7 +181,7 @@ class Store:
             raise StoreFailed(_one_line(error)) from error
 
     async def insert(self, run: Run, key: str | None, body_sha256: str) -> bool:
-        """Store a new run and give it its number, unless its key is taken.
+        """Store a new run and give it its number, unless its key is taken (CRASH-003).
 
         Returns whether it was stored.
         """
@@ -215,7 +215,10 @@ class Store:
         return True
 
     async def save(self, run: Run) -> None:
-        """Commit the run's state and the episodes that changed since (CRASH-001)."""
+        """Commit the run's state and the episodes that changed since.
+
+        CRASH-001, CRASH-004: every answer that shows them is sent after that.
+        """
         async with self._write_lock:
             # Read inside the lock and before any other await: a later save never
             # overtakes an earlier one, and state and episodes are of one moment.

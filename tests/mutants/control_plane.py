@@ -465,3 +465,78 @@ def forgets_runs_that_were_held_in_the_queue() -> None:
         return right(free, *rest)
 
     put(effects, "admit", wrong)
+
+
+# --- the queue ---
+
+
+@mutant("LIFE-810")
+def lets_a_resumed_run_out_of_the_queue_at_once() -> None:
+    """A run that is resumed overtakes those that wait."""
+    right = effects.resume
+    put(effects, "resume", lambda run, _until: right(run, 0.0))
+
+
+@mutant("LIFE-810")
+def goes_on_with_the_queue_time_of_the_submit() -> None:
+    """A run that waits anew leaves the queue when its first wait would have ended."""
+    right = effects.resume
+    put(effects, "resume", lambda run, _until: right(run, run.queue_until_wall))
+
+
+@mutant("LIFE-811")
+def starts_a_run_that_was_stopped_in_the_queue() -> None:
+    """A run that its submitter has stopped begins."""
+    right = effects.stop
+
+    def wrong(run: Run, mode: str, now_wall: float) -> Any:
+        was_queued = run.state == "queued"
+        sessions = right(run, mode, now_wall)
+
+        def start() -> None:
+            if run.state == "stopped":
+                run.state = "ready"
+
+        if was_queued and run.queue_until_wall < now_wall + 5:
+            wait_s = max(0.0, run.queue_until_wall - now_wall)
+            asyncio.get_running_loop().call_later(wait_s, start)
+        return sessions
+
+    put(effects, "stop", wrong)
+
+
+@mutant("LIFE-812")
+def leaves_a_resumed_run_retryable() -> None:
+    """A client resumes runs that have not failed."""
+    right = effects.apply_event
+
+    def wrong(run: Run, event: Any, reason: str | None = None) -> None:
+        retryable = run.retryable
+        right(run, event, reason)
+        run.retryable = retryable
+
+    put(effects, "apply_event", wrong)
+
+
+@mutant("LIFE-813")
+def calls_every_queued_run_the_next() -> None:
+    """Everybody in a long queue expects to be the next."""
+    right = RunRegistry.queue_position
+
+    def wrong(self: RunRegistry, run: Run) -> int | None:
+        return None if right(self, run) is None else 1
+
+    put(RunRegistry, "queue_position", wrong)
+
+
+@mutant("SCORE-007")
+def rounds_the_bounds_of_a_score() -> None:
+    """The bounds of a score exclude the score."""
+    right = scoring.score_of
+
+    def wrong(episodes: Any) -> dict[str, Any]:
+        score = right(episodes)
+        low, high = round(score["score_low"], 6), round(score["score_high"], 6)
+        return score | {"score_low": low, "score_high": high}
+
+    put(run_views, "score_of", wrong)

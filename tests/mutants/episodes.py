@@ -293,7 +293,7 @@ def forgets_scores_when_a_failed_run_resumes() -> None:
     put(effects, "resume", wrong)
 
 
-@mutant("FAULT-006")
+@mutant("FAULT-006", "FAULT-014")
 def does_not_say_that_the_run_failed() -> None:
     """The client attaches again to a run that has failed."""
     right = Run.record_end
@@ -317,3 +317,106 @@ def counts_attempts_over_a_crash() -> None:
         return run
 
     put(rows, "run_of", wrong)
+
+
+@mutant("EPI-003", "EPI-004", "EPI-009")
+def counts_no_attempt_in_a_drain() -> None:
+    """A client can repeat an episode while the run drains."""
+    right = effects._close_attempt
+
+    def wrong(run: Run, session: Session, now_wall: float, *, counted: bool) -> None:
+        right(run, session, now_wall, counted=counted and run.state != "stopping")
+
+    put(effects, "_close_attempt", wrong)
+
+
+@mutant("EPI-009")
+def stops_a_run_that_has_nothing_left() -> None:
+    """A run that is complete waits for a resume."""
+    right = effects.stop
+
+    def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
+        sessions = right(run, mode, now_wall)
+        if run.state == "completed":
+            run.state = "stopped"
+        return sessions
+
+    put(effects, "stop", wrong)
+
+
+@mutant("EPI-010")
+def forgets_the_steps_of_abandoned_episodes() -> None:
+    """A policy that crashed at step 300 seems to have crashed at once."""
+    right = effects._record_result
+
+    def wrong(run: Run, episode: Episode, result: Any) -> None:
+        if result.outcome == "abandoned":
+            result = replace(result, steps=0)
+        right(run, episode, result)
+
+    put(effects, "_record_result", wrong)
+
+
+@mutant("EPI-011")
+def adds_the_thinking_of_earlier_attempts() -> None:
+    """A policy that was restarted seems to be slow."""
+    open_session, close_attempt = effects.open_session, effects._close_attempt
+    thought: dict[tuple[str, int], float] = {}
+
+    def wrong_open(run: Run, *arguments: Any) -> Session:
+        session = open_session(run, *arguments)
+        if session.episode is not None and not session.think_s:
+            session.think_s = thought.get((run.run_id, session.episode.index), 0.0)
+        return session
+
+    def wrong_close(run: Run, session: Session, *rest: Any, counted: bool) -> None:
+        if session.episode is not None:
+            thought[run.run_id, session.episode.index] = session.think_s
+        close_attempt(run, session, *rest, counted=counted)
+
+    put(effects, "open_session", wrong_open)
+    put(effects, "_close_attempt", wrong_close)
+
+
+@mutant("EPI-011")
+def takes_the_time_of_a_turn_for_thinking() -> None:
+    """A slow simulator makes the policy look slow."""
+    right, begin = effects.store_answer, effects.begin_turn
+    began: dict[str, float] = {}
+
+    def wrong_begin(session: Session, command: Any, now: float) -> None:
+        began[session.session_id] = now
+        begin(session, command, now)
+
+    def wrong(session: Session, turn: dict[str, Any], now: float) -> None:
+        right(session, turn, now)
+        session.answered_at = began.get(session.session_id, now)
+
+    put(effects, "begin_turn", wrong_begin)
+    put(effects, "store_answer", wrong)
+
+
+@mutant("RES-002", "RES-003")
+def forgets_an_episode_on_the_second_resume() -> None:
+    """A run that was stopped twice never completes."""
+    right = effects.resume
+    resumed: dict[str, int] = {}
+
+    def wrong(run: Run, queue_until_wall: float) -> None:
+        right(run, queue_until_wall)
+        resumed[run.run_id] = resumed.get(run.run_id, 0) + 1
+        if resumed[run.run_id] > 1 and len(run.pending) > 1:
+            run.pending.remove(max(run.pending))
+
+    put(effects, "resume", wrong)
+
+
+@mutant("CAL-002")
+def stores_scores_with_fifteen_digits() -> None:
+    """A published score differs from the one that the simulator reported."""
+    right = effects._record_result
+
+    def wrong(run: Run, episode: Episode, result: Any) -> None:
+        right(run, episode, replace(result, score=float(f"{result.score:.15g}")))
+
+    put(effects, "_record_result", wrong)

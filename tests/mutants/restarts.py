@@ -1,0 +1,54 @@
+"""Mutants of a restart: what they forget of the runs."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from reference_server.rules.lifecycle import STATES_AFTER_RESTART
+from reference_server.rules.run import Run
+from reference_server.runs import registry
+from reference_server.runs.registry import RunRegistry
+from reference_server.storage import rows, store
+from tests.mutants import mutant, put
+
+
+@mutant("CRASH-003")
+def forgets_idempotency_keys_on_restart() -> None:
+    """A submit that is repeated after a crash evaluates everything twice."""
+    right = RunRegistry.open
+
+    async def wrong(self: RunRegistry) -> None:
+        async with self._store._transaction() as connection:
+            await connection.execute(store._keys.delete())
+        await right(self)
+
+    put(RunRegistry, "open", wrong)
+
+
+@mutant("CRASH-003", "CRASH-004")
+def starts_stopped_runs_on_restart() -> None:
+    """A run that its submitter stopped can be played again after a crash."""
+    after: dict[Any, Any] = {**STATES_AFTER_RESTART, "stopped": "ready"}
+    put(registry, "STATES_AFTER_RESTART", after)
+
+
+@mutant("CRASH-004")
+def forgets_a_drain_on_restart() -> None:
+    """A run that was to stop is played on after a crash."""
+    after: dict[Any, Any] = {**STATES_AFTER_RESTART, "stopping": "ready"}
+    put(registry, "STATES_AFTER_RESTART", after)
+
+
+@mutant("CRASH-004")
+def forgets_attempts_on_restart() -> None:
+    """A crash of the server gives a policy its attempts back."""
+    right = rows.run_of
+
+    def wrong(*stored: Any) -> Run:
+        run = right(*stored)
+        for episode in run.episodes:
+            if episode.result is None:
+                episode.attempt = 1
+        return run
+
+    put(rows, "run_of", wrong)
