@@ -180,7 +180,7 @@ def test_life_804_running_becomes_completed(context: CheckContext) -> None:
     worker.attach()
     worker.play()
     expect.equal(run.get()["state"], "running", "state with an episode left")
-    worker.play()
+    worker.try_predict(context.action(end=1))  # its answer is PRED-009
     expect_state_soon(run, "completed")
 
 
@@ -191,7 +191,7 @@ def test_life_805_stopping_becomes_completed(context: CheckContext) -> None:
     worker = run.worker()
     worker.attach()
     start_drain(run)
-    worker.play()
+    worker.try_predict(context.action(end=1))  # its answer is STOP-004
     expect_state_soon(run, "completed")
 
 
@@ -201,7 +201,7 @@ def test_life_806_running_becomes_failed(context: CheckContext) -> None:
     run = context.submit("fault", max_faults=2)
     worker = run.worker()
     worker.attach()
-    worker.predict(context.action(fault=1))
+    worker.seq += worker.try_predict(context.action(fault=1)).status == 200
     expect.equal(run.get()["state"], "running", "state after one fault of two")
     worker.try_predict(context.action(fault=1))
     expect_state_soon(run, "failed")
@@ -214,7 +214,7 @@ def test_life_807_stopping_becomes_failed(context: CheckContext) -> None:
     worker = run.worker()
     worker.attach()
     start_drain(run)
-    worker.predict(context.action(fault=1))
+    worker.seq += worker.try_predict(context.action(fault=1)).status == 200
     expect.equal(run.get()["state"], "stopping", "state after one fault of two")
     worker.try_predict(context.action(fault=1))
     expect_state_soon(run, "failed")

@@ -222,32 +222,33 @@ def test_fault_010_faults_count_since_the_run_was_queued(
     resume of a run that is running counts for nothing.
     """
     worker = submit_and_attach(context, "fault", "fault", max_faults=2)
-    run, fault = worker.run, context.action(fault=1)
-    worker.predict(fault)
+    run = worker.run
+
+    def expect_fault(state: str, when: str) -> None:
+        worker.seq += worker.try_predict(context.action(fault=1)).status == 200
+        expect.equal(run.get()["state"], state, f"state after a fault {when}")
+
+    def attach_again() -> None:
+        run.resume()
+        run.until("ready")
+        worker.attach()
+
+    expect_fault("running", "of the first episode")
     worker.play()
-    worker.predict(fault)
-    expect.equal(run.get()["state"], "running", "state after a fault of each episode")
+    expect_fault("running", "of the second episode")
     worker.predict(context.action())
     worker.detach()
     worker.attach()
     worker.predict(context.action())
-    worker.try_predict(fault)
-    expect.equal(run.get()["state"], "failed", "state after a fault of two attempts")
+    expect_fault("failed", "in its second attempt")
     for _ in range(2):
-        run.resume()
-        run.until("ready")
-        worker.attach()
-        worker.predict(fault)
-        expect.equal(run.get()["state"], "running", "state after a resume and a fault")
+        attach_again()
+        expect_fault("running", "since the resume")
         run.stop()
+        attach_again()
+        expect_fault("running", "since the stop and the resume")
         run.resume()
-        run.until("ready")
-        worker.attach()
-        worker.predict(fault)
-        expect.equal(run.get()["state"], "running", "state after a stop and a fault")
-        run.resume()
-        worker.try_predict(fault)
-        expect.equal(run.get()["state"], "failed", "state after the second fault")
+        expect_fault("failed", "as the second one")
 
 
 @requirement("FAULT-011")
