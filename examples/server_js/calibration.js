@@ -133,7 +133,7 @@ export class Simulator {
 
   /** Executes one checked action and returns its reward. */
   async step({ score: [score], success: [success], end: [end], delay_s: [delay], fault: [fault], vector, clipped }) {
-    if (this.task === 'fault' && fault >= 1 && fault < 2) throw 'broken';
+    if (this.task === 'fault' && fault === 1) throw 'broken';
     if (this.task === 'fault' && fault === 2) throw 'unplayable';
     if (this.task === 'delay') {
       // Timers may fire a millisecond early; the step must not.

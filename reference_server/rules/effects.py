@@ -57,10 +57,7 @@ class Expiry(NamedTuple):
 
 
 def apply_event(run: Run, event: Event, reason: str | None = None) -> None:
-    """Change the state as the table says; an event without a row changes nothing.
-
-    LIFE-812: the state that follows is not failed, or `retryable` is set by its caller.
-    """
+    """Change the state as the table says; an event without a row changes nothing."""
     if not legal(run, event):
         return
     after = TRANSITIONS[(run.state, event)]
@@ -339,6 +336,7 @@ def _end_sessions(
 def _close_attempt(
     run: Run, session: Session, now_wall: float, *, counted: bool
 ) -> None:
+    """EPI-012: what it has executed is forgotten with the session."""
     episode, session.episode = session.episode, None
     if episode is None or episode.result is not None:
         return

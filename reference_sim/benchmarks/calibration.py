@@ -86,10 +86,7 @@ class Calibration:
 
 
 def _break_down(command: float) -> None:
-    """FAULT-013: from 1 the process dies (FAULT-001), at 2 the task is unplayable.
-
-    FAULT-005: the latter fails the run at once.
-    """
+    """2 reports the task unplayable (FAULT-005), 1 kills the process (FAULT-001)."""
     if command >= 2:
         raise TaskUnplayable("the policy commanded fault 2")
     if command >= 1:

@@ -505,19 +505,6 @@ def starts_a_run_that_was_stopped_in_the_queue() -> None:
     put(effects, "stop", wrong)
 
 
-@mutant("LIFE-812")
-def leaves_a_resumed_run_retryable() -> None:
-    """A client resumes runs that have not failed."""
-    right = effects.apply_event
-
-    def wrong(run: Run, event: Any, reason: str | None = None) -> None:
-        retryable = run.retryable
-        right(run, event, reason)
-        run.retryable = retryable
-
-    put(effects, "apply_event", wrong)
-
-
 @mutant("LIFE-813")
 def calls_every_queued_run_the_next() -> None:
     """Everybody in a long queue expects to be the next."""

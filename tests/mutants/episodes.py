@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from msgspec.structs import replace as changed
+
 from reference_server.rules import effects
 from reference_server.rules.run import Episode, Run, Session, SessionEnd
 from reference_server.storage import rows
@@ -420,3 +422,26 @@ def stores_scores_with_fifteen_digits() -> None:
         right(run, episode, replace(result, score=float(f"{result.score:.15g}")))
 
     put(effects, "_record_result", wrong)
+
+
+@mutant("EPI-012")
+def counts_successes_of_earlier_attempts() -> None:
+    """A policy may give up an attempt once the goal was reached for a moment."""
+    end_turn, close_attempt = effects.end_turn, effects._close_attempt
+    succeeded: dict[str, bool] = {}
+    earlier: set[tuple[str, int]] = set()
+
+    def wrong_end(run: Run, session: Session, played: Any, now_wall: float) -> Any:
+        assert session.episode is not None
+        succeeded[session.session_id] = played.success
+        if played.ended and (run.run_id, session.episode.index) in earlier:
+            played = changed(played, success=True)
+        return end_turn(run, session, played, now_wall)
+
+    def wrong_close(run: Run, session: Session, *rest: Any, counted: bool) -> None:
+        if session.episode is not None and succeeded.get(session.session_id):
+            earlier.add((run.run_id, session.episode.index))
+        close_attempt(run, session, *rest, counted=counted)
+
+    put(effects, "end_turn", wrong_end)
+    put(effects, "_close_attempt", wrong_close)

@@ -10,7 +10,6 @@ from reference_server.rules.lifecycle import Command, Predict, Verdict, decide
 from reference_server.rules.run import Episode, Result, Run, Session, SessionEnd
 from reference_server.runs import session_executor
 from tests.mutants import mutant, put
-from tests.mutants.simulators import spoil_play
 from tests.mutants.turns import change_turn
 
 
@@ -121,14 +120,6 @@ def reports_steps_of_a_chunk_that_broke() -> None:
             body.update(executed_steps=1, rewards=[0.0])
 
     change_turn(wrong)
-
-
-@mutant("FAULT-013")
-def rounds_the_command_to_break() -> None:
-    """The kit breaks a simulator where it only comes near."""
-    spoil_play(
-        lambda acts: [{**a, "fault": [float(round(a["fault"][0]))]} for a in acts]
-    )
 
 
 @mutant("FAULT-014")

@@ -46,7 +46,7 @@ def change_turn(change: Any) -> None:
     put(turn_view, "turn_view", wrong)
 
 
-@mutant("PRED-002", "PRED-003", "PRED-005", "PRED-010")
+@mutant("FAULT-011", "PRED-002", "PRED-003", "PRED-005", "PRED-010")
 def executes_a_repeated_turn_again() -> None:
     """A lost answer makes the robot execute a chunk twice."""
 

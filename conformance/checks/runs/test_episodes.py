@@ -367,3 +367,27 @@ def test_epi_011_think_time_is_that_between_turns(context: CheckContext) -> None
     think_s = turn["episode_result"]["think_s"]
     in_range = CLOCK_TOLERANCE * thought_s <= think_s <= most_s / CLOCK_TOLERANCE
     expect.true(in_range, f"`think_s` from {thought_s:g} to {most_s:.3f}", think_s)
+
+
+@requirement("EPI-012")
+def test_epi_012_an_attempt_begins_anew(context: CheckContext) -> None:
+    """`max_steps` is 3; two attempts reach the goal in two steps and are closed, by a
+    detach and by a stop. The next one is played to the step limit without the goal.
+
+    Expect three steps, then the end, and a failure.
+    """
+    worker = submit_and_attach(
+        context, "count", max_steps=3, max_attempts=10, success_rule="any_step"
+    )
+    for close in (close_by_detach, close_by_stop):
+        worker.predict(context.action(success=1), context.action())
+        close(worker)
+        worker.attach()
+    turn = expect.ok(worker.try_predict(context.action(), context.action()))
+    worker.seq += 1
+    expect.true("episode_result" not in turn, "no end after two of three steps", turn)
+    turn = expect.ok(worker.try_predict(context.action(), context.action()))
+    expect.equal(turn["executed_steps"], 1, "executed_steps")
+    result = worker.run.episodes()[0].get("result", {})
+    expect.equal(result.get("steps"), 3, "steps")
+    expect.equal(result.get("outcome"), "failure", "outcome")

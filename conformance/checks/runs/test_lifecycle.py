@@ -276,22 +276,6 @@ def test_life_811_stopped_in_the_queue_stays_stopped(context: CheckContext) -> N
         expect.equal(run.get()["state"], "stopped", "state after `queue_s`")
 
 
-@requirement("LIFE-812")
-def test_life_812_only_a_failed_run_has_retryable(context: CheckContext) -> None:
-    """A run in each state, and one that failed, was resumed and stopped.
-
-    Expect `retryable` true or false when failed, and null otherwise.
-    """
-    for state in [*context.spec.lifecycle["states"], "failed not_retryable"]:
-        run = make_run_in_state(context, state)
-        allowed = [True, False] if run.body["state"] == "failed" else [None]
-        found = run.body["retryable"]
-        expect.true(found in allowed, f"`retryable` {allowed} when {state}", found)
-    run = make_run_in_state(context, "failed")
-    for body in (run.resume(), run.until("ready"), run.stop()):
-        expect.equal(body["retryable"], None, f"retryable when {body['state']}")
-
-
 @requirement("LIFE-813")
 def test_life_813_no_queue_position_twice(context: CheckContext) -> None:
     """Three runs wait in the queue; then the first one is stopped.

@@ -168,6 +168,8 @@ def test_run_008_only_a_queued_run_has_a_queue_position(context: CheckContext) -
     run.worker().attach()
     expect.equal(run.get()["queue_position"], None, "queue_position when running")
     expect.equal(run.stop()["queue_position"], None, "queue_position when stopped")
+    stopped = queued.stop()["queue_position"]
+    expect.equal(stopped, None, "queue_position when stopped in the queue")
 
 
 @requirement("RUN-009")

@@ -5,7 +5,6 @@ from typing import Any
 from conformance.checks.support.given_states import (
     attach_workers,
     count,
-    fail_run,
     results,
     submit_and_attach,
     without,
@@ -168,9 +167,9 @@ def test_fault_008_what_came_before_a_fault_does_not_count(
     turn = expect.ok(worker.try_predict(context.action()))
     worker.seq += 1
     expect.equal(turn["truncated"], True, "truncated")
-    result = turn["episode_result"]
-    expect.equal(result["steps"], 3, "steps")
-    expect.equal(result["outcome"], "failure", "outcome")
+    result = results(worker.run)[0] or {}
+    expect.equal(result.get("steps"), 3, "steps")
+    expect.equal(result.get("outcome"), "failure", "outcome")
     worker.predict(context.action())
     worker.predict(context.action(fault=1))
     worker.detach()
@@ -285,33 +284,6 @@ def test_fault_012_nothing_of_the_chunk_is_executed(context: CheckContext) -> No
         expect.true("episode_result" not in turn, "no episode_result", turn)
         for member in ("terminated", "truncated"):
             expect.equal(turn[member], False, member)
-
-
-@requirement("FAULT-013")
-def test_fault_013_which_values_break_the_simulator(context: CheckContext) -> None:
-    """Values of `fault` from 0 to 2, in the task `fault` and in the others.
-
-    Expect a fault from 1 to below 2, an unplayable task at 2, and nothing elsewhere.
-    """
-
-    def fault(value: float) -> bool:
-        turn = expect.ok(worker.try_predict(context.action(fault=value)))
-        worker.seq += 1
-        return "fault" in turn
-
-    values = [0.0, 0.5, 0.999, 1.0, 1.001, 1.5, 1.999]
-    worker = submit_and_attach(context, "fault", max_faults=10)
-    found = [fault(value) for value in values]
-    expect.equal(found, [value >= 1 for value in values], f"faults with {values}")
-    others = ["score", "count", "echo", "delay"]
-    worker = submit_and_attach(context, *others, max_faults=1)
-    for task in others:
-        for value in (1.0, 1.5, 2.0):
-            expect.equal(fault(value), False, f"a fault in the task {task}")
-        worker.turn = worker.play()
-    run = context.submit("fault", max_faults=3)
-    fail_run(run, fault=2)
-    expect.equal(run.body["retryable"], False, "retryable with 2")
 
 
 @requirement("FAULT-014")
