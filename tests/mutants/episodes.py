@@ -31,7 +31,7 @@ def hands_out_the_last_episode_first() -> None:
     put(Run, "take_pending", wrong)
 
 
-@mutant("EPI-002")
+@mutant("EPI-002", "FAULT-008")
 def counts_attempts_that_never_began() -> None:
     """Attaching and detaching three times abandons an episode."""
     right = effects._close_attempt
@@ -43,7 +43,7 @@ def counts_attempts_that_never_began() -> None:
     put(effects, "_close_attempt", wrong)
 
 
-@mutant("EPI-003", "EPI-004")
+@mutant("EPI-003", "EPI-004", "EPI-009")
 def counts_no_attempt() -> None:
     """A client can repeat an episode until its result is good."""
     right = effects._close_attempt
@@ -91,7 +91,7 @@ def gives_one_episode_to_two_workers() -> None:
     put(effects, "_record_result", wrong_score)
 
 
-@mutant("STOP-001")
+@mutant("EPI-004", "EPI-009", "STOP-001")
 def loses_scores_on_abort() -> None:
     """A stop discards results that took hours."""
     right = effects.stop
@@ -105,7 +105,7 @@ def loses_scores_on_abort() -> None:
     put(effects, "stop", wrong)
 
 
-@mutant("RES-001", "RES-002")
+@mutant("EPI-004", "RES-001", "RES-002")
 def plays_scored_episodes_again_after_resume() -> None:
     """A resumed run repeats all its episodes, and the better result counts."""
     right = effects.resume
@@ -156,7 +156,7 @@ def hands_out_new_episodes_while_draining() -> None:
     put(effects, "end_turn", wrong)
 
 
-@mutant("FAULT-001")
+@mutant("FAULT-001", "FAULT-007", "FAULT-008")
 def counts_a_fault_as_an_attempt() -> None:
     """A crash of the server uses up an attempt of the policy."""
     right = effects.record_fault
@@ -183,7 +183,7 @@ def calls_an_unplayable_task_retryable() -> None:
     put(effects, "record_fault", wrong)
 
 
-@mutant("FAULT-004")
+@mutant("FAULT-004", "FAULT-007", "FAULT-014")
 def ends_every_session_when_one_simulator_breaks() -> None:
     """One broken episode ends the sessions of all workers."""
     right = effects.record_fault

@@ -168,12 +168,14 @@ def test_epi_004_last_attempt_closed_is_abandoned(context: CheckContext) -> None
     worker.attach()
     expect.true(index_of(worker) != first, "another episode next", worker.turn)
     worker = submit_and_attach(context, *["score"] * 5, max_attempts=1)
-    for index, close in enumerate(CLOSES):
-        expect.equal(index_of(worker), index, "the next episode")
+    abandoned: set[int] = set()
+    for close in CLOSES:
+        expect.true(index_of(worker) not in abandoned, "another episode", worker.turn)
+        abandoned.add(index_of(worker))
         worker.predict(context.action(score=0.9, success=1))
         close(worker)
         outcomes = [e.get("result", {}).get("outcome") for e in worker.run.episodes()]
-        expected = ["abandoned"] * (index + 1) + [None] * (4 - index)
+        expected = ["abandoned" if i in abandoned else None for i in range(5)]
         expect.equal(outcomes, expected, f"outcomes after {close.__name__}")
         worker.attach()
 
@@ -327,7 +329,8 @@ def test_epi_010_result_of_an_abandoned_episode(context: CheckContext) -> None:
     Expect `attempt` 2 and `steps` 3, neither terminated nor truncated.
     """
     worker = submit_and_attach(context, *["count"] * 5, max_attempts=2)
-    for index, close in enumerate(CLOSES):
+    for close in CLOSES:
+        index = index_of(worker)
         worker.predict(context.action())
         worker.detach()
         worker.attach()
@@ -346,27 +349,29 @@ def test_epi_010_result_of_an_abandoned_episode(context: CheckContext) -> None:
 @requirement("EPI-011")
 @background
 def test_epi_011_think_time_is_that_between_turns(context: CheckContext) -> None:
-    """A policy thinks in its first attempt, and in the second one between a turn that
-    takes some time, a heartbeat and the last turn.
+    """A policy thinks in its first attempt, and in the second one before and after a
+    turn that takes some time; a heartbeat comes in between.
 
     Expect `think_s` of the second attempt alone, without the time of its long turn.
     """
-    thought_s = delay_s = 0.3
+    pause_s, delay_s = 0.2, 0.3
     worker = submit_and_attach(context, "delay", max_attempts=2)
-    time.sleep(2 * thought_s)
+    time.sleep(4 * pause_s)
     worker.predict(context.action())
     worker.detach()
     began = time.monotonic()
     worker.attach()
+    time.sleep(pause_s)
     worker.predict(context.action(delay_s=delay_s))
     for _ in ("before the heartbeat", "after it"):
-        time.sleep(thought_s / 2)
+        time.sleep(pause_s)
         worker.heartbeat()
     turn = worker.predict(context.action(end=1))
     most_s = time.monotonic() - began - delay_s
     think_s = turn["episode_result"]["think_s"]
-    in_range = CLOCK_TOLERANCE * thought_s <= think_s <= most_s / CLOCK_TOLERANCE
-    expect.true(in_range, f"`think_s` from {thought_s:g} to {most_s:.3f}", think_s)
+    least_s = CLOCK_TOLERANCE * 3 * pause_s
+    in_range = least_s <= think_s <= most_s / CLOCK_TOLERANCE
+    expect.true(in_range, f"`think_s` from {least_s:g} to {most_s:.3f}", think_s)
 
 
 @requirement("EPI-012")
