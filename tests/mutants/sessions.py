@@ -310,7 +310,7 @@ def counts_done_sessions_as_workers() -> None:
     replace_guard(lifecycle._below_worker_limit, wrong)
 
 
-@mutant("ATT-015", "LIFE-803")
+@mutant("ATT-015")
 def waits_for_done_sessions() -> None:
     """A drained run is not stopped before the client detaches, or for ever."""
 
@@ -402,7 +402,15 @@ def repeats_turns_of_the_session_before() -> None:
     ) -> dict[str, Any]:
         old = before.get(command.session_id)
         sent = (command.actions, command.observe)
-        if old is not None and old.turn and (old.seq, old.request) == (1, sent):
+        if (
+            old is not None
+            and old.turn
+            and (old.seq, old.request)
+            == (
+                command.seq,
+                sent,
+            )
+        ):
             return old.turn | {"session_id": command.session_id}
         return await predict(self, run, command)
 

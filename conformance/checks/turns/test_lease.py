@@ -304,26 +304,29 @@ def expect_full_lease(
 @requirement("LEASE-009")
 @background
 def test_lease_009_answers_show_the_whole_lease(context: CheckContext) -> None:
-    """A worker attaches, plays turns (one with a fault, one of some seconds, one that
-    ends an episode), takes over, and sends a heartbeat.
+    """A worker attaches, plays turns (one with a fault, one of some seconds, two that
+    end episodes), takes over, and sends a heartbeat, with a pause before each.
 
     Expect the lease of each answer to be that of the run, and to begin with the answer.
     """
     shortest, longest = (context.limits[f"idle_timeout_s_{m}"] for m in ("min", "max"))
     lease_s = min(longest, max(shortest, 61.5))
+    pause_s = min(2.1 * CLOCK_ERROR_S, lease_s / 3)
     run = context.submit("fault", "delay", idle_timeout_s=lease_s, max_steps=100)
     worker = run.worker()
+
+    def play(**values: float) -> Callable[[], Answer]:
+        return partial(worker.try_predict, context.action(**values))
+
     expect_full_lease(worker, worker.try_attach, lease_s)
-    for values in ({}, {}, {"fault": 1}, {}, {"end": 1}):
-        action = context.action(**values)
-        expect_full_lease(worker, partial(worker.try_predict, action), lease_s)
-    slow = partial(worker.try_predict, context.action(delay_s=LONG_TURN_S))
-    expect_full_lease(worker, slow, lease_s, LONG_TURN_S)
+    for send in (play(), play(), play(fault=1), play(end=1)):
+        time.sleep(pause_s)
+        expect_full_lease(worker, send, lease_s)
+    expect_full_lease(worker, play(delay_s=LONG_TURN_S), lease_s, LONG_TURN_S)
     take_over = partial(worker.try_attach, takeover=True)
-    expect_full_lease(worker, take_over, lease_s)
-    expect_full_lease(worker, worker.try_heartbeat, lease_s)
-    last = partial(worker.try_predict, context.action(end=1))
-    expect_full_lease(worker, last, lease_s)
+    for send in (take_over, worker.try_heartbeat, play(end=1)):
+        time.sleep(pause_s)
+        expect_full_lease(worker, send, lease_s)
 
 
 @requirement("LEASE-010")
@@ -394,6 +397,28 @@ LEASE_ENDS: list[tuple[int, int, int, bool, str, str, int]] = [
 ]
 
 
+def expect_others_unaffected(context: CheckContext) -> None:
+    """Expect a worker to live on when the lease of one that is done ends."""
+    if context.limits["max_workers"] < 2:
+        return
+    done, _ = attach_with_lease(context, "score", "score")
+    other = done.run.worker("other")
+    other.attach()
+    last = done.try_predict(context.action(end=1))
+    if not expect.require(last, 200, "predict")["done"]:
+        raise SetUpFailed("the turn after the last episode is not `done`; see PRED-009")
+    sleep_until(last.started_at + 0.6 * lease_of(context))
+    beat = other.try_heartbeat()
+    if beat.code == "session_ended":
+        raise Inconclusive("a heartbeat of the kit came too late")
+    expect.require(beat, 200, "heartbeat")
+    sleep_past(last, context)
+    run = done.run.get()
+    probe = other.try_predict(context.action())
+    expect_inside_lease(probe, beat, context)
+    expect.equal(run["state"], "running", "state beside a session that plays")
+
+
 @requirement("LEASE-012")
 @background
 @retry_when_late
@@ -401,7 +426,8 @@ def test_lease_012_end_of_lease_closes_the_attempt(context: CheckContext) -> Non
     """Five workers fall silent: before the first action, after some, in the last
     attempt (with and without an episode left), and in a drain.
 
-    Expect the attempts closed, `abandoned` after the last, and `lease_ended` named.
+    Expect the attempts closed, `abandoned` after the last, and `lease_ended` named; a
+    session that is done ends without a change of its run.
     """
     ended: list[WorkerClient] = []
     for tasks, max_attempts, steps, is_drained, *_ in LEASE_ENDS:
@@ -412,6 +438,7 @@ def test_lease_012_end_of_lease_closes_the_attempt(context: CheckContext) -> Non
         if is_drained:
             worker.run.stop("drain")
         ended.append(worker)
+    expect_others_unaffected(context)
     sleep_past(last, context)
     for worker, (*_, state, status, attempt) in zip(ended, LEASE_ENDS, strict=True):
         what = f"the end of a lease that leaves `{state}` and `{status}`"
