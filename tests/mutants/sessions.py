@@ -402,15 +402,8 @@ def repeats_turns_of_the_session_before() -> None:
     ) -> dict[str, Any]:
         old = before.get(command.session_id)
         sent = (command.actions, command.observe)
-        if (
-            old is not None
-            and old.turn
-            and (old.seq, old.request)
-            == (
-                command.seq,
-                sent,
-            )
-        ):
+        is_repeat = old is not None and old.seq == command.seq > 1
+        if old is not None and old.turn and is_repeat and old.request == sent:
             return old.turn | {"session_id": command.session_id}
         return await predict(self, run, command)
 
