@@ -29,13 +29,13 @@ from tests.mutants import mutant, put
 from tests.mutants.turns import no_guard, replace_guard
 
 
-@mutant("ATT-002", "ENC-002")
+@mutant("ATT-002", "ATT-016", "ATT-018", "ENC-002", "LEASE-010")
 def opens_a_new_session_for_the_same_key() -> None:
     """After a lost answer to attach, the worker is refused until its lease ends."""
     replace_guard(lifecycle._same_attach_key, no_guard)
 
 
-@mutant("ATT-003", "ATT-008")
+@mutant("ATT-003", "ATT-008", "ATT-018")
 def replaces_a_live_session_without_takeover() -> None:
     """Two clients with the same worker id throw each other out."""
     right = lifecycle._worker_is_free
@@ -46,7 +46,7 @@ def replaces_a_live_session_without_takeover() -> None:
     replace_guard(right, wrong)
 
 
-@mutant("ATT-004")
+@mutant("ATT-004", "ATT-016", "ATT-019", "ATT-020", "ATT-021")
 def restarts_the_episode_on_takeover() -> None:
     """A takeover is a second attempt: retrying for luck pays."""
     right = effects.open_session
@@ -70,7 +70,7 @@ def restarts_the_episode_on_takeover() -> None:
     put(ResourceManager, "open", wrong_open)
 
 
-@mutant("ATT-005")
+@mutant("ATT-005", "ATT-019", "DET-004", "PRED-027")
 def goes_on_serving_a_superseded_session() -> None:
     """Two clients steer one robot."""
     right = lifecycle._session_is_live
@@ -121,7 +121,7 @@ def decides_first_and_opens_later() -> None:
     put(SessionExecutor, "attach", wrong)
 
 
-@mutant("ATT-010")
+@mutant("ATT-010", "ATT-017")
 def ignores_assumed_conventions() -> None:
     """Radians are played as degrees, and scored."""
     replace_guard(lifecycle._conventions_agree, no_guard)
@@ -140,7 +140,7 @@ def refuses_all_assumed_conventions() -> None:
     replace_guard(lifecycle._conventions_agree, wrong)
 
 
-@mutant("ATT-012")
+@mutant("ATT-012", "ATT-014")
 def refuses_to_attach_without_pending_episodes() -> None:
     """A late worker sees an error instead of an end."""
     right = lifecycle._below_worker_limit
@@ -158,13 +158,13 @@ def _change_lease_over(wrong: Any) -> None:
         put(module, "lease_over", wrong)
 
 
-@mutant("LEASE-001")
+@mutant("LEASE-001", "LEASE-011", "LEASE-012")
 def never_ends_a_lease() -> None:
     """A crashed client keeps its session for ever."""
     _change_lease_over(lambda _session, _now: False)
 
 
-@mutant("LEASE-002")
+@mutant("LEASE-002", "LEASE-003", "LEASE-004", "LEASE-010")
 def ends_leases_early() -> None:
     """A policy that thinks for longer than half its lease loses its episode."""
     right = lifecycle.lease_over
@@ -175,7 +175,7 @@ def ends_leases_early() -> None:
     _change_lease_over(wrong)
 
 
-@mutant("LEASE-003")
+@mutant("LEASE-003", "LEASE-009")
 def accepts_heartbeats_without_extending_the_lease() -> None:
     """A slow policy loses its episode although it sent heartbeats."""
 
@@ -189,7 +189,7 @@ def accepts_heartbeats_without_extending_the_lease() -> None:
     put(SessionExecutor, "heartbeat", wrong)
 
 
-@mutant("LEASE-004")
+@mutant("LEASE-004", "LEASE-009")
 def lets_the_lease_run_from_attach() -> None:
     """An active policy loses its session."""
     right = effects.store_answer
@@ -278,7 +278,7 @@ def refuses_a_second_detach() -> None:
     replace_guard(lifecycle._detach_target_exists, wrong)
 
 
-@mutant("STOP-002")
+@mutant("DET-005", "STOP-002")
 def accepts_heartbeats_of_a_stopped_run() -> None:
     """A client computes for hours for a run that has ended."""
     right, remember = SessionExecutor.heartbeat, Run.record_end

@@ -47,7 +47,16 @@ def change_turn(change: Any) -> None:
     put(turn_view, "turn_view", wrong)
 
 
-@mutant("PRED-002", "PRED-003", "PRED-005", "PRED-010")
+@mutant(
+    "LEASE-002",
+    "PRED-002",
+    "PRED-003",
+    "PRED-005",
+    "PRED-010",
+    "PRED-025",
+    "PRED-026",
+    "PRED-027",
+)
 def executes_a_repeated_turn_again() -> None:
     """A lost answer makes the robot execute a chunk twice."""
 
@@ -65,7 +74,7 @@ def executes_a_repeated_turn_again() -> None:
     )
 
 
-@mutant("PRED-003")
+@mutant("PRED-003", "PRED-025", "PRED-026", "PRED-027")
 def answers_another_body_under_the_same_seq() -> None:
     """The client believes its new actions were executed; the old ones were."""
 
@@ -78,13 +87,13 @@ def answers_another_body_under_the_same_seq() -> None:
     replace_guard(lifecycle._repeated_seq, wrong)
 
 
-@mutant("PRED-004")
+@mutant("ATT-019", "PRED-004", "PRED-027")
 def accepts_a_seq_from_the_future() -> None:
     """A client with a wrong seq gets no error."""
     replace_guard(lifecycle._expected_seq, no_guard)
 
 
-@mutant("PRED-004")
+@mutant("ATT-019", "PRED-004", "PRED-027")
 def names_the_wrong_expected_seq() -> None:
     """A client cannot resynchronise its seq."""
     right = lifecycle._expected_seq
@@ -339,7 +348,7 @@ def never_says_done() -> None:
     change_turn(lambda body, _: body.update(done=False))
 
 
-@mutant("PRED-010", "PRED-011")
+@mutant("LEASE-002", "PRED-010", "PRED-011", "PRED-027")
 def forgets_the_session_with_its_last_turn() -> None:
     """After a lost last answer a client cannot learn how the run ended."""
     right = effects.store_answer
