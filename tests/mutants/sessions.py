@@ -513,8 +513,8 @@ def does_not_count_attempts_of_lost_clients() -> None:
 
 
 @mutant("DET-003")
-def stop_waits_for_turns_and_counts_nothing() -> None:
-    """Whoever aborts a run in a long turn gets an attempt for nothing."""
+def counts_no_attempt_when_it_aborts_a_turn() -> None:
+    """A policy whose run is aborted in a turn gets another try for nothing."""
     right = effects.stop
 
     def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:

@@ -446,8 +446,9 @@ def test_lease_012_end_of_lease_closes_the_attempt(context: CheckContext) -> Non
     sleep_past(last, context)
     for worker, (*_, state, status, attempt) in zip(ended, LEASE_ENDS, strict=True):
         what = f"the end of a lease that leaves `{state}` and `{status}`"
+        run = worker.run.get()
         episode = worker.run.episodes()[index_of(worker)]
-        shown = [worker.run.get()["state"], episode["status"], episode["attempt"]]
+        shown = [run["state"], episode["status"], episode["attempt"]]
         expect.equal(shown, [state, status, attempt], what)
         outcome = episode.get("result", {}).get("outcome")
         expect.equal(outcome, "abandoned" if status == "scored" else None, "outcome")

@@ -74,11 +74,11 @@ def test_pred_003_cannot_repeat_with_another_body(context: CheckContext) -> None
 
 @requirement("PRED-004")
 def test_pred_004_cannot_skip_or_go_back(context: CheckContext) -> None:
-    """A seq too high and, after some turns, too low.
+    """A seq too high and, after some turns, too low, also that of an ended episode.
 
     Expect `seq_out_of_order` with the next seq in `expected_seq`, and nothing executed.
     """
-    worker = submit_and_attach(context, "count")
+    worker = submit_and_attach(context, "count", "count")
     for wrong, following in (([2, 3, 2**53 - 1], 1), ([1, 2, 5, 6], 4)):
         for seq in wrong:
             answer = worker.try_predict(context.action(), seq=seq)
@@ -87,6 +87,13 @@ def test_pred_004_cannot_skip_or_go_back(context: CheckContext) -> None:
         expect.equal(count(turn), [following], "count in the next turn")
         worker.predict(context.action())
         worker.predict(context.action())
+    worker.predict(context.action(end=1))
+    worker.predict(context.action())
+    for seq in (1, worker.seq - 1, worker.seq + 2):
+        answer = worker.try_predict(context.action(), seq=seq)
+        expect.refused(answer, "seq_out_of_order", expected_seq=worker.seq + 1)
+    turn = worker.predict(context.action())
+    expect.equal(count(turn), [2], "count in the next episode")
 
 
 @requirement("PRED-005")
@@ -189,17 +196,22 @@ def test_pred_015_cannot_send_too_long_a_chunk(context: CheckContext) -> None:
     """One action more than `max_chunk`.
 
     Expect `invalid_request` pointing at `/actions`, and nothing executed; the longest
-    chunk is accepted.
+    chunk is executed completely.
     """
     longest = context.benchmark["max_chunk"]
-    worker = submit_and_attach(context, "count", max_steps=min(10000, longest + 2))
+    max_steps = min(10000, longest + 2)
+    worker = submit_and_attach(context, "count", max_steps=max_steps)
     chunk = [context.action()] * (longest + 1)
     answer = worker.try_predict(*chunk)
     if answer.code == "body_too_large":
         raise NotApplicable("a chunk longer than `max_chunk` is too large a body")
     expect.refused(answer, "invalid_request", pointer="/actions")
     expect_only_one_executed(worker, 0)
-    worker.predict(*chunk[1:])
+    turn = expect.ok(worker.try_predict(*chunk[1:]))
+    executed = min(longest, max_steps - 1)
+    expect.equal(
+        turn["executed_steps"], executed, "executed_steps of the longest"
+    )
 
 
 @requirement("PRED-016")
