@@ -95,9 +95,14 @@ def _attach(rules: Rules, model: RunModel, request: Attach) -> Iterator[AllowedA
     rule, to = rules.table[model.state, "attach_worker"]
     current = model.live(request.worker)
     is_busy = current is not None and not current.is_done
-    if to == "refused":
+    is_repeat = current is not None and current.key == request.key
+    if to == "refused" and not (is_busy and is_repeat):
         yield refusal(rule, model, "illegal_transition", state=model.state)
-    if current is not None and current.key == request.key:
+    is_full = len(model.holders) >= rules.max_workers
+    if is_full and (to == "refused" or is_busy) and not (is_repeat or request.takeover):
+        # Where several refusals apply, any of them is in order.
+        yield refusal("ATT-006", model, "worker_limit")
+    if current is not None and is_repeat:
         yield AllowedAnswer("ATT-002", 200, lambda _: model, same_turn=current.turn)
     elif current is not None and not request.takeover:
         # A session that is done may count as live or not.
@@ -133,12 +138,9 @@ def _take_over(
 def _enter(
     rules: Rules, model: RunModel, request: Attach, to: str
 ) -> Iterator[AllowedAnswer]:
-    others = [
-        s for s in model.sessions if s.status == "live" and s.worker != request.worker
-    ]
-    if len(others) >= rules.max_workers:
+    others = [s for s in model.holders if s.worker != request.worker]
+    if len(others) >= rules.max_workers:  # ATT-014: who is done does not count
         yield refusal("ATT-006", model, "worker_limit")
-    if sum(not s.is_done for s in others) >= rules.max_workers:
         return
     sessions = tuple(
         replace(s, status="superseded")
@@ -252,9 +254,8 @@ def play_chunk(
     if not done[-1].end and session.steps < rules.max_steps:
         return model.with_session(session), done
     outcome = "success" if session.success else "failure"
-    model = model.with_episode(
-        index, is_held=False, outcome=outcome, score=done[-1].score
-    )
+    score = float(session.success) if rules.scores_success else done[-1].score
+    model = model.with_episode(index, is_held=False, outcome=outcome, score=score)
     return apply_automatic_events(rules, hand_out(model, session)), done
 
 

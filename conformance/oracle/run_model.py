@@ -17,15 +17,20 @@ Status = Literal["live", "superseded", "ended"]
 
 @dataclass(frozen=True, slots=True)
 class Rules:
-    """The constants of a run; `table` holds (state, event) → (id, state)."""
+    """The constants of a run; `table` holds (state, event) → (id, state).
+
+    `scores_success`: an episode has the score 1 for a success and else 0, not the last
+    commanded one.
+    """
 
     table: Mapping[tuple[str, str], tuple[str, str]]
     max_workers: int
     max_steps: int
     max_attempts: int
+    scores_success: bool = False
 
     @classmethod
-    def of(cls, lifecycle: Mapping[str, Any], **limits: int) -> "Rules":
+    def of(cls, lifecycle: Mapping[str, Any], **limits: Any) -> "Rules":
         """Take the table from `x-lifecycle`."""
         table = {
             (row["from"], row["event"]): (row["id"], row["to"])
@@ -42,6 +47,7 @@ class Step:
     score: float = 0.0
     success: int = 0
     end: int = 0
+    delay_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -73,8 +73,9 @@ def open_session(run: Run, command: Attach, session_id: str, now: float) -> Sess
     """Take the worker's slot and an episode; the caller starts the simulator.
 
     A live session of the worker is fenced out and its episode goes over as it stands
-    (ATT-004); else the session begins with seq 0 and an episode of its own (ATT-001,
-    EPI-008). The session is busy until `store_answer` is called.
+    (ATT-004), but no seq and no turn (ATT-019); else the session begins with seq 0 and
+    an episode of its own (ATT-001, EPI-008). The session is busy until `store_answer`
+    is called.
     """
     old = run.workers.pop(command.worker_id, None)
     idle_timeout_s = SERVER_LEASE_S if command.by_server else run.idle_timeout_s
@@ -166,7 +167,7 @@ def close_session(
 ) -> None:
     """End a session; its attempt is closed unscored (EPI-002, EPI-003, EPI-004).
 
-    Its slot is free at once (DET-001, LEASE-006).
+    Its slot is free at once (DET-001, LEASE-006), also during a turn (DET-003).
     """
     if run.workers.get(session.worker_id) is session:
         del run.workers[session.worker_id]
@@ -214,7 +215,7 @@ def fail_run(
 
 
 def expire(run: Run, now: float, now_wall: float) -> Expiry:
-    """Close every session whose lease is over (LEASE-001)."""
+    """Close every session whose lease is over (LEASE-001, LEASE-012)."""
     over = [s for s in run.workers.values() if lease_over(s, now)]
     freed_slot = any(not session.done for session in over)
     for session in over:
@@ -363,6 +364,7 @@ def _close_attempt(
 
 
 def _after_session_end(run: Run) -> None:
+    """ATT-015: sessions that are done do not count as left."""
     if not run.live_sessions:
         # A run that goes on as ready has no reason to state; one that stops has.
         reason = None if may_hand_out(run) else "Drained."

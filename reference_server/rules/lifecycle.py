@@ -201,7 +201,8 @@ def may_hand_out(run: Run) -> bool:
 def decide(run: Run, command: Command, now: float) -> Verdict:
     """The verdict of the first guard that has one; Accept when none objects.
 
-    `now` is monotonic seconds. Changes nothing.
+    `now` is monotonic seconds. Changes nothing, also of a session that a refused
+    takeover is about (ATT-017).
     """
     for guard in GUARDS[type(command)]:
         verdict = guard(run, command, now)
@@ -259,7 +260,11 @@ def _mode_allows_caller(
 
 
 def _same_attach_key(run: Run, command: Attach, now: float) -> Verdict | None:
-    """ATT-002: a repeated attach gets the same turn. ATT-008: one key wins a worker."""
+    """ATT-002: a repeated attach gets the same turn. ATT-008: one key wins a worker.
+
+    ATT-016: in every state, whatever else it asks for. ATT-018: for the worker's own
+    session alone, while it lives.
+    """
     session = run.workers.get(command.worker_id)
     if session is None or session.attach_key != command.attach_key:
         return None
@@ -278,13 +283,17 @@ def _worker_is_free(run: Run, command: Attach, now: float) -> Verdict | None:
             f"Worker {command.worker_id} already has a live session.",
             "ATT-003",
         )
-    # ATT-004: the successor goes on where the turn in execution will have ended; also
-    # the last one, whose result is still being stored.
+    # ATT-004, ATT-021: the successor goes on where the turn in execution will have
+    # ended; also the last one, whose result is still being stored. ATT-020: a session
+    # that is done, or none, is no reason to refuse either.
     return Wait(session) if session.busy else None
 
 
 def _below_worker_limit(run: Run, command: Attach, now: float) -> Verdict | None:
-    """ATT-006; LEASE-006: a session whose lease is over holds no slot. ATT-007."""
+    """ATT-006; LEASE-006: a session whose lease is over holds no slot. ATT-007.
+
+    ATT-014: nor does one that is done. ATT-020: a takeover needs no slot but its own.
+    """
     others = sum(
         1
         for session in run.workers.values()
@@ -317,9 +326,9 @@ def _conventions_agree(run: Run, command: Attach, _now: float) -> Verdict | None
 def _session_is_live(
     run: Run, command: Predict | Heartbeat, now: float
 ) -> Verdict | None:
-    """ATT-005, FAULT-006, FAULT-014.
+    """ATT-005, FAULT-006, FAULT-014; LEASE-008: a refusal leaves the lease as it is.
 
-    LEASE-008: a refusal leaves the lease as it is.
+    DET-004: an id acts on the session of the worker in the path, or on none. DET-005.
     """
     session = run.workers.get(command.worker_id)
     ended_by = run.ended.get(command.session_id)
@@ -354,7 +363,8 @@ def _detach_target_exists(run: Run, command: Detach, now: float) -> Verdict | No
 def _repeated_seq(run: Run, command: Predict, _now: float) -> Verdict | None:
     """Exactly once: PRED-002, PRED-003, PRED-005; also a turn that faulted (FAULT-011).
 
-    PRED-010: also the turn that is `done`, whatever the run's state.
+    PRED-010: also the turn that is `done`, whatever the run's state. PRED-025: what is
+    compared are values. PRED-026: also while the turn is executed.
     """
     session = run.workers[command.worker_id]
     if command.seq != session.seq or session.seq == 0:
@@ -370,7 +380,7 @@ def _repeated_seq(run: Run, command: Predict, _now: float) -> Verdict | None:
 
 
 def _expected_seq(run: Run, command: Predict, _now: float) -> Verdict | None:
-    """PRED-004; PRED-024: a refused seq stays the expected one."""
+    """PRED-004; PRED-024: a refused seq stays the expected one. PRED-027: first."""
     session = run.workers[command.worker_id]
     expected = session.seq + 1
     if command.seq == expected:

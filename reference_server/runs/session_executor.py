@@ -336,6 +336,10 @@ class SessionExecutor:
         return await self._registry.get(run.run_id)
 
     def _replay_turn(self, session: Session) -> dict[str, Any]:
+        """The stored turn, with the lease that it had; the session's is longer now.
+
+        LEASE-010: a repeat is an answered request.
+        """
         effects.extend_lease(session, time.monotonic())
         assert session.turn is not None, "a session that is not busy has its turn"
         return session.turn

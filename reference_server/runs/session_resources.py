@@ -120,7 +120,10 @@ class ResourceManager:
         return resources
 
     def _schedule_lease_check(self, resources: SessionResources) -> None:
-        """Check the lease when it could be over (LEASE-001); one timer per session."""
+        """Check the lease when it could be over (LEASE-001); one timer per session.
+
+        LEASE-011: no request is needed for that.
+        """
         now = time.monotonic()
         if lease_over(resources.session, now):
             self._on_lease_over(resources.run)

@@ -63,7 +63,7 @@ def add_lease_and_total(body: dict[str, Any], session: Session, total_s: float) 
 
 
 def lease_view(session: Session) -> dict[str, Any]:
-    """Schema Lease. The lease runs on the monotonic clock; the view shows wall time."""
+    """Schema Lease (LEASE-009); it runs on the monotonic clock and shows wall time."""
     left_s = session.expires_at - time.monotonic()
     return {
         "expires_at": timestamp(time.time() + left_s),

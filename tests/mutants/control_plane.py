@@ -440,7 +440,7 @@ def ignores_etags() -> None:
     put(handlers, "_matches", lambda _wanted, _etag: False)
 
 
-@mutant("RUN-012")
+@mutant("LEASE-011", "RUN-012")
 def answers_long_polls_only_at_their_end() -> None:
     """A long poll is no faster than polling at intervals."""
 

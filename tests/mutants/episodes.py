@@ -31,7 +31,7 @@ def hands_out_the_last_episode_first() -> None:
     put(Run, "take_pending", wrong)
 
 
-@mutant("EPI-002", "FAULT-008")
+@mutant("EPI-002", "FAULT-008", "LEASE-012")
 def counts_attempts_that_never_began() -> None:
     """Attaching and detaching three times abandons an episode."""
     right = effects._close_attempt
@@ -43,7 +43,7 @@ def counts_attempts_that_never_began() -> None:
     put(effects, "_close_attempt", wrong)
 
 
-@mutant("EPI-003", "EPI-004", "EPI-009")
+@mutant("DET-003", "EPI-003", "EPI-004", "EPI-009", "LEASE-012")
 def counts_no_attempt() -> None:
     """A client can repeat an episode until its result is good."""
     right = effects._close_attempt
@@ -295,7 +295,7 @@ def forgets_scores_when_a_failed_run_resumes() -> None:
     put(effects, "resume", wrong)
 
 
-@mutant("FAULT-006", "FAULT-014")
+@mutant("DET-005", "FAULT-006", "FAULT-014")
 def does_not_say_that_the_run_failed() -> None:
     """The client attaches again to a run that has failed."""
     right = Run.record_end

@@ -13,25 +13,29 @@ from reference_server.rules.lifecycle import (
     Attach,
     Detach,
     Heartbeat,
+    Predict,
     Refuse,
     Verdict,
+    Wait,
 )
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session, SessionEnd
 from reference_server.runs import session_resources
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.runs.session_resources import ResourceManager, SessionResources
+from reference_server.views import turn_view
+from reference_server.views.run_views import timestamp
 from tests.mutants import mutant, put
 from tests.mutants.turns import no_guard, replace_guard
 
 
-@mutant("ATT-002", "ENC-002")
+@mutant("ATT-002", "ATT-016", "ATT-018", "ENC-002", "LEASE-010")
 def opens_a_new_session_for_the_same_key() -> None:
     """After a lost answer to attach, the worker is refused until its lease ends."""
     replace_guard(lifecycle._same_attach_key, no_guard)
 
 
-@mutant("ATT-003", "ATT-008")
+@mutant("ATT-003", "ATT-008", "ATT-018")
 def replaces_a_live_session_without_takeover() -> None:
     """Two clients with the same worker id throw each other out."""
     right = lifecycle._worker_is_free
@@ -42,7 +46,7 @@ def replaces_a_live_session_without_takeover() -> None:
     replace_guard(right, wrong)
 
 
-@mutant("ATT-004")
+@mutant("ATT-004", "ATT-016", "ATT-019", "ATT-020", "ATT-021")
 def restarts_the_episode_on_takeover() -> None:
     """A takeover is a second attempt: retrying for luck pays."""
     right = effects.open_session
@@ -66,7 +70,7 @@ def restarts_the_episode_on_takeover() -> None:
     put(ResourceManager, "open", wrong_open)
 
 
-@mutant("ATT-005")
+@mutant("ATT-005", "ATT-019", "DET-004", "PRED-027")
 def goes_on_serving_a_superseded_session() -> None:
     """Two clients steer one robot."""
     right = lifecycle._session_is_live
@@ -117,7 +121,7 @@ def decides_first_and_opens_later() -> None:
     put(SessionExecutor, "attach", wrong)
 
 
-@mutant("ATT-010")
+@mutant("ATT-010", "ATT-017")
 def ignores_assumed_conventions() -> None:
     """Radians are played as degrees, and scored."""
     replace_guard(lifecycle._conventions_agree, no_guard)
@@ -136,7 +140,7 @@ def refuses_all_assumed_conventions() -> None:
     replace_guard(lifecycle._conventions_agree, wrong)
 
 
-@mutant("ATT-012")
+@mutant("ATT-012", "ATT-014")
 def refuses_to_attach_without_pending_episodes() -> None:
     """A late worker sees an error instead of an end."""
     right = lifecycle._below_worker_limit
@@ -154,13 +158,13 @@ def _change_lease_over(wrong: Any) -> None:
         put(module, "lease_over", wrong)
 
 
-@mutant("LEASE-001")
+@mutant("LEASE-001", "LEASE-011", "LEASE-012")
 def never_ends_a_lease() -> None:
     """A crashed client keeps its session for ever."""
     _change_lease_over(lambda _session, _now: False)
 
 
-@mutant("LEASE-002")
+@mutant("LEASE-002", "LEASE-003", "LEASE-004", "LEASE-010")
 def ends_leases_early() -> None:
     """A policy that thinks for longer than half its lease loses its episode."""
     right = lifecycle.lease_over
@@ -171,7 +175,7 @@ def ends_leases_early() -> None:
     _change_lease_over(wrong)
 
 
-@mutant("LEASE-003")
+@mutant("LEASE-003", "LEASE-009")
 def accepts_heartbeats_without_extending_the_lease() -> None:
     """A slow policy loses its episode although it sent heartbeats."""
 
@@ -185,7 +189,7 @@ def accepts_heartbeats_without_extending_the_lease() -> None:
     put(SessionExecutor, "heartbeat", wrong)
 
 
-@mutant("LEASE-004")
+@mutant("LEASE-004", "LEASE-009")
 def lets_the_lease_run_from_attach() -> None:
     """An active policy loses its session."""
     right = effects.store_answer
@@ -274,7 +278,7 @@ def refuses_a_second_detach() -> None:
     replace_guard(lifecycle._detach_target_exists, wrong)
 
 
-@mutant("STOP-002")
+@mutant("DET-005", "STOP-002")
 def accepts_heartbeats_of_a_stopped_run() -> None:
     """A client computes for hours for a run that has ended."""
     right, remember = SessionExecutor.heartbeat, Run.record_end
@@ -290,3 +294,277 @@ def accepts_heartbeats_of_a_stopped_run() -> None:
 
     put(Run, "record_end", wrong_remember)
     put(SessionExecutor, "heartbeat", wrong)
+
+
+@mutant("ATT-014")
+def counts_done_sessions_as_workers() -> None:
+    """A worker that finished early keeps another machine from helping out."""
+
+    def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
+        others = [s for s in run.workers.values() if s.worker_id != command.worker_id]
+        left = sum(not lifecycle.lease_over(session, now) for session in others)
+        if left < run.max_workers:
+            return None
+        return Refuse("worker_limit", "The run has all its workers.")
+
+    replace_guard(lifecycle._below_worker_limit, wrong)
+
+
+@mutant("ATT-015")
+def waits_for_done_sessions() -> None:
+    """A drained run is not stopped before the client detaches, or for ever."""
+
+    def wrong(run: Run) -> None:
+        if not run.workers:
+            reason = None if lifecycle.may_hand_out(run) else "Drained."
+            effects.apply_event(run, "last_lease_ends", reason)
+
+    put(effects, "_after_session_end", wrong)
+
+
+@mutant("ATT-016")
+def refuses_a_repeated_attach_in_a_drain() -> None:
+    """A lost answer to attach costs the episode when the run is drained meanwhile."""
+    guards = list(GUARDS[Attach])
+    first, second = map(
+        guards.index, (lifecycle._same_attach_key, lifecycle._event_is_legal)
+    )
+    guards[first], guards[second] = guards[second], guards[first]
+    GUARDS[Attach] = tuple(guards)
+
+
+def _fence_when_refused(guard: Any) -> None:
+    def wrong(run: Run, command: Any, now: float) -> Verdict | None:
+        verdict: Verdict | None = guard(run, command, now)
+        if verdict is not None and isinstance(command, Attach) and command.takeover:
+            session = run.workers.get(command.worker_id)
+            if session is not None:
+                session.session_id += "-fenced"
+        return verdict
+
+    replace_guard(guard, wrong)
+
+
+@mutant("ATT-017")
+def fences_out_by_a_takeover_that_a_drain_refuses() -> None:
+    """An episode that should be played to its end is lost to a refused request."""
+    _fence_when_refused(lifecycle._event_is_legal)
+
+
+@mutant("ATT-017")
+def fences_out_by_a_takeover_with_wrong_assumptions() -> None:
+    """A misconfigured client throws the working one out, and cannot play itself."""
+    _fence_when_refused(lifecycle._conventions_agree)
+
+
+@mutant("ATT-018")
+def compares_the_beginnings_of_attach_keys() -> None:
+    """Two clients whose keys begin alike share a session unawares."""
+    right = lifecycle._same_attach_key
+
+    def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
+        session = run.workers.get(command.worker_id)
+        if session is not None and session.attach_key[:64] == command.attach_key[:64]:
+            command = replace(command, attach_key=session.attach_key)
+        return right(run, command, now)
+
+    replace_guard(right, wrong)
+
+
+@mutant("ATT-018")
+def looks_for_attach_keys_in_the_whole_run() -> None:
+    """Two workers started with one key steer one robot."""
+    right = lifecycle._same_attach_key
+
+    def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
+        for session in run.workers.values():
+            if session.attach_key == command.attach_key:
+                command = replace(command, worker_id=session.worker_id)
+        return right(run, command, now)
+
+    replace_guard(right, wrong)
+
+
+@mutant("ATT-019")
+def repeats_turns_of_the_session_before() -> None:
+    """After a takeover an action is not executed, but answered as if it were."""
+    before: dict[str, Session] = {}
+    open_session, predict = effects.open_session, SessionExecutor.predict
+
+    def wrong_open(run: Run, command: Attach, session_id: str, now: float) -> Session:
+        old = run.workers.get(command.worker_id)
+        if old is not None:
+            before[session_id] = old
+        return open_session(run, command, session_id, now)
+
+    async def wrong(
+        self: SessionExecutor, run: Run, command: Predict
+    ) -> dict[str, Any]:
+        old = before.get(command.session_id)
+        sent = (command.actions, command.observe)
+        is_repeat = old is not None and old.seq == command.seq > 1
+        if old is not None and old.turn and is_repeat and old.request == sent:
+            return old.turn | {"session_id": command.session_id}
+        return await predict(self, run, command)
+
+    put(effects, "open_session", wrong_open)
+    put(SessionExecutor, "predict", wrong)
+
+
+@mutant("ATT-020")
+def needs_a_free_slot_for_a_takeover() -> None:
+    """A restarted client cannot get its worker back in a full run."""
+    right = lifecycle._below_worker_limit
+
+    def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
+        if len(run.live_sessions) >= run.max_workers:
+            return Refuse("worker_limit", "The run has all its workers.")
+        return right(run, command, now)
+
+    replace_guard(right, wrong)
+
+
+@mutant("ATT-021")
+def refuses_a_takeover_during_a_turn() -> None:
+    """A client that crashed in a long turn cannot come back before its end."""
+    right = lifecycle._worker_is_free
+
+    def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
+        verdict = right(run, command, now)
+        if isinstance(verdict, Wait):
+            return Refuse("worker_busy", "It plays a turn.")
+        return verdict
+
+    replace_guard(right, wrong)
+
+
+@mutant("LEASE-003", "LEASE-009")
+def extends_the_lease_by_less_with_a_heartbeat() -> None:
+    """A client that sends heartbeats as seldom as it may loses its session."""
+    right = SessionExecutor.heartbeat
+
+    def wrong(self: SessionExecutor, run: Run, command: Heartbeat) -> Session:
+        session = right(self, run, command)
+        session.expires_at = time.monotonic() + 0.8 * session.idle_timeout_s
+        return session
+
+    put(SessionExecutor, "heartbeat", wrong)
+
+
+@mutant("LEASE-008")
+def extends_the_lease_by_requests_of_the_session_before() -> None:
+    """A client that was replaced keeps the session of its dead successor alive."""
+    right = lifecycle._session_is_live
+
+    def wrong(run: Run, command: Any, now: float) -> Verdict | None:
+        verdict = right(run, command, now)
+        if isinstance(verdict, Refuse) and verdict.code == "session_superseded":
+            effects.extend_lease(run.workers[command.worker_id], now)
+        return verdict
+
+    replace_guard(right, wrong)
+
+
+@mutant("LEASE-009")
+def shows_the_lease_of_the_beginning_of_a_turn() -> None:
+    """A client sends too many heartbeats after long turns, or gives up its session."""
+    right = turn_view.add_lease_and_total
+
+    def wrong(body: dict[str, Any], session: Session, total_s: float) -> None:
+        right(body, session, total_s)
+        ends = time.time() + session.idle_timeout_s - total_s
+        body["lease"]["expires_at"] = timestamp(ends)
+
+    put(turn_view, "add_lease_and_total", wrong)
+
+
+@mutant("LEASE-010")
+def lets_the_lease_run_through_repeats() -> None:
+    """A client behind a bad line is answered, and loses its session all the same."""
+
+    def wrong(_self: SessionExecutor, session: Session) -> dict[str, Any]:
+        assert session.turn is not None
+        return session.turn
+
+    put(SessionExecutor, "_replay_turn", wrong)
+
+
+@mutant("LEASE-011")
+def looks_at_leases_only_when_asked() -> None:
+    """Nobody who waits for a run learns that its policy is gone."""
+
+    def wrong(_self: ResourceManager, _resources: SessionResources) -> None:
+        pass
+
+    put(ResourceManager, "_schedule_lease_check", wrong)
+
+
+@mutant("LEASE-012")
+def does_not_count_attempts_of_lost_clients() -> None:
+    """A policy that disappears when it plays badly may try again without limit."""
+    right = effects.close_session
+
+    def wrong(run: Run, session: Session, ended_by: SessionEnd, now: float) -> None:
+        if ended_by == "lease_ended":
+            session.steps = 0
+        right(run, session, ended_by, now)
+
+    put(effects, "close_session", wrong)
+
+
+@mutant("DET-003")
+def counts_no_attempt_when_it_aborts_a_turn() -> None:
+    """A policy whose run is aborted in a turn gets another try for nothing."""
+    right = effects.stop
+
+    def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
+        for session in run.workers.values():
+            if session.busy == "playing" and mode == "abort":
+                session.busy, session.steps = "turning", 0
+        return right(run, mode, now_wall)
+
+    put(effects, "stop", wrong)
+
+
+@mutant("DET-004")
+def detaches_the_session_of_the_worker_for_any_id() -> None:
+    """A confused client ends the session of another one."""
+    right = SessionExecutor.detach
+
+    async def wrong(self: SessionExecutor, run: Run, command: Detach) -> None:
+        session = run.workers.get(command.worker_id)
+        others = {s.session_id for s in run.workers.values()} | run.ended.keys()
+        if session is not None and command.session_id not in others:
+            command = replace(command, session_id=session.session_id)
+        await right(self, run, command)
+
+    put(SessionExecutor, "detach", wrong)
+
+
+@mutant("DET-004")
+def finds_sessions_under_any_worker() -> None:
+    """A typing error in a path steers another robot."""
+    right = SessionExecutor.predict
+
+    async def wrong(
+        self: SessionExecutor, run: Run, command: Predict
+    ) -> dict[str, Any]:
+        for session in run.workers.values():
+            if session.session_id == command.session_id:
+                command = replace(command, worker_id=session.worker_id)
+        return await right(self, run, command)
+
+    put(SessionExecutor, "predict", wrong)
+
+
+@mutant("DET-005", "DET-003", "LEASE-012")
+def never_says_what_ended_a_session() -> None:
+    """A person cannot tell a crash of the policy from a stop of the run."""
+    right = Run.record_end
+
+    def wrong(self: Run, session: Session, ended_by: SessionEnd) -> None:
+        right(self, session, ended_by)
+        if ended_by != "run_failed":
+            self.ended[session.session_id] = session.ended_by = "unknown"
+
+    put(Run, "record_end", wrong)

@@ -10,6 +10,7 @@ from typing import Any
 from reference_server.rules import action_space, effects, lifecycle
 from reference_server.rules.lifecycle import (
     GUARDS,
+    Heartbeat,
     Predict,
     Refuse,
     Replay,
@@ -46,7 +47,17 @@ def change_turn(change: Any) -> None:
     put(turn_view, "turn_view", wrong)
 
 
-@mutant("FAULT-011", "PRED-002", "PRED-003", "PRED-005", "PRED-010")
+@mutant(
+    "FAULT-011",
+    "LEASE-002",
+    "PRED-002",
+    "PRED-003",
+    "PRED-005",
+    "PRED-010",
+    "PRED-025",
+    "PRED-026",
+    "PRED-027",
+)
 def executes_a_repeated_turn_again() -> None:
     """A lost answer makes the robot execute a chunk twice."""
 
@@ -64,7 +75,7 @@ def executes_a_repeated_turn_again() -> None:
     )
 
 
-@mutant("PRED-003")
+@mutant("PRED-003", "PRED-025", "PRED-026", "PRED-027")
 def answers_another_body_under_the_same_seq() -> None:
     """The client believes its new actions were executed; the old ones were."""
 
@@ -77,13 +88,13 @@ def answers_another_body_under_the_same_seq() -> None:
     replace_guard(lifecycle._repeated_seq, wrong)
 
 
-@mutant("PRED-004")
+@mutant("ATT-019", "PRED-004", "PRED-027")
 def accepts_a_seq_from_the_future() -> None:
     """A client with a wrong seq gets no error."""
     replace_guard(lifecycle._expected_seq, no_guard)
 
 
-@mutant("PRED-004")
+@mutant("ATT-019", "PRED-004", "PRED-027")
 def names_the_wrong_expected_seq() -> None:
     """A client cannot resynchronise its seq."""
     right = lifecycle._expected_seq
@@ -240,6 +251,86 @@ def uses_up_the_seq_of_a_refused_turn() -> None:
     replace_guard(right, wrong)
 
 
+@mutant("PRED-002")
+def forgets_a_turn_after_a_heartbeat() -> None:
+    """A client that sends heartbeats cannot repeat a turn whose answer was lost."""
+    right = SessionExecutor.heartbeat
+
+    def wrong(self: SessionExecutor, run: Run, command: Heartbeat) -> Session:
+        session = right(self, run, command)
+        session.request = None
+        return session
+
+    put(SessionExecutor, "heartbeat", wrong)
+
+
+@mutant("PRED-003")
+def compares_the_first_action_of_a_repeat() -> None:
+    """The client believes the rest of its new chunk was executed."""
+    right = lifecycle._repeated_seq
+
+    def wrong(run: Run, command: Predict, now: float) -> Verdict | None:
+        sent = run.workers[command.worker_id].request
+        if sent is not None and len(sent[0]) == len(command.actions):
+            command = replace(command, actions=[command.actions[0], *sent[0][1:]])
+        return right(run, command, now)
+
+    replace_guard(right, wrong)
+
+
+@mutant("PRED-025")
+def compares_repeats_as_text() -> None:
+    """A client whose library sorts members differently cannot repeat a turn."""
+    right = lifecycle._repeated_seq
+
+    def wrong(run: Run, command: Predict, now: float) -> Verdict | None:
+        session = run.workers[command.worker_id]
+        is_same = session.request is not None and repr(session.request[0]) == repr(
+            command.actions
+        )
+        if command.seq == session.seq > 0 and not is_same:
+            return Refuse("seq_conflict", "Another text.")
+        return right(run, command, now)
+
+    replace_guard(right, wrong)
+
+
+@mutant("PRED-026")
+def answers_another_body_during_a_turn() -> None:
+    """The client believes its new actions were executed; the old ones were."""
+    right = lifecycle._repeated_seq
+
+    def wrong(run: Run, command: Predict, now: float) -> Verdict | None:
+        session = run.workers[command.worker_id]
+        if session.busy and command.seq == session.seq:
+            late.add((session.session_id, session.seq))
+            return Wait(session)
+        if (session.session_id, command.seq) in late and command.seq == session.seq:
+            return Replay(session)
+        return right(run, command, now)
+
+    late: set[tuple[str, int]] = set()
+    replace_guard(right, wrong)
+
+
+@mutant("PRED-027")
+def says_no_episode_before_it_looks_at_seq() -> None:
+    """A client cannot learn that its last turn was another one."""
+    guards = list(GUARDS[Predict])
+    guards.remove(lifecycle._has_an_episode)
+
+    def wrong(run: Run, command: Predict, now: float) -> Verdict | None:
+        session = run.workers[command.worker_id]
+        is_repeat = (command.seq, command.actions) == (
+            session.seq,
+            session.request and session.request[0],
+        )
+        return None if is_repeat else lifecycle._has_an_episode(run, command, now)
+
+    guards.insert(guards.index(lifecycle._repeated_seq), wrong)
+    GUARDS[Predict] = tuple(guards)
+
+
 @mutant("PRED-007")
 def never_says_that_it_stopped_early() -> None:
     """A client believes that its whole chunk was executed."""
@@ -258,7 +349,7 @@ def never_says_done() -> None:
     change_turn(lambda body, _: body.update(done=False))
 
 
-@mutant("PRED-010", "PRED-011")
+@mutant("LEASE-002", "PRED-010", "PRED-011", "PRED-027")
 def forgets_the_session_with_its_last_turn() -> None:
     """After a lost last answer a client cannot learn how the run ended."""
     right = effects.store_answer

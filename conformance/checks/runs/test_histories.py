@@ -14,6 +14,8 @@ from conformance.checks.support.modelled_run import (
     REPEAT_CHANGED,
     RESTART,
     SKIPPED_SEQ,
+    SLOW_STEPS,
+    STEPS,
     TAKEOVER,
     ClientCommand,
     ModelClient,
@@ -97,7 +99,9 @@ OPENINGS = [
 
 def concurrent_commands() -> st.SearchStrategy[list[ClientCommand]]:
     """Draw the commands of one client that runs concurrently with others."""
-    return st.lists(commands(1, "aaaaab", CONCURRENT_KINDS), min_size=1, max_size=2)
+    steps = [*STEPS, *SLOW_STEPS]
+    command = commands(1, "aaaaab", CONCURRENT_KINDS, steps)
+    return st.lists(command, min_size=1, max_size=2)
 
 
 def format_history(history: list[TimedExchange]) -> str:
@@ -113,15 +117,15 @@ def format_history(history: list[TimedExchange]) -> str:
 
 @requirement("MODEL-002")
 def test_model_002_concurrent_requests(context: CheckContext) -> None:
-    """Three clients with the same session send generated requests concurrently: turns
-    and repeats, attaches, takeovers, detaches, stops and resumes.
+    """Three clients with the same session send generated requests concurrently: turns,
+    slow ones too, repeats, attaches, takeovers, detaches, stops and resumes.
 
     Expect responses, and then a run and episodes, that some order of them explains.
     """
 
     def check_property(plan: tuple[list[str], list[list[ClientCommand]]]) -> None:
         opening, threads = plan
-        modelled_run = ModelledRun(context, clients=1)
+        modelled_run = ModelledRun(context, clients=1, task="delay")
         for kind in opening:
             modelled_run.execute(
                 ClientCommand(0, kind, "a", (Step(0.5),) if kind == NEXT_SEQ else ())

@@ -46,6 +46,8 @@ STEPS = [
     Step(1.0, success=1, end=1),
     Step(0.75, end=1),
 ]
+# In the middle of these another request arrives; the task `delay` executes them.
+SLOW_STEPS = [Step(0.25, delay_s=0.04), Step(1.0, success=1, end=1, delay_s=0.04)]
 ATTACH, ATTACH_AGAIN, TAKEOVER = "attach", "attach again", "take over"
 NEXT_SEQ, REPEAT, REPEAT_CHANGED, SKIPPED_SEQ, OLD_SEQ = (
     "next",
@@ -72,16 +74,17 @@ class ClientCommand:
         """Write it as the report shows it."""
         whose = f" {self.worker}" if self.worker else ""
         steps = "".join(
-            f" {s.score:g}{'+' * s.success}{'.' * s.end}" for s in self.steps
+            f" {s.score:g}{'+' * s.success}{'.' * s.end}{'~' * (s.delay_s > 0)}"
+            for s in self.steps
         )
         return f"<client {self.client}: {self.kind}{whose}{steps}>"
 
 
 def commands(
-    clients: int, workers: str, kinds: list[str]
+    clients: int, workers: str, kinds: list[str], steps: list[Step] = STEPS
 ) -> st.SearchStrategy[ClientCommand]:
     """Draw a command; kinds that stand twice are drawn twice as often."""
-    chunk = st.lists(st.sampled_from(STEPS), min_size=1, max_size=3).map(tuple)
+    chunk = st.lists(st.sampled_from(steps), min_size=1, max_size=3).map(tuple)
     return st.builds(
         lambda client, kind, worker, steps: ClientCommand(
             client,
@@ -164,11 +167,13 @@ class ModelClient:
 class ModelledRun:
     """A new run, its clients, and the states that the model allows so far."""
 
-    def __init__(self, context: CheckContext, clients: int) -> None:
+    def __init__(
+        self, context: CheckContext, clients: int, task: str = "score"
+    ) -> None:
         workers = min(MAX_WORKERS, context.limits["max_workers"])
         self.context = context
         self.run = context.submit(
-            *["score"] * EPISODES,
+            *[task] * EPISODES,
             max_steps=MAX_STEPS,
             max_attempts=MAX_ATTEMPTS,
             max_workers=workers,
@@ -178,6 +183,7 @@ class ModelledRun:
             max_workers=workers,
             max_steps=MAX_STEPS,
             max_attempts=MAX_ATTEMPTS,
+            scores_success=task != "score",
         )
         self.models: PossibleRuns = frozenset(
             {RunModel("ready", (EpisodeModel(),) * EPISODES)}

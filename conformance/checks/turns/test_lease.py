@@ -5,48 +5,50 @@ inside or outside a lease, whatever the network delay; if the kit was late, the 
 repeated, at most three times.
 """
 
-import functools
 import time
+import uuid
 from collections.abc import Callable
+from datetime import datetime, timedelta
+from functools import partial
+from typing import Any
 
-from conformance.checks.support.given_states import require_duration
+from conformance.checks.support.given_states import (
+    count,
+    index_of,
+    require_duration,
+    require_not_state_refusal,
+)
+from conformance.checks.support.late_retries import retry_when_late
 from conformance.client.check_context import CheckContext
+from conformance.client.request_context import RequestContext
 from conformance.client.run_client import WorkerClient
 from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
-from conformance.verdicts.expect import Inconclusive
+from conformance.verdicts.expect import Inconclusive, SetUpFailed
 
-Check = Callable[[CheckContext], None]
-TRIES = 3
-
-
-def retry_when_late(check: Check) -> Check:
-    """Repeat a check when the kit was late."""
-
-    @functools.wraps(check)
-    def retried(context: CheckContext) -> None:
-        for _ in range(TRIES - 1):
-            try:
-                return check(context)
-            except Inconclusive:
-                continue
-        return check(context)
-
-    return retried
+CLOCK_ERROR_S = 1.0
+LONG_TURN_S = 3.0
+NOTICE_S = 5
 
 
 def lease_of(context: CheckContext) -> float:
-    """Give the shortest lease that the server allows and the network delay permits."""
+    """Give a short lease, of which a request can surely use nine tenths."""
     shortest: float = context.limits["idle_timeout_s_min"]
-    return max(1.0, shortest, 4 * context.tolerance_s)
+    return max(2.0, shortest, 8 * context.tolerance_s)
 
 
-def attach_with_lease(context: CheckContext) -> tuple[WorkerClient, Answer]:
+def attach_with_lease(
+    context: CheckContext, *tasks: str, **options: Any
+) -> tuple[WorkerClient, Answer]:
     """Attach a worker with a short lease; give the answer that started it."""
-    worker = context.submit("count", idle_timeout_s=lease_of(context)).worker()
-    answer = worker.try_attach()
-    worker.session_id = expect.require(answer, 200, "attach_worker")["session_id"]
+    lease_s = lease_of(context)
+    run = context.submit(*(tasks or ("count",)), idle_timeout_s=lease_s, **options)
+    worker = run.worker()
+    worker.attach_key = uuid.uuid4().hex
+    answer = worker.try_attach(attach_key=worker.attach_key)
+    worker.turn = expect.require(answer, 200, "attach_worker")
+    worker.session_id = worker.turn["session_id"]
     return worker, answer
 
 
@@ -54,6 +56,15 @@ def try_next_predict(worker: WorkerClient) -> Answer:
     """Play one action under the next seq; the answer is raw."""
     answer = worker.try_predict(worker.run.context.action())
     worker.seq += answer.status == 200
+    return answer
+
+
+def play_turn(worker: WorkerClient) -> Answer:
+    """Play one action inside the lease, as set-up."""
+    answer = try_next_predict(worker)
+    if answer.code == "session_ended":
+        raise Inconclusive("a turn of the kit came too late to be inside the lease")
+    expect.require(answer, 200, "predict")
     return answer
 
 
@@ -65,6 +76,21 @@ def sleep_until(moment: float) -> None:
 def sleep_past(answer: Answer, context: CheckContext) -> None:
     """Sleep until the lease that an answer started is surely over."""
     sleep_until(answer.ended_at + lease_of(context) + context.tolerance_s)
+
+
+def sleep_nearly_through(answer: Answer, context: CheckContext) -> None:
+    """Sleep until the lease that an answer started is nearly, surely not yet over."""
+    margin_s = 0.1 + context.tolerance_s / 2
+    sleep_until(answer.started_at + lease_of(context) - margin_s)
+
+
+def expect_inside_lease(
+    probe: Answer, lease_began: Answer, context: CheckContext
+) -> None:
+    """Expect a request near the end of a lease to be accepted."""
+    if probe.status != 200:
+        require_inside_lease(probe, lease_began, context)
+    expect.ok(probe)
 
 
 def require_inside_lease(
@@ -82,14 +108,14 @@ def require_ended_session(worker: WorkerClient) -> None:
 
 @requirement("LEASE-001")
 @background
+@retry_when_late
 def test_lease_001_session_ends(context: CheckContext) -> None:
     """A worker plays a turn and then sends nothing for longer than its lease.
 
     Expect `session_ended` for its next predict and its next heartbeat.
     """
     worker, _ = attach_with_lease(context)
-    turn = try_next_predict(worker)
-    expect.require(turn, 200, "predict")
+    turn = play_turn(worker)
     sleep_past(turn, context)
     expect.refused(try_next_predict(worker), "session_ended")
     expect.refused(worker.try_heartbeat(), "session_ended")
@@ -99,18 +125,21 @@ def test_lease_001_session_ends(context: CheckContext) -> None:
 @background
 @retry_when_late
 def test_lease_002_session_lives_for_its_lease(context: CheckContext) -> None:
-    """A worker sends nothing for nearly its whole lease, another one for all of it.
+    """A worker sends nothing for nearly its whole lease, and so does one whose run is
+    completed; another one is silent for all of it.
 
-    Expect the turn of the first to be accepted.
+    Expect the turn of the first and the repeat of the second to be accepted.
     """
     silent, silent_began = attach_with_lease(context)
+    finished, _ = attach_with_lease(context)
+    end = context.action(end=1)
+    last = finished.try_predict(end)
+    expect.require(last, 200, "the last turn")
     worker, began = attach_with_lease(context)
-    margin_s = 0.1 + context.tolerance_s / 2
-    sleep_until(began.started_at + lease_of(context) - margin_s)
-    probe = try_next_predict(worker)
-    if probe.status != 200:
-        require_inside_lease(probe, began, context)
-    expect.ok(probe)
+    sleep_nearly_through(last, context)
+    expect_inside_lease(finished.try_predict(end, seq=1), last, context)
+    sleep_nearly_through(began, context)
+    expect_inside_lease(try_next_predict(worker), began, context)
     sleep_past(silent_began, context)
     require_ended_session(silent)
 
@@ -118,19 +147,15 @@ def test_lease_002_session_lives_for_its_lease(context: CheckContext) -> None:
 def expect_lease_extension(
     context: CheckContext, extend: Callable[[WorkerClient], Answer]
 ) -> None:
-    """Expect a request to extend the lease by its full length, and by no more."""
+    """Expect requests to extend the lease by its full length, and by no more."""
     silent, _ = attach_with_lease(context)
-    worker, began = attach_with_lease(context)
-    sleep_until(began.started_at + 0.6 * lease_of(context))
-    extension = extend(worker)
-    require_inside_lease(extension, began, context)
-    expect.require(extension, 200, "the request that extends the lease")
-    sleep_past(began, context)
-    probe = extend(worker)
-    if probe.status != 200:
-        require_inside_lease(probe, extension, context)
-    expect.ok(probe)
-    sleep_past(probe, context)
+    worker, last = attach_with_lease(context)
+    for _ in range(3):
+        sleep_nearly_through(last, context)
+        answer = extend(worker)
+        expect_inside_lease(answer, last, context)
+        last = answer
+    sleep_past(last, context)
     require_ended_session(silent)
     expect.refused(extend(worker), "session_ended")
 
@@ -139,9 +164,9 @@ def expect_lease_extension(
 @background
 @retry_when_late
 def test_lease_003_heartbeat_extends(context: CheckContext) -> None:
-    """A worker sends a heartbeat, then another when its first lease is over.
+    """A worker sends three heartbeats, each when its lease is nearly over.
 
-    Expect the second accepted, and the session ended one lease after it.
+    Expect them accepted, and the session ended one lease after the last.
     """
     expect_lease_extension(context, WorkerClient.try_heartbeat)
 
@@ -150,9 +175,9 @@ def test_lease_003_heartbeat_extends(context: CheckContext) -> None:
 @background
 @retry_when_late
 def test_lease_004_predict_extends(context: CheckContext) -> None:
-    """A worker plays a turn, then another when the lease of its attach is over.
+    """A worker plays three turns, each when its lease is nearly over.
 
-    Expect the second accepted, and the session ended one lease after it.
+    Expect them accepted, and the session ended one lease after the last.
     """
     expect_lease_extension(context, try_next_predict)
 
@@ -161,40 +186,58 @@ def test_lease_004_predict_extends(context: CheckContext) -> None:
 @background
 @retry_when_late
 def test_lease_005_execution_does_not_count(context: CheckContext) -> None:
-    """A turn takes half a lease longer than the lease; the next follows at once.
+    """A turn takes half a lease longer than the lease; a heartbeat comes when the lease
+    would be over, and the next turn at once.
 
-    Expect the next one to be accepted.
+    Expect both to be accepted.
     """
     lease_s = lease_of(context)
-    worker = context.submit("delay", idle_timeout_s=lease_s, max_steps=100).worker()
-    worker.attach()
+    worker, _ = attach_with_lease(context, "delay", max_steps=100)
     steps = int(1.5 * lease_s / 5) + 1
     long = [context.action(delay_s=1.5 * lease_s / steps)] * steps
-    turn = worker.try_predict(*long, timeout_s=30 + 2 * lease_s)
+
+    def send_heartbeat() -> Answer:
+        time.sleep(1.25 * lease_s)
+        return worker.try_heartbeat()
+
+    turn, heartbeat = context.call_concurrently(
+        lambda: worker.try_predict(*long, timeout_s=30 + 2 * lease_s), send_heartbeat
+    )
     expect.ok(turn)
     require_duration(turn, 1.5 * lease_s)
     worker.seq += 1
     probe = worker.try_predict(context.action())
-    if probe.status != 200 and probe.ended_at - turn.ended_at > lease_s / 2:
+    late_s = max(probe.ended_at, heartbeat.ended_at) - turn.ended_at
+    if late_s > lease_s / 2 and not probe.status == heartbeat.status == 200:
         raise Inconclusive("the turn after the long one came late")
     expect.ok(probe)
+    expect.ok(heartbeat)
 
 
 @requirement("LEASE-006")
 @background
 def test_lease_006_end_of_lease_frees_the_slot(context: CheckContext) -> None:
-    """The worker in the only slot of a run stops sending requests.
+    """The worker in the last slot of a run stops sending requests; another worker, if
+    the server allows one, is in a turn meanwhile.
 
-    Expect another worker to attach when the lease has ended.
+    Expect a third to attach when the lease has ended.
     """
-    lease_s = lease_of(context)
-    run = context.submit("score", "score", max_workers=1, idle_timeout_s=lease_s)
-    silent, waiting = run.worker(), run.worker()
-    began = silent.try_attach()
-    silent.session_id = expect.require(began, 200, "attach_worker")["session_id"]
+    slots = min(2, context.limits["max_workers"])
+    silent, began = attach_with_lease(context, *["delay"] * 3, max_workers=slots)
+    waiting, *others = [silent.run.worker() for _ in range(slots)]
+    for busy in others:
+        busy.attach()
     expect.require(waiting.try_attach(), 429, "attaching to a full run")
-    sleep_past(began, context)
-    answer = waiting.try_attach()
+
+    def attach_after_the_lease() -> Answer:
+        sleep_past(began, context)
+        return waiting.try_attach()
+
+    steps = int((lease_of(context) + 2) / 2.5) + 1
+    long = partial(WorkerClient.try_predict, timeout_s=30 + 2.5 * steps)
+    chunk = [context.action(delay_s=2.5)] * steps
+    turns = [partial(long, busy, *chunk) for busy in others]
+    answer = context.call_concurrently(attach_after_the_lease, *turns)[0]
     require_ended_session(silent)
     expect.ok(answer)
 
@@ -203,20 +246,221 @@ def test_lease_006_end_of_lease_frees_the_slot(context: CheckContext) -> None:
 @background
 @retry_when_late
 def test_lease_008_refusals_do_not_extend(context: CheckContext) -> None:
-    """A worker attaches; all its later requests are refused.
+    """A worker plays a turn; all that follows is refused: a wrong seq, another body, a
+    bad action, its worker attached by others, the session that it took over.
 
-    Expect the session ended one lease after the attach.
+    Expect the session ended one lease after the turn.
     """
     silent, _ = attach_with_lease(context)
-    worker, began = attach_with_lease(context)
-    sleep_until(began.started_at + 0.6 * lease_of(context))
-    action, bad = context.action(), context.action(vector=[])
-    expect.require(worker.try_predict(action, seq=7), 409, "a wrong seq")
-    last = worker.try_predict(bad)
-    expect.require(last, 422, "a bad action")
-    sleep_past(began, context)
+    old, _ = attach_with_lease(context)
+    worker = old.run.worker(old.id)
+    worker.attach(takeover=True)
+    action, other = context.action(), context.action(score=0.5)
+    turn = play_turn(worker)
+    sleep_until(turn.started_at + 0.6 * lease_of(context))
+    refused = [
+        worker.try_predict(action, seq=7),
+        worker.try_predict(other, seq=1),
+        worker.try_predict(context.action(vector=[])),
+        worker.try_attach(),
+        worker.try_attach(takeover=True, assumes={"control_rate_hz": 20}),
+        worker.try_heartbeat(session_id="unknown"),
+        old.try_predict(action),
+        old.try_heartbeat(),
+        old.try_detach(),
+    ]
+    if refused[-1].ended_at > turn.started_at + lease_of(context):
+        raise Inconclusive("a request of the kit came too late to be inside the lease")
+    if not all(400 <= answer.status < 500 for answer in refused):
+        raise SetUpFailed("a wrong request was accepted")
+    sleep_past(turn, context)
     probe = worker.try_predict(action)
-    if probe.status != 200:
-        require_inside_lease(probe, last, context)
     require_ended_session(silent)
     expect.refused(probe, "session_ended")
+
+
+def server_time(context: RequestContext) -> datetime:
+    """Read the server's clock."""
+    service = expect.require(context.call("describe_service"), 200, "describe_service")
+    return datetime.fromisoformat(service["server_time"])
+
+
+def expect_full_lease(
+    worker: WorkerClient,
+    send: Callable[[], Answer],
+    lease_s: float,
+    executed_s: float = 0,
+) -> None:
+    """Expect an answer whose lease begins with it, by the server's clock."""
+    context = worker.run.context
+    began = server_time(context)
+    body = expect.ok(require_not_state_refusal(send()))
+    ended = server_time(context)
+    lease = body.get("lease", body)
+    expect.equal(lease["idle_timeout_s"], lease_s, "idle_timeout_s")
+    earliest = began + timedelta(seconds=executed_s + lease_s - CLOCK_ERROR_S)
+    latest = ended + timedelta(seconds=lease_s + CLOCK_ERROR_S)
+    expires_at = datetime.fromisoformat(lease["expires_at"])
+    what = f"expires_at from {earliest.isoformat()} to {latest.isoformat()}"
+    expect.true(earliest <= expires_at <= latest, what, lease["expires_at"])
+    worker.session_id = body.get("session_id", worker.session_id)
+    worker.seq = body.get("seq", worker.seq)
+
+
+@requirement("LEASE-009")
+@background
+def test_lease_009_answers_show_the_whole_lease(context: CheckContext) -> None:
+    """A worker attaches, plays turns (one with a fault, one of some seconds, two that
+    end episodes), takes over, and sends a heartbeat, with a pause before each.
+
+    Expect the lease of each answer to be that of the run, and to begin with the answer.
+    """
+    shortest, longest = (context.limits[f"idle_timeout_s_{m}"] for m in ("min", "max"))
+    lease_s = min(longest, max(shortest, 61.5))
+    pause_s = min(2.1 * CLOCK_ERROR_S, lease_s / 3)
+    run = context.submit("fault", "delay", idle_timeout_s=lease_s, max_steps=100)
+    worker = run.worker()
+
+    def play(**values: float) -> Callable[[], Answer]:
+        return partial(worker.try_predict, context.action(**values))
+
+    expect_full_lease(worker, worker.try_attach, lease_s)
+    for send in (play(), play(), play(fault=1), play(end=1)):
+        time.sleep(pause_s)
+        expect_full_lease(worker, send, lease_s)
+    expect_full_lease(worker, play(delay_s=LONG_TURN_S), lease_s, LONG_TURN_S)
+    take_over = partial(worker.try_attach, takeover=True)
+    for send in (take_over, worker.try_heartbeat, play(end=1)):
+        time.sleep(pause_s)
+        expect_full_lease(worker, send, lease_s)
+
+
+@requirement("LEASE-010")
+@background
+@retry_when_late
+def test_lease_010_repeats_extend(context: CheckContext) -> None:
+    """A worker repeats its attach, and another one its turn, twice, each time when the
+    lease of the answer before is nearly over.
+
+    Expect the repeats answered, and the sessions ended one lease after the last.
+    """
+    silent, _ = attach_with_lease(context)
+    action = context.action()
+    attached, attach = attach_with_lease(context)
+    played, _ = attach_with_lease(context)
+    turn = played.try_predict(action)
+    expect.require(turn, 200, "predict")
+    for _ in range(2):
+        sleep_nearly_through(attach, context)
+        again = attached.try_attach(attach_key=attached.attach_key)
+        expect_inside_lease(again, attach, context)
+        sleep_nearly_through(turn, context)
+        repeat = played.try_predict(action, seq=1)
+        expect_inside_lease(repeat, turn, context)
+        attach, turn = again, repeat
+    sleep_past(turn, context)
+    require_ended_session(silent)
+    expect.refused(attached.try_heartbeat(), "session_ended")
+    expect.refused(played.try_predict(action, seq=1), "session_ended")
+
+
+@requirement("LEASE-011")
+@background
+@retry_when_late
+def test_lease_011_end_of_lease_is_shown(context: CheckContext) -> None:
+    """A worker plays a turn and falls silent while `get_run` waits for a change.
+
+    Expect the wait to end with the lease, in a run that is `ready` with the episode
+    pending; no worker has sent anything.
+    """
+    worker, _ = attach_with_lease(context)
+    turn = play_turn(worker)
+    run, lease_s = worker.run, lease_of(context)
+    wait_s = min(context.limits["wait_s_max"], int(lease_s) + NOTICE_S + 5)
+    until = turn.ended_at + lease_s + NOTICE_S
+    read = run.call("get_run")
+    while expect.require(read, 200, "get_run")["state"] == "running":
+        headers = {"If-None-Match": read.headers["etag"], "Prefer": f"wait={wait_s}"}
+        waited = run.call("get_run", headers=headers, timeout_s=wait_s + 30)
+        is_late = waited.ended_at > until
+        expect.true(not is_late, "a change with the end of the lease", waited.status)
+        read = waited if waited.status == 200 else read
+        time.sleep(0.05)  # where the wait ends for another reason
+    shown = expect.ok(read)
+    expect.equal(shown["state"], "ready", "state")
+    expect.equal(shown["live_workers"], 0, "live_workers")
+    expect.equal(shown["progress"]["episodes_in_progress"], 0, "episodes in progress")
+    episode = run.episodes()[index_of(worker)]
+    expect.equal(episode["status"], "pending", "status of the episode")
+
+
+# Tasks, max_attempts, played steps, drained → state, status and attempt.
+LEASE_ENDS: list[tuple[int, int, int, bool, str, str, int]] = [
+    (2, 1, 0, False, "ready", "pending", 1),
+    (1, 3, 2, False, "ready", "pending", 2),
+    (2, 1, 1, False, "ready", "scored", 1),
+    (1, 1, 1, False, "completed", "scored", 1),
+    (2, 3, 1, True, "stopped", "pending", 2),
+]
+
+
+def expect_others_unaffected(context: CheckContext) -> None:
+    """Expect a worker to live on when the lease of one that is done ends."""
+    if context.limits["max_workers"] < 2:
+        return
+    done, _ = attach_with_lease(context, "score", "score")
+    other = done.run.worker("other")
+    other.attach()
+    last = done.try_predict(context.action(end=1))
+    if not expect.require(last, 200, "predict")["done"]:
+        raise SetUpFailed("the turn after the last episode is not `done`; see PRED-009")
+    sleep_until(last.started_at + 0.6 * lease_of(context))
+    other.try_heartbeat()
+    began = play_turn(other)
+    sleep_past(last, context)
+    run = done.run.get()
+    expect_inside_lease(try_next_predict(other), began, context)
+    expect.equal(run["state"], "running", "state beside a session that plays")
+
+
+@requirement("LEASE-012")
+@background
+@retry_when_late
+def test_lease_012_end_of_lease_closes_the_attempt(context: CheckContext) -> None:
+    """Five workers fall silent: before the first action, after some, in the last
+    attempt (with and without an episode left), and in a drain.
+
+    Expect the attempts closed, `abandoned` after the last, and `lease_ended` named; a
+    session that is done ends without a change of its run.
+    """
+    ended: list[WorkerClient] = []
+    for tasks, max_attempts, steps, is_drained, *_ in LEASE_ENDS:
+        options = {"max_attempts": max_attempts}
+        worker, last = attach_with_lease(context, *["count"] * tasks, **options)
+        for _ in range(steps):
+            last = play_turn(worker)
+        if is_drained and worker.run.stop("drain")["state"] != "stopping":
+            raise Inconclusive("no session was left for the drain to wait for")
+        ended.append(worker)
+    expect_others_unaffected(context)
+    sleep_past(last, context)
+    for worker, (*_, state, status, attempt) in zip(ended, LEASE_ENDS, strict=True):
+        what = f"the end of a lease that leaves `{state}` and `{status}`"
+        run = worker.run.get()
+        episode = worker.run.episodes()[index_of(worker)]
+        shown = [run["state"], episode["status"], episode["attempt"]]
+        expect.equal(shown, [state, status, attempt], what)
+        outcome = episode.get("result", {}).get("outcome")
+        expect.equal(outcome, "abandoned" if status == "scored" else None, "outcome")
+        refused = worker.try_predict(context.action(), seq=worker.seq or 1)
+        expect.refused(refused, "session_ended", ended_by="lease_ended")
+    expect_attempt(ended[1], ended[1].attach_key, 2)
+
+
+def expect_attempt(worker: WorkerClient, attach_key: str, attempt: int) -> None:
+    """Expect a repeated attach, if it is accepted, to open the next attempt."""
+    answer = worker.try_attach(attach_key=attach_key)
+    turn = expect.ok(answer if answer.status == 200 else worker.try_attach())
+    expect.true(turn["session_id"] != worker.session_id, "another session", turn)
+    expect.equal(turn["episode"]["attempt"], attempt, "attempt of the turn")
+    expect.equal(count(turn), [0], "count in the turn")

@@ -1,6 +1,7 @@
 """Exactly once: repeated and out-of-order turns, refused chunks (PRED)."""
 
 import math
+import time
 from typing import Any
 
 from conformance.checks.support.given_states import (
@@ -10,8 +11,10 @@ from conformance.checks.support.given_states import (
     require_not_seq_refusal,
     submit_and_attach,
 )
+from conformance.checks.support.late_retries import long_turn_s, retry_when_late
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
+from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, NotApplicable, SetUpFailed
@@ -19,44 +22,63 @@ from conformance.verdicts.expect import Inconclusive, NotApplicable, SetUpFailed
 
 @requirement("PRED-002")
 def test_pred_002_can_repeat_a_turn(context: CheckContext) -> None:
-    """The response to a turn was lost twice: during an episode, and at its end.
+    """The response to a turn was lost three times: during an episode, and at its end.
 
-    Expect the stored response each time, and nothing executed.
+    Between the repeats come a heartbeat, a refused turn, a repeated attach, and turns
+    of another worker. Expect the stored response each time, and nothing executed.
     """
-    worker = submit_and_attach(context, "count", "count")
+    run = context.submit("count", "count", "count")
+    worker, *others = attach_workers(run, min(2, context.limits["max_workers"]))
     for action in (context.action(), context.action(end=1)):
         turn = worker.predict(action, action)
-        for _ in range(2):
+        for disturb in (
+            worker.heartbeat,
+            lambda: worker.try_predict(context.action(), seq=9),
+            lambda: [other.predict(context.action()) for other in others],
+            lambda: worker.try_attach(attach_key=worker.attach_key),
+        ):
             again = expect.ok(worker.try_predict(action, action, seq=worker.seq))
             expect.equal(again, turn, "the repeated turn")
+            disturb()
     expect.equal(count(worker.predict(context.action())), [1], "count in episode 2")
 
 
 @requirement("PRED-003")
 def test_pred_003_cannot_repeat_with_another_body(context: CheckContext) -> None:
-    """The last seq again with another action, another length, another `observe`.
+    """The last seq again with another first or last value, order, length or `observe`,
+    during an episode and after its end.
 
     Expect `seq_conflict` and nothing executed; the original body is accepted again.
     """
-    worker = submit_and_attach(context, "count")
-    action, other = context.action(), context.action(score=0.5)
-    worker.predict(action)
-    last = worker.seq
-    expect.refused(worker.try_predict(other, seq=last), "seq_conflict")
-    expect.refused(worker.try_predict(action, action, seq=last), "seq_conflict")
-    answer = worker.try_predict(action, seq=last, observe="all")
-    expect.refused(answer, "seq_conflict")
-    expect.require(worker.try_predict(action, seq=last), 200, "repeating the true body")
-    expect.equal(count(worker.predict(other)), [2], "count in the next turn")
+    worker = submit_and_attach(context, "count", "count")
+    first, second = context.action(), context.action(vector=[0.0] * 7 + [0.25])
+    changed = context.action(vector=[0.0] * 7 + [math.nextafter(0.25, 1)])
+    for chunk in ([first, second], [second, context.action(end=1)]):
+        worker.predict(*chunk)
+        for other in (
+            [context.action(score=1), *chunk[1:]],
+            [changed if action is second else action for action in chunk],
+            [chunk[0], context.action(success=1)],
+            chunk[::-1],
+            chunk[:1],
+            [*chunk, first],
+        ):
+            answer = worker.try_predict(*other, seq=worker.seq)
+            expect.refused(answer, "seq_conflict")
+        answer = worker.try_predict(*chunk, seq=worker.seq, observe="all")
+        expect.refused(answer, "seq_conflict")
+        again = worker.try_predict(*chunk, seq=worker.seq)
+        expect.require(again, 200, "repeating the true body")
+    expect.equal(count(worker.predict(first)), [1], "count in the next turn")
 
 
 @requirement("PRED-004")
 def test_pred_004_cannot_skip_or_go_back(context: CheckContext) -> None:
-    """A seq too high and, after some turns, too low.
+    """A seq too high and, after some turns, too low, also that of an ended episode.
 
     Expect `seq_out_of_order` with the next seq in `expected_seq`, and nothing executed.
     """
-    worker = submit_and_attach(context, "count")
+    worker = submit_and_attach(context, "count", "count")
     for wrong, following in (([2, 3, 2**53 - 1], 1), ([1, 2, 5, 6], 4)):
         for seq in wrong:
             answer = worker.try_predict(context.action(), seq=seq)
@@ -65,6 +87,13 @@ def test_pred_004_cannot_skip_or_go_back(context: CheckContext) -> None:
         expect.equal(count(turn), [following], "count in the next turn")
         worker.predict(context.action())
         worker.predict(context.action())
+    worker.predict(context.action(end=1))
+    worker.predict(context.action())
+    for seq in (1, worker.seq - 1, worker.seq + 2):
+        answer = worker.try_predict(context.action(), seq=seq)
+        expect.refused(answer, "seq_out_of_order", expected_seq=worker.seq + 1)
+    turn = worker.predict(context.action())
+    expect.equal(count(turn), [2], "count in the next episode")
 
 
 @requirement("PRED-005")
@@ -167,17 +196,22 @@ def test_pred_015_cannot_send_too_long_a_chunk(context: CheckContext) -> None:
     """One action more than `max_chunk`.
 
     Expect `invalid_request` pointing at `/actions`, and nothing executed; the longest
-    chunk is accepted.
+    chunk is executed completely.
     """
     longest = context.benchmark["max_chunk"]
-    worker = submit_and_attach(context, "count", max_steps=min(10000, longest + 2))
+    max_steps = min(10000, longest + 2)
+    worker = submit_and_attach(context, "count", max_steps=max_steps)
     chunk = [context.action()] * (longest + 1)
     answer = worker.try_predict(*chunk)
     if answer.code == "body_too_large":
         raise NotApplicable("a chunk longer than `max_chunk` is too large a body")
     expect.refused(answer, "invalid_request", pointer="/actions")
     expect_only_one_executed(worker, 0)
-    worker.predict(*chunk[1:])
+    turn = expect.ok(worker.try_predict(*chunk[1:]))
+    executed = min(longest, max_steps - 1)
+    expect.equal(
+        turn["executed_steps"], executed, "executed_steps of the longest"
+    )
 
 
 @requirement("PRED-016")
@@ -268,3 +302,88 @@ def test_pred_024_refusal_does_not_use_up_seq(context: CheckContext) -> None:
         worker.seq += 1
         expect.equal(turn["seq"], seq, "seq")
         expect.equal(count(turn), [seq], "count")
+
+
+def reversed_members(value: Any) -> Any:
+    """Give an equal value whose members stand in the opposite order."""
+    if isinstance(value, dict):
+        return {k: reversed_members(value[k]) for k in reversed(value)}
+    if isinstance(value, list):
+        return [reversed_members(item) for item in value]
+    return int(value) if isinstance(value, float) and value == int(value) else value
+
+
+@requirement("PRED-025")
+def test_pred_025_equal_values_are_the_same_body(context: CheckContext) -> None:
+    """A client that writes its members in another order, and 1.0 as 1, repeats a turn.
+
+    Expect the stored response; with another value, `seq_conflict`.
+    """
+    worker = submit_and_attach(context, "count")
+    action = context.action(vector=[1.0, 2.0, 0.5, -4.0, 1e3, 0.0, 0.0, 0.0], score=1.0)
+    body = {"session_id": worker.session_id, "seq": 1, "actions": [action, action]}
+    how = {"worker_id": worker.id}
+    turn = expect.require(worker.run.call("predict", json=body, **how), 200, "predict")
+    again = worker.run.call("predict", json=reversed_members(body), **how)
+    expect.equal(expect.ok(again), turn, "the repeated turn")
+    other = {**body, "actions": [action, context.action(score=1)]}
+    answer = worker.run.call("predict", json=reversed_members(other), **how)
+    expect.refused(answer, "seq_conflict")
+
+
+@requirement("PRED-026")
+@background
+@retry_when_late
+def test_pred_026_cannot_send_another_body_during_a_turn(context: CheckContext) -> None:
+    """A client sends another body under the same seq in the middle of a turn.
+
+    Expect one of the two executed, and `seq_conflict` for the other.
+    """
+    worker = submit_and_attach(context, "delay", max_steps=100)
+    turn_s = long_turn_s(context)
+    slow, quick = context.action(delay_s=turn_s), [context.action()] * 2
+
+    def send_later() -> Answer:
+        time.sleep(turn_s / 4)
+        return worker.try_predict(*quick)
+
+    answers: list[Answer] = context.call_concurrently(
+        lambda: worker.try_predict(slow), send_later
+    )
+    if answers[1].started_at >= answers[0].ended_at:
+        raise Inconclusive("the second body came after the turn")
+    refused, executed = sorted(answers, key=lambda answer: answer.status == 200)
+    expect.refused(refused, "seq_conflict")
+    steps = 1 if executed is answers[0] else 2
+    expect.equal(expect.ok(executed)["executed_steps"], steps, "executed_steps")
+    worker.seq += 1
+    step = worker.predict(context.action())["episode"]["step"]
+    expect.equal(step, steps + 1, "step after the next turn")
+
+
+@requirement("PRED-027")
+def test_pred_027_refusals_come_in_order(context: CheckContext) -> None:
+    """A session that is done sends a wrong seq, and another body under the last one; a
+    detached and a superseded session send wrong seqs.
+
+    Expect the refusal of the seq before `no_episode`, and that of the session before.
+    """
+    done = submit_and_attach(context, "score")
+    done.play()
+    action = context.action()
+    expect.require(done.try_predict(action), 409, "a turn after the last one")
+    for seq in (3, 2**53 - 1):
+        answer = done.try_predict(action, seq=seq)
+        expect.refused(answer, "seq_out_of_order", expected_seq=2)
+    expect.refused(done.try_predict(action, seq=1), "seq_conflict")
+    run = context.submit("count", "count")
+    old, new = run.worker("same"), run.worker("same")
+    old.attach()
+    old.predict(action)
+    new.attach(takeover=True)
+    for seq in (1, 2, 7):
+        answer = old.try_predict(action, action, seq=seq)
+        expect.refused(answer, "session_superseded")
+    new.detach()
+    for seq in (1, 2, 7):
+        expect.refused(new.try_predict(action, seq=seq), "session_ended")

@@ -154,6 +154,41 @@ def test_abort_ends_a_session_that_is_done() -> None:
     assert advance_all(draining, (LAST[0], refused("session_ended")))
 
 
+def limit_reached() -> AnswerSummary:
+    return AnswerSummary(429, "worker_limit", {"code": "worker_limit"})
+
+
+def test_a_session_that_is_done_holds_no_slot() -> None:
+    full = two_sessions()
+    assert advance_all(full, (Attach("c", "k3"), limit_reached()))
+    one_is_done = advance_all(full, LAST)
+    with pytest.raises(Deviation, match="ATT-012"):
+        advance_all(one_is_done, (Attach("c", "k3"), limit_reached()))
+
+
+def test_of_several_refusals_of_attach_any_is_allowed() -> None:
+    full = two_sessions()
+    for code in ("worker_busy", "worker_limit"):
+        answer = limit_reached() if code == "worker_limit" else refused(code)
+        assert advance_all(full, (Attach("a", "k3"), answer)) == full
+
+
+def test_a_repeated_attach_is_not_refused_in_a_drain() -> None:
+    draining = advance_all(two_sessions(), (Stop("drain"), OK))
+    assert advance_all(draining, attach_exchange()) == draining
+    illegal = refused("illegal_transition", state="stopping")
+    assert advance_all(draining, (Attach("a", "k3"), illegal)) == draining
+    with pytest.raises(Deviation, match="ATT-002"):
+        advance_all(draining, (Attach("a", "k1"), illegal))
+
+
+def test_an_episode_may_be_scored_by_its_success() -> None:
+    by_success = replace(RULES, scores_success=True)
+    models = advance_all(one_episode_run(), attach_exchange())
+    with pytest.raises(Deviation, match=r"episode_result\.score"):
+        advance(by_success, models, *LAST)
+
+
 # --- orders ---
 
 

@@ -1,0 +1,229 @@
+"""Sessions that are done, have ended, or belong to another worker (ATT, DET)."""
+
+import time
+from collections.abc import Callable
+from typing import Any
+
+from conformance.checks.support.given_states import (
+    attach_workers,
+    count,
+    fail_run,
+    index_of,
+    require_not_state_refusal,
+    require_worker_limit,
+    start_drain,
+    submit_and_attach,
+)
+from conformance.checks.support.late_retries import long_turn_s, retry_when_late
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient, WorkerClient
+from conformance.exchanges.answer import Answer
+from conformance.runner.requirement import background, requirement
+from conformance.verdicts import expect
+from conformance.verdicts.expect import Inconclusive, SetUpFailed
+
+SOON_S = 5.0
+
+
+def expect_state_soon(run: RunClient, state: str) -> None:
+    """Expect the run to reach a state without a request of a worker."""
+    deadline = time.monotonic() + SOON_S
+    while run.get()["state"] != state and time.monotonic() < deadline:
+        time.sleep(0.02)
+    expect.equal(run.body["state"], state, "state")
+
+
+def play_until_done(worker: WorkerClient) -> None:
+    """Play the episode after which none is left."""
+    if not worker.play()["done"]:
+        raise SetUpFailed("the turn after the last episode is not `done`; see PRED-009")
+
+
+@requirement("ATT-014")
+def test_att_014_done_session_holds_no_slot(context: CheckContext) -> None:
+    """`max_workers` is 2; of two workers one is done when a third attaches, and a
+    fourth when its episode was given back.
+
+    Expect both to attach.
+    """
+    require_worker_limit(context, 2)
+    run = context.submit("score", "score", max_workers=2)
+    first, second = attach_workers(run, 2)
+    play_until_done(first)
+    late = expect.ok(run.worker().try_attach())
+    expect.equal(late["done"], True, "done of the third")
+    second.detach()
+    turn = expect.ok(run.worker().try_attach())
+    expect.equal(turn["episode"]["index"], index_of(second), "episode of the fourth")
+
+
+@requirement("ATT-015")
+def test_att_015_no_run_waits_for_a_done_session(context: CheckContext) -> None:
+    """A session is done in a drain, and another one while its neighbour detaches.
+
+    Neither of them is detached. Expect the runs `stopped` and `ready`.
+    """
+    worker = submit_and_attach(context, "score", "score")
+    start_drain(worker.run)
+    play_until_done(worker)
+    expect_state_soon(worker.run, "stopped")
+    require_worker_limit(context, 2)
+    run = context.submit("score", "score")
+    first, second = attach_workers(run, 2)
+    play_until_done(first)
+    expect.equal(run.get()["state"], "running", "state with an episode in play")
+    second.detach()
+    expect_state_soon(run, "ready")
+
+
+def expect_another_session(worker: WorkerClient, answer: Answer) -> None:
+    """Expect an attach with a used key, if it is accepted, to open a session."""
+    if answer.status == 200:
+        session_id = expect.ok(answer)["session_id"]
+        expect.true(session_id != worker.session_id, "another session", session_id)
+
+
+@requirement("ATT-018")
+def test_att_018_key_names_one_session(context: CheckContext) -> None:
+    """The longest key; keys that differ in the last character, in case, in length; the
+    key under another worker, and after the end of the session.
+
+    Expect `worker_busy` for the different ones, and never the same session for the
+    others.
+    """
+    run = context.submit("count", "count", "count")
+    worker, key = run.worker("one"), "k" * 127 + "Z"
+    worker.attach(attach_key=key)
+    worker.predict(context.action())
+    for other in (key[:-1] + "z", key[:-1] + "Y", key[:-1], "K" + key[1:]):
+        answer = require_not_state_refusal(worker.try_attach(attach_key=other))
+        expect.refused(answer, "worker_busy")
+    again = expect.ok(worker.try_attach(attach_key=key))
+    expect.equal(again["session_id"], worker.session_id, "session_id of the repeat")
+    if context.limits["max_workers"] > 1:
+        expect_another_session(worker, run.worker("two").try_attach(attach_key=key))
+    worker.detach()
+    expect_another_session(worker, worker.try_attach(attach_key=key))
+
+
+def end_during_turn(
+    worker: WorkerClient, end: Callable[[WorkerClient], Answer]
+) -> Answer:
+    """End a session in the middle of a turn; give the answer to the turn."""
+    context = worker.run.context
+    turn_s = long_turn_s(context)
+
+    def end_later() -> Answer:
+        time.sleep(turn_s / 4)
+        return end(worker)
+
+    turn: Answer
+    turn, ended = context.call_concurrently(
+        lambda: worker.try_predict(context.action(delay_s=turn_s)), end_later
+    )
+    if ended.started_at >= turn.ended_at:
+        raise Inconclusive("the turn was over before the session was ended")
+    expect.true(ended.status in (200, 204), "the end accepted", ended.status)
+    return turn
+
+
+ENDS: dict[str, Callable[[WorkerClient], Answer]] = {
+    "detached": WorkerClient.try_detach,
+    "run_stopped": lambda worker: worker.run.call("stop_run", json={}),
+}
+
+
+@requirement("DET-003")
+@background
+@retry_when_late
+def test_det_003_session_ends_during_a_turn(context: CheckContext) -> None:
+    """A worker has played one action; its session is detached, or its run aborted, in
+    the middle of its next turn.
+
+    Expect the attempt closed and counted, and the session ended: its turn is refused
+    unless it was over by then, and so is its next request.
+    """
+    for ended_by, end in ENDS.items():
+        worker = submit_and_attach(context, "delay", "delay", max_steps=100)
+        worker.predict(context.action())
+        turn = end_during_turn(worker, end)
+        if turn.status != 200:
+            expect.refused(turn, "session_ended", ended_by=ended_by)
+        expect.equal(worker.run.get()["live_workers"], 0, "live_workers")
+        episode = worker.run.episodes()[index_of(worker)]
+        expect.equal(episode["status"], "pending", "status of the episode")
+        expect.equal(episode["attempt"], 2, "attempt of the episode")
+        refused = worker.try_predict(context.action(), seq=worker.seq + 2)
+        expect.refused(refused, "session_ended", ended_by=ended_by)
+
+
+def expect_no_effect(
+    worker: WorkerClient, session_id: str, runs: list[RunClient]
+) -> None:
+    """Expect the requests of a session that is not the worker's to do nothing."""
+    before = [run.snapshot() for run in runs]
+    action = worker.run.context.action()
+    for seq in (1, 2):
+        answer = worker.try_predict(action, seq=seq, session_id=session_id)
+        expect.true(400 <= answer.status < 500, "`predict` refused", answer.status)
+    answer = worker.try_heartbeat(session_id=session_id)
+    expect.true(400 <= answer.status < 500, "`heartbeat` refused", answer.status)
+    worker.try_detach(session_id=session_id)
+    expect.equal([run.snapshot() for run in runs], before, "the runs afterwards")
+
+
+@requirement("DET-004")
+def test_det_004_session_of_another_worker(context: CheckContext) -> None:
+    """The id of a session under another worker of its run (with and without a session),
+    under its worker in another run, with one letter more, and an id that never existed.
+
+    Expect nothing to happen to any session; under the right worker it plays on.
+    """
+    first, other = (submit_and_attach(context, "count", "count") for _ in range(2))
+    runs = [first.run, other.run]
+    for worker in (first, other):
+        worker.predict(context.action())
+    strangers = [first.run.worker("free"), other]
+    if context.limits["max_workers"] > 1:
+        strangers.append(first.run.worker("second"))
+        strangers[-1].attach()
+    for stranger in strangers:
+        expect_no_effect(stranger, first.session_id, runs)
+        expect_no_effect(stranger, "unknown-session", runs)
+    expect_no_effect(first, first.session_id + "0", runs)
+    for worker in (first, other):
+        turn = expect.ok(worker.try_predict(context.action()))
+        expect.equal(count(turn), [2], "count in the session's next turn")
+
+
+def end_by_failure(worker: WorkerClient) -> None:
+    """Fail the run of a worker by the simulator of another one."""
+    fail_run(worker.run)
+
+
+SESSION_ENDS: dict[str, tuple[Callable[[WorkerClient], Any], tuple[str, ...]]] = {
+    "detached": (WorkerClient.detach, ("count", "count")),
+    "run_stopped": (lambda worker: worker.run.stop(), ("count", "count")),
+    "run_failed": (end_by_failure, ("count", "fault")),
+}
+
+
+@requirement("DET-005")
+def test_det_005_says_what_ended_a_session(context: CheckContext) -> None:
+    """Sessions end by a detach, by an abort, and by a failure of their run.
+
+    Expect `session_ended` for heartbeat and predict, with what ended them; LEASE-012
+    looks at leases.
+    """
+    for ended_by, (end, tasks) in SESSION_ENDS.items():
+        if ended_by == "run_failed" and context.limits["max_workers"] < 2:
+            continue
+        worker = submit_and_attach(context, *tasks, max_faults=1)
+        worker.predict(context.action())
+        end(worker)
+        for answer in (
+            worker.try_heartbeat(),
+            worker.try_predict(context.action()),
+            worker.try_predict(context.action(), seq=worker.seq),
+        ):
+            expect.refused(answer, "session_ended", ended_by=ended_by)
