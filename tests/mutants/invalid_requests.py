@@ -229,7 +229,7 @@ def offers_another_calibration() -> None:
 @mutant("ENC-003")
 def reads_minus_zero_as_an_integer() -> None:
     """A sign is lost when a language writes whole numbers without a fraction."""
-    put(codec, "_parse_signed_zero", int)
+    put(codec, "_parse_integer", int)
 
 
 @mutant("ERR-003")

@@ -15,7 +15,7 @@ from conformance.checks.support.schema_breaches import (
     broken_bounds,
     missing_members,
 )
-from conformance.checks.support.submissions import submit
+from conformance.checks.support.submissions import submit, whole_submission
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
@@ -23,23 +23,6 @@ from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 
 ROOTS: list[Any] = [None, [], [{}], "text", "", 0, 1.5, True, False]
-
-
-def whole_submission(context: CheckContext) -> dict[str, Any]:
-    """Give a body of submit_run with every member that a pull run may have."""
-    benchmark = context.benchmark
-    policy = {"name": "kit", "version": "1", "submitter": "kit", "homepage": "none"}
-    options = {"tasks": ["score", "count"], "max_steps": 5, "success_rule": "last_step"}
-    options |= {"max_attempts": 2, "max_faults": 2, "queue_s": 1}
-    images = {"codec": benchmark["image_codecs"][0], **benchmark["image_sizes"][0]}
-    return context.submit_body(
-        policy=policy,
-        max_workers=1,
-        idle_timeout_s=context.limits["idle_timeout_s_max"],
-        images=images,
-        options=options,
-        mode="pull" if context.offers("push") else None,
-    )
 
 
 def schema_of(context: CheckContext, operation_id: str) -> dict[str, Any]:
