@@ -63,7 +63,10 @@ async def read_body(request: Request, max_bytes: int) -> bytes:
 
 
 def decode(body: bytes, media_type: str) -> Any:
-    """The structure in a body; refused when malformed (ERR-002, ERR-006, ERR-013)."""
+    """The structure in a body; refused when malformed (ERR-002, ERR-006, ERR-013).
+
+    ENC-012: MessagePack in every format that it has.
+    """
     try:
         if media_type == MSGPACK:
             return msgspec.msgpack.decode(body, ext_hook=_reject_extension)
@@ -94,7 +97,11 @@ def _parse_integer(digits: str) -> float:
 
 
 def validate(model: type[Model], data: Any) -> Model:
-    """The message in a structure; a fault is refused by pointer (ERR-003, ERR-004)."""
+    """The message in a structure; a fault is refused by pointer.
+
+    ERR-003, ERR-004, ERR-015, ERR-016: as the schema has it. ENC-011: no message has a
+    member whose name is not a string.
+    """
     try:
         return model.model_validate(data, strict=True)
     except ValidationError as error:
@@ -120,7 +127,7 @@ def pointer(loc: Iterable[str | int]) -> str:
 
 
 def media_type_of(request: Request, readable: Sequence[str]) -> str:
-    """The body's media type (ERR-007)."""
+    """The body's media type (ERR-007, ERR-019)."""
     declared = request.headers.get("content-type", "")
     media_type = declared.partition(";")[0].strip().lower()
     if media_type not in readable:
@@ -241,7 +248,7 @@ def _large_images(content: Any) -> dict[str, Any]:
 
 
 def _range(part: str) -> tuple[str, float]:
-    """A media range of Accept and its weight."""
+    """A media range of Accept and its weight (ERR-019)."""
     name, *parameters = (piece.strip().lower() for piece in part.split(";"))
     for parameter in parameters:
         key, _, value = parameter.partition("=")

@@ -60,6 +60,8 @@ def load() -> dict[str, Mutant]:
         events,
         flageval,
         histories,
+        http_messages,
+        idempotency,
         invalid_requests,
         lifecycle,
         push,
