@@ -15,6 +15,7 @@ from starlette.responses import Response
 from reference_server import app
 from reference_server.http import auth, codec, dispatch, handlers
 from reference_server.http.handlers import Handlers
+from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.runs.registry import RunRegistry
@@ -123,7 +124,7 @@ def checks_the_version_after_the_work() -> None:
         try:
             right(request)
         except Refused as refused:
-            return dispatch.problem_response(refused)
+            return problem_response(refused)
         return response
 
     put(app, "perform", wrong)
