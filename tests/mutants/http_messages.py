@@ -178,7 +178,7 @@ def lets_the_first_of_equal_members_count() -> None:
 
     def wrong(body: bytes) -> Any:
         structure = right(body)
-        if any(body.count(name) > 1 for name in (b'"seq"', b'"score"')):
+        if any(body.count(name) > 1 for name in (b'"seq"', b'"vector"')):
             return json.loads(body, object_pairs_hook=first)
         return structure
 
@@ -191,7 +191,7 @@ def refuses_numbers_that_are_nearly_zero() -> None:
     right = codec._from_json
 
     def wrong(body: bytes) -> Any:
-        if re.search(rb"[eE]-(?!32[0-4])[0-9]{3}", body):
+        if re.search(rb"[eE]-(3[3-9][0-9]|[4-9][0-9]{2}|[0-9]{4})", body):
             raise ValueError("a number below the range of a double")
         return right(body)
 
