@@ -147,7 +147,9 @@ class _RequestGenerator:
     def _change_path(self, how: dict[str, Any]) -> None:
         # A run id is filled in when the request is sent, if the path has one.
         names = ["run_id", *(name for name in _PATH_NAMES if name in how)]
-        how[self.random.choice(names)] = self.random.choice(_EDGE_TEXTS)
+        # An empty segment or a dot segment may make the path of another operation.
+        texts = [text for text in _EDGE_TEXTS if text.strip(".")]
+        how[self.random.choice(names)] = self.random.choice(texts)
 
     def _change_body(self, how: dict[str, Any]) -> None:
         if isinstance(how["json"], dict | list):
