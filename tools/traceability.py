@@ -47,6 +47,8 @@ TEXT_LENGTH = 110
 # Rules that no single line decides, and why. A rule that gets a line leaves this table:
 # an entry that is cited is a gap as well.
 NO_DECIDING_LINE: Mapping[str, str] = {
+    "SVC-004": "decided by the HTTP library, which reads what a refusal left unread",
+    "SVC-005": "decided by the HTTP library, which joins the chunks",
     "SVC-003": "holds of every answer; the schemas of all views together decide it",
     "ERR-012": "holds of every request; it says that no line may fail",
     "MODEL-001": "holds of all rules together",

@@ -4,10 +4,11 @@ Knows nothing of runs and workers; these build on it (run_client.py) and are ope
 CheckContext (check_context.py).
 """
 
+import contextlib
 import random
 import threading
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
@@ -85,9 +86,11 @@ class RequestContext:
         self._clean_ups: list[Callable[[], None]] = []
         self.http_client = self._open_client(shared.settings.token, "TOKEN")
 
-    def _open_client(self, token: str | None, name: str) -> HttpClient:
+    def _open_client(
+        self, token: str | None, name: str, clients: ClientPool | None = None
+    ) -> HttpClient:
         return HttpClient(
-            clients=self.shared.clients,
+            clients=clients or self.shared.clients,
             spec=self.spec,
             base_url=self._base_url,
             token=token,
@@ -95,6 +98,12 @@ class RequestContext:
             exchange_log=self.exchange_log,
             observe=self.tally.observe,
         )
+
+    @contextlib.contextmanager
+    def own_connection(self) -> Iterator[HttpClient]:
+        """Give a client that sends its requests one by one over one connection."""
+        with contextlib.closing(ClientPool(self._base_url)) as clients:
+            yield self._open_client(self.shared.settings.token, "TOKEN", clients)
 
     @property
     def speaks_msgpack(self) -> bool:

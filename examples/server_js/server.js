@@ -38,6 +38,7 @@ const forWorker = (act) => async (context) => {
 async function getRun(context) {
   const { headers } = context;
   const run = runOf(context);
+  if (headers['if-none-match']?.length > 200) throw invalid(['header:If-None-Match', 'is longer than 200 characters']);
   const known = headers['if-none-match']?.split(',').map((tag) => tag.trim().replace(/^W\//, '')) ?? [];
   const [, wait] = /^wait=([0-9]{1,4})$/.exec(headers.prefer ?? 'wait=0') ?? [];
   if (wait === undefined) throw invalid(['header:Prefer', 'is wait=N']);

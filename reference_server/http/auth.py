@@ -64,7 +64,7 @@ class Tokens:
         return cls({_hash(secret): Caller("local", SCOPES)}), secret
 
     def authenticate(self, authorization: str | None, scope: str) -> Caller:
-        """The caller that an Authorization header names (AUTH-001, AUTH-005)."""
+        """The caller that a header names (AUTH-001, AUTH-005, AUTH-007)."""
         scheme, _, secret = (authorization or "").partition(" ")
         # A look-up by hash takes the same time for every wrong secret.
         caller = self._by_hash.get(_hash(secret.strip()))

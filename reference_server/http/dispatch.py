@@ -32,7 +32,7 @@ log = logging.getLogger("proctor.http")
 VERSION_MIN = VERSION_MAX = PROTOCOL_VERSION
 
 # name → (pattern, code): path parameters of unknown form name nothing that exists, but
-# a worker id is the client's own choice and so its own mistake (ATT-013).
+# a worker id is the client's own choice and so its own mistake (ERR-018, ATT-013).
 PATH_PATTERNS: dict[str, tuple[str, str]] = {
     "benchmark_id": (r"[a-z][a-z0-9_]{0,63}", "not_found"),
     "run_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
@@ -109,7 +109,10 @@ class OperationCall:
 async def perform(
     request: Request, operation: Operation, tokens: Tokens, max_body_bytes: int
 ) -> Response:
-    """Check a request in the fixed order and carry it out; refusals become problems."""
+    """Check a request in the fixed order and carry it out; refusals become problems.
+
+    ERR-020: nothing is carried out before everything is checked.
+    """
     try:
         call = await _check_request(request, operation, tokens, max_body_bytes)
         return await operation.handler(call)
@@ -219,6 +222,7 @@ def _in_range(name: str, value: str) -> bool:
 
 
 def _headers(request: Request, operation: Operation) -> Mapping[str, str]:
+    """ERR-014: the headers of the operation. ERR-017: no others are looked at."""
     values = {}
     for name in operation.headers:
         value = request.headers.get(name)

@@ -140,7 +140,11 @@ class RunRegistry:
         return head.state in RESTING_STATES and head.run_id not in self._in_memory
 
     async def add(self, run: Run, key: str | None, body_sha256: str) -> Run:
-        """Store a new run; or the run that this Idempotency-Key made (RUN-003)."""
+        """Store a new run; or the run that this Idempotency-Key made (RUN-003).
+
+        RUN-027: only a run that is stored uses up its key. RUN-029: without a key
+        nothing is looked up.
+        """
         # A request that finds it in the store, even before this one, finds this object.
         self._in_memory[run.run_id] = run
         self._admit(run)  # before it is stored: one submit is one transaction
@@ -166,7 +170,7 @@ class RunRegistry:
         return await self.get(use.run_id)
 
     async def find_by_key(self, account: str, key: str) -> KeyUse | None:
-        """What an Idempotency-Key of the account made, if it was used."""
+        """What an Idempotency-Key of the account made, if it was used (RUN-026)."""
         found = await self._store.find_key(account, key)
         return None if found is None else KeyUse(*found)
 

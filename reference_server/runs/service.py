@@ -312,6 +312,6 @@ class RunService:
 
 
 def body_digest(submission: Json) -> str:
-    """RUN-003: equal JSON values are the same body, however they were written."""
+    """RUN-003, RUN-028: equal values are the same body, however they were written."""
     canonical = msgspec.json.encode(submission, order="deterministic")
     return hashlib.sha256(canonical).hexdigest()

@@ -61,6 +61,8 @@ def load() -> dict[str, Mutant]:
         faults,
         flageval,
         histories,
+        http_messages,
+        idempotency,
         invalid_requests,
         lifecycle,
         push,

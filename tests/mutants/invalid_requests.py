@@ -159,7 +159,7 @@ def does_not_say_which_methods_are_allowed() -> None:
     put(app._Endpoint, "_not_allowed", wrong)
 
 
-@mutant("ERR-012")
+@mutant("ERR-012", "ERR-016")
 def fails_on_text_outside_latin() -> None:
     """A name in Chinese makes the server fail."""
     right = RunService.prepare_run
@@ -229,7 +229,8 @@ def offers_another_calibration() -> None:
 @mutant("ENC-003")
 def reads_minus_zero_as_an_integer() -> None:
     """A sign is lost when a language writes whole numbers without a fraction."""
-    put(codec, "_parse_signed_zero", int)
+    right = codec._parse_integer
+    put(codec, "_parse_integer", lambda digits: 0 if digits == "-0" else right(digits))
 
 
 @mutant("ERR-003")

@@ -1,38 +1,16 @@
 """Submitting, reading and listing runs (RUN, LEASE-007)."""
 
-import time
 import uuid
 from collections.abc import Callable
-from functools import partial
 from typing import Any
 from urllib.parse import urljoin, urlsplit
 
 from conformance.checks.support.given_states import expect_pointer
 from conformance.checks.support.submissions import submit
 from conformance.client.check_context import CheckContext
-from conformance.client.run_client import RunClient
-from conformance.runner.requirement import background, requirement
+from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
-from conformance.verdicts.expect import Inconclusive, NotApplicable, SetUpFailed
-
-_CHANGE_AFTER_S = 0.4
-_LATE_S = 1.0
-_TOO_LATE_S = 5.0
-# Timers of the server and of this machine may disagree by so much.
-_EARLY_S = 0.02
-
-
-def uniquely_named_body(context: CheckContext) -> dict[str, Any]:
-    """Give a body whose policy has a name that no other run has."""
-    return context.submit_body(policy={"name": f"conformance kit {uuid.uuid4()}"})
-
-
-def runs_of(context: CheckContext, body: dict[str, Any]) -> list[str]:
-    """Find the runs of a body, by the name of its policy."""
-    page = context.require(
-        lambda: context.call("list_runs", params={"limit": 100}), 200, "list_runs"
-    )
-    return [r["run_id"] for r in page["runs"] if r["policy"] == body["policy"]]
+from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
 
 @requirement("RUN-001")
@@ -58,66 +36,6 @@ def test_run_002_begins_queued_or_ready(context: CheckContext) -> None:
         expect.true(
             run["state"] in {"queued", "ready"}, "queued or ready", run["state"]
         )
-
-
-@requirement("RUN-003")
-def test_run_003_can_repeat_submit_with_the_same_key(context: CheckContext) -> None:
-    """The response was lost: the same key and body again, also concurrently.
-
-    Expect the first run each time, and no other run.
-    """
-    body, key = uniquely_named_body(context), {"Idempotency-Key": uuid.uuid4().hex}
-    first = expect.ok(submit(context, body, headers=key), 201)
-    for answer in context.call_concurrently(
-        *[lambda: submit(context, body, headers=key)] * 3
-    ):
-        expect.equal(expect.ok(answer, 201)["run_id"], first["run_id"], "run_id")
-    expect.equal(runs_of(context, body), [first["run_id"]], "the runs made of it")
-    race, new = uniquely_named_body(context), {"Idempotency-Key": uuid.uuid4().hex}
-    answers = context.call_concurrently(
-        *[lambda: submit(context, race, headers=new)] * 4
-    )
-    ids = {expect.ok(answer, 201)["run_id"] for answer in answers}
-    expect.equal(len(ids), 1, "runs returned to four submits at the same time")
-    expect.equal(len(runs_of(context, race)), 1, "runs made of them")
-
-
-@requirement("RUN-004")
-def test_run_004_cannot_use_a_key_for_another_body(context: CheckContext) -> None:
-    """A used key is sent with another body, then a new key with that body.
-
-    Expect `idempotency_conflict` and no run, then a run.
-    """
-    key = {"Idempotency-Key": uuid.uuid4().hex}
-    expect.ok(submit(context, uniquely_named_body(context), headers=key), 201)
-    other = uniquely_named_body(context)
-    refused = submit(context, other, headers=key)
-    expect.refused(refused, "idempotency_conflict")
-    expect.equal(runs_of(context, other), [], "the runs made of it")
-    new = {"Idempotency-Key": uuid.uuid4().hex}
-    expect.ok(submit(context, other, headers=new), 201)
-
-
-@requirement("RUN-005")
-def test_run_005_key_of_another_account_has_no_effect(context: CheckContext) -> None:
-    """Two accounts use the same key, with different bodies and with the same body.
-
-    Expect runs of its own for each account.
-    """
-    second_account = context.second_account
-    ids = []
-    for second in (uniquely_named_body(context), None):
-        key, first = {"Idempotency-Key": uuid.uuid4().hex}, uniquely_named_body(context)
-        for body, http_client in (
-            (first, context.http_client),
-            (second or first, second_account),
-        ):
-            run = expect.ok(
-                submit(context, body, headers=key, http_client=http_client), 201
-            )
-            expect.equal(run["policy"], body["policy"], "policy")
-            ids.append(run["run_id"])
-    expect.equal(len(set(ids)), len(ids), "different runs")
 
 
 @requirement("RUN-006")
@@ -195,95 +113,18 @@ def test_run_009_pages_show_each_run_once_newest_first(context: CheckContext) ->
 
 @requirement("RUN-010")
 def test_run_010_cannot_get_an_unknown_run(context: CheckContext) -> None:
-    """An unknown id, then the id of a run. Expect `not_found`, then the run."""
+    """An unknown id, also with conditions, then the id of a run.
+
+    Expect `not_found` at once, then the run.
+    """
     run = context.submit()
     unknown = uuid.uuid4().hex
-    expect.refused(context.call("get_run", run_id=unknown), "not_found")
+    conditions: list[dict[str, str]] = [{}, {"If-None-Match": "*"}]
+    conditions.append({"If-None-Match": "*", "Prefer": "wait=9999"})
+    for headers in conditions:
+        answer = context.call("get_run", run_id=unknown, headers=headers)
+        expect.refused(answer, "not_found")
     expect.equal(expect.ok(run.call("get_run"))["run_id"], run.id, "run_id")
-
-
-def etag_of(run: RunClient) -> dict[str, str]:
-    """Read the run and give the header for a conditional read."""
-    answer = run.call("get_run")
-    etag = answer.headers.get("etag")
-    if answer.status != 200 or etag is None:
-        raise SetUpFailed(f"`get_run` gives no ETag: {expect.describe_answer(answer)}")
-    return {"If-None-Match": etag}
-
-
-@requirement("RUN-011")
-def test_run_011_unchanged_run_is_not_sent_again(context: CheckContext) -> None:
-    """A run is read again with its ETag, before and after a change.
-
-    Expect 304 without a body, then 200 with another ETag.
-    """
-    run = context.submit()
-    known = etag_of(run)
-    answer = run.call("get_run", headers=known)
-    expect.ok(answer, 304)
-    expect.equal(answer.body, b"", "the body of a 304")
-    run.stop()
-    changed = run.call("get_run", headers=known)
-    expect.equal(expect.ok(changed)["state"], "stopped", "state")
-    etag = changed.headers.get("etag")
-    expect.true(etag not in (None, known["If-None-Match"]), "another ETag", etag)
-
-
-def wait_header(context: CheckContext, wait_s: int) -> dict[str, str]:
-    """Give the header of a long-poll."""
-    if context.limits["wait_s_max"] < wait_s:
-        raise NotApplicable(f"server does not grant a wait of {wait_s} s")
-    return {"Prefer": f"wait={wait_s}"}
-
-
-def change_later(change: Callable[[], Any]) -> float:
-    """Make a change after a delay, and give its time."""
-    time.sleep(_CHANGE_AFTER_S)
-    change()
-    return time.monotonic()
-
-
-@background
-@requirement("RUN-012")
-def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> None:
-    """Two long-polls wait for changes; one run gets a worker, the other is stopped.
-
-    Expect both to return at once with the new state.
-    """
-    wait = wait_header(context, 5)
-    attached, stopped = context.submit(), context.submit()
-    worker = attached.worker()
-    changes = ((attached, "running", worker.attach), (stopped, "stopped", stopped.stop))
-    for run, state, change in changes:
-        headers = etag_of(run) | wait
-        polled, changed_at = context.call_concurrently(
-            partial(run.call, "get_run", headers=headers), partial(change_later, change)
-        )
-        expect.equal(expect.ok(polled)["state"], state, "state")
-        late_s = polled.ended_at - changed_at
-        limit_s = _LATE_S + context.tolerance_s
-        expect.true(
-            late_s <= limit_s,
-            f"the answer within {limit_s:.2f} s of the change",
-            f"after {late_s:.2f} s",
-        )
-
-
-@background
-@requirement("RUN-013")
-def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -> None:
-    """The run does not change for two seconds. Expect 304 then, and not before."""
-    wait = wait_header(context, 2)
-    run = context.submit()
-    answer = run.call("get_run", headers=etag_of(run) | wait)
-    expect.ok(answer, 304)
-    took = f"after {answer.elapsed_s:.2f} s"
-    expect.true(answer.elapsed_s >= 2 - _EARLY_S, "304 after 2 s, not before", took)
-    expect.true(answer.elapsed_s <= 2 + _TOO_LATE_S, "304 after 2 s", took)
-    if answer.elapsed_s > 2 + _LATE_S + context.tolerance_s:
-        raise Inconclusive(
-            f"the answer came {took}; server or network too slow to decide"
-        )
 
 
 @requirement("RUN-014")
@@ -376,3 +217,21 @@ def test_lease_007_cannot_ask_for_a_lease_out_of_range(context: CheckContext) ->
             submit(context, context.submit_body(idle_timeout_s=lease_s)), 201
         )
         expect.equal(run["idle_timeout_s"], lease_s, "idle_timeout_s")
+
+
+@requirement("RUN-032")
+def test_run_032_cannot_submit_a_push_run_where_push_is_not_offered(
+    context: CheckContext,
+) -> None:
+    """Mode `push`, a policy server, and both, where the profile is not announced.
+
+    Expect `invalid_request`; without them a run.
+    """
+    if context.offers("push"):
+        raise NotApplicable("server offers the profile push")
+    server = {"url": "http://policy.example/v1", "protocol": "proctor"}
+    members: list[dict[str, Any]] = [{"mode": "push"}, {"policy_server": server}]
+    for wrong in [*members, members[0] | members[1]]:
+        answer = submit(context, context.submit_body(**wrong))
+        expect.refused(answer, "invalid_request")
+    expect.ok(submit(context, context.submit_body()), 201)

@@ -12,8 +12,10 @@ from typing import Any
 import msgspec
 from PIL import Image
 
+from conformance.checks.support.msgpack_forms import WIDTHS, pack
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
+from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
@@ -291,3 +293,87 @@ def test_enc_008_cannot_send_an_extension_type(context: CheckContext) -> None:
             expect.refused(answer, "malformed_body")
     turn = expect.ok(worker.try_predict(context.action(), msgpack=True))
     expect.equal(turn["observation"]["state"]["count"], [1], "count")
+
+
+def send_predict(worker: WorkerClient, content: bytes, media_type: str) -> Answer:
+    """Send the bytes of a body of predict."""
+    headers = {"Content-Type": media_type}
+    return worker.run.call(
+        "predict", worker_id=worker.id, content=content, headers=headers
+    )
+
+
+def next_body(worker: WorkerClient, **values: Any) -> dict[str, Any]:
+    """Give the body of the next predict, with one action."""
+    body: dict[str, Any] = {"session_id": worker.session_id, "seq": worker.seq + 1}
+    return body | {"actions": [worker.run.context.action(**values)]}
+
+
+@requirement("ENC-009")
+def test_enc_009_last_of_equal_members_counts(context: CheckContext) -> None:
+    """A member stands twice, in the body and in an action: a wrong value, then a right.
+
+    Expect the last one to be executed.
+    """
+    worker = echo(context)
+    text = json.dumps(next_body(worker, vector=[0.5] * 8))
+    text = text.replace('"seq"', '"seq": 77, "seq"')
+    text = text.replace('"vector"', '"vector": [9, 9, 9, 9, 9, 9, 9, 9], "vector"')
+    turn = expect.ok(send_predict(worker, text.encode(), "application/json"))
+    expect.equal(turn["seq"], 1, "seq")
+    expect.equal(turn["observation"]["state"]["vector"], [0.5] * 8, "vector")
+
+
+@requirement("ENC-010")
+def test_enc_010_too_small_a_number_is_zero(context: CheckContext) -> None:
+    """Numbers nearer to zero than any double, beside one that is not. Expect zeros."""
+    worker = echo(context)
+    text = json.dumps(next_body(worker, vector=[99.0] * 7 + [0.5]))
+    small = ("1e-400", "-1e-999", "0.0e-5000", f"0.{'0' * 400}1", "1E-400", "1e-9999")
+    for number in (*small, "0.0"):
+        text = text.replace("99.0", number, 1)
+    turn = expect.ok(send_predict(worker, text.encode(), "application/json"))
+    vector = turn["observation"]["state"]["vector"]
+    expect.equal(vector, [0.0] * 7 + [0.5], "vector")
+
+
+@requirement("ENC-011")
+def test_enc_011_cannot_send_a_key_that_is_no_string(context: CheckContext) -> None:
+    """MessagePack maps with numbers, nil and booleans as keys, in the body and inside.
+
+    Expect `malformed_body` or `invalid_request`; without them the body is accepted.
+    """
+    worker = echo(context)
+    right = next_body(worker)
+    action = right["actions"][0]
+    for key in (1, -1, None, True, 1.5):
+        inner = {"values": action["values"] | {key: [0.0]}}
+        for wrong in (
+            right | {key: 1},
+            right | {"actions": [action | {key: 1}]},
+            right | {"actions": [inner]},
+        ):
+            packed = msgspec.msgpack.encode(wrong)
+            answer = send_predict(worker, packed, "application/msgpack")
+            is_malformed = answer.code == "malformed_body"
+            expect.refused(
+                answer, "malformed_body" if is_malformed else "invalid_request"
+            )
+    packed = msgspec.msgpack.encode(right)
+    expect.ok(send_predict(worker, packed, "application/msgpack"))
+
+
+@requirement("ENC-012")
+def test_enc_012_every_format_of_messagepack_is_read(context: CheckContext) -> None:
+    """Bodies with long forms of lengths and integers, and floats of four bytes.
+
+    Expect the same values to be executed each time.
+    """
+    worker = echo(context)
+    numbers = [0.5, -0.25, 1.0, 127.0, 0.0, 3.0, 2.0**-100, 1.5]
+    for width in WIDTHS:
+        for is_signed in (False, True):
+            body = pack(next_body(worker, vector=numbers), width, is_signed)
+            turn = expect.ok(send_predict(worker, body, "application/msgpack"))
+            expect.equal(turn["observation"]["state"]["vector"], numbers, "vector")
+            worker.seq += 1

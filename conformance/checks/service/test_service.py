@@ -84,19 +84,35 @@ def test_ver_001_every_answer_carries_the_version(context: CheckContext) -> None
         )
 
 
+def versions_outside(protocol: dict[str, str]) -> list[str]:
+    """Give versions before and after a range, the nearest first."""
+    (major, minor), first = number(protocol["max"]), number(protocol["min"])
+    beyond = [(major, minor + 1), (major + 1, 0), (0, 0), (first[0] - 1, 99)]
+    beyond += [(first[0], first[1] - 1), (major, 10 * minor + 10), (10 * major, 0)]
+    beyond += [(9999, 9999), (first[0] - 1, minor), (0, major)]
+    return [
+        f"{one}.{two}"
+        for one, two in dict.fromkeys(beyond)
+        if one >= 0 and two >= 0 and not first <= (one, two) <= (major, minor)
+    ]
+
+
 @requirement("VER-002")
 def test_ver_002_cannot_use_a_version_out_of_range(context: CheckContext) -> None:
-    """Requests with versions outside the range, then with its ends.
+    """Requests with versions outside the range, as near as can be, then with its ends.
 
     Expect `unsupported_version` for the first, and success for the others.
     """
     worker = attach_live_worker(context)
     protocol = context.service["protocol"]
-    beyond = f"{number(protocol['max'])[0] + 1}.0"
-    for operation_id, how in operation_samples(worker):
-        answer = worker.run.call(
-            operation_id, headers={"Proctor-Version": beyond}, **how
-        )
+    for operation_id, how in [("describe_service", {}), *operation_samples(worker)]:
+        for beyond in versions_outside(protocol)[:3]:
+            answer = worker.run.call(
+                operation_id, headers={"Proctor-Version": beyond}, **how
+            )
+            expect.refused(answer, "unsupported_version")
+    for beyond in versions_outside(protocol):
+        answer = context.call("list_runs", headers={"Proctor-Version": beyond})
         expect.refused(answer, "unsupported_version")
     for version in (protocol["min"], protocol["max"]):
         expect.ok(context.call("list_runs", headers={"Proctor-Version": version}))

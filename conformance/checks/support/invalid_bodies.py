@@ -66,12 +66,29 @@ _PLACES = {
     "submit_run": ("/policy/name", "/idle_timeout_s"),
     "predict": ("/session_id", "/actions/0/values/score/0"),
 }
-_NO_TEXT = (rb'"\ud83d"', rb'"\udd16\ud83d"', b'"\xed\xa0\xbd"', b'"\xff"')
-_NO_DOUBLES = (b"1e999", b"-1e999")
+# What JSON cannot write, and what it can write but few programs can hold.
+_NO_TEXT: tuple[bytes, ...] = (
+    rb'"\ud83d"',
+    rb'"\udd16\ud83d"',
+    b'"\xed\xa0\xbd"',
+    b'"\xff"',
+)
+_NO_TEXT += (b'"\x01"', b'"a\nb"', b"'a'", b'"\\x41"', b'"\\u12"', b'"\\ud83dx"', b'"a')
+_NO_DOUBLES: tuple[bytes, ...] = (
+    b"1e999",
+    b"-1e999",
+    b"1" + b"0" * 400,
+    b"01",
+    b"+1",
+    b".5",
+    b"1.",
+    b"1e",
+)
+_NO_DOUBLES += (b"0x1", b"-", b"1_0", b"tru", b"True", b"None", b"undefined", b"1 2")
 
 
 def unrepresentable_json(operation_id: str, how: dict[str, Any]) -> Iterator[bytes]:
-    """Give bodies with valid JSON grammar, but impossible texts and numbers."""
+    """Give bodies with a text or a number that is wrong in JSON, or impossible."""
     if operation_id not in _PLACES:
         return
     text, number = _PLACES[operation_id]

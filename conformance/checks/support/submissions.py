@@ -1,5 +1,6 @@
 """Submissions under test: the raw response, and a clean-up of the run."""
 
+import uuid
 from typing import Any
 
 from conformance.client.check_context import CheckContext
@@ -8,7 +9,43 @@ from conformance.exchanges.answer import Answer
 
 def submit(context: CheckContext, body: dict[str, Any], **how: Any) -> Answer:
     """Send a body of submit_run unchanged; the run is stopped after the check."""
-    answer = context.call("submit_run", json=body, **how)
+    return adopt_answer(context, context.call("submit_run", json=body, **how), **how)
+
+
+def adopt_answer(context: CheckContext, answer: Answer, **how: Any) -> Answer:
+    """Stop the run that an answer shows, if it shows one, after the check."""
     if answer.status == 201 and isinstance(answer.json, dict):
         context.adopt(answer.json, how.get("http_client"))
     return answer
+
+
+def uniquely_named_body(context: CheckContext) -> dict[str, Any]:
+    """Give a body whose policy has a name that no other run has."""
+    return context.submit_body(policy={"name": f"conformance kit {uuid.uuid4()}"})
+
+
+def runs_of(context: CheckContext, body: dict[str, Any]) -> list[str]:
+    """Find the runs of a body, by the name of its policy."""
+    page = context.require(
+        lambda: context.call("list_runs", params={"limit": 100}), 200, "list_runs"
+    )
+    name = body["policy"]["name"]
+    return [r["run_id"] for r in page["runs"] if r["policy"]["name"] == name]
+
+
+def whole_submission(context: CheckContext) -> dict[str, Any]:
+    """Give a body of submit_run with every member that a pull run may have."""
+    benchmark = context.benchmark
+    policy = {"name": f"conformance kit {uuid.uuid4()}", "version": "1"}
+    policy |= {"submitter": "kit", "homepage": "none"}
+    options = {"tasks": ["score", "count"], "max_steps": 5, "success_rule": "last_step"}
+    options |= {"max_attempts": 2, "max_faults": 2, "queue_s": 1}
+    images = {"codec": benchmark["image_codecs"][0], **benchmark["image_sizes"][0]}
+    return context.submit_body(
+        policy=policy,
+        max_workers=1,
+        idle_timeout_s=context.limits["idle_timeout_s_max"],
+        images=images,
+        options=options,
+        mode="pull" if context.offers("push") else None,
+    )

@@ -5,6 +5,7 @@ import contextlib
 import tracemalloc
 from collections.abc import Callable, Iterable
 from datetime import UTC, datetime
+from functools import partial
 from typing import Any
 
 import msgspec
@@ -363,3 +364,12 @@ def test_a_body_that_breaks_off_is_malformed() -> None:
 
     broken = Request({"type": "http", "method": "POST", "headers": []}, receive)
     refused(lambda: asyncio.run(read_body(broken, 10)), "malformed_body")
+
+
+def test_an_integer_beyond_the_doubles_is_malformed() -> None:
+    """As 1e999 is (ERR-002); the largest double and long texts of digits are read."""
+    for digits in (b"1" + b"0" * 309, b"-1" + b"0" * 309, b"9" * 5000):
+        refused(partial(decode, b"[%b]" % digits, JSON), "malformed_body")
+    largest = int(float(2**1023) * (2 - 2**-52))
+    assert decode(b"[%d]" % largest, JSON) == [largest]
+    assert decode(b'["%b"]' % (b"0" * 400), JSON) == ["0" * 400]

@@ -1,0 +1,160 @@
+"""Reading a run only when it has changed: ETags and long polls (RUN)."""
+
+import time
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient
+from conformance.runner.requirement import background, requirement
+from conformance.verdicts import expect
+from conformance.verdicts.expect import Inconclusive, NotApplicable, SetUpFailed
+
+_CHANGE_AFTER_S = 0.4
+_LATE_S = 1.0
+_TOO_LATE_S = 5.0
+# Timers of the server and of this machine may disagree by so much.
+_EARLY_S = 0.02
+# Far longer than any answer takes that is not waited for.
+_LONG_WAIT_S, _LEAST_WAIT_S = 10, 4
+
+
+def etag_of(run: RunClient) -> dict[str, str]:
+    """Read the run and give the header for a conditional read."""
+    answer = run.call("get_run")
+    etag = answer.headers.get("etag")
+    if answer.status != 200 or etag is None:
+        raise SetUpFailed(f"`get_run` gives no ETag: {expect.describe_answer(answer)}")
+    return {"If-None-Match": etag}
+
+
+@requirement("RUN-011")
+def test_run_011_unchanged_run_is_not_sent_again(context: CheckContext) -> None:
+    """A run is read again with its ETag, alone, among others, and with `*`.
+
+    Expect 304 without a body; the run for texts that are not its ETag, and with another
+    ETag after a change.
+    """
+    run = context.submit()
+    known = etag_of(run)
+    etag = known["If-None-Match"]
+    lists = [etag, f'"none", {etag}', f'{etag},"none"', f'"a" , {etag} , "b"', "*"]
+    for text in lists:
+        answer = run.call("get_run", headers={"If-None-Match": text})
+        expect.ok(answer, 304)
+        expect.equal(answer.body, b"", "the body of a 304")
+    for text in ('"none"', f'"x{etag[1:]}', f'{etag[:-1]}x"', etag[1:-1], '"*"', '""'):
+        expect.ok(run.call("get_run", headers={"If-None-Match": text}))
+    run.stop()
+    changed = run.call("get_run", headers=known)
+    expect.equal(expect.ok(changed)["state"], "stopped", "state")
+    etag = changed.headers.get("etag")
+    expect.true(etag not in (None, known["If-None-Match"]), "another ETag", etag)
+
+
+def wait_header(context: CheckContext, wait_s: int) -> dict[str, str]:
+    """Give the header of a long-poll."""
+    if context.limits["wait_s_max"] < wait_s:
+        raise NotApplicable(f"server does not grant a wait of {wait_s} s")
+    return {"Prefer": f"wait={wait_s}"}
+
+
+def change_later(change: Callable[[], Any]) -> float:
+    """Make a change after a delay, and give its time."""
+    time.sleep(_CHANGE_AFTER_S)
+    change()
+    return time.monotonic()
+
+
+@background
+@requirement("RUN-012")
+def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> None:
+    """Long-polls wait while a run gets a worker, gets a result, and another is stopped.
+
+    Expect each to return at once with the new state.
+    """
+    wait = wait_header(context, 5)
+    attached, stopped = context.submit("score", "score"), context.submit()
+    worker = attached.worker()
+    changes: list[tuple[RunClient, str, Callable[[], Any]]] = [
+        (attached, "running", worker.attach),
+        (attached, "running", worker.play),
+        (stopped, "stopped", stopped.stop),
+    ]
+    for run, state, change in changes:
+        headers = etag_of(run) | wait
+        polled, changed_at = context.call_concurrently(
+            partial(run.call, "get_run", headers=headers), partial(change_later, change)
+        )
+        expect.equal(expect.ok(polled)["state"], state, "state")
+        late_s = polled.ended_at - changed_at
+        limit_s = _LATE_S + context.tolerance_s
+        expect.true(
+            late_s <= limit_s,
+            f"the answer within {limit_s:.2f} s of the change",
+            f"after {late_s:.2f} s",
+        )
+
+
+@background
+@requirement("RUN-013")
+def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -> None:
+    """The run does not change for two seconds. Expect 304 then, and not before."""
+    wait = wait_header(context, 2)
+    run = context.submit()
+    answer = run.call("get_run", headers=etag_of(run) | wait)
+    expect.ok(answer, 304)
+    took = f"after {answer.elapsed_s:.2f} s"
+    expect.true(answer.elapsed_s >= 2 - _EARLY_S, "304 after 2 s, not before", took)
+    expect.true(answer.elapsed_s <= 2 + _TOO_LATE_S, "304 after 2 s", took)
+    if answer.elapsed_s > 2 + _LATE_S + context.tolerance_s:
+        raise Inconclusive(
+            f"the answer came {took}; server or network too slow to decide"
+        )
+
+
+@requirement("RUN-030")
+def test_run_030_etag_changes_with_every_member(context: CheckContext) -> None:
+    """A run is read after each request of its life, with all ETags that it had before.
+
+    Expect another ETag whenever a member of it is another, and the new run.
+    """
+    run = context.submit("score", "count", "score", queue_s=0)
+    worker = run.worker()
+    steps: list[Callable[[], Any]] = [worker.attach, worker.play, worker.play]
+    steps += [worker.detach, worker.attach, partial(run.stop, "drain"), run.stop]
+    steps += [run.resume, partial(run.until, "ready"), worker.attach, worker.play]
+    seen: dict[str, Any] = {}
+    known = etag_of(run)
+    for step in steps:
+        before = run.get()
+        step()
+        answer = run.call("get_run", headers=known)
+        if answer.status == 304:
+            expect.equal(run.get(), before, f"the run with the ETag {known}")
+            continue
+        body, etag = expect.ok(answer), answer.headers.get("etag", "")
+        expect.equal(seen.setdefault(etag, body), body, f"the run with the ETag {etag}")
+        known = {"If-None-Match": etag}
+    expect.true(len(seen) > 3, "ETags of the states of a run", len(seen))
+
+
+@requirement("RUN-031")
+def test_run_031_answers_at_once_when_there_is_nothing_to_wait_for(
+    context: CheckContext,
+) -> None:
+    """A long wait without If-None-Match, with another ETag, and with an old one.
+
+    Expect the run long before the time is over.
+    """
+    wait_s = min(_LONG_WAIT_S, max(_LEAST_WAIT_S, context.limits["wait_s_max"]))
+    wait = wait_header(context, wait_s)
+    run = context.submit()
+    old = etag_of(run)
+    run.stop()
+    for headers in ({}, {"If-None-Match": '"none"'}, old, {"If-None-Match": "none"}):
+        answer = run.call("get_run", headers=wait | headers)
+        expect.equal(expect.ok(answer)["state"], "stopped", "state")
+        took = f"after {answer.elapsed_s:.2f} s"
+        expect.true(answer.elapsed_s < wait_s - _LATE_S, "the run at once", took)

@@ -1,0 +1,83 @@
+"""What carries requests: connections and the framing of bodies (SVC)."""
+
+import contextlib
+import json
+from typing import Any
+
+from conformance.checks.support.invalid_bodies import pad_body
+from conformance.checks.support.operation_samples import (
+    attach_live_worker,
+    operation_samples,
+    send,
+)
+from conformance.client.check_context import CheckContext
+from conformance.client.http_client import HttpClient, NoAnswer
+from conformance.client.run_client import RunClient
+from conformance.exchanges.answer import Answer
+from conformance.runner.requirement import requirement
+from conformance.verdicts import expect
+
+# A body that is a request itself: who leaves it unread answers it next.
+INNER_REQUEST = b"GET /v1/no-such-path HTTP/1.1\r\nHost: localhost\r\n\r\n"
+JSON_BODY = {"Content-Type": "application/json"}
+PIECE_BYTES = 7
+
+
+def read_next(run: RunClient, http_client: HttpClient) -> Answer:
+    """Read a run; once more if the server has closed the connection meanwhile."""
+    try:
+        return run.call("get_run", http_client=http_client)
+    except NoAnswer:
+        return run.call("get_run", http_client=http_client)
+
+
+@requirement("SVC-004")
+def test_svc_004_refusal_leaves_its_connection_in_order(context: CheckContext) -> None:
+    """Requests with bodies are refused early; each is followed by a right request.
+
+    Expect the run each time, over the same connection or, if it was closed, another.
+    """
+    run = context.submit()
+    nobody = {"Authorization": "Bearer no-such-token"}
+    large = b"".join(pad_body({}, context.limits["max_body_bytes"] + 1))
+    refused: list[tuple[str, str, bytes, dict[str, str]]] = [
+        ("POST", "/v1/runs", INNER_REQUEST, nobody),
+        ("POST", f"/v1/runs/{run.id}/resume", INNER_REQUEST, nobody),
+        ("POST", "/v1/no-such-path", INNER_REQUEST, {}),
+        ("PATCH", "/v1/runs", INNER_REQUEST, {}),
+        ("POST", "/v1/runs", INNER_REQUEST, {"Content-Type": "text/plain"}),
+        ("POST", "/v1/runs", INNER_REQUEST, {"Accept": "text/html"}),
+        ("POST", "/v1/runs", INNER_REQUEST, {}),
+        ("POST", f"/v1/runs/{run.id}x/stop", INNER_REQUEST, {}),
+        ("POST", "/v1/runs", large, {}),
+    ]
+    with context.own_connection() as http_client:
+        for method, path, body, headers in refused:
+            with contextlib.suppress(NoAnswer):
+                http_client.request(
+                    method, path, content=body, headers=JSON_BODY | headers
+                )
+            answer = read_next(run, http_client)
+            expect.equal(expect.ok(answer)["run_id"], run.id, "run_id")
+
+
+@requirement("SVC-005")
+def test_svc_005_body_may_come_in_chunks(context: CheckContext) -> None:
+    """Every operation with a body gets it in small chunks, without a Content-Length.
+
+    Expect the success that there is with one, and the values that were sent.
+    """
+    worker = attach_live_worker(context)
+    for operation_id, how in operation_samples(worker):
+        if "json" not in how:
+            continue
+        text = json.dumps(how["json"], indent=1).encode()
+        pieces = [text[i : i + PIECE_BYTES] for i in range(0, len(text), PIECE_BYTES)]
+        chunked: dict[str, Any] = {k: how[k] for k in how if k != "json"}
+        chunked |= {"content": pieces, "headers": JSON_BODY}
+        answer = send(worker.run, (operation_id, chunked))
+        body = expect.ok(answer, 201 if operation_id == "submit_run" else 200)
+        if operation_id == "submit_run":
+            expect.equal(body["policy"], how["json"]["policy"], "policy")
+        if operation_id == "predict":
+            expect.equal(body["executed_steps"], 1, "executed_steps")

@@ -1,0 +1,186 @@
+"""Parameters of paths and queries, and headers (ERR)."""
+
+import uuid
+from collections.abc import Iterator
+from typing import Any
+
+from conformance.checks.support.given_states import count
+from conformance.checks.support.operation_samples import (
+    attach_live_worker,
+    operation_samples,
+)
+from conformance.checks.support.submissions import (
+    adopt_answer,
+    runs_of,
+    submit,
+    uniquely_named_body,
+)
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import WorkerClient
+from conformance.runner.requirement import requirement
+from conformance.verdicts import expect
+from conformance.verdicts.expect import SetUpFailed
+
+SUCCESSES = {"submit_run": 201, "detach_worker": 204}
+# Of every header a value that an operation which lists it would refuse or obey.
+LISTED_SOMEWHERE = {
+    "Prefer": "respond-async",
+    "If-None-Match": "*",
+    "Idempotency-Key": "x" * 200,
+    "Last-Event-ID": "no id!",
+}
+
+
+@requirement("ERR-014")
+def test_err_014_cannot_send_parameters_that_break_their_schema(
+    context: CheckContext,
+) -> None:
+    """Invalid limits, cursors and headers; a detach without a session.
+
+    Expect `invalid_request`; the ends of the range and a complete detach succeed.
+    """
+    run = context.submit()
+    worker = run.worker()
+    worker.attach()
+    for session in ({}, {"session_id": ""}, {"session_id": "x" * 129}):
+        nameless = run.call("detach_worker", worker_id=worker.id, params=session)
+        expect.refused(nameless, "invalid_request")
+    worker.detach()
+    for operation_id in ("list_runs", "list_episodes"):
+        for limit in ("0", "-1", "1001", "ten", "1.5", "", "9" * 20):
+            answer = run.call(operation_id, params={"limit": limit})
+            expect.refused(answer, "invalid_request")
+        for cursor in ("no cursor!", "x" * 129, ""):
+            answer = run.call(operation_id, params={"cursor": cursor})
+            expect.refused(answer, "invalid_request")
+        for limit in ("1", "1000"):
+            expect.ok(run.call(operation_id, params={"limit": limit}))
+    wrong_preferences = ("wait=soon", "wait=-1", "respond-async", "wait=", "wait=1.5")
+    for wrong in (*wrong_preferences, "wait=12345", "wait=1, respond-async"):
+        answer = run.call("get_run", headers={"Prefer": wrong})
+        expect.refused(answer, "invalid_request")
+    tags = ", ".join([f'"{"x" * 30}"'] * 10)[:201]
+    too_many = run.call("get_run", headers={"If-None-Match": tags})
+    expect.refused(too_many, "invalid_request")
+    expect.ok(run.call("get_run", headers={"If-None-Match": tags[:200]}))
+    for right in ("wait=0", "wait=9999"):
+        expect.ok(run.call("get_run", headers={"Prefer": right}))
+    longest = uuid.uuid4().hex * 4
+    for key in (f"{longest}x", "two words"):
+        wrong_key = {"Idempotency-Key": key}
+        answer = submit(context, context.submit_body(), headers=wrong_key)
+        expect.refused(answer, "invalid_request")
+    at_limit = {"Idempotency-Key": longest}
+    expect.ok(submit(context, context.submit_body(), headers=at_limit), 201)
+
+
+@requirement("ERR-017")
+def test_err_017_headers_of_other_operations_are_ignored(context: CheckContext) -> None:
+    """Every operation gets the headers that it does not list, with wrong values.
+
+    Expect the answers that there are without them.
+    """
+    worker = attach_live_worker(context)
+    samples = [("describe_service", {}), *operation_samples(worker)]
+    for operation_id, how in samples:
+        described = context.spec.operations[operation_id].description
+        listed = {part["name"] for part in described.get("parameters", ())}
+        headers = {k: v for k, v in LISTED_SOMEWHERE.items() if k not in listed}
+        answer = worker.run.call(operation_id, headers=headers, **how)
+        if operation_id == "submit_run":
+            adopt_answer(context, answer)
+        expect.ok(answer, SUCCESSES.get(operation_id, 200))
+
+
+@requirement("ERR-018")
+def test_err_018_ids_that_break_their_pattern_name_nothing(
+    context: CheckContext,
+) -> None:
+    """Run ids and benchmark ids that are too long or have other characters.
+
+    Expect `not_found` or `invalid_request`; the right ids are found.
+    """
+    worker = attach_live_worker(context)
+    run_id, either = worker.run.id, ("not_found", "invalid_request")
+    wrong_ids: list[dict[str, str]] = [
+        {"run_id": run_id}
+        for run_id in ("x" * 65, f"{run_id}.", f" {run_id}", "K\u00fc", "x" * 2000)
+    ]
+    benchmark_ids = ("Calibration", "calibration ", "x" * 65, "9", "calibration\n")
+    for operation_id, how in operation_samples(worker):
+        path = context.spec.operations[operation_id].path
+        places = wrong_ids if "{run_id}" in path else []
+        if "{benchmark_id}" in path:
+            places = [{"benchmark_id": wrong} for wrong in benchmark_ids]
+        for place in places:
+            answer = worker.run.call(operation_id, **(how | place))
+            code = answer.code if answer.code in either else either[0]
+            expect.refused(answer, code)
+    expect.ok(worker.run.call("get_run"))
+    expect.ok(context.call("get_benchmark", benchmark_id="calibration"))
+
+
+@requirement("ERR-019")
+def test_err_019_media_types_may_have_capital_letters(context: CheckContext) -> None:
+    """Content-Type and Accept are written in other ways. Expect success."""
+    worker = attach_live_worker(context)
+    content_types = ["Application/JSON", "APPLICATION/JSON; Charset=UTF-8"]
+    content_types += ["application/json ;charset=utf-8"]
+    accepts = ["Application/JSON", "text/html;q=0.1, APPLICATION/JSON;Q=0.5"]
+    accepts += ["Application/*", "text/html,application/json"]
+    for content_type in content_types:
+        expect.ok(worker.try_heartbeat(headers={"Content-Type": content_type}))
+        headers = {"Content-Type": content_type}
+        expect.ok(submit(context, context.submit_body(), headers=headers), 201)
+    for accept in accepts:
+        expect.ok(worker.run.call("get_run", headers={"Accept": accept}))
+        expect.ok(worker.try_heartbeat(headers={"Accept": accept}))
+    if context.speaks_msgpack:
+        media_type = "Application/MsgPack"
+        headers = {"Content-Type": media_type, "Accept": media_type}
+        turn = worker.try_predict(context.action(), msgpack=True, headers=headers)
+        expect.ok(turn)
+        expect.equal(turn.media_type, "application/msgpack", "the media type")
+
+
+def refused_requests(
+    worker: WorkerClient, submission: dict[str, Any]
+) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Give requests that would change much, each refused for one reason."""
+    context = worker.run.context
+    session = {"session_id": worker.session_id}
+    actions = [context.action(end=1)]
+    bodies: dict[str, dict[str, Any]] = {
+        "submit_run": submission,
+        "attach_worker": {"attach_key": uuid.uuid4().hex, "takeover": True},
+        "predict": session | {"seq": worker.seq + 1, "actions": actions},
+        "stop_run": {"mode": "abort"},
+    }
+    newest = int(context.service["protocol"]["max"].partition(".")[0])
+    reasons = [{"Proctor-Version": f"{newest + 1}.0"}]
+    reasons += [{"Authorization": "Bearer no-such-token"}]
+    for headers in reasons:
+        yield "detach_worker", {"params": session, "headers": headers}
+    reasons += [{"Accept": "text/html"}, {"Content-Type": "text/plain"}]
+    for operation_id, body in bodies.items():
+        for headers in reasons:
+            yield operation_id, {"json": body, "headers": headers}
+        yield operation_id, {"json": body | {"surprise": 1}}
+
+
+@requirement("ERR-020")
+def test_err_020_refused_requests_change_nothing(context: CheckContext) -> None:
+    """Requests that would end a run, a session or an episode, refused for many reasons.
+
+    Expect the run unchanged, its session alive, no action executed and no new run.
+    """
+    worker = attach_live_worker(context)
+    before, submission = worker.run.snapshot(), uniquely_named_body(context)
+    for operation_id, how in refused_requests(worker, submission):
+        answer = worker.run.call(operation_id, worker_id=worker.id, **how)
+        if answer.status < 400:
+            raise SetUpFailed(f"a wrong `{operation_id}` was accepted: {how}")
+    expect.equal(worker.run.snapshot(), before, "the run")
+    turn = expect.ok(worker.try_predict(context.action()))
+    expect.equal(count(turn), [2], "count after the refusals")
+    expect.equal(runs_of(context, submission), [], "the runs of a refused submit")
