@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -11,7 +12,10 @@ from msgspec.structs import replace as changed
 
 from reference_server.rules import action_space
 from reference_server.views import run_views, turn_view
+from reference_sim import benchmark_registry
+from reference_sim.benchmarks import calibration
 from reference_sim.process.pool import SimulatorHandle
+from reference_sim.process.simulator_process import SimulatorFault
 from tests.mutants import mutant, put
 
 Actions = Sequence[Any]
@@ -171,6 +175,99 @@ def ends_an_episode_too_early() -> None:
     """`end` is rounded."""
     spoil_play(
         lambda acts: [{**a, "end": [1.0 if a["end"][0] > 0.5 else 0.0]} for a in acts]
+    )
+
+
+@mutant("CAL-006")
+def sends_a_tensor_in_every_task() -> None:
+    """A policy that needs no tensors pays for them in every turn."""
+
+    def wrong(observation: dict[str, Any]) -> None:
+        tensor = {"dtype": "float64", "shape": [2, 3], "data": bytes(48)}
+        observation["tensors"].setdefault("float64", tensor)
+
+    spoil_observations(wrong)
+
+
+@mutant("CAL-007")
+def begins_an_episode_where_the_last_one_ended() -> None:
+    """A policy sees the past of another episode."""
+    right_begin, right_play = SimulatorHandle.begin, SimulatorHandle.play
+    last: dict[int, list[float]] = {}
+
+    async def begin(self: Any, *arguments: Any, **named: Any) -> Any:
+        report = await right_begin(self, *arguments, **named)
+        state = report.observation["state"]
+        state["vector"] = last.get(id(self), state["vector"])
+        return report
+
+    async def play(self: Any, actions: Actions, **named: Any) -> Any:
+        last[id(self)] = list(actions[-1]["vector"])
+        return await right_play(self, actions, **named)
+
+    put(SimulatorHandle, "begin", begin)
+    put(SimulatorHandle, "play", play)
+
+
+@mutant("CAL-007", "PRED-018")
+def ignores_clipped_values_behind_the_first_action() -> None:
+    """A robot that is sent to its limit stops half way."""
+
+    def limited(action: Any) -> Any:
+        clipped = [0.0 if abs(v) == 1 else v for v in action["clipped"]]
+        return {**action, "clipped": clipped}
+
+    spoil_play(lambda acts: [*acts[:1], *map(limited, acts[1:])])
+
+
+@mutant("CAL-008")
+def rounds_rewards() -> None:
+    """Learning curves have steps."""
+    spoil_play(
+        after=lambda played, _: changed(
+            played, rewards=[round(reward, 9) for reward in played.rewards]
+        )
+    )
+
+
+@mutant("CAL-009")
+def rounds_commanded_faults() -> None:
+    """The kit cannot tell what it has commanded."""
+    spoil_play(lambda acts: [{**a, "fault": [round(a["fault"][0])]} for a in acts])
+
+
+@mutant("CAL-010")
+def breaks_down_in_every_task() -> None:
+    """An action that has no meaning in a task disturbs the run."""
+    right_begin, right_play = SimulatorHandle.begin, SimulatorHandle.play
+    tasks: dict[int, str] = {}
+
+    async def begin(self: Any, task: str, *arguments: Any, **named: Any) -> Any:
+        tasks[id(self)] = task
+        return await right_begin(self, task, *arguments, **named)
+
+    async def play(self: Any, actions: Actions, **named: Any) -> Any:
+        if tasks[id(self)] != "fault" and any(a["fault"][0] >= 1 for a in actions):
+            raise SimulatorFault("it was commanded to break")
+        return await right_play(self, actions, **named)
+
+    put(SimulatorHandle, "begin", begin)
+    put(SimulatorHandle, "play", play)
+
+
+@mutant("CAL-011")
+def scores_echo_by_its_commanded_score() -> None:
+    """A failure counts for more than nothing."""
+    found = calibration.BENCHMARKS["calibration"]
+
+    def wrong(images: Any) -> dict[str, Any]:
+        return {**images, "success_scored_tasks": ["count", "delay", "fault"]}
+
+    broken = replace(found, settings=wrong)
+    put(
+        benchmark_registry,
+        "_BENCHMARKS",
+        benchmark_registry._BENCHMARKS | {"calibration": broken},
     )
 
 

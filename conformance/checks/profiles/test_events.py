@@ -342,7 +342,7 @@ def expect_no_silence(worker: WorkerClient, *readers: EventReader) -> None:
             place = before + number
             last = reader.signs_at[place - 1]
             while len(reader.signs_at) <= place and time.monotonic() < last + limit_s:
-                reader.collect_for(0.1)
+                reader.collect_for(0.25)
                 worker.predict(context.action())
             silent_s = [at - last for at in reader.signs_at[place : place + 1]]
             what = f"comment {number + 1} within {limit_s:.1f} s of silence"

@@ -64,7 +64,7 @@ def long_run(context: CheckContext) -> LongRun:
 
 
 def other_long_run(context: CheckContext) -> LongRun:
-    """Give a run of the same manifest with nearly opposite outcomes."""
+    """Give a run of the same manifest with nearly opposite outcomes, in its order."""
     return _stored(context, "other long run", is_other=True)
 
 
@@ -94,7 +94,8 @@ def _play(context: CheckContext, is_other: bool) -> LongRun:
     plan = [_plan(index, is_other) for index in range(EPISODES)]
     run = context.submit(*[planned.task for planned in plan])
     long = LongRun(run, plan)
-    workers = [run.worker() for _ in range(min(2, context.limits["max_workers"]))]
+    wanted = 1 if is_other else min(2, context.limits["max_workers"])
+    workers = [run.worker() for _ in range(wanted)]
     for worker in workers:
         long.turns.append(worker.attach())
     *held_back, worker = workers

@@ -249,8 +249,8 @@ def test_cal_007_states_are_those_of_the_last_action(context: CheckContext) -> N
         worker.predict(first)
         if task == "fault":
             expect_echoed(worker.predict(context.action(fault=1)), *zeros, "at a fault")
-            worker.predict(first)
-        worker.play()
+        values = last["values"] | {"end": [1.0]}
+        worker.predict(first, {"values": values})
 
 
 @requirement("CAL-008")
