@@ -339,6 +339,8 @@ def test_cmp_008_release_needs_every_difference_within_tolerance(
             text = f"release with difference {float(expected['difference']):+.4f}"
             text += f", tolerance {'absent' if tolerance is None else tolerance}"
             expect.equal(found[planned_run.run.id], expected["release"], text)
+    unfinished = compare_planned_runs(context, planned_runs[-1], base, 1.0)
+    expect.equal(unfinished["release"], False, "release beside an incomplete baseline")
 
 
 @requirement("CMP-009")

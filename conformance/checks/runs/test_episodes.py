@@ -33,13 +33,27 @@ def episode_of(worker: WorkerClient) -> tuple[int, str]:
     return episode["index"], episode["task"]
 
 
+def expect_returned_first(context: CheckContext) -> None:
+    """Expect returned episodes before those that were never handed out, in order."""
+    run = context.submit(*["score"] * 5)
+    workers = attach_workers(run, min(2, context.limits["max_workers"]))
+    for worker in reversed(workers):
+        worker.predict(context.action())
+        worker.detach()
+    for index, worker in enumerate(workers):
+        worker.attach()
+        expect.equal(index_of(worker), index, "an episode that was returned")
+    workers[0].play()
+    expect.equal(index_of(workers[0]), len(workers), "the episode after those")
+
+
 @on_long_run
 @requirement("EPI-001")
 def test_epi_001_hands_out_in_manifest_order(context: CheckContext) -> None:
     """A worker plays while another one (if allowed) holds an episode; also in a run of
-    a hundred and eighty episodes.
+    a hundred and eighty episodes. Workers return episodes while others are pending.
 
-    Expect it to get the first pending episode in manifest order, also when it
+    Expect each to get the first pending episode in manifest order, also when it
     returned that episode itself.
     """
     tasks = ["score", "count", "echo", "delay", "fault"]
@@ -58,6 +72,7 @@ def test_epi_001_hands_out_in_manifest_order(context: CheckContext) -> None:
     worker.detach()
     worker.attach()
     expect.equal(episode_of(worker), returned_episode, "the episode given back")
+    expect_returned_first(context)
     handed_out = long_run(context).handed_out
     first = EPISODES - len(handed_out)  # the other worker holds the episodes before
     expect.equal(handed_out, list(range(first, EPISODES)), "episodes of a long run")
@@ -115,6 +130,8 @@ def test_epi_003_closed_attempt_goes_back_to_the_queue(context: CheckContext) ->
         expect.equal(turn["episode"]["attempt"], attempt, "attempt of the turn")
         expect.equal(turn["episode"]["step"], 0, "step of the turn")
         expect.equal(count(turn), [0], "count in the turn")
+    result = worker.play()["episode_result"]
+    expect.equal(result["attempt"], attempt, "attempt of the result")
 
 
 @requirement("EPI-004")

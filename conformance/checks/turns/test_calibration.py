@@ -157,6 +157,8 @@ def test_cal_003_counts_in_every_task(context: CheckContext) -> None:
     chunk = [context.action()] * min(130, context.benchmark["max_chunk"])
     for played in range(len(chunk), 257 + len(chunk), len(chunk)):
         expect.equal(count(worker.predict(*chunk)), [played], "count in a long episode")
+    result = worker.play()["episode_result"]
+    expect.equal(result["steps"], played + 1, "steps in the result of a long episode")
 
 
 @requirement("CAL-004")
