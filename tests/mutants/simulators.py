@@ -82,14 +82,34 @@ def spoil_image(change: Callable[[dict[str, Any]], None], codec: str) -> None:
 
 
 @mutant(
-    "PRED-001", "PRED-006", "PRED-007", "PRED-012", "PRED-021", "SCORE-002", "SCORE-003"
+    "CAL-007",
+    "CAL-008",
+    "PRED-001",
+    "PRED-006",
+    "PRED-007",
+    "PRED-012",
+    "PRED-018",
+    "PRED-021",
+    "SCORE-002",
+    "SCORE-003",
 )
 def executes_a_chunk_backwards() -> None:
     """The robot puts an object down before it picks it up."""
     spoil_play(lambda actions: actions[::-1])
 
 
-@mutant("ENC-005", "ENC-006", "PRED-001", "PRED-006", "PRED-012", "PRED-021")
+@mutant(
+    "CAL-003",
+    "CAL-008",
+    "CAL-010",
+    "ENC-005",
+    "ENC-006",
+    "PRED-001",
+    "PRED-006",
+    "PRED-012",
+    "PRED-018",
+    "PRED-021",
+)
 def drops_the_last_action_of_long_chunks() -> None:
     """A chunk is cut without an error."""
     spoil_play(lambda actions: actions[:-1] if len(actions) > 2 else actions)
@@ -142,7 +162,7 @@ def scores_more_than_one() -> None:
         put(module, "result_view", wrong)
 
 
-@mutant("CAL-002", "CMP-004", "CMP-005", "CMP-008", "SCORE-006", "SCORE-011")
+@mutant("CAL-002", "CAL-011", "CMP-004", "CMP-005", "CMP-008", "SCORE-006", "SCORE-011")
 def scores_the_best_and_not_the_last_value() -> None:
     """The task `score` cannot be used to judge aggregation."""
 
@@ -153,7 +173,9 @@ def scores_the_best_and_not_the_last_value() -> None:
     spoil_play(after=wrong)
 
 
-@mutant("ATT-004", "CAL-003", "FAULT-004", "PRED-001", "PRED-004", "PRED-012")
+@mutant(
+    "ATT-004", "CAL-003", "FAULT-004", "PRED-001", "PRED-004", "PRED-012", "PRED-017"
+)
 def counts_one_action_too_many() -> None:
     """The kit cannot determine what was executed."""
 
@@ -271,7 +293,7 @@ def scores_echo_by_its_commanded_score() -> None:
     )
 
 
-@mutant("ENC-003")
+@mutant("CAL-007", "ENC-003")
 def sends_numbers_in_single_precision() -> None:
     """All positions are slightly wrong."""
     import numpy as np

@@ -129,9 +129,9 @@ def test_run_019_every_operation_shows_the_same_run(context: CheckContext) -> No
         without(run.get(), *_CHANGES_BY_ITSELF),
         "the run that is submitted",
     )
-    stopped = expect.ok(run.call("stop_run", json={}))
+    stopped = run.stop()
     expect.equal(stopped, run.get(), "the run that is stopped")
-    resumed = expect.ok(run.call("resume_run"))
+    resumed = run.resume()
     expect.equal(
         without(resumed, *_CHANGES_BY_ITSELF),
         without(run.get(), *_CHANGES_BY_ITSELF),
@@ -170,7 +170,11 @@ def test_run_020_times_are_those_of_the_clock(context: CheckContext) -> None:
     run.stop()
     run.resume()
     expect.equal(run.get()["created_at"], created_at, "created_at at last")
-    expect.equal(results(run)[:2], listed, "results at last")
+    for found, before_stop in zip(results(run), listed, strict=False):
+        if found is None:
+            raise SetUpFailed("a result is lost; see STOP-001, RES-001")
+        finished_at = before_stop["finished_at"]
+        expect.equal(found["finished_at"], finished_at, "finished_at at last")
 
 
 @requirement("RUN-021")

@@ -297,6 +297,6 @@ def test_score_014_says_whose_score_it_is(context: CheckContext) -> None:
     """
     runs = [make_run_in_state(context, s) for s in context.spec.lifecycle["states"]]
     for run in (*runs, context.submit("echo", "count", max_steps=3)):
-        score, body = expect.ok(run.call("get_score")), run.get()
+        score, body = expect.ExpectedBody(run.score()), run.get()
         for name in ("run_id", "benchmark_id", "manifest_sha256", "state"):
             expect.equal(score[name], body[name], f"{name} of a {body['state']} run")
