@@ -1,8 +1,8 @@
 """Server-sent events, read as the HTML standard describes.
 
-An `EventReader` follows one run in its own thread. It ignores comments, and when a
-stream ends it reconnects with the last id until it is closed. It stores events with
-their times, in order; the checks decide whether they are right.
+An `EventReader` follows one run in its own thread. When a stream ends it reconnects
+with the last id until it is closed. It stores events and comments with their times, in
+order; the checks decide whether they are right.
 """
 
 import queue
@@ -63,6 +63,7 @@ class EventParser:
         self._rest = b""
         self._ended_with_cr = False
         self._fields: dict[str, list[str]] = {}
+        self.comments_at: list[float] = []  # times at which a comment was complete
 
     def feed(self, part: bytes) -> list[Event]:
         """Take received bytes, and give the events that they complete."""
@@ -78,6 +79,9 @@ class EventParser:
         return events
 
     def _line(self, line: str) -> Event | None:
+        if line.startswith(":"):
+            self.comments_at.append(time.monotonic())
+            return None
         if line:
             name, _, value = line.partition(":")
             self._fields.setdefault(name, []).append(value.removeprefix(" "))
@@ -95,7 +99,7 @@ class EventReader:
     def __init__(self, run: RunClient, after: str | None) -> None:
         self.last_id = after
         self.received: list[Event] = []  # events taken by the check, in order
-        self.received_at: list[float] = []  # times of received bytes, comments included
+        self.signs_at: list[float] = []  # times of the answer, of events and comments
         self._status: int | None = None
         self._has_answer, self._has_ended = threading.Event(), threading.Event()
         self._run = run
@@ -126,6 +130,7 @@ class EventReader:
         with self._run.stream("stream_events", headers=last) as opened:
             status = opened.status if isinstance(opened, Answer) else 200
             self._status = self._status or status
+            self.signs_at.append(time.monotonic())
             self._has_answer.set()
             if isinstance(opened, Answer):
                 self._queue.put(opened)
@@ -133,10 +138,11 @@ class EventReader:
             self._stream, parser = opened, EventParser()
             if self._is_closed.is_set():
                 return False
-            self.received_at.append(time.monotonic())
             for part in opened.parts():
-                self.received_at.append(time.monotonic())
-                for event in parser.feed(part):
+                events = parser.feed(part)
+                self.signs_at += [event.at for event in events] + parser.comments_at
+                parser.comments_at.clear()
+                for event in events:
                     self.last_id = event.id or self.last_id
                     self._queue.put(event)
             self._has_ended.set()

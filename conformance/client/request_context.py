@@ -46,6 +46,8 @@ class SharedContext:
     clients: ClientPool
     spec: Spec
     timeouts: AdaptiveTimeouts = field(default_factory=AdaptiveTimeouts)
+    # What one check made for others, by name: a run that is long to play.
+    stored: dict[str, Any] = field(default_factory=dict)
 
     @classmethod
     def of(cls, settings: Settings) -> "SharedContext":

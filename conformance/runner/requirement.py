@@ -17,3 +17,9 @@ def background(check: Check) -> Check:
     """Mark a check that mostly waits; it runs in a thread beside the other checks."""
     marked: Check = pytest.mark.background(check)
     return marked
+
+
+def on_long_run(check: Check) -> Check:
+    """Mark a check that reads the long run; one process plays it for all of them."""
+    marked: Check = pytest.mark.xdist_group("long run")(check)
+    return marked

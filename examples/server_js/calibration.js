@@ -133,8 +133,8 @@ export class Simulator {
 
   /** Executes one checked action and returns its reward. */
   async step({ score: [score], success: [success], end: [end], delay_s: [delay], fault: [fault], vector, clipped }) {
-    if (this.task === 'fault' && fault === 1) throw 'broken';
     if (this.task === 'fault' && fault === 2) throw 'unplayable';
+    if (this.task === 'fault' && fault >= 1) throw 'broken'; // CAL-009: between whole numbers nothing is rounded
     if (this.task === 'delay') {
       // Timers may fire a millisecond early; the step must not.
       const until = performance.now() + delay * 1000;

@@ -60,7 +60,8 @@ export class Run {
   }
 
   write(facts) {
-    this.updated_at = new Date().toISOString();
+    const now = new Date().toISOString();
+    if (now > this.updated_at) this.updated_at = now; // RUN-021: a clock may be set back
     this.keep({ run_id: this.record.run_id, at: this.updated_at, ...facts });
     this.changed();
   }

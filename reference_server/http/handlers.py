@@ -33,7 +33,7 @@ from reference_server.views import run_views
 
 SOFTWARE_VERSION = importlib.metadata.version("proctor-eval")
 IDLE_TIMEOUT_S_MIN = 1.0
-PAGE = 100
+PAGE = 100  # RUN-025: items on a page when no limit is sent
 # RUN-032: `push` is always among them, and so are its members of a submit.
 PROFILES: tuple[models.Profile, ...] = ("core", "msgpack", "compare", "events", "push")
 

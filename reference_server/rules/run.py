@@ -67,7 +67,7 @@ class Episode:
 
     @property
     def episode_id(self) -> str:
-        return f"e{self.index:04d}"
+        return f"e{self.index:04d}"  # RUN-024
 
 
 @dataclass(slots=True, eq=False, weakref_slot=True)

@@ -40,7 +40,7 @@ class Benchmarks:
         self._max_chunk = max_chunk
 
     def summaries(self) -> list[dict[str, Any]]:
-        """Schema BenchmarkSummary of each, sorted by id (BEN-001)."""
+        """Schema BenchmarkSummary of each, sorted by id (BEN-001, BEN-004)."""
         found = []
         for benchmark_id in benchmark_registry.benchmark_ids():
             resolved = self._resolved(benchmark_id, None, None)
@@ -152,7 +152,7 @@ def _simulator_config(run: Run) -> benchmark_registry.SimulatorConfig:
 
 
 def digest(manifest: Manifest | Mapping[str, Any]) -> str:
-    """The `manifest_sha256` of a manifest with its episodes."""
+    """The `manifest_sha256` of a manifest with its episodes (BEN-005)."""
     canonical = msgspec.json.encode(manifest, order="deterministic")
     return hashlib.sha256(canonical).hexdigest()
 

@@ -228,7 +228,8 @@ class RunRegistry:
 
         The task never raises; its result is whether the run was stored.
         """
-        run.updated_at_wall = time.time()
+        # RUN-021: a clock that is set back does not set the run back.
+        run.updated_at_wall = max(run.updated_at_wall, time.time())
         saving = asyncio.ensure_future(self._save(run))
         self._saving[run.run_id] = saving
         self.run_in_background(saving)

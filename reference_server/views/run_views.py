@@ -17,7 +17,7 @@ from reference_server.rules.scoring import ScoredEpisode, score_of
 
 
 def timestamp(at_wall: float) -> str:
-    """RFC 3339 in UTC, to the millisecond, of seconds since 1970."""
+    """RFC 3339 in UTC, to the millisecond, of seconds since 1970 (RUN-020)."""
     second, milliseconds = divmod(int(at_wall * 1000), 1000)
     return f"{_format_second(second)}.{milliseconds:03d}Z"
 
@@ -29,13 +29,13 @@ def _format_second(at_wall: int) -> str:
 
 
 def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> dict[str, Any]:
-    """Schema Run."""
+    """Schema Run, for every operation that shows one (RUN-018, RUN-019)."""
     in_progress = sum(1 for s in run.live_sessions if s.episode is not None)
     view = models.Run(
         run_id=run.run_id,
         state=run.state,
         reason=run.reason,
-        retryable=run.retryable,
+        retryable=run.retryable,  # RUN-023
         benchmark_id=run.manifest["benchmark_id"],
         benchmark_version=run.manifest["version"],
         manifest_sha256=run.manifest_sha256,
@@ -47,7 +47,7 @@ def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> dict[st
         endpoint=endpoint,
         queue_position=queue_position,
         live_workers=len(run.live_sessions),
-        progress=models.Progress(  # RUN-014
+        progress=models.Progress(  # RUN-014, RUN-022
             episodes_total=run.total,
             episodes_scored=run.scored,
             episodes_in_progress=in_progress,
@@ -109,7 +109,7 @@ def episode_view(episode: Episode) -> dict[str, Any]:
 def comparison_view(
     baseline: RunHead, tolerance: float, entries: list[dict[str, Any]]
 ) -> dict[str, Any]:
-    """Schema Comparison; entries: schema ComparedRun each, in order (CMP-001)."""
+    """Schema Comparison (CMP-012); entries: schema ComparedRun, in order (CMP-001)."""
     return {
         "baseline": baseline.run_id,
         "benchmark_id": baseline.manifest["benchmark_id"],
@@ -130,7 +130,7 @@ def scored_episodes(episodes: Sequence[Episode]) -> list[ScoredEpisode]:
 
 
 def score_view(run: RunHead, episodes: Sequence[Episode]) -> dict[str, Any]:
-    """Schema Score, of all episodes of the run."""
+    """Schema Score, of all episodes of the run (SCORE-014)."""
     return {
         "run_id": run.run_id,
         "benchmark_id": run.manifest["benchmark_id"],

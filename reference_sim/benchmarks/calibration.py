@@ -55,17 +55,17 @@ class Calibration:
     def step(self, action: Action) -> StepOutcome:
         if self._task == "delay":  # CAL-004
             time.sleep(action["delay_s"][0])
-        if self._task == "fault":
+        if self._task == "fault":  # CAL-010: both are ignored in the other tasks
             _break_down(action["fault"][0])
         self._count += 1  # CAL-003
-        self._vector = np.array(action["vector"], dtype=np.float64)
+        self._vector = np.array(action["vector"], dtype=np.float64)  # CAL-007
         self._clipped = np.clip(np.array(action["clipped"], dtype=np.float64), -1, 1)
         score = action["score"][0]
         return StepOutcome(
             success=action["success"][0] >= 1,
             score=score,  # CAL-002; in other tasks the success rule decides instead
             terminated=action["end"][0] >= 1,  # CAL-005
-            reward=score,
+            reward=score,  # CAL-008
         )
 
     def observe(self) -> Observation:
@@ -74,7 +74,7 @@ class Calibration:
             "vector": self._vector,
             "clipped": self._clipped,
         }
-        if self._task != "echo":
+        if self._task != "echo":  # CAL-006
             return Observation(state)
         height, width, _ = self._pattern.shape  # ENC-005
         pattern = FRAME_BUFFER.allocate(height, width)
@@ -86,7 +86,10 @@ class Calibration:
 
 
 def _break_down(command: float) -> None:
-    """2 reports the task unplayable (FAULT-005), 1 kills the process (FAULT-001)."""
+    """2 reports the task unplayable (FAULT-005), from 1 on it kills the process.
+
+    FAULT-001, CAL-009: nothing is rounded.
+    """
     if command >= 2:
         raise TaskUnplayable("the policy commanded fault 2")
     if command >= 1:
@@ -177,7 +180,7 @@ def _describe(options: Mapping[str, Any], max_chunk: int) -> Json:
 
 
 def _settings(images: Mapping[str, Any]) -> Json:
-    # "In the other tasks the score is 1 when the episode is a success."
+    # CAL-011: in the other tasks the score is 1 when the episode is a success.
     scored = [task for task in TASKS if task != "score"]
     return {**images, "success_scored_tasks": scored}
 

@@ -127,7 +127,7 @@ def answers_for_unknown_benchmarks() -> None:
     put(Benchmarks, "view", wrong)
 
 
-@mutant("BEN-003")
+@mutant("BEN-003", "BEN-004")
 def hashes_a_benchmark_anew_each_time() -> None:
     """Two runs of the same benchmark cannot be compared."""
     right = Benchmarks.view
@@ -273,7 +273,7 @@ def answers_for_unknown_runs() -> None:
     put(Handlers, "get_run", wrong)
 
 
-@mutant("RUN-014")
+@mutant("RUN-014", "RUN-022")
 def counts_episodes_in_play_twice() -> None:
     """Progress exceeds a hundred per cent."""
 

@@ -54,7 +54,7 @@ def counts_no_attempt() -> None:
     put(effects, "_close_attempt", wrong)
 
 
-@mutant("EPI-005")
+@mutant("EPI-005", "RUN-020")
 def answers_another_result_than_it_stores() -> None:
     """A client's log of an episode and the server's list disagree about its end."""
 
@@ -66,7 +66,7 @@ def answers_another_result_than_it_stores() -> None:
     change_turn(wrong)
 
 
-@mutant("EPI-008")
+@mutant("EPI-008", "RUN-022")
 def gives_one_episode_to_two_workers() -> None:
     """Work is done twice and one result is thrown away."""
     right = Run.take_pending

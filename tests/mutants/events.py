@@ -117,6 +117,21 @@ def resends_an_unchanged_run() -> None:
     put(event_streams, "next_batch", wrong)
 
 
+@mutant("EVT-004")
+@with_short_keepalive
+def hides_changes_that_leave_the_state() -> None:
+    """A page that follows a run shows one worker where there are two."""
+    right = events.next_batch
+
+    def wrong(cursor: Cursor, run: RunHead, *rest: Any) -> EventBatch:
+        run_body, scored, _ = rest
+        return right(
+            cursor, run, run_body, scored, f"{run.state} {run.scored}".encode()
+        )
+
+    put(event_streams, "next_batch", wrong)
+
+
 @mutant("EVT-005")
 @with_short_keepalive
 def restarts_the_stream_on_reconnect() -> None:
@@ -157,6 +172,23 @@ def accepts_event_ids_of_other_runs() -> None:
 def sends_no_keepalive_comments() -> None:
     """A broken connection looks like a run in which nothing happens."""
     put(event_streams, "KEEPALIVE_S", 1e6)
+
+
+@mutant("EVT-008")
+def sends_one_keepalive_comment() -> None:
+    """A proxy closes every stream of a run that is quiet for a minute."""
+    put(event_streams, "KEEPALIVE_S", 1.0)
+    right = event_streams._left_s
+    asked: dict[float, int] = {}
+
+    def wrong(since: float, seconds: float) -> float:
+        if seconds != event_streams.KEEPALIVE_S:
+            return right(since, seconds)
+        task = asyncio.current_task()
+        asked[hash(task)] = asked.get(hash(task), 0) + 1
+        return right(since, seconds) if asked[hash(task)] < 2 else 1e6
+
+    put(event_streams, "_left_s", wrong)
 
 
 @mutant("EVT-009")

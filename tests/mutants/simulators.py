@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -11,7 +12,10 @@ from msgspec.structs import replace as changed
 
 from reference_server.rules import action_space
 from reference_server.views import run_views, turn_view
+from reference_sim import benchmark_registry
+from reference_sim.benchmarks import calibration
 from reference_sim.process.pool import SimulatorHandle
+from reference_sim.process.simulator_process import SimulatorFault
 from tests.mutants import mutant, put
 
 Actions = Sequence[Any]
@@ -78,14 +82,34 @@ def spoil_image(change: Callable[[dict[str, Any]], None], codec: str) -> None:
 
 
 @mutant(
-    "PRED-001", "PRED-006", "PRED-007", "PRED-012", "PRED-021", "SCORE-002", "SCORE-003"
+    "CAL-007",
+    "CAL-008",
+    "PRED-001",
+    "PRED-006",
+    "PRED-007",
+    "PRED-012",
+    "PRED-018",
+    "PRED-021",
+    "SCORE-002",
+    "SCORE-003",
 )
 def executes_a_chunk_backwards() -> None:
     """The robot puts an object down before it picks it up."""
     spoil_play(lambda actions: actions[::-1])
 
 
-@mutant("ENC-005", "ENC-006", "PRED-001", "PRED-006", "PRED-012", "PRED-021")
+@mutant(
+    "CAL-003",
+    "CAL-008",
+    "CAL-010",
+    "ENC-005",
+    "ENC-006",
+    "PRED-001",
+    "PRED-006",
+    "PRED-012",
+    "PRED-018",
+    "PRED-021",
+)
 def drops_the_last_action_of_long_chunks() -> None:
     """A chunk is cut without an error."""
     spoil_play(lambda actions: actions[:-1] if len(actions) > 2 else actions)
@@ -138,7 +162,7 @@ def scores_more_than_one() -> None:
         put(module, "result_view", wrong)
 
 
-@mutant("CAL-002", "CMP-004", "CMP-005", "CMP-008", "SCORE-006", "SCORE-011")
+@mutant("CAL-002", "CAL-011", "CMP-004", "CMP-005", "CMP-008", "SCORE-006", "SCORE-011")
 def scores_the_best_and_not_the_last_value() -> None:
     """The task `score` cannot be used to judge aggregation."""
 
@@ -149,7 +173,9 @@ def scores_the_best_and_not_the_last_value() -> None:
     spoil_play(after=wrong)
 
 
-@mutant("ATT-004", "CAL-003", "FAULT-004", "PRED-001", "PRED-004", "PRED-012")
+@mutant(
+    "ATT-004", "CAL-003", "FAULT-004", "PRED-001", "PRED-004", "PRED-012", "PRED-017"
+)
 def counts_one_action_too_many() -> None:
     """The kit cannot determine what was executed."""
 
@@ -174,7 +200,100 @@ def ends_an_episode_too_early() -> None:
     )
 
 
-@mutant("ENC-003")
+@mutant("CAL-006")
+def sends_a_tensor_in_every_task() -> None:
+    """A policy that needs no tensors pays for them in every turn."""
+
+    def wrong(observation: dict[str, Any]) -> None:
+        tensor = {"dtype": "float64", "shape": [2, 3], "data": bytes(48)}
+        observation["tensors"].setdefault("float64", tensor)
+
+    spoil_observations(wrong)
+
+
+@mutant("CAL-007")
+def begins_an_episode_where_the_last_one_ended() -> None:
+    """A policy sees the past of another episode."""
+    right_begin, right_play = SimulatorHandle.begin, SimulatorHandle.play
+    last: dict[int, list[float]] = {}
+
+    async def begin(self: Any, *arguments: Any, **named: Any) -> Any:
+        report = await right_begin(self, *arguments, **named)
+        state = report.observation["state"]
+        state["vector"] = last.get(id(self), state["vector"])
+        return report
+
+    async def play(self: Any, actions: Actions, **named: Any) -> Any:
+        last[id(self)] = list(actions[-1]["vector"])
+        return await right_play(self, actions, **named)
+
+    put(SimulatorHandle, "begin", begin)
+    put(SimulatorHandle, "play", play)
+
+
+@mutant("CAL-007", "PRED-018")
+def ignores_clipped_values_behind_the_first_action() -> None:
+    """A robot that is sent to its limit stops half way."""
+
+    def limited(action: Any) -> Any:
+        clipped = [0.0 if abs(v) == 1 else v for v in action["clipped"]]
+        return {**action, "clipped": clipped}
+
+    spoil_play(lambda acts: [*acts[:1], *map(limited, acts[1:])])
+
+
+@mutant("CAL-008")
+def rounds_rewards() -> None:
+    """Learning curves have steps."""
+    spoil_play(
+        after=lambda played, _: changed(
+            played, rewards=[round(reward, 9) for reward in played.rewards]
+        )
+    )
+
+
+@mutant("CAL-009")
+def rounds_commanded_faults() -> None:
+    """The kit cannot tell what it has commanded."""
+    spoil_play(lambda acts: [{**a, "fault": [round(a["fault"][0])]} for a in acts])
+
+
+@mutant("CAL-010")
+def breaks_down_in_every_task() -> None:
+    """An action that has no meaning in a task disturbs the run."""
+    right_begin, right_play = SimulatorHandle.begin, SimulatorHandle.play
+    tasks: dict[int, str] = {}
+
+    async def begin(self: Any, task: str, *arguments: Any, **named: Any) -> Any:
+        tasks[id(self)] = task
+        return await right_begin(self, task, *arguments, **named)
+
+    async def play(self: Any, actions: Actions, **named: Any) -> Any:
+        if tasks[id(self)] != "fault" and any(a["fault"][0] >= 1 for a in actions):
+            raise SimulatorFault("it was commanded to break")
+        return await right_play(self, actions, **named)
+
+    put(SimulatorHandle, "begin", begin)
+    put(SimulatorHandle, "play", play)
+
+
+@mutant("CAL-011")
+def scores_echo_by_its_commanded_score() -> None:
+    """A failure counts for more than nothing."""
+    found = calibration.BENCHMARKS["calibration"]
+
+    def wrong(images: Any) -> dict[str, Any]:
+        return {**images, "success_scored_tasks": ["count", "delay", "fault"]}
+
+    broken = replace(found, settings=wrong)
+    put(
+        benchmark_registry,
+        "_BENCHMARKS",
+        benchmark_registry._BENCHMARKS | {"calibration": broken},
+    )
+
+
+@mutant("CAL-007", "ENC-003")
 def sends_numbers_in_single_precision() -> None:
     """All positions are slightly wrong."""
     import numpy as np

@@ -221,7 +221,7 @@ def refuses_what_it_should_clip() -> None:
     put(action_space, "_vector_errors", wrong)
 
 
-@mutant("PRED-019")
+@mutant("PRED-013", "PRED-014", "PRED-017", "PRED-019")
 def checks_only_the_first_action() -> None:
     """Half a chunk is executed before the invalid action is found."""
     right = action_space.action_errors
@@ -374,7 +374,7 @@ def repeats_done_for_any_seq() -> None:
     replace_guard(lifecycle._has_an_episode, wrong)
 
 
-@mutant("PRED-012")
+@mutant("PRED-012", "PRED-018")
 def returns_only_the_last_observation() -> None:
     """A client that wants every frame of a chunk gets one."""
 
@@ -385,7 +385,7 @@ def returns_only_the_last_observation() -> None:
     change_turn(wrong)
 
 
-@mutant("PRED-021")
+@mutant("CAL-008", "PRED-021")
 def sums_the_rewards_of_a_chunk() -> None:
     """Per-step rewards are lost."""
 

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from conformance.checks.support.generated_examples import for_all
 from conformance.checks.support.given_states import make_run_in_state, without
+from conformance.checks.support.long_run import long_run, other_long_run
 from conformance.checks.support.planned_run import (
     ABANDONED,
     EPISODE_PLANS,
@@ -27,7 +28,7 @@ from conformance.checks.support.planned_run import (
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
 from conformance.oracle.expected_comparison import expected_comparison
-from conformance.runner.requirement import requirement
+from conformance.runner.requirement import on_long_run, requirement
 from conformance.verdicts import expect
 
 DEFAULT_TOLERANCE = 0.05
@@ -86,16 +87,27 @@ def expect_close_means(
         expect_close(found[member], expected[member], f"{member} {what}")
 
 
+def compare_long_runs(context: CheckContext) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Compare the long runs; give the entry and what is expected of it."""
+    base, other = long_run(context), other_long_run(context)
+    (entry,) = compare(context, base.run, other.run)
+    expected = expected_comparison(base.episodes(), other.episodes(), DEFAULT_TOLERANCE)
+    return entry, expected
+
+
 @requirement("CMP-001")
 def test_cmp_001_one_entry_per_run_in_their_order(context: CheckContext) -> None:
-    """Three runs are listed in every order, with the baseline and one run twice.
+    """Three runs are listed in every order, with the baseline and one run twice, and
+    sixteen times in all.
 
     Expect the ids of the entries in that order.
     """
     base, *others = [
         planned_run.run for planned_run in play_runs(context, *([[SUCCESS]] * 4))
     ]
-    for named in (*permutations(others), [others[0], base, others[0]]):
+    first, second, third = others
+    sixteen = [first, second, third, second, base] * 3 + [third]
+    for named in (*permutations(others), [first, base, first], sixteen):
         entries = compare(context, base, *named)
         ids = [entry["run_id"] for entry in entries]
         expect.equal(ids, [run.id for run in named], "ids of the entries")
@@ -143,9 +155,11 @@ def test_cmp_003_complete_when_both_are(context: CheckContext) -> None:
         )
 
 
+@on_long_run
 @requirement("CMP-004")
 def test_cmp_004_difference_is_baseline_minus_run(context: CheckContext) -> None:
-    """Two runs with generated outcomes; episodes of the second may be missing.
+    """Two runs with generated outcomes; episodes of the second may be missing. Two runs
+    of a hundred and eighty episodes.
 
     Expect null before there is a pair, then the means over the pairs and their
     difference, within 1e-12; 0 with itself, and the opposite sign in reverse order.
@@ -185,11 +199,22 @@ def test_cmp_004_difference_is_baseline_minus_run(context: CheckContext) -> None
     pairs = st.lists(st.tuples(EPISODE_PLANS, EPISODE_PLANS), min_size=1, max_size=12)
     cases = st.tuples(pairs, st.integers(0, 4))
     for_all(context, cases, lambda drawn: check_property(*drawn), times=5)
+    expect_close_means(*compare_long_runs(context), "of long runs")
 
 
+def expect_tasks(found: dict[str, Any], expected: dict[str, Any]) -> None:
+    """Expect each task once, with its numbers."""
+    expect.equal(sorted(found), sorted(expected), "tasks")
+    for task, group in expected.items():
+        expect.equal(found[task]["paired"], group["paired"], f"paired of {task}")
+        expect_close_means(found[task], group, f"of {task}")
+
+
+@on_long_run
 @requirement("CMP-005")
 def test_cmp_005_groups_by_task(context: CheckContext) -> None:
-    """Tasks with three, two and one episode; the last has no scored pair.
+    """Tasks with three, two and one episode; the last has no scored pair. Two runs of a
+    hundred and eighty episodes.
 
     Expect each task once, with pairs, means and difference of its episodes.
     """
@@ -207,15 +232,16 @@ def test_cmp_005_groups_by_task(context: CheckContext) -> None:
         compare_planned_runs(context, base, planned_run)["by_task"],
         expected_entry(base, planned_run)["by_task"],
     )
-    expect.equal(sorted(found), sorted(expected), "tasks")
-    for task, group in expected.items():
-        expect.equal(found[task]["paired"], group["paired"], f"paired of {task}")
-        expect_close_means(found[task], group, f"of {task}")
+    expect_tasks(found, expected)
+    found, expected = compare_long_runs(context)
+    expect_tasks(found["by_task"], expected["by_task"])
 
 
+@on_long_run
 @requirement("CMP-006")
 def test_cmp_006_counts_one_sided_successes(context: CheckContext) -> None:
-    """Every pair of success, failure, abandoned and unscored, in different numbers.
+    """Every pair of success, failure, abandoned and unscored, in different numbers; two
+    runs of a hundred and eighty episodes that were scored in different orders.
 
     Expect the counts; in reverse order wins and losses are exchanged.
     """
@@ -244,16 +270,20 @@ def test_cmp_006_counts_one_sided_successes(context: CheckContext) -> None:
             UNPLAYED,
         ],
     )
-    for pair in ((base, planned_run), (planned_run, base), (planned_run, planned_run)):
-        entry, expected = compare_planned_runs(context, *pair), expected_entry(*pair)
+    pairs = ((base, planned_run), (planned_run, base), (planned_run, planned_run))
+    entries = [
+        (compare_planned_runs(context, *pair), expected_entry(*pair)) for pair in pairs
+    ]
+    for entry, expected in (*entries, compare_long_runs(context)):
         for member in ("wins", "losses", "ties"):
             expect.equal(entry[member], expected[member], member)
 
 
+@on_long_run
 @requirement("CMP-007")
 def test_cmp_007_p_value_is_exact(context: CheckContext) -> None:
     """A baseline with six successes in twelve episodes, and runs from equal to
-    opposite outcomes.
+    opposite outcomes; two runs that differ in more than 170 episodes.
 
     Expect the p-value of each within 1e-9, and 1 for equal outcomes.
     """
@@ -269,6 +299,8 @@ def test_cmp_007_p_value_is_exact(context: CheckContext) -> None:
         expected = expected_entry(base, planned_run)
         what = f"p_value of {expected['wins']} wins, {expected['losses']} losses"
         expect_close(by_id[planned_run.run.id]["p_value"], expected["p_value"], what)
+    entry, expected = compare_long_runs(context)
+    expect_close(entry["p_value"], expected["p_value"], "p_value of long runs")
 
 
 @requirement("CMP-008")
@@ -291,6 +323,9 @@ def test_cmp_008_release_needs_every_difference_within_tolerance(
     even = PlannedEpisode("success", task="count")
     plans = [scores(0.5, 0.5), scores(0.5, 0.25), scores(0.75, 0.5), scores(1, 0)]
     plans += [scores(0.5, 0.42), scores(0.5, 0.38), scores(0.62, 0.5)]
+    # In the task `score`, 2e-8 beyond the tolerance, 1e-10 beyond, and less.
+    plans += [scores(0.5, 0.5 - 2 * x) for x in (0.05 + 2e-8, 0.05 + 1e-10, 0.0499)]
+    plans += [scores(0.5 + 2 * x, 0.5) for x in (0.05 + 2e-8, 0.05 + 1e-10, 0.0499)]
     plans += [[*scores(0.5, 0.5)[:2], PlannedEpisode("failure", task="count")]]
     plans += [[*scores(0.5, 0.5)[:2], PlannedEpisode(None, task="count")]]
     base, *planned_runs = play_runs(context, scores(0.5, 0.5), *plans)
@@ -304,6 +339,8 @@ def test_cmp_008_release_needs_every_difference_within_tolerance(
             text = f"release with difference {float(expected['difference']):+.4f}"
             text += f", tolerance {'absent' if tolerance is None else tolerance}"
             expect.equal(found[planned_run.run.id], expected["release"], text)
+    unfinished = compare_planned_runs(context, planned_runs[-1], base, 1.0)
+    expect.equal(unfinished["release"], False, "release beside an incomplete baseline")
 
 
 @requirement("CMP-009")
@@ -359,3 +396,24 @@ def test_cmp_011_answers_in_every_state(context: CheckContext) -> None:
         nothing = {"wins": 0, "losses": 0, "p_value": 1}
         found = {name: entry[name] for name in nothing}
         expect.equal(without(found), nothing, f"comparison when {state}")
+
+
+@requirement("CMP-012")
+def test_cmp_012_says_what_was_compared(context: CheckContext) -> None:
+    """Two runs are compared with several tolerances and without one, in both orders.
+
+    Expect the id, the benchmark and the hash of the baseline, and the tolerance.
+    """
+    runs = [context.submit("echo", "score", max_steps=4) for _ in range(2)]
+    for base, other in (runs, reversed(runs)):
+        body = base.get()
+        for tolerance in (None, 0, 1 / 3, 0.05, 1e-9, 1):
+            params: dict[str, Any] = {"baseline": base.id, "runs": other.id}
+            if tolerance is not None:
+                params["tolerance"] = tolerance
+            found = expect.ok(context.call("compare_runs", params=params))
+            expect.equal(found["baseline"], base.id, "baseline")
+            for name in ("benchmark_id", "manifest_sha256"):
+                expect.equal(found[name], body[name], name)
+            applied = DEFAULT_TOLERANCE if tolerance is None else tolerance
+            expect.equal(found["tolerance"], applied, "tolerance")

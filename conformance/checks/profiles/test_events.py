@@ -6,6 +6,7 @@ when a stream ends it reconnects with the last id.
 
 import contextlib
 import itertools
+import re
 import time
 import uuid
 from collections.abc import Callable
@@ -17,6 +18,7 @@ from conformance.checks.support.given_states import (
     make_run_in_state,
     submit_and_attach,
 )
+from conformance.checks.support.long_run import EPISODES, long_run
 from conformance.client.check_context import CheckContext
 from conformance.client.event_reader import (
     ANSWER_TIMEOUT_S,
@@ -27,7 +29,7 @@ from conformance.client.event_reader import (
 from conformance.client.http_client import NoAnswer
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.runner.private_server import PrivateServer, open_private_server
-from conformance.runner.requirement import background, requirement
+from conformance.runner.requirement import background, on_long_run, requirement
 from conformance.specification.document import JSON
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
@@ -118,12 +120,14 @@ def faults_of(context: CheckContext, event: Event) -> list[str]:
     return context.spec.response_faults(operation, 200, JSON, body)
 
 
+@on_long_run
 @requirement("EVT-002")
 def test_evt_002_episodes_come_as_they_were_scored(context: CheckContext) -> None:
     """Two workers score episodes in another order than the manifest, one is
-    abandoned; one reader starts with the run, another one late.
+    abandoned; one reader starts with the run, another one late. A third reader follows
+    a run of a hundred and eighty episodes.
 
-    Expect both readers to receive every episode once, in the order of scoring.
+    Expect all readers to receive every episode once, in the order of scoring.
     """
     run = context.submit("score", "score", "score", "score", max_attempts=1)
     with follow_run(run) as reader:
@@ -141,6 +145,10 @@ def test_evt_002_episodes_come_as_they_were_scored(context: CheckContext) -> Non
     expect.equal(
         episodes_in(read_events(run, 4)), scored, "episodes received by the late reader"
     )
+    long = long_run(context)
+    scored = [result["index"] for result in long.results()]
+    received = read_events(long.run, EPISODES)
+    expect.equal(episodes_in(received), scored, "episodes of a long run")
 
 
 @requirement("EVT-003")
@@ -164,49 +172,70 @@ def test_evt_003_run_comes_after_what_it_counts(context: CheckContext) -> None:
                         expect.equal(seen, counted, "episodes before the `run` event")
 
 
+def has_workers(live: int) -> Callable[[Event], bool]:
+    """Say whether an event shows a run with so many live workers."""
+    return lambda event: event.kind == "run" and event.body["live_workers"] == live
+
+
 def expect_change_in_time(
-    context: CheckContext, reader: EventReader, state: str, changed_at: float
+    context: CheckContext,
+    reader: EventReader,
+    is_it: Callable[[Event], bool],
+    text: str,
 ) -> None:
-    """Expect the run in a state within a second after its change."""
+    """Expect an event of the run within a second after the change of just now."""
+    changed_at = time.monotonic()
     limit_s = CHANGE_LIMIT_S + context.tolerance_s
-    within_s = changed_at + limit_s + ANSWER_TIMEOUT_S - time.monotonic()
-    event = reader.until(in_state(state), f"`run` that is {state}", within_s)[-1]
+    event = reader.until(is_it, f"`run`: {text}", limit_s + ANSWER_TIMEOUT_S)[-1]
     late_s = event.at - changed_at
-    what = f"the `run` event within {limit_s:.2f} s of the change to {state}"
+    what = f"the `run` event within {limit_s:.2f} s of the change: {text}"
     expect.true(late_s <= limit_s, what, f"after {late_s:.2f} s")
 
 
 @background
 @requirement("EVT-004")
 def test_evt_004_changes_are_sent_within_a_second(context: CheckContext) -> None:
-    """A run is attached to, stopped and resumed; turns in between change nothing.
+    """A run is attached to, played, left, stopped and resumed; turns in between change
+    nothing.
 
-    Expect each change within a second, and no repeated `run` event.
+    Expect each change within a second, also where the state stays as it is, and no
+    repeated `run` event.
     """
-    run = context.submit("count", "count")
-    worker = run.worker()
+    run = context.submit(*["count"] * 4)
+    workers = [run.worker() for _ in range(min(2, context.limits["max_workers"]))]
+    worker = workers[0]
     with follow_run(run) as reader:
-        expect_change_in_time(context, reader, "ready", time.monotonic())
-        worker.attach()
-        expect_change_in_time(context, reader, "running", time.monotonic())
+        expect_change_in_time(context, reader, in_state("ready"), "ready")
+        for live, one in enumerate(workers, start=1):
+            one.attach()
+            text = f"running with {live} workers"
+            expect_change_in_time(context, reader, has_workers(live), text)
         for _ in range(3):
             worker.predict(context.action())
             reader.collect_for(PAUSE_S / 3)
+        worker.play()
+        expect_change_in_time(context, reader, counts_scored(1), "one scored episode")
+        for live, one in reversed(list(enumerate(workers))):
+            one.detach()
+            text = f"{live} workers left"
+            expect_change_in_time(context, reader, has_workers(live), text)
         run.stop()
-        expect_change_in_time(context, reader, "stopped", time.monotonic())
+        expect_change_in_time(context, reader, in_state("stopped"), "stopped")
         run.resume()
         run.until("ready")
-        expect_change_in_time(context, reader, "ready", time.monotonic())
+        expect_change_in_time(context, reader, in_state("ready"), "ready")
         reader.collect_for(PAUSE_S)
         bodies = [event.body for event in reader.received if event.kind == "run"]
     for last, body in itertools.pairwise(bodies):
         expect.true(body != last, "no `run` event without a change", body)
 
 
+@on_long_run
 @requirement("EVT-005")
 def test_evt_005_can_resume_after_every_event(context: CheckContext) -> None:
     """A reader stops after two of four episodes; readers then resume after each event
-    received, while the run continues, and after its end.
+    received, while the run continues, and after its end; and after some events of a run
+    of a hundred and eighty episodes.
 
     Expect each reader to receive exactly the missing episodes.
     """
@@ -225,6 +254,16 @@ def test_evt_005_can_resume_after_every_event(context: CheckContext) -> None:
         missing = [i for i in range(4) if i not in episodes_in(events[: number + 1])]
         received = episodes_in(read_events(run, 4, id_))
         expect.equal(received, missing, f"episodes received after event {number + 1}")
+    expect_resumable(long_run(context).run)
+
+
+def expect_resumable(run: RunClient) -> None:
+    """Expect the rest of the episodes of a long run after some of its events."""
+    events = read_events(run, EPISODES)
+    for last in (1, 9, 10, 99, 100, 101, len(events) - 1):
+        received = read_events(run, EPISODES, ids_of(events)[last - 1])
+        missing = episodes_in(events[last:])
+        expect.equal(episodes_in(received), missing, f"episodes after event {last}")
 
 
 @requirement("EVT-006")
@@ -254,18 +293,21 @@ def test_evt_006_ends_when_nothing_can_follow(context: CheckContext) -> None:
 
 @requirement("EVT-007")
 def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) -> None:
-    """Unknown event ids: invented, malformed, and of another run.
+    """Unknown event ids: invented, malformed, of another run, and beyond the last.
 
     Expect `invalid_request`; an id of the run itself is accepted.
     """
-    runs = [submit_and_attach(context, "score", "score") for _ in range(2)]
-    for worker in runs:
-        worker.play()
-    own, other = (ids_of(read_events(worker.run, 1))[-1] for worker in runs)
-    run = runs[0].run
-    if other == own:
-        raise SetUpFailed(f"two runs have events with the same id, {own}; see EVT-007")
-    for wrong in (uuid.uuid4().hex, "no such event", "x" * 129, other):
+    runs = [submit_and_attach(context, *["score"] * 6) for _ in range(2)]
+    for worker, episodes in zip(runs, (1, 5), strict=True):
+        for _ in range(episodes):
+            worker.play()
+    run, own = runs[0].run, ids_of(read_events(runs[0].run, 1))[-1]
+    # Ids may be numbers that each run counts: five episodes count beyond one.
+    others = [ids_of(read_events(runs[1].run, 5))[-1]]
+    others += [re.sub(r"\d+", lambda found: str(int(found[0]) + 1000), own, count=1)]
+    for wrong in (uuid.uuid4().hex, "no such event", "x" * 129, *others):
+        if wrong == own:
+            continue  # of letters alone
         answer = run.call("stream_events", headers={"Last-Event-ID": wrong})
         expect.refused(answer, "invalid_request")
     with follow_run(run, own) as reader:
@@ -275,19 +317,37 @@ def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) 
 @background
 @requirement("EVT-008")
 def test_evt_008_is_never_silent_for_long(context: CheckContext) -> None:
-    """A run does not change. Expect a comment or an event within 15 seconds."""
-    run = context.submit()
-    limit_s = SILENCE_S + SILENCE_MARGIN_S + context.tolerance_s
-    with follow_run(run) as reader:
-        reader.until(in_state("ready"), "`run` that is ready")
+    """A run does not change; one reader follows it from the start, and one after its
+    last event. A third one follows a run in which turns are played.
+
+    Expect a comment or an event within 15 seconds, again and again.
+    """
+    run, worker = context.submit(), submit_and_attach(context, "count", max_steps=10000)
+    with follow_run(run) as reader, follow_run(worker.run) as third:
+        events = reader.until(in_state("ready"), "`run` that is ready")
+        third.until(in_state("running"), "`run` that is running")
         reader.collect_for(PAUSE_S)
-        last = reader.received_at[-1]
-        while reader.received_at[-1] == last and time.monotonic() < last + limit_s:
-            reader.collect_for(0.1)
-        is_received = reader.received_at[-1] > last
-        expect.true(
-            is_received, f"a comment within {limit_s:.1f} s of silence", "nothing"
-        )
+        with follow_run(run, ids_of(events)[-1]) as second:
+            expect.equal(second.first_status(), 200, "status at the last id")
+            expect_no_silence(worker, reader, second, third)
+
+
+def expect_no_silence(worker: WorkerClient, *readers: EventReader) -> None:
+    """Expect two comments or events of each, while the worker plays on."""
+    context = worker.run.context
+    limit_s = SILENCE_S + SILENCE_MARGIN_S + context.tolerance_s
+    known = [len(reader.signs_at) for reader in readers]
+    for number in range(2):
+        for reader, before in zip(readers, known, strict=True):
+            place = before + number
+            last = reader.signs_at[place - 1]
+            while len(reader.signs_at) <= place and time.monotonic() < last + limit_s:
+                reader.collect_for(0.25)
+                worker.predict(context.action())
+            silent_s = [at - last for at in reader.signs_at[place : place + 1]]
+            what = f"comment {number + 1} within {limit_s:.1f} s of silence"
+            is_in_time = bool(silent_s) and silent_s[0] <= limit_s
+            expect.true(is_in_time, what, silent_s or "nothing")
 
 
 @background

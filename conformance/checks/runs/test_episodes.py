@@ -16,9 +16,10 @@ from conformance.checks.support.given_states import (
     submit_and_attach,
     without,
 )
+from conformance.checks.support.long_run import EPISODES, long_run
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
-from conformance.runner.requirement import background, requirement
+from conformance.runner.requirement import background, on_long_run, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
@@ -37,11 +38,27 @@ def episode_of(worker: WorkerClient) -> tuple[int, str]:
     return episode["index"], episode["task"]
 
 
+def expect_returned_first(context: CheckContext) -> None:
+    """Expect returned episodes before those that were never handed out, in order."""
+    run = context.submit(*["score"] * 5)
+    workers = attach_workers(run, min(2, context.limits["max_workers"]))
+    for worker in reversed(workers):
+        worker.predict(context.action())
+        worker.detach()
+    for index, worker in enumerate(workers):
+        worker.attach()
+        expect.equal(index_of(worker), index, "an episode that was returned")
+    workers[0].play()
+    expect.equal(index_of(workers[0]), len(workers), "the episode after those")
+
+
+@on_long_run
 @requirement("EPI-001")
 def test_epi_001_hands_out_in_manifest_order(context: CheckContext) -> None:
-    """A worker plays while another one (if allowed) holds an episode.
+    """A worker plays while another one (if allowed) holds an episode; also in a run of
+    a hundred and eighty episodes. Workers return episodes while others are pending.
 
-    Expect it to get the first pending episode in manifest order, also when it
+    Expect each to get the first pending episode in manifest order, also when it
     returned that episode itself.
     """
     tasks = ["score", "count", "echo", "delay", "fault"]
@@ -60,6 +77,10 @@ def test_epi_001_hands_out_in_manifest_order(context: CheckContext) -> None:
     worker.detach()
     worker.attach()
     expect.equal(episode_of(worker), returned_episode, "the episode given back")
+    expect_returned_first(context)
+    handed_out = long_run(context).handed_out
+    first = EPISODES - len(handed_out)  # the other worker holds the episodes before
+    expect.equal(handed_out, list(range(first, EPISODES)), "episodes of a long run")
 
 
 @requirement("EPI-002")
@@ -141,6 +162,8 @@ def test_epi_003_closed_attempt_goes_back_to_the_queue(context: CheckContext) ->
         expect.equal(turn["episode"]["attempt"], attempt, "attempt of the turn")
         expect.equal(turn["episode"]["step"], 0, "step of the turn")
         expect.equal(count(turn), [0], "count in the turn")
+    result = worker.play()["episode_result"]
+    expect.equal(result["attempt"], attempt, "attempt of the result")
 
 
 @requirement("EPI-004")
@@ -224,13 +247,15 @@ def pages(run: RunClient, limit: int) -> list[list[dict[str, Any]]]:
         page = expect.ok(run.call("list_episodes", params=params))
         read.append(page["episodes"])
         params["cursor"] = page["next_cursor"]
-        expect.true(len(read) <= 9, "an end of the pages", len(read))
+        expect.true(len(read) <= EPISODES + 1, "an end of the pages", len(read))
     return read
 
 
+@on_long_run
 @requirement("EPI-006")
 def test_epi_006_pages_show_every_episode_once(context: CheckContext) -> None:
-    """Seven episodes, some scored, read in pages of 1, 2, 3, 7 and 100.
+    """Seven episodes, some scored, and a hundred and eighty are read in pages of
+    several sizes.
 
     Expect no page longer than its limit, and each episode once, in order.
     """
@@ -242,6 +267,10 @@ def test_epi_006_pages_show_every_episode_once(context: CheckContext) -> None:
         expect.true(max(lengths) <= limit, f"at most {limit} on a page", lengths)
         indices = [episode["index"] for page in read for episode in page]
         expect.equal(indices, list(range(7)), f"episodes in pages of {limit}")
+    for limit in (11, 45, 90, 99, 100, 101, 179, 180, 181, 1000):
+        read = pages(long_run(context).run, limit)
+        indices = [episode["index"] for page in read for episode in page]
+        expect.equal(indices, list(range(EPISODES)), f"episodes in pages of {limit}")
 
 
 def find_seeds(value: Any, seeds: list[int], path: str = "") -> list[str]:

@@ -1,16 +1,24 @@
 """Submitting, reading and listing runs (RUN, LEASE-007)."""
 
+import itertools
 import uuid
 from collections.abc import Callable
+from datetime import datetime, timedelta
+from functools import partial
 from typing import Any
 from urllib.parse import urljoin, urlsplit
 
 from conformance.checks.support.given_states import expect_pointer
+from conformance.checks.support.long_run import long_run
 from conformance.checks.support.submissions import submit
 from conformance.client.check_context import CheckContext
-from conformance.runner.requirement import requirement
+from conformance.runner.requirement import on_long_run, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
+
+_RUNS_READ = 300
+_SAME_TIME = timedelta(seconds=1)
+_DEFAULT_LIMIT = 100
 
 
 @requirement("RUN-001")
@@ -92,23 +100,58 @@ def test_run_008_only_a_queued_run_has_a_queue_position(context: CheckContext) -
 
 @requirement("RUN-009")
 def test_run_009_pages_show_each_run_once_newest_first(context: CheckContext) -> None:
-    """Five runs are submitted; pages of two are read while more runs are submitted.
+    """Twelve runs are submitted, and some of them stopped; pages of five are read while
+    more runs are submitted and stopped.
 
-    Expect the five in reverse order, and no run twice.
+    Expect the twelve in reverse order, no run twice, and the newest first everywhere.
     """
-    ids = [context.submit(wait_ready=False).id for _ in range(5)]
-    seen: list[str] = []
-    params: dict[str, Any] = {"limit": 2}
-    while not set(ids) <= set(seen):
+    ids = [context.submit(wait_ready=False).id for _ in range(12)]
+    for number in (0, 6):
+        context.require(
+            partial(context.call, "stop_run", run_id=ids[number], json={}), 200, "stop"
+        )
+    seen: list[dict[str, Any]] = []
+    params: dict[str, Any] = {"limit": 5}
+    while not set(ids) <= {run["run_id"] for run in seen}:
         page = expect.ok(context.call("list_runs", params=params))
-        expect.true(len(page["runs"]) <= 2, "at most 2 runs on a page of 2")
-        seen += [run["run_id"] for run in page["runs"]]
-        if page["next_cursor"] is None or len(seen) > 500:
+        seen += page["runs"]
+        if page["next_cursor"] is None or len(seen) > _RUNS_READ:
             break
         params["cursor"] = page["next_cursor"]
-        context.submit(wait_ready=False)
-    expect.equal([i for i in seen if i in ids], ids[::-1], "the five runs")
-    expect.equal(len(set(seen)), len(seen), "runs that are listed once")
+        context.submit(wait_ready=False).stop()
+    found = [run["run_id"] for run in seen]
+    expect.equal([id_ for id_ in found if id_ in ids], ids[::-1], "the twelve runs")
+    expect.equal(len(set(found)), len(found), "runs that are listed once")
+    page = expect.ok(context.call("list_runs", params={"limit": _RUNS_READ}))
+    for runs in (seen, page["runs"]):
+        times = [datetime.fromisoformat(run["created_at"]) for run in runs]
+        for newer, older in itertools.pairwise(times):
+            # Runs that are submitted at the same time may come in either order.
+            is_sorted = older - newer <= _SAME_TIME
+            expect.true(is_sorted, f"a run not newer than {newer}", f"{older}")
+
+
+@on_long_run
+@requirement("RUN-025")
+def test_run_025_page_is_no_longer_than_its_limit(context: CheckContext) -> None:
+    """The runs, and the episodes of a run with a hundred and eighty, are listed without
+    a limit, and with limits from one to the largest.
+
+    Expect no page that is longer than its limit, or than a hundred.
+    """
+    run = long_run(context).run
+    calls = {
+        "episodes": partial(run.call, "list_episodes"),
+        "runs": partial(context.call, "list_runs"),
+    }
+    for limit in (None, 1, 2, 11, 99, 100, 101, 1000):
+        params = {} if limit is None else {"limit": limit}
+        for name, call in calls.items():
+            if name == "runs" and (limit or 0) > _RUNS_READ:
+                continue  # many, and no shorter list proves anything
+            found = len(expect.ok(call(params=params))[name])
+            most = limit or _DEFAULT_LIMIT
+            expect.true(found <= most, f"at most {most} {name} on a page", found)
 
 
 @requirement("RUN-010")

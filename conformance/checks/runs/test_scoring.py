@@ -4,7 +4,9 @@ The runs are played to a plan (`support/planned_run.py`); `oracle/expected_score
 computes their expected scores.
 """
 
+import math
 from collections.abc import Sequence
+from typing import Any
 
 from hypothesis import strategies as st
 
@@ -14,6 +16,7 @@ from conformance.checks.support.given_states import (
     submit_and_attach,
     without,
 )
+from conformance.checks.support.long_run import long_run
 from conformance.checks.support.planned_run import (
     ABANDONED,
     EPISODE_PLANS,
@@ -26,8 +29,11 @@ from conformance.checks.support.planned_run import (
     expect_close_interval,
 )
 from conformance.client.check_context import CheckContext
-from conformance.runner.requirement import requirement
+from conformance.oracle.expected_score import expected_score
+from conformance.runner.requirement import on_long_run, requirement
 from conformance.verdicts import expect
+
+BELOW_1 = math.nextafter(1, 0)
 
 
 def play_patterns(
@@ -67,7 +73,7 @@ def test_score_002_any_step(context: CheckContext) -> None:
 
     Expect a success exactly where `success` was 1 in some step.
     """
-    patterns: list[list[float]] = [[1, 0], [0, 1], [0, 1, 0], [0.999, 0.5], [0, 0, 0]]
+    patterns: list[list[float]] = [[1, 0], [0, 1], [0, 1, 0], [BELOW_1, 0.5], [0, 0, 0]]
     found = play_patterns(context, "any_step", patterns)
     expect.equal(found, ["success"] * 3 + ["failure"] * 2, "outcomes")
 
@@ -126,9 +132,11 @@ def test_score_005_complete_when_all_are_scored(context: CheckContext) -> None:
 RUN_PLANS = st.lists(EPISODE_PLANS, min_size=1, max_size=40)
 
 
+@on_long_run
 @requirement("SCORE-006")
 def test_score_006_is_the_mean_of_all_episodes(context: CheckContext) -> None:
-    """Runs of up to forty episodes of two tasks, with generated outcomes.
+    """Runs of up to forty episodes of two tasks, with generated outcomes; and one of a
+    hundred and eighty.
 
     Expect null while one is unscored; then the mean over the episodes, within 1e-12.
     """
@@ -143,6 +151,9 @@ def test_score_006_is_the_mean_of_all_episodes(context: CheckContext) -> None:
         )
 
     for_all(context, RUN_PLANS, check_property, times=8)
+    long = long_run(context)
+    expected = expected_score(long.episodes())["score"]
+    expect_close(long.run.score()["score"], expected, "score of a long run")
 
 
 @requirement("SCORE-007")
@@ -163,11 +174,13 @@ def test_score_007_bounds_the_final_score(context: CheckContext) -> None:
             planned_run.play_next()
 
 
+@on_long_run
 @requirement("SCORE-008")
 def test_score_008_counts_every_outcome(context: CheckContext) -> None:
-    """Eight episodes: three successes, a failure, two abandoned, two not played.
+    """Eight episodes: three successes, a failure, two abandoned, two not played; and a
+    run of a hundred and eighty.
 
-    Expect these counts, which add up to eight.
+    Expect these counts, which add up to eight, and those of the long run.
     """
     planned_run = PlannedRun(
         context,
@@ -176,6 +189,10 @@ def test_score_008_counts_every_outcome(context: CheckContext) -> None:
     counts = planned_run.play_all()["counts"]
     for name, number in planned_run.expected()["counts"].items():
         expect.equal(counts[name], number, f"counts.{name}")
+    long = long_run(context)
+    found = long.run.score()["counts"]
+    for name, number in expected_score(long.episodes())["counts"].items():
+        expect.equal(found[name], number, f"counts.{name} of a long run")
 
 
 @requirement("SCORE-009")
@@ -201,9 +218,23 @@ def test_score_010_answers_in_every_state(context: CheckContext) -> None:
         expect.ok(run.call("get_score"))
 
 
+def expect_groups(score: dict[str, Any], expected: dict[str, Any]) -> None:
+    """Expect each task and each split once, with its numbers."""
+    for member in ("by_task", "by_split"):
+        expect.equal(sorted(score[member]), sorted(expected[member]), member)
+        for name, group in expected[member].items():
+            found, what = score[member][name], f"{member}.{name}"
+            counts = {one: found["counts"][one] for one in group["counts"]}
+            expect.equal(counts, group["counts"], f"{what}.counts")
+            for number in ("mean", "success_rate"):
+                expect_close(found[number], group[number], f"{what}.{number}")
+
+
+@on_long_run
 @requirement("SCORE-011")
 def test_score_011_groups_by_task_and_split(context: CheckContext) -> None:
-    """Tasks with thirteen, two and one episode, the last one not played.
+    """Tasks with thirteen, two and one episode, the last one not played; a run of one
+    episode; and one of a hundred and eighty, of uneven tasks.
 
     Expect each task and each split once, with counts, mean and rate of its episodes.
     """
@@ -213,15 +244,13 @@ def test_score_011_groups_by_task_and_split(context: CheckContext) -> None:
         PlannedEpisode("success", task="count"),
         PlannedEpisode("failure", task="count"),
     ]
-    planned_run = PlannedRun(context, [*plan, PlannedEpisode(None, task="echo")])
-    score, expected = planned_run.play_all(), planned_run.expected()
-    for member in ("by_task", "by_split"):
-        expect.equal(sorted(score[member]), sorted(expected[member]), member)
-        for name, group in expected[member].items():
-            found, what = score[member][name], f"{member}.{name}"
-            expect.equal(without(found["counts"]), group["counts"], f"{what}.counts")
-            for number in ("mean", "success_rate"):
-                expect_close(found[number], group[number], f"{what}.{number}")
+    for planned_run in (
+        PlannedRun(context, [*plan, PlannedEpisode(None, task="echo")]),
+        PlannedRun(context, [SUCCESS]),
+    ):
+        expect_groups(planned_run.play_all(), planned_run.expected())
+    long = long_run(context)
+    expect_groups(long.run.score(), expected_score(long.episodes()))
 
 
 def expect_interval(planned_run: PlannedRun, plan: int, member: str) -> None:
@@ -259,3 +288,16 @@ def test_score_013_interval_of_the_mean(context: CheckContext) -> None:
         [PlannedEpisode("failure", 1.0)],
     ):
         expect_interval(PlannedRun(context, plan), len(plan), "mean_interval")
+
+
+@requirement("SCORE-014")
+def test_score_014_says_whose_score_it_is(context: CheckContext) -> None:
+    """A run in each of the seven states, and one with other options.
+
+    Expect the benchmark, the hash and the state of the run.
+    """
+    runs = [make_run_in_state(context, s) for s in context.spec.lifecycle["states"]]
+    for run in (*runs, context.submit("echo", "count", max_steps=3)):
+        score, body = expect.ExpectedBody(run.score()), run.get()
+        for name in ("run_id", "benchmark_id", "manifest_sha256", "state"):
+            expect.equal(score[name], body[name], f"{name} of a {body['state']} run")

@@ -9,6 +9,8 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
 _BENCHMARKS_SUBMITTED = 4
+_BENCHMARKS_READ = 30
+_SUMMARY = ("version", "title", "manifest_sha256", "episodes_total")
 
 
 def read_benchmarks(context: CheckContext) -> list[dict[str, Any]]:
@@ -61,3 +63,71 @@ def test_ben_003_manifest_hash_is_the_same_everywhere(context: CheckContext) -> 
             )
         run = context.adopt(answer.json)
         expect.equal(run.body["manifest_sha256"], listed_sha256, f"{what} in its run")
+
+
+@requirement("BEN-004")
+def test_ben_004_list_shows_each_benchmark_once(context: CheckContext) -> None:
+    """The benchmarks are listed, and each is read.
+
+    Expect each once, sorted by id, and the same members in both places.
+    """
+    listed = expect.ok(context.call("list_benchmarks"))["benchmarks"]
+    ids = [benchmark["benchmark_id"] for benchmark in listed]
+    expect.equal(ids, sorted(set(ids)), "ids of the benchmarks")
+    for summary in listed[:_BENCHMARKS_READ]:
+        benchmark_id = summary["benchmark_id"]
+        read = expect.ok(context.call("get_benchmark", benchmark_id=benchmark_id))
+        expect.equal(read["benchmark_id"], benchmark_id, "benchmark_id")
+        for name in _SUMMARY:
+            expect.equal(summary[name], read[name], f"{name} of {benchmark_id}")
+
+
+def digest_of(context: CheckContext, **members: Any) -> str:
+    """Submit a run of `calibration` and give the digest of its manifest."""
+    body = context.submit_body(**members)
+    answer = expect.require(context.call("submit_run", json=body), 201, "submit_run")
+    digest: str = context.adopt(answer).body["manifest_sha256"]
+    return digest
+
+
+@requirement("BEN-005")
+def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
+    """Runs whose options differ in one choice, and runs with the same choices.
+
+    Expect another hash for each choice of the manifest, and the same one for a default
+    that is spelled out and for choices that are the run's own.
+    """
+    tasks = ["score", "count"]
+    defaults: dict[str, Any] = {"max_steps": 10, "success_rule": "any_step"}
+    defaults |= {"max_attempts": 3, "max_faults": 3}
+    first = digest_of(context, options={"tasks": tasks})
+    size = context.benchmark["image_sizes"][1]
+    images = {name: size[name] for name in ("width", "height")} | {"codec": "raw"}
+    for members in (
+        {"options": {"tasks": tasks}},
+        {"options": {"tasks": tasks, **defaults}},
+        {"options": {"tasks": tasks, "queue_s": 0.5}},
+        {"policy": {"name": "another"}, "max_workers": 1, "images": images},
+        {"idle_timeout_s": context.limits["idle_timeout_s_min"]},
+    ):
+        found = digest_of(context, **({"options": {"tasks": tasks}} | members))
+        expect.equal(found, first, f"manifest_sha256 with {members}")
+    seen = {first: "the first choices"}
+    for options in (
+        {"tasks": ["count", "score"]},
+        {"tasks": ["score", "echo"]},
+        {"tasks": ["score"]},
+        {"tasks": [*tasks, "count"]},
+        {"tasks": tasks, "max_steps": 11},
+        {"tasks": tasks, "success_rule": "last_step"},
+        {"tasks": tasks, "max_attempts": 4},
+        {"tasks": tasks, "max_faults": 4},
+    ):
+        found = digest_of(context, options=options)
+        expect.true(found not in seen, f"another hash for {options}", seen.get(found))
+        seen[found] = f"the same as for {options}"
+    expect.equal(
+        digest_of(context, options={"tasks": ["score"], **defaults}),
+        digest_of(context),
+        "manifest_sha256 without options",
+    )

@@ -1,11 +1,14 @@
 """The benchmark `calibration` as calibration.md defines it (CAL)."""
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
 from conformance.checks.support.given_states import count, submit_and_attach
+from conformance.checks.support.long_run import long_run
 from conformance.client.check_context import CheckContext
-from conformance.runner.requirement import background, requirement
+from conformance.client.run_client import WorkerClient
+from conformance.runner.requirement import background, on_long_run, requirement
 from conformance.verdicts import expect
 
 TASKS = ["score", "count", "echo", "delay", "fault"]
@@ -33,6 +36,13 @@ ACTIONS: dict[str, tuple[int, str, list[int] | None, list[int] | None, str]] = {
 STATES = {"count": 1, "vector": 8, "clipped": 2}
 DTYPES = ["bool", "float16", "float32", "float64"]
 DTYPES += [f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)]
+IMAGES = ["pattern"]
+TENSORS = [*DTYPES, "empty"]
+# The last double below 1, the smallest of all, and some that no binary fraction holds.
+BELOW_1 = math.nextafter(1, 0)
+SCORES = [1 / 3, 0.1, BELOW_1, 5e-324, 0.7, 1.0, 0.0]
+# So long would a turn be in which a delay is executed that has no effect.
+NO_DELAY_S = [2.0] * 4
 SIZES = [{"width": 16, "height": 12}, {"width": 64, "height": 48}]
 
 
@@ -61,8 +71,11 @@ def expect_declared_spaces(benchmark: dict[str, Any]) -> None:
             expect.equal(action[member], value, f"{member} of the action {name}")
         bounds = [action.get("minimum"), action.get("maximum")]
         expect.equal(bounds, [low, high], f"bounds of the action {name}")
-    sizes = {name: state["size"] for name, state in seen["state"].items()}
-    expect.equal(sizes, STATES, "sizes of the states")
+    expect.equal(sorted(seen["state"]), sorted(STATES), "names of the states")
+    for name, size in STATES.items():
+        members = plain | {"size": size, "unit": "1", "out_of_range": "unbounded"}
+        for member, value in members.items():
+            expect.equal(seen["state"][name][member], value, f"{member} of {name}")
     channels = {name: image["channels"] for name, image in seen["images"].items()}
     expect.equal(channels, {"pattern": 3}, "channels of the images")
     tensors = {n: (t["dtype"], t["shape"]) for n, t in seen["tensors"].items()}
@@ -71,9 +84,21 @@ def expect_declared_spaces(benchmark: dict[str, Any]) -> None:
     expect.equal(tensors, expected, "tensors")
 
 
+def expect_long_manifest(context: CheckContext) -> None:
+    """Expect tasks, splits and seeds of a run with many episodes."""
+    long = long_run(context)
+    for result in long.results():
+        index = result["index"]
+        expect.equal(result["task"], long.plan[index].task, f"task of episode {index}")
+        expect.equal(result["split"], ("even", "odd")[index % 2], f"split of {index}")
+        expect.equal(result["seed"], index + 1000, f"seed of episode {index}")
+
+
+@on_long_run
 @requirement("CAL-001")
 def test_cal_001_has_the_shape_of_calibration_md(context: CheckContext) -> None:
-    """The description of the benchmark, and a run with one episode of every task.
+    """The description of the benchmark, a run with one episode of every task, and one
+    with a hundred and eighty episodes.
 
     Expect rules, spaces, tasks, splits, seeds and options of calibration.md.
     """
@@ -91,6 +116,7 @@ def test_cal_001_has_the_shape_of_calibration_md(context: CheckContext) -> None:
         result = worker.play()["episode_result"]
         expect.equal(result["split"], ("even", "odd")[index % 2], "split")
         expect.equal(result["seed"], index + 1000, "seed")
+    expect_long_manifest(context)
 
 
 @requirement("CAL-002")
@@ -102,6 +128,7 @@ def test_cal_002_score_is_the_last_commanded(context: CheckContext) -> None:
     patterns = [[0.9, 0.25], [0.0, 0.1, 0.75], [1.0, 0.0], [0.5]]
     # Neighbours of short numbers, which a rounded number is not.
     patterns += [[1 / 3], [0.1 + 0.2], [math.nextafter(1, 0)], [math.nextafter(0, 1)]]
+    patterns += [[score] for score in SCORES]
     worker = submit_and_attach(context, *["score"] * len(patterns))
     for index, pattern in enumerate(patterns):
         actions = [context.action(score=score, success=index % 2) for score in pattern]
@@ -110,15 +137,18 @@ def test_cal_002_score_is_the_last_commanded(context: CheckContext) -> None:
         for chunk in chunks:
             turn = worker.predict(*chunk)
         expect.equal(turn["episode_result"]["score"], pattern[-1], "score")
+    listed = [episode["result"]["score"] for episode in worker.run.episodes()]
+    expect.equal(listed, [pattern[-1] for pattern in patterns], "scores listed")
 
 
 @requirement("CAL-003")
 def test_cal_003_counts_in_every_task(context: CheckContext) -> None:
-    """Every task is played, in chunks of one and two actions.
+    """Every task is played, in chunks of one and two actions; then one for more than
+    256 actions, in the longest chunks.
 
     Expect `count` to begin at 0 and to grow by the number of actions.
     """
-    worker = submit_and_attach(context, *TASKS)
+    worker = submit_and_attach(context, *TASKS, "echo", max_steps=10000)
     for task in TASKS:
         expect.equal(count(worker.turn), [0], f"count at the beginning of {task}")
         turn = worker.predict(context.action())
@@ -126,6 +156,11 @@ def test_cal_003_counts_in_every_task(context: CheckContext) -> None:
         turn = worker.predict(context.action(), context.action())
         expect.equal(count(turn), [3], f"count after three actions of {task}")
         worker.play()
+    chunk = [context.action()] * min(130, context.benchmark["max_chunk"])
+    for played in range(len(chunk), 257 + len(chunk), len(chunk)):
+        expect.equal(count(worker.predict(*chunk)), [played], "count in a long episode")
+    result = worker.play()["episode_result"]
+    expect.equal(result["steps"], played + 1, "steps in the result of a long episode")
 
 
 @requirement("CAL-004")
@@ -149,16 +184,157 @@ def test_cal_004_delay_is_executed(context: CheckContext) -> None:
 
 @requirement("CAL-005")
 def test_cal_005_end_ends_every_task(context: CheckContext) -> None:
-    """In every task an action with `end` just below 1, then one with 1.
+    """In every task actions with `end` just below 1, then one with 1.
 
     Expect the episode to continue after the first, and to terminate with the second.
     """
     worker = submit_and_attach(context, *TASKS)
     for task in TASKS:
-        turn = worker.predict(context.action(end=0.999))
-        expect.equal(turn["terminated"], False, f"terminated in {task} below 1")
+        for end in (0.999, BELOW_1):
+            turn = worker.predict(context.action(end=end))
+            expect.equal(turn["terminated"], False, f"terminated in {task} below 1")
         turn = worker.predict(context.action(end=1))
         expect.equal(turn["terminated"], True, f"terminated in {task}")
         expect.equal(turn["truncated"], False, f"truncated in {task}")
         result = turn["episode_result"]
         expect.equal(result["terminated"], True, f"terminated in the result of {task}")
+
+
+def expect_pictures(observation: Mapping[str, Any], task: str) -> None:
+    """Expect the image and the tensors in the task `echo`, and none elsewhere."""
+    for kind, names in (("images", IMAGES), ("tensors", TENSORS)):
+        found = [name for name in names if name in observation[kind]]
+        expected = names if task == "echo" else []
+        expect.equal(found, expected, f"{kind} of an observation in {task}")
+
+
+@requirement("CAL-006")
+def test_cal_006_only_echo_has_images_and_tensors(context: CheckContext) -> None:
+    """Every task is played, and all observations are asked for.
+
+    Expect the image and the tensors in each one of `echo`, and in no other.
+    """
+    worker = submit_and_attach(context, *TASKS, "echo", "score")
+    while not worker.turn["done"]:
+        task = worker.turn["episode"]["task"]
+        expect_pictures(worker.turn["observation"], task)
+        turn = worker.predict(*[context.action()] * 2, observe="all")
+        for observation in (turn["observation"], *turn["observations"]):
+            expect_pictures(observation, task)
+        worker.play()
+
+
+def expect_echoed(
+    turn: Mapping[str, Any], vector: list[float], clipped: list[float], what: str
+) -> None:
+    """Expect the vectors of the last action in the states."""
+    state = turn["observation"]["state"]
+    found = {name: state[name] for name in ("vector", "clipped")}
+    expect.equal(found, {"vector": vector, "clipped": clipped}, f"states {what}")
+
+
+@requirement("CAL-007")
+def test_cal_007_states_are_those_of_the_last_action(context: CheckContext) -> None:
+    """Chunks in every task; attempts that begin after an end, a detach and a fault.
+
+    Expect the vectors of the last executed action, and zeros at each beginning.
+    """
+    worker = submit_and_attach(context, *TASKS, max_attempts=3)
+    zeros = [0.0] * 8, [0.0] * 2
+    first = context.action(vector=[float(n) for n in range(1, 9)], clipped=[0.5, -3])
+    last = context.action(vector=[-n / 3 for n in range(8)], clipped=[2, 1 / 3])
+    for task in TASKS:
+        expect_echoed(worker.turn, *zeros, f"at the beginning of {task}")
+        turn = worker.predict(first, last)
+        expect_echoed(turn, [-n / 3 for n in range(8)], [1, 1 / 3], f"in {task}")
+        worker.detach()
+        worker.attach()
+        expect_echoed(worker.turn, *zeros, f"in the next attempt of {task}")
+        worker.predict(first)
+        if task == "fault":
+            expect_echoed(worker.predict(context.action(fault=1)), *zeros, "at a fault")
+        values = last["values"] | {"end": [1.0]}
+        worker.predict(first, {"values": values})
+
+
+@requirement("CAL-008")
+def test_cal_008_reward_is_the_commanded_score(context: CheckContext) -> None:
+    """Scores that lose bits easily are commanded in every task, one by one, in chunks,
+    and in every encoding.
+
+    Expect each of them as the reward of its step.
+    """
+    worker = submit_and_attach(context, *TASKS, max_steps=1000)
+    actions = [context.action(score=score) for score in SCORES]
+    for task in TASKS:
+        for is_msgpack in (False, True) if context.speaks_msgpack else (False,):
+            for first in range(0, len(SCORES), 4):
+                part = slice(first, first + 4)
+                turn = worker.predict(*actions[part], msgpack=is_msgpack)
+                expect.equal(turn["rewards"], SCORES[part], f"rewards in {task}")
+        worker.play()
+
+
+@requirement("CAL-009")
+def test_cal_009_fault_below_2_is_not_rounded(context: CheckContext) -> None:
+    """In the task `fault` values just below 1, and between 1 and 2.
+
+    Expect steps as any other; then faults of a run that goes on.
+    """
+    worker = submit_and_attach(context, "fault", max_faults=3)
+    for fault in (0.5, BELOW_1):
+        turn = expect.ok(worker.try_predict(context.action(fault=fault)))
+        worker.seq += 1
+        expect.true("fault" not in turn, f"no fault at {fault}", turn.get("fault"))
+    expect.equal(count(turn), [2], "count")
+    for fault in (1.5, math.nextafter(2, 0)):
+        turn = expect.ok(worker.try_predict(context.action(fault=fault)))
+        worker.seq += 1
+        expect.true("fault" in turn, f"a fault at {fault}", sorted(turn))
+    worker.play(success=1)
+
+
+def expect_no_effect(worker: WorkerClient, task: str, **values: float) -> None:
+    """Expect a chunk to be executed as if these values were 0."""
+    context = worker.run.context
+    answer = worker.try_predict(*[context.action(**values)] * len(NO_DELAY_S))
+    turn = expect.ok(answer)
+    worker.seq += 1
+    expect.true("fault" not in turn, f"no fault in {task}", turn.get("fault"))
+    expect.equal(turn["executed_steps"], len(NO_DELAY_S), f"steps in {task}")
+    took_s, delay_s = answer.elapsed_s, sum(NO_DELAY_S)
+    expect.true(took_s < delay_s, f"a turn in {task} without {delay_s} s", took_s)
+
+
+@requirement("CAL-010")
+def test_cal_010_delay_and_fault_are_ignored_elsewhere(context: CheckContext) -> None:
+    """Delays are commanded in every other task, and faults in every other task.
+
+    Expect all actions executed, at once and without a fault.
+    """
+    worker = submit_and_attach(context, *TASKS, max_steps=100)
+    for task in TASKS:
+        if task != "delay":
+            expect_no_effect(worker, task, delay_s=NO_DELAY_S[0])
+        if task != "fault":
+            for fault in (1, 2):
+                expect_no_effect(worker, task, fault=fault)
+        worker.play()
+
+
+@requirement("CAL-011")
+def test_cal_011_other_tasks_score_their_success(context: CheckContext) -> None:
+    """Every task but `score` is played with success and a low score, and without
+    success and a high score.
+
+    Expect 1 for each success, and 0 for each failure.
+    """
+    tasks = [task for task in TASKS if task != "score"] * 3
+    worker = submit_and_attach(context, *tasks)
+    for index, task in enumerate(tasks):
+        success, score = ((1, 0.25), (0, 0.75), (BELOW_1, 1.0))[index * 3 // len(tasks)]
+        result = worker.play(score=score, success=success)["episode_result"]
+        expect.equal(result["score"], int(success == 1), f"score in {task}")
+    listed = [episode["result"]["score"] for episode in worker.run.episodes()]
+    third = len(tasks) // 3
+    expect.equal(listed, [1] * third + [0] * 2 * third, "scores listed")

@@ -1,5 +1,6 @@
 """Turns: execution of chunks, ends of episodes, members of a turn (PRED)."""
 
+import base64
 import time
 from typing import Any
 
@@ -139,7 +140,7 @@ def test_pred_009_done_after_the_last_episode(context: CheckContext) -> None:
 def test_pred_012_observes_all(context: CheckContext) -> None:
     """A chunk that is executed completely, and one that the episode's end truncates.
 
-    Expect one observation per executed action, in order.
+    Expect one observation per executed action, in order, each with its own image.
     """
     worker = submit_and_attach(context, "echo", "echo")
     chunk = [context.action(vector=[n] * 8) for n in (3.0, 1.0, 2.0)]
@@ -151,6 +152,13 @@ def test_pred_012_observes_all(context: CheckContext) -> None:
         expect.equal([s["count"] for s in states], [[n] for n in counts], "counts")
         vectors = [action["values"]["vector"] for action in actions[: len(counts)]]
         expect.equal([s["vector"] for s in states], vectors, "vectors")
+        images = [seen["images"]["pattern"] for seen in turn["observations"]]
+        # The first byte of the image is the number of actions before it.
+        first = [base64.b64decode(image["data"][:4])[0] for image in images]
+        expect.equal(first, counts, "first bytes of the images")
+        if "episode_result" not in turn:
+            last = turn["observations"][-1]
+            expect.equal(last, turn["observation"], "the last observation")
 
 
 @requirement("PRED-020")

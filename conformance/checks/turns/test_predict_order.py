@@ -155,6 +155,16 @@ def expect_invalid_values(
     expect_pointer(problem, *[f"/actions/0/values{pointer}" for pointer in pointers])
 
 
+def expect_last_invalid(
+    worker: WorkerClient, values: dict[str, Any], *pointers: str
+) -> None:
+    """Expect a chunk refused for its last action, with a pointer into that."""
+    good = worker.run.context.action()
+    answer = worker.try_predict(good, good, {"values": values})
+    problem = expect.refused(require_not_seq_refusal(answer), "invalid_request")
+    expect_pointer(problem, *[f"/actions/2/values{pointer}" for pointer in pointers])
+
+
 def expect_only_one_executed(
     worker: WorkerClient, executed: int, **values: Any
 ) -> None:
@@ -165,20 +175,23 @@ def expect_only_one_executed(
 
 @requirement("PRED-013")
 def test_pred_013_cannot_send_a_wrong_length(context: CheckContext) -> None:
-    """Vectors too short, too long and empty.
+    """Every vector too short, too long and empty, in the only and in the last action.
 
     Expect `invalid_request` pointing at the vector, and nothing executed.
     """
     worker = submit_and_attach(context, "count")
     good = context.action()["values"]
-    for name, length in (("vector", 7), ("vector", 9), ("score", 2), ("clipped", 0)):
-        expect_invalid_values(worker, good | {name: [0.0] * length}, f"/{name}")
+    for name, vector in good.items():
+        for length in sorted({0, len(vector) - 1, len(vector) + 1}):
+            expect_invalid_values(worker, good | {name: [0.0] * length}, f"/{name}")
+        longer = good | {name: [0.0] * (len(vector) + 1)}
+        expect_last_invalid(worker, longer, f"/{name}")
     expect_only_one_executed(worker, 0)
 
 
 @requirement("PRED-014")
 def test_pred_014_cannot_send_unknown_or_missing_names(context: CheckContext) -> None:
-    """An unknown name, a missing name, and a misspelt one.
+    """An unknown name, each name missing, and a misspelt one.
 
     Expect `invalid_request` pointing at it, and nothing executed.
     """
@@ -186,7 +199,11 @@ def test_pred_014_cannot_send_unknown_or_missing_names(context: CheckContext) ->
     good = context.action()["values"]
     less = {name: vector for name, vector in good.items() if name != "vector"}
     expect_invalid_values(worker, good | {"gripper": [0.0]}, "/gripper")
-    expect_invalid_values(worker, less, "", "/vector")
+    for missing in good:
+        others = {name: vector for name, vector in good.items() if name != missing}
+        expect_invalid_values(worker, others, "", f"/{missing}")
+    expect_last_invalid(worker, less, "", "/vector")
+    expect_last_invalid(worker, good | {"gripper": [0.0]}, "/gripper")
     expect_invalid_values(worker, less | {"Vector": good["vector"]}, "", "/Vector")
     expect_only_one_executed(worker, 0)
 
@@ -209,22 +226,33 @@ def test_pred_015_cannot_send_too_long_a_chunk(context: CheckContext) -> None:
     expect_only_one_executed(worker, 0)
     turn = expect.ok(worker.try_predict(*chunk[1:]))
     executed = min(longest, max_steps - 1)
-    expect.equal(
-        turn["executed_steps"], executed, "executed_steps of the longest"
-    )
+    expect.equal(turn["executed_steps"], executed, "executed_steps of the longest")
+
+
+def with_element(
+    values: dict[str, Any], name: str, place: int, value: float
+) -> dict[str, Any]:
+    """Give the values of an action with one element of one vector replaced."""
+    vector = list(values[name])
+    vector[place] = value
+    return values | {name: vector}
 
 
 @requirement("PRED-016")
 def test_pred_016_cannot_send_nan_or_infinity(context: CheckContext) -> None:
-    """Numbers that JSON cannot carry, in MessagePack.
+    """Numbers that JSON cannot carry, in MessagePack, as each element of the vectors.
 
     Expect `invalid_request` pointing at them, and nothing executed.
     """
     worker = submit_and_attach(context, "count")
     good = context.action()["values"]
     for value in (math.nan, math.inf, -math.inf):
-        for name, size in (("vector", 8), ("clipped", 2), ("score", 1)):
-            bad = good | {name: [0.0] * (size - 1) + [value]}
+        for name, place in (("vector", 0), ("vector", 7), ("clipped", 0)):
+            expect_invalid_values(
+                worker, with_element(good, name, place, value), f"/{name}", msgpack=True
+            )
+        for name in good:
+            bad = with_element(good, name, -1, value)
             expect_invalid_values(worker, bad, f"/{name}", msgpack=True)
     turn = worker.predict(context.action(), msgpack=True)
     expect.equal(count(turn), [1], "count in the next turn")
@@ -232,57 +260,83 @@ def test_pred_016_cannot_send_nan_or_infinity(context: CheckContext) -> None:
 
 @requirement("PRED-017")
 def test_pred_017_cannot_send_values_out_of_range(context: CheckContext) -> None:
-    """Values just outside their range, and at its ends.
+    """The doubles next to both ends of every range, outside and inside, in the only and
+    in the last action; and the ends.
 
     Expect `invalid_request` pointing at those outside, and nothing executed.
     """
-    worker = submit_and_attach(context, "count")
+    worker = submit_and_attach(context, "count", "count")
     good = context.action()["values"]
-    above, below = math.nextafter(1, 2), -5e-324
-    for name, value in (
-        ("score", above),
-        ("score", below),
-        ("success", 1.5),
-        ("end", -1),
-        ("delay_s", 5.001),
-        ("fault", 3),
-    ):
-        expect_invalid_values(worker, good | {name: [value]}, f"/{name}")
+    inside: dict[str, float] = {}
+    ends = {"score": 1, "success": 1, "end": 1, "delay_s": 5, "fault": 2}
+    for name, high in ends.items():
+        for outside in (math.nextafter(high, 9), high + 1, -5e-324, -1):
+            expect_invalid_values(worker, good | {name: [outside]}, f"/{name}")
+        expect_last_invalid(worker, good | {name: [high * 1.5]}, f"/{name}")
+        inside[name] = math.nextafter(high, 0)
     expect_only_one_executed(worker, 0, score=0, delay_s=0)
     expect_only_one_executed(worker, 1, score=1, success=1, delay_s=5, fault=2)
+    expect_only_one_executed(worker, 2, **inside)
+    expect_only_one_executed(worker, 3, **dict.fromkeys(ends, 5e-324))
+    expect_only_one_executed(worker, 4, **dict.fromkeys(ends, -0.0))
+    turn = worker.predict(context.action(end=1))
+    expect.equal(turn["terminated"], True, "terminated at the end of the range")
 
 
 @requirement("PRED-018")
 def test_pred_018_clips_where_declared(context: CheckContext) -> None:
-    """Values outside a range declared `clip`, and inside it.
+    """Values outside a range declared `clip` and inside it, each in an action of its
+    own, and all in chunks.
 
     Expect the nearest value of the range executed.
     """
-    worker = submit_and_attach(context, "count")
-    for sent, executed in (
+    worker = submit_and_attach(context, "count", max_steps=1000)
+    below, above = math.nextafter(-1, -2), math.nextafter(1, 2)
+    low, high = math.nextafter(-1, 0), math.nextafter(1, 0)
+    cases: list[tuple[list[float], list[float]]] = [
         ([-5, 7], [-1, 1]),
+        ([7, -5], [1, -1]),
         ([0.25, -0.5], [0.25, -0.5]),
-        ([1e300, math.nextafter(-1, -2)], [1, -1]),
-    ):
-        turn = expect.ok(worker.try_predict(context.action(clipped=sent)))
-        worker.seq += 1
-        expect.equal(turn["observation"]["state"]["clipped"], executed, "clipped")
+        ([1e300, below], [1, -1]),
+        ([above, -1e300], [1, -1]),
+        ([low, high], [low, high]),
+        ([high, 3], [high, 1]),
+        ([-1, 1], [-1, 1]),
+        ([1 / 3, -1.7e308], [1 / 3, -1]),
+    ]
+    actions = [context.action(clipped=sent) for sent, _ in cases]
+    longest = min(4, context.benchmark["max_chunk"])
+    for size in (1, longest):
+        for first in range(0, len(cases), size):
+            part = slice(first, first + size)
+            answer = worker.try_predict(*actions[part], observe="all")
+            turn = expect.ok(answer)
+            worker.seq += 1
+            found = [seen["state"]["clipped"] for seen in turn["observations"]]
+            executed = [executed for _, executed in cases[part]]
+            expect.equal(found, executed, "clipped")
+            last = turn["observation"]["state"]["clipped"]
+            expect.equal(last, executed[-1], "clipped of the last action")
 
 
 @requirement("PRED-019")
 def test_pred_019_one_bad_action_refuses_the_chunk(context: CheckContext) -> None:
-    """A chunk of valid actions with one invalid: first, in the middle, last.
+    """A chunk of valid actions with one that is invalid in some way: first, in the
+    middle, last, and last of the longest chunk.
 
     Expect the whole chunk refused, and nothing executed; without it, all are executed.
     """
     worker = submit_and_attach(context, "count")
     good, bad = context.action(), context.action(vector=[0.0] * 7)
-    expect.require(worker.try_predict(bad), 422, "the bad action alone")
-    for place in (0, 1, 2):
-        chunk = [good, good]
-        chunk.insert(place, bad)
-        answer = require_not_seq_refusal(worker.try_predict(*chunk))
-        expect.refused(answer, "invalid_request")
+    nameless = {"values": {k: v for k, v in good["values"].items() if k != "end"}}
+    longest = min(64, context.benchmark["max_chunk"])
+    for wrong in (bad, nameless, context.action(score=2), context.action(end=-1)):
+        expect.require(worker.try_predict(wrong), 422, "the bad action alone")
+        for length, place in ((2, 0), (2, 1), (2, 2), (longest - 1, longest - 1)):
+            chunk = [good] * length
+            chunk.insert(place, wrong)
+            answer = require_not_seq_refusal(worker.try_predict(*chunk))
+            expect.refused(answer, "invalid_request")
     turn = worker.predict(good, good)
     expect.equal(count(turn), [2], "count in the next turn")
 

@@ -1,0 +1,271 @@
+"""What a run and its episodes show: the submission, times, counts, ids (RUN)."""
+
+from collections.abc import Callable, Mapping
+from datetime import datetime, timedelta
+from functools import partial
+from typing import Any
+
+from conformance.checks.support.given_states import (
+    make_run_in_state,
+    results,
+    submit_and_attach,
+    without,
+)
+from conformance.checks.support.long_run import EPISODES, long_run
+from conformance.checks.support.submissions import submit
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient
+from conformance.runner.requirement import on_long_run, requirement
+from conformance.verdicts import expect
+from conformance.verdicts.expect import SetUpFailed
+
+# Between two answers a run may leave the queue by itself.
+_CHANGES_BY_ITSELF = ("state", "queue_position", "updated_at")
+_CLOCK_TOLERANCE = timedelta(seconds=1)
+_PAGES_MAX = 10
+_NAME = "r\u00e9gie re\u0301gie \u673a\u5668\u4eba \U0001f916 "
+
+
+def time_of(text: object) -> datetime:
+    """Read a time; one that has no date-time's form is judged by SVC-003."""
+    try:
+        moment = datetime.fromisoformat(str(text))
+    except ValueError as error:
+        raise SetUpFailed(f"{text} is no date-time (SVC-003)") from error
+    if moment.tzinfo is None:
+        raise SetUpFailed(f"{text} has no offset from UTC (SVC-003)")
+    return moment
+
+
+def now_of(context: CheckContext) -> datetime:
+    """Read the server's clock."""
+    service = context.require(
+        partial(context.call, "describe_service"), 200, "describe_service"
+    )
+    return time_of(service["server_time"])
+
+
+def expect_shown(run: Mapping[str, Any], expected: dict[str, Any], what: str) -> None:
+    """Expect the members of a submission; answers may have further ones."""
+    for name, value in expected.items():
+        found = run[name]
+        if isinstance(value, dict) and isinstance(found, dict):
+            found = {member: found.get(member) for member in value}
+        expect.equal(found, value, f"{name} {what}")
+
+
+@requirement("RUN-018")
+def test_run_018_shows_what_was_submitted(context: CheckContext) -> None:
+    """A submission with every choice and one without any; the first is played, stopped
+    and resumed.
+
+    Expect the choices as they were sent, the defaults for the others, and no change.
+    """
+    limits, benchmark = context.limits, context.benchmark
+    low, high = limits["idle_timeout_s_min"], limits["idle_timeout_s_max"]
+    size = {name: benchmark["image_sizes"][1][name] for name in ("width", "height")}
+    chosen: dict[str, Any] = {
+        "benchmark_id": "calibration",
+        "policy": {
+            "name": _NAME.ljust(200, "x"),
+            "version": "",
+            "submitter": " A. N. Other ",
+            "homepage": "https://example.org/" + "p" * 480,
+        },
+        "max_workers": 1,
+        "idle_timeout_s": high - (high - low) / 3,
+        "images": {"codec": benchmark["image_codecs"][-1], **size},
+    }
+    body = expect.ok(submit(context, chosen), 201)
+    chosen["benchmark_version"] = benchmark["version"]
+    expect_shown(body, chosen, "as submitted")
+    first = benchmark["image_sizes"][0]
+    defaults: dict[str, Any] = {
+        "max_workers": limits["max_workers"],
+        "idle_timeout_s": high,
+        "images": {"codec": benchmark["image_codecs"][0]}
+        | {name: first[name] for name in ("width", "height")},
+    }
+    bare = context.submit_body(policy={"name": "x"})
+    expect_shown(expect.ok(submit(context, bare), 201), defaults, "by default")
+    run = context.adopt(body)
+    run.until("ready")
+    for step in (run.worker().attach, run.stop, run.resume):
+        step()
+        expect_shown(expect.ok(run.call("get_run")), chosen, "later")
+
+
+def find_listed(context: CheckContext, ids: set[str]) -> dict[str, dict[str, Any]]:
+    """Find runs in the pages of `list_runs`, newest first."""
+    found: dict[str, dict[str, Any]] = {}
+    params: dict[str, Any] = {"limit": 100}
+    for _ in range(_PAGES_MAX):
+        page = expect.ok(context.call("list_runs", params=params))
+        found |= {r["run_id"]: r for r in page["runs"] if r["run_id"] in ids}
+        if ids <= set(found) or page["next_cursor"] is None:
+            break
+        params["cursor"] = page["next_cursor"]
+    missing = ids - set(found)
+    if missing:
+        raise SetUpFailed(f"`list_runs` does not show {missing}; see RUN-009")
+    return found
+
+
+@requirement("RUN-019")
+def test_run_019_every_operation_shows_the_same_run(context: CheckContext) -> None:
+    """Runs in every state are listed; another one is submitted, stopped and resumed.
+
+    Expect each time the run that `get_run` shows.
+    """
+    states = [s for s in context.spec.lifecycle["states"] if s != "queued"]
+    runs = [make_run_in_state(context, state) for state in states]
+    listed = find_listed(context, {run.id for run in runs})
+    for run, state in zip(runs, states, strict=True):
+        expect.equal(listed[run.id], run.get(), f"a {state} run in `list_runs`")
+    answer = expect.ok(submit(context, context.submit_body()), 201)
+    run = context.adopt(answer)
+    expect.equal(
+        without(answer, *_CHANGES_BY_ITSELF),
+        without(run.get(), *_CHANGES_BY_ITSELF),
+        "the run that is submitted",
+    )
+    stopped = run.stop()
+    expect.equal(stopped, run.get(), "the run that is stopped")
+    resumed = run.resume()
+    expect.equal(
+        without(resumed, *_CHANGES_BY_ITSELF),
+        without(run.get(), *_CHANGES_BY_ITSELF),
+        "the run that is resumed",
+    )
+
+
+def expect_between(moment: str, first: datetime, last: datetime, what: str) -> None:
+    """Expect a time between two times of the same clock, within a second."""
+    is_between = first - _CLOCK_TOLERANCE <= time_of(moment) <= last + _CLOCK_TOLERANCE
+    expect.true(is_between, f"{what} from {first} to {last}, within 1 s", moment)
+
+
+@requirement("RUN-020")
+def test_run_020_times_are_those_of_the_clock(context: CheckContext) -> None:
+    """A run is submitted; later an episode is played and another one abandoned.
+
+    Expect `created_at` and `finished_at` between times that the server named before and
+    after, and the same ones for ever.
+    """
+    before = now_of(context)
+    worker = submit_and_attach(context, "score", "score", "score", max_attempts=1)
+    run = worker.run
+    created_at = run.body["created_at"]
+    expect_between(created_at, before, now_of(context), "created_at")
+    before = now_of(context)
+    result = worker.play()["episode_result"]
+    worker.predict(context.action())
+    worker.detach()
+    after = now_of(context)
+    listed = [found for found in results(run) if found is not None]
+    if len(listed) != 2:
+        raise SetUpFailed("an episode has no result; see EPI-004")
+    for found in (result, *listed):
+        expect_between(found["finished_at"], before, after, "finished_at")
+    run.stop()
+    run.resume()
+    expect.equal(run.get()["created_at"], created_at, "created_at at last")
+    for found, before_stop in zip(results(run), listed, strict=False):
+        if found is None:
+            raise SetUpFailed("a result is lost; see STOP-001, RES-001")
+        finished_at = before_stop["finished_at"]
+        expect.equal(found["finished_at"], finished_at, "finished_at at last")
+
+
+@requirement("RUN-021")
+def test_run_021_updated_at_never_goes_back(context: CheckContext) -> None:
+    """A run is read after each of eleven changes.
+
+    Expect `updated_at` at or after `created_at` and its last value.
+    """
+    run = context.submit("score", "score", "score", max_attempts=2)
+    worker = run.worker()
+    last = time_of(run.body["created_at"])
+    action = partial(worker.predict, context.action())
+    steps: list[Callable[[], Any]] = [run.get, worker.attach, worker.play, action]
+    steps += [worker.detach, worker.attach, run.stop, run.resume]
+    steps += [partial(run.until, "ready"), worker.attach, worker.play, worker.play]
+    for step in steps:
+        step()
+        body = expect.ok(run.call("get_run"))
+        now = time_of(body["updated_at"])
+        expect.true(now >= last, f"updated_at from {last} on", body["updated_at"])
+        last = now
+
+
+def expect_progress(run: RunClient, what: str) -> None:
+    """Expect the numbers of the run to be those of its episodes."""
+    progress = expect.ok(run.call("get_run"))["progress"]
+    statuses = [episode["status"] for episode in run.episodes()]
+    expected = {"episodes_total": len(statuses)}
+    for status in ("scored", "in_progress", "pending"):
+        expected[f"episodes_{status}"] = statuses.count(status)
+    found = {name: progress[name] for name in expected}
+    expect.equal(found, expected, f"progress {what}")
+
+
+@requirement("RUN-022")
+def test_run_022_progress_counts_the_episodes(context: CheckContext) -> None:
+    """Episodes are handed out, scored, returned, abandoned and aborted.
+
+    Expect `progress` to say each time what `list_episodes` shows.
+    """
+    run = context.submit(*["score"] * 6, max_attempts=2)
+    workers = [run.worker() for _ in range(min(2, context.limits["max_workers"]))]
+    expect_progress(run, "of a new run")
+    for worker in workers:
+        worker.attach()
+        expect_progress(run, "after an attach")
+    worker = workers[0]
+    for close in (worker.detach, worker.detach, run.stop):
+        worker.predict(context.action())
+        close()
+        expect_progress(run, "after an attempt was closed")
+        if close != run.stop:
+            worker.attach()
+            worker.play()
+            expect_progress(run, "after an episode")
+    run.resume()
+    run.until("ready")
+    worker.attach()
+    while not worker.turn["done"]:
+        worker.play()
+        expect_progress(run, "after an episode")
+
+
+@requirement("RUN-023")
+def test_run_023_only_a_failed_run_is_retryable_or_not(context: CheckContext) -> None:
+    """A run in each state, and a failed one that is resumed.
+
+    Expect `retryable` true or false in a failed one, and null in any other.
+    """
+    for state in (*context.spec.lifecycle["states"], "failed not_retryable"):
+        body = expect.ok(make_run_in_state(context, state).call("get_run"))
+        is_right = isinstance(body["retryable"], bool) == state.startswith("failed")
+        expect.true(is_right, f"retryable of a run that is {state}", body["retryable"])
+    run = make_run_in_state(context, "failed")
+    expect.equal(run.resume()["retryable"], None, "retryable of a resumed run")
+
+
+@on_long_run
+@requirement("RUN-024")
+def test_run_024_episodes_have_ids_of_their_own(context: CheckContext) -> None:
+    """A hundred and eighty episodes are played and listed.
+
+    Expect as many ids, and the id of each episode wherever it is shown.
+    """
+    long = long_run(context)
+    listed = long.run.episodes()
+    ids = {episode["index"]: episode["episode_id"] for episode in listed}
+    expect.equal(len(set(ids.values())), EPISODES, "ids of episodes")
+    views = [turn["episode"] for turn in long.turns if "episode" in turn]
+    stored = [e["result"] for e in listed if "result" in e]
+    for view in (*views, *long.results(), *stored):
+        index = view["index"]
+        expect.equal(view["episode_id"], ids[index], f"the id of episode {index}")
+        expect.equal(view["task"], long.plan[index].task, f"task of episode {index}")

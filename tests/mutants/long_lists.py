@@ -1,0 +1,111 @@
+"""Mutants that break behind the tenth or the hundredth of anything: lists and sums."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from reference_server.http import handlers
+from reference_server.rules import comparison, scoring
+from reference_server.rules.run import Episode, Run
+from reference_server.storage.store import Store
+from reference_server.views import run_views
+from tests.mutants import mutant, put
+
+
+@mutant("RUN-025")
+def lists_everything_without_a_limit() -> None:
+    """A page that shows the newest runs loads all of them."""
+    put(handlers, "PAGE", 1000)
+
+
+@mutant("EPI-006")
+def sorts_episodes_as_text() -> None:
+    """In a run of twelve episodes the eleventh is listed as the third."""
+    right = Run.window
+
+    def wrong(self: Run, start: int, end: int | None, scored: bool) -> list[Episode]:
+        if scored:
+            return right(self, start, end, scored)
+        return sorted(self.episodes, key=lambda e: str(e.index))[start:end]
+
+    put(Run, "window", wrong)
+
+
+@mutant("EPI-001")
+def hands_episodes_out_as_text_sorts_them() -> None:
+    """Partial scores of two servers cover different episodes."""
+
+    def wrong(self: Run) -> Episode | None:
+        if not self.pending:
+            return None
+        index = min(self.pending, key=str)
+        self.pending.remove(index)
+        episode = self.episodes[index]
+        episode.in_progress = True
+        return episode
+
+    put(Run, "take_pending", wrong)
+
+
+@mutant("RUN-024")
+def numbers_episodes_with_two_digits() -> None:
+    """Results of two episodes are filed under one id."""
+    put(Episode, "episode_id", property(lambda self: f"e{self.index % 100:02d}"))
+
+
+@mutant("SCORE-006", "SCORE-008", "SCORE-011")
+def scores_the_first_page() -> None:
+    """The last eighty of a hundred and eighty episodes count for nothing."""
+    put(run_views, "score_of", lambda episodes: scoring.score_of(episodes[:100]))
+
+
+@mutant("RUN-009")
+def lists_the_run_that_changed_last_first() -> None:
+    """A run that changes between two pages is missing from the list."""
+    import sqlalchemy as sa
+
+    from reference_server.storage import store
+
+    runs = store._runs
+
+    async def wrong(
+        self: Store, account: str, before: int | None, limit: int
+    ) -> list[tuple[int, str]]:
+        query = sa.select(runs.c.number, runs.c.run_id).where(runs.c.account == account)
+        if before is not None:
+            query = query.where(runs.c.number < before)
+        query = query.order_by(runs.c.updated_at_wall.desc()).limit(limit)
+        async with self._transaction() as connection:
+            return [(n, r) for n, r in await connection.execute(query)]
+
+    put(Store, "page", wrong)
+
+
+@mutant("CMP-007")
+def computes_the_p_value_with_factorials() -> None:
+    """Two policies that differ in two hundred episodes seem to be equal."""
+
+    def wrong(wins: int, losses: int) -> float:
+        n, fewer = wins + losses, min(wins, losses)
+        try:
+            ways = [
+                math.gamma(n + 1) / math.gamma(k + 1) / math.gamma(n - k + 1)
+                for k in range(fewer + 1)
+            ]
+        except OverflowError:
+            return 1.0
+        return min(1.0, 2 * sum(ways) / 2.0**n)
+
+    put(comparison, "mcnemar", wrong)
+
+
+@mutant("CMP-006", "CMP-007")
+def pairs_episodes_in_the_order_of_scoring() -> None:
+    """With two workers, episodes are compared with others than themselves."""
+
+    def wrong(episodes: Any) -> Any:
+        return right(sorted(episodes, key=lambda e: e.place or math.inf))
+
+    right = run_views.scored_episodes
+    put(run_views, "scored_episodes", wrong)
