@@ -18,6 +18,7 @@ from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 
 LONGEST_KEY = 128
+ONES = ("1.0", "1e0", "10E-1", "0.1e+1")
 
 
 def new_key() -> dict[str, str]:
@@ -181,7 +182,7 @@ def send_text(context: CheckContext, text: str, key: dict[str, str]) -> Answer:
 
 @requirement("RUN-028")
 def test_run_028_same_body_may_be_written_otherwise(context: CheckContext) -> None:
-    """A body is repeated with other white space, escapes and orders of members.
+    """A body is repeated with other white space, escapes, numbers, orders of members.
 
     Expect the first run each time.
     """
@@ -196,6 +197,7 @@ def test_run_028_same_body_may_be_written_otherwise(context: CheckContext) -> No
         json.dumps(turned),
         f"\r\n\t {json.dumps(body, separators=(',', ':'))} \n",
     ]
+    texts += [texts[0].replace('"queue_s": 1', f'"queue_s": {one}') for one in ONES]
     first = expect.ok(submit(context, body, headers=key), 201)
     for text in texts:
         repeated = expect.ok(send_text(context, text, key), 201)

@@ -160,7 +160,7 @@ def test_run_010_cannot_get_an_unknown_run(context: CheckContext) -> None:
 
     Expect `not_found` at once, then the run.
     """
-    run = context.submit()
+    run = context.submit(wait_ready=False)
     unknown = uuid.uuid4().hex
     conditions: list[dict[str, str]] = [{}, {"If-None-Match": "*"}]
     conditions.append({"If-None-Match": "*", "Prefer": "wait=9999"})

@@ -144,6 +144,10 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
         for path, body in with_unknown_members(sample[1]["json"], ""):
             answer = send_body(worker, sample, body)
             expect.refused(answer, "invalid_request", pointer=f"{path}/surprise")
+        # What some languages find in every object.
+        for name in ("constructor", "__proto__", "toString"):
+            answer = send_body(worker, sample, sample[1]["json"] | {name: 1})
+            expect.refused(answer, "invalid_request", pointer=f"/{name}")
     body = context.submit_body(options={"surprise": 1})
     answer = submit(context, body)
     expect.refused(answer, "invalid_request", pointer="/options/surprise")
