@@ -491,7 +491,7 @@ def lets_the_lease_run_through_repeats() -> None:
 
 @mutant("LEASE-011")
 def looks_at_leases_only_when_asked() -> None:
-    """Nobody who waits for a run learns that its policy is gone."""
+    """A client that waits for a run does not learn that its policy is gone."""
 
     def wrong(_self: ResourceManager, _resources: SessionResources) -> None:
         pass
@@ -559,7 +559,7 @@ def finds_sessions_under_any_worker() -> None:
 
 @mutant("DET-005", "DET-003", "LEASE-012")
 def never_says_what_ended_a_session() -> None:
-    """A person cannot tell a crash of the policy from a stop of the run."""
+    """A crash of the policy looks like a stop of the run."""
     right = Run.record_end
 
     def wrong(self: Run, session: Session, ended_by: SessionEnd) -> None:

@@ -303,8 +303,9 @@ def expect_full_lease(
     expires_at = datetime.fromisoformat(lease["expires_at"])
     what = f"expires_at from {earliest.isoformat()} to {latest.isoformat()}"
     expect.true(earliest <= expires_at <= latest, what, lease["expires_at"])
-    worker.session_id = body.get("session_id", worker.session_id)
-    worker.seq = body.get("seq", worker.seq)
+    if "session_id" in body:
+        worker.turn = body
+        worker.session_id, worker.seq = body["session_id"], body["seq"]
 
 
 @requirement("LEASE-009")
@@ -325,6 +326,8 @@ def test_lease_009_answers_show_the_whole_lease(context: CheckContext) -> None:
         return partial(worker.try_predict, context.action(**values))
 
     expect_full_lease(worker, worker.try_attach, lease_s)
+    if worker.turn["episode"]["task"] != "fault":
+        raise SetUpFailed("episodes come in another order; see EPI-001")
     for send in (play(), play(), play(fault=1), play(end=1)):
         time.sleep(pause_s)
         expect_full_lease(worker, send, lease_s)

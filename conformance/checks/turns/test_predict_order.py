@@ -33,7 +33,7 @@ def test_pred_002_can_repeat_a_turn(context: CheckContext) -> None:
         turn = worker.predict(action, action)
         for disturb in (
             worker.heartbeat,
-            lambda: worker.try_predict(context.action(), seq=9),
+            lambda: worker.try_predict(context.action(), seq=worker.seq),
             lambda: [other.predict(context.action()) for other in others],
             lambda: worker.try_attach(attach_key=worker.attach_key),
         ):
@@ -380,7 +380,7 @@ def test_pred_025_equal_values_are_the_same_body(context: CheckContext) -> None:
     turn = expect.require(worker.run.call("predict", json=body, **how), 200, "predict")
     again = worker.run.call("predict", json=reversed_members(body), **how)
     expect.equal(expect.ok(again), turn, "the repeated turn")
-    other = {**body, "actions": [action, context.action(score=1)]}
+    other = {**body, "actions": [context.action(score=1), action]}
     answer = worker.run.call("predict", json=reversed_members(other), **how)
     expect.refused(answer, "seq_conflict")
 

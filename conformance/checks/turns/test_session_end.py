@@ -181,15 +181,15 @@ def test_det_004_session_of_another_worker(context: CheckContext) -> None:
     """
     first, other = (submit_and_attach(context, "count", "count") for _ in range(2))
     runs = [first.run, other.run]
-    for worker in (first, other):
-        worker.predict(context.action())
-    strangers = [first.run.worker("free"), other]
+    for own in (first, other):
+        own.predict(context.action())
+    workers = [first.run.worker("free"), other]
     if context.limits["max_workers"] > 1:
-        strangers.append(first.run.worker("second"))
-        strangers[-1].attach()
-    for stranger in strangers:
-        expect_no_effect(stranger, first.session_id, runs)
-        expect_no_effect(stranger, "unknown-session", runs)
+        workers.append(first.run.worker("second"))
+        workers[-1].attach()
+    for wrong in workers:
+        expect_no_effect(wrong, first.session_id, runs)
+        expect_no_effect(wrong, "unknown-session", runs)
     expect_no_effect(first, first.session_id + "0", runs)
     for worker in (first, other):
         turn = expect.ok(worker.try_predict(context.action()))

@@ -5,6 +5,7 @@ from typing import Any
 
 from conformance.checks.support.given_states import (
     attach_workers,
+    index_of,
     require_duration,
     require_not_state_refusal,
     require_worker_limit,
@@ -103,8 +104,9 @@ def test_att_019_takeover_begins_with_seqs_of_its_own(context: CheckContext) -> 
     expect.refused(old.try_heartbeat(), "session_superseded")
     expect.refused(old.try_predict(context.action()), "session_superseded")
     worker.attach(takeover=True)
+    index = index_of(worker)
     expect.ok(worker.try_predict(context.action()))
-    result = results(run)[0] or {}
+    result = results(run)[index] or {}
     expect.equal(result.get("steps"), 6, "steps of the result")
     expect.equal(result.get("attempt"), 1, "attempt of the result")
 
