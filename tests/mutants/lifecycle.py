@@ -18,7 +18,9 @@ SPEC = Path(__file__).parents[2] / "spec" / "openapi.yaml"
 # Cells through which the kit must go to reach anything else. A server that refuses them
 # is seen by their own row; whatever else fails with them stands here.
 ALSO: dict[str, set[str]] = {
-    "LIFE-806": {"FAULT-005"},
+    "LIFE-804": {"EPI-009"},
+    "LIFE-805": {"EPI-009"},
+    "LIFE-806": {"FAULT-005", "FAULT-010"},
 }
 
 # Without these nothing can be played: there is nothing to judge.
