@@ -277,7 +277,7 @@ def gives_no_reason_for_a_failure() -> None:
     put(effects, "record_fault", wrong)
 
 
-@mutant("FAULT-003")
+@mutant("FAULT-003", "FAULT-010")
 def forgets_scores_when_a_failed_run_resumes() -> None:
     """One broken episode costs the scores of all others."""
     right = effects.resume

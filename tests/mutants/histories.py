@@ -40,7 +40,7 @@ def counts_no_attempt_after_a_takeover() -> None:
     put(effects, "_close_attempt", wrong_close)
 
 
-@mutant("MODEL-001")
+@mutant("EPI-004", "EPI-009", "MODEL-001")
 def abort_forgets_the_sessions_of_a_draining_run() -> None:
     """Draining takes too long, the user aborts the run, and the robot goes on."""
     right = effects.stop

@@ -20,8 +20,9 @@ SPEC = Path(__file__).parents[2] / "spec" / "openapi.yaml"
 ALSO: dict[str, set[str]] = {
     "LIFE-802": {"ATT-015", "LEASE-011", "LEASE-012"},
     "LIFE-803": {"ATT-015", "LEASE-012"},
-    "LIFE-804": {"LEASE-012"},
-    "LIFE-806": {"FAULT-005"},
+    "LIFE-804": {"EPI-009", "LEASE-012"},
+    "LIFE-805": {"EPI-009"},
+    "LIFE-806": {"FAULT-005", "FAULT-010"},
 }
 
 # Without these nothing can be played: there is nothing to judge.

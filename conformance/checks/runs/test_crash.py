@@ -132,13 +132,17 @@ def make_resting_runs(context: CheckContext) -> list[RunClient]:
     completed.play_all()
     lease_s = (context.limits["idle_timeout_s_min"] + 7) / 2
     images = context.benchmark["image_sizes"][-1] | {"codec": "raw"}
-    stopped = context.submit(
-        *["score"] * 3,
+    policy = {"name": "kit", "version": "7", "submitter": "a", "homepage": "b"}
+    body = context.submit_body(
+        policy=policy,
         max_workers=1,
         idle_timeout_s=min(lease_s, context.limits["idle_timeout_s_max"]),
         images=images,
-        max_attempts=1,
+        options={"tasks": ["score"] * 3, "max_attempts": 1},
     )
+    answer = context.call("submit_run", json=body)
+    stopped = context.adopt(expect.require(answer, 201, "`submit_run`"))
+    stopped.until("ready")
     worker = stopped.worker()
     worker.attach()
     worker.play(score=0.1)
