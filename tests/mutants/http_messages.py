@@ -110,7 +110,7 @@ def compares_media_types_letter_by_letter() -> None:
     put(codec, "media_type_of", wrong)
 
 
-@mutant("ERR-020", "RUN-027")
+@mutant("ERR-020", "RUN-027", "VER-002")
 def checks_the_version_after_the_work() -> None:
     """A client of another version is refused, and its run starts all the same."""
     right, right_perform = dispatch.check_version, dispatch.perform
