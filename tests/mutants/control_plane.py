@@ -507,7 +507,7 @@ def starts_a_run_that_was_stopped_in_the_queue() -> None:
 
 @mutant("LIFE-813")
 def calls_every_queued_run_the_next() -> None:
-    """Everybody in a long queue expects to be the next."""
+    """Every submitter in a long queue expects to be the next."""
     right = RunRegistry.queue_position
 
     def wrong(self: RunRegistry, run: Run) -> int | None:
@@ -527,3 +527,10 @@ def rounds_the_bounds_of_a_score() -> None:
         return score | {"score_low": low, "score_high": high}
 
     put(run_views, "score_of", wrong)
+
+
+@mutant("SCORE-010")
+def shows_another_state_beside_the_score() -> None:
+    """A dashboard calls a run that was stopped running."""
+    right = scoring.score_of
+    put(run_views, "score_of", lambda episodes: right(episodes) | {"state": "running"})

@@ -212,10 +212,15 @@ def test_score_009_mean_and_rate_of_scored_episodes(context: CheckContext) -> No
 
 @requirement("SCORE-010")
 def test_score_010_answers_in_every_state(context: CheckContext) -> None:
-    """A run in each of the seven states. Expect a score in each."""
+    """A run in each of the seven states.
+
+    Expect a score in each, with the state, benchmark and manifest of the run.
+    """
     for state in context.spec.lifecycle["states"]:
         run = make_run_in_state(context, state)
-        expect.ok(run.call("get_score"))
+        score = expect.ok(run.call("get_score"))
+        for member in ("run_id", "state", "benchmark_id", "manifest_sha256"):
+            expect.equal(score[member], run.body[member], member)
 
 
 def expect_groups(score: dict[str, Any], expected: dict[str, Any]) -> None:

@@ -144,9 +144,9 @@ def test_res_002_resume_assigns_unscored_episodes(context: CheckContext) -> None
         workers[-1].predict(context.action())
         workers[0].play()
         run.stop()
+        unscored = sorted(set(range(7)) - scored(run).keys())
         run.resume()
         run.until("ready")
-    unscored = sorted(set(range(7)) - scored(run).keys())
     worker = run.worker()
     turn = worker.attach()
     handed_out: list[int] = []
