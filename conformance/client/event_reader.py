@@ -49,10 +49,10 @@ class Event:
             body = msgspec.json.decode("\n".join(self.data))
         except msgspec.DecodeError as error:
             raise SetUpFailed(
-                f"event data is not valid JSON (EVT-001): {error}"
+                f"event data is not valid JSON: {error}", breaks="EVT-001"
             ) from error
         if not isinstance(body, dict):
-            raise SetUpFailed("event data is not a JSON object (EVT-001)")
+            raise SetUpFailed("event data is not a JSON object", breaks="EVT-001")
         return SetUpBody(body)
 
 

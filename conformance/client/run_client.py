@@ -114,7 +114,8 @@ class RunClient:
             if page["next_cursor"] is None:
                 return episodes
             params = {"cursor": page["next_cursor"]}
-        raise SetUpFailed(f"`list_episodes` returned more than {_MAX_PAGES} pages")
+        text = f"`list_episodes` returned more than {_MAX_PAGES} pages"
+        raise SetUpFailed(text, breaks="EPI-006")
 
     def stop(self, mode: str = "abort") -> dict[str, Any]:
         """Stop the run."""
@@ -250,7 +251,8 @@ class WorkerClient:
         for first in range(0, steps, max_chunk):
             turn = self.predict(*actions[first : first + max_chunk])
         if "episode_result" not in turn:
-            raise SetUpFailed("an action with `end` 1 did not end the episode")
+            text = "an action with `end` 1 did not end the episode"
+            raise SetUpFailed(text, breaks="CAL-005")
         return turn
 
     def try_heartbeat(self, session_id: str | None = None, **how: Any) -> Answer:

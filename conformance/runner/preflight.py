@@ -19,7 +19,7 @@ from conformance.client.request_context import SharedContext
 from conformance.exchanges.answer import Answer
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
-from conformance.verdicts.expect import Violation, describe_answer
+from conformance.verdicts.expect import SetUpFailed, Violation, describe_answer
 
 _PROBES = 12
 _TIMEOUT_S = 10.0
@@ -87,6 +87,8 @@ def _request(http_client: HttpClient, method: str, path: str, **how: Any) -> Ans
             f"no response to {method} {http_client.base_url}{path} "
             f"({error.observed}): start the server or correct --url"
         ) from error
+    except SetUpFailed as error:
+        raise CannotJudge(f"{method} {path}: {error.reason}") from error
 
 
 def _read_service(context: CheckContext) -> dict[str, Any]:

@@ -15,6 +15,18 @@ from conformance.exchanges.answer import Answer
 from conformance.specification.document import load_spec
 
 TIME_WAS_UP = "time limit reached"
+# The rule that every request is answered as the rules and earlier requests demand.
+ANY_SEQUENCE = "MODEL-001"
+# What refuses a valid request of a set-up, where neither limits, capacity, time nor a
+# proxy can be the reason.
+_NEVER_FOR_SET_UP = frozenset(
+    {
+        *("malformed_body", "unsupported_version", "not_found", "method_not_allowed"),
+        *("not_acceptable", "idempotency_conflict", "worker_busy", "seq_conflict"),
+        *("seq_out_of_order", "session_superseded", "convention_mismatch"),
+        *("unsupported_media_type", "illegal_transition", "no_episode"),
+    }
+)
 _LONGEST_TEXT = 600
 _PATHS_SHOWN = 5
 _ABSENT = "(absent)"
@@ -43,13 +55,19 @@ class SetUpFailed(Exception):
     """A step before the one under test failed, so the rule is not verified.
 
     `allowed` marks what the operator chose not to give (a second token, a restart
-    hook): it leaves a run conformant.
+    hook): it leaves a run conformant. `breaks` names the rule that the observation
+    contradicts with certainty, whatever clock and network do: that rule is violated,
+    also where its own check passes.
     """
 
-    def __init__(self, reason: str, *, allowed: bool = False):
-        super().__init__(reason)
-        self.reason = reason
+    def __init__(
+        self, reason: str, *, allowed: bool = False, breaks: str | None = None
+    ):
+        text = reason if breaks is None else f"{reason}; see {breaks}"
+        super().__init__(text)
+        self.reason = text
         self.allowed = allowed
+        self.breaks = breaks
 
 
 class Inconclusive(Exception):
@@ -62,6 +80,10 @@ class NotApplicable(Exception):
 
 class KitError(Exception):
     """The kit sent something that the specification forbids."""
+
+
+class OwnConnectionFailed(KitError):
+    """A connection failed on this side, which tells nothing about the server."""
 
 
 class ExpectedBody(dict[str, Any]):
@@ -159,7 +181,9 @@ def true(condition: object, what: str, observed: Any = None) -> None:
 def require(answer: Answer, status: int, step: str) -> Any:
     """Require success of a step that is not under test, or raise SetUpFailed."""
     if answer.status != status:
-        raise SetUpFailed(f"{step}: unexpected response: {describe_answer(answer)}")
+        text = f"{step}: unexpected response: {describe_answer(answer)}"
+        breaks = ANY_SEQUENCE if answer.code in _NEVER_FOR_SET_UP else None
+        raise SetUpFailed(text, breaks=breaks)
     return _wrap(answer.json, SetUpBody)
 
 

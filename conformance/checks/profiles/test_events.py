@@ -79,7 +79,7 @@ def ids_of(events: list[Event]) -> list[str]:
     """Give the ids of events that all have one."""
     ids = [event.id for event in events if event.id]
     if len(ids) < len(events):
-        raise SetUpFailed("an event has no id; see EVT-001")
+        raise SetUpFailed("an event has no id", breaks="EVT-001")
     return ids
 
 
@@ -134,7 +134,7 @@ def test_evt_002_episodes_come_as_they_were_scored(context: CheckContext) -> Non
         second.play()
         second.play()
         if run.get()["state"] != "completed":
-            raise SetUpFailed("an episode has no result yet; see EPI-004")
+            raise SetUpFailed("an episode has no result yet", breaks="EPI-004")
         received = read_until_scored(reader, 4)
     scored = [1, 0, 2, 3]
     expect.equal(episodes_in(received), scored, "episodes in the order of scoring")
@@ -264,7 +264,8 @@ def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) 
     own, other = (ids_of(read_events(worker.run, 1))[-1] for worker in runs)
     run = runs[0].run
     if other == own:
-        raise SetUpFailed(f"two runs have events with the same id, {own}; see EVT-007")
+        text = f"two runs have events with the same id, {own}"
+        raise SetUpFailed(text, breaks="EVT-007")
     for wrong in (uuid.uuid4().hex, "no such event", "x" * 129, other):
         answer = run.call("stream_events", headers={"Last-Event-ID": wrong})
         expect.refused(answer, "invalid_request")

@@ -21,7 +21,7 @@ from schemathesis.config import SchemathesisConfig
 from schemathesis.core.result import Err
 
 from conformance.checks.support.operation_samples import operation_samples, send
-from conformance.client.http_client import NoAnswer
+from conformance.client.http_client import AnsweredByProxy, NoAnswer
 from conformance.client.request_context import RequestContext
 from conformance.client.run_client import WorkerClient, adopt_run
 from conformance.exchanges.answer import Answer
@@ -131,7 +131,7 @@ def _try_operation(
 def _send(
     context: RequestContext, worker: WorkerClient, operation: Operation, case: Any
 ) -> Answer | None:
-    """Send a generated request; None if HTTP itself cannot carry it."""
+    """Send a generated request; None if HTTP or a proxy cannot carry it."""
     if context.random.random() < _EXISTING_IDS_SHARE:
         _use_existing_ids(worker, case)
     made = case.as_transport_kwargs(base_url=worker.run.base_url_of(operation))
@@ -153,7 +153,7 @@ def _send(
             timeout_s=_TIMEOUT_S,
             operation=operation,
         )
-    except httpx.LocalProtocolError:
+    except (httpx.LocalProtocolError, AnsweredByProxy):
         return None
     if operation.operation_id == "submit_run" and answer.status == 201:
         adopt_run(context, answer.json)
