@@ -175,9 +175,11 @@ class EventReader:
         self,
         is_it: Callable[[Event], bool],
         what: str,
-        within_s: float = ANSWER_TIMEOUT_S,
+        within_s: float | None = None,
     ) -> list[Event]:
-        """Expect an event; give all up to it."""
+        """Expect an event, at most ANSWER_TIMEOUT_S late; give all up to it."""
+        if within_s is None:
+            within_s = max(ANSWER_TIMEOUT_S, 10 * self._run.context.tolerance_s)
         until, events = time.monotonic() + within_s, list[Event]()
         while True:
             found = self._next(until - time.monotonic())

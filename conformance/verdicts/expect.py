@@ -51,6 +51,14 @@ class Violation(AssertionError):
         self.is_alone = is_alone
 
 
+class TooLate(Violation):
+    """A limit of time was missed: the check is repeated, for a machine may be busy."""
+
+    def __init__(self, expected: str, took_s: float, limit_s: float) -> None:
+        super().__init__(expected, f"after {took_s:.2f} s")
+        self.late_s = took_s - limit_s
+
+
 class SetUpFailed(Exception):
     """A step before the one under test failed, so the rule is not verified.
 
@@ -176,6 +184,12 @@ def true(condition: object, what: str, observed: Any = None) -> None:
         raise Violation(
             what, "not satisfied" if observed is None else format_value(observed)
         )
+
+
+def in_time(took_s: float, limit_s: float, what: str) -> None:
+    """Expect what `what` describes within a limit of time, in seconds."""
+    if took_s > limit_s:
+        raise TooLate(f"{what} within {limit_s:.2f} s", took_s, limit_s)
 
 
 def require(answer: Answer, status: int, step: str) -> Any:

@@ -4,6 +4,7 @@ Everything here is set-up: it raises SetUpFailed or NotApplicable, never Violati
 except `expect_pointer`, which completes `expect.refused`.
 """
 
+import time
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -12,7 +13,7 @@ from conformance.client.request_context import RequestContext
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.exchanges.answer import Answer
 from conformance.verdicts import expect
-from conformance.verdicts.expect import NotApplicable, SetUpFailed
+from conformance.verdicts.expect import Inconclusive, NotApplicable, SetUpFailed
 
 # Differs between two equal histories: when, how fast, and how often it was tried.
 VOLATILE_RESULT_MEMBERS = ("episode_id", "attempt", "faults", "think_s", "finished_at")
@@ -120,6 +121,7 @@ def fail_run(run: RunClient, fault: float = 1) -> None:
     run.until("failed")
 
 
+_QUEUE_S = 10
 # By which rule a run of the makers below has its state; others depend on the clock.
 _RULES_BY_STATE = {
     "running": "LIFE-201",
@@ -131,8 +133,22 @@ _RULES_BY_STATE = {
 
 def make_run_in_state(context: CheckContext, state: str, **options: Any) -> RunClient:
     """Submit a run and bring it into a state."""
+    began_at = time.monotonic()
     run = _MAKERS_BY_STATE[state](context, options)
+    if state == "queued":
+        return _require_queued(run, began_at, options.get("queue_s", _QUEUE_S))
     return _require_state(run, state.partition(" ")[0])
+
+
+def _require_queued(run: RunClient, began_at: float, queue_s: float) -> RunClient:
+    """Require that a run waits, unless the kit was too slow to see it wait."""
+    now = run.get()["state"]
+    if now != "queued" and time.monotonic() - began_at > queue_s:
+        raise Inconclusive(f"the kit looked later than {queue_s:g} s after submit_run")
+    if now != "queued":
+        text = f"run state is `{now}` although its option queue_s is {queue_s:g}"
+        raise SetUpFailed(text, breaks="CAL-001")
+    return run
 
 
 def _require_state(run: RunClient, state: str) -> RunClient:
@@ -144,7 +160,8 @@ def _require_state(run: RunClient, state: str) -> RunClient:
 
 
 def _make_queued(context: CheckContext, options: dict[str, Any]) -> RunClient:
-    return context.submit("score", wait_ready=False, **({"queue_s": 10} | options))
+    options = {"queue_s": _QUEUE_S} | options
+    return context.submit("score", wait_ready=False, **options)
 
 
 def _make_ready(context: CheckContext, options: dict[str, Any]) -> RunClient:

@@ -16,7 +16,14 @@ from conformance.client.proxy_answers import find_proxy
 from conformance.client.request_context import SharedContext
 from conformance.run_settings import Settings
 from conformance.runner.pytest_plugin import _call_check
-from conformance.verdicts.expect import OwnConnectionFailed, SetUpFailed, Violation
+from conformance.verdicts import expect
+from conformance.verdicts.expect import (
+    Inconclusive,
+    OwnConnectionFailed,
+    SetUpFailed,
+    TooLate,
+    Violation,
+)
 
 OK = b"HTTP/1.1 200 OK\r\nContent-Type: application/json\r\nContent-Length: 2\r\n\r\n{}"
 NGINX_413 = (
@@ -111,10 +118,7 @@ def test_an_error_of_this_side_is_no_violation(
     number: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def fail(*_: Any, **__: Any) -> httpx.Response:
-        try:
-            raise OSError(number, "out of something")
-        except OSError as error:
-            raise httpx.ConnectError("lost") from error
+        raise httpx.ConnectError("lost") from OSError(number, "out of something")
 
     with open_context(OneAnswerPerConnection()) as context:
         monkeypatch.setattr(httpx.Client, "send", fail)
@@ -122,10 +126,10 @@ def test_an_error_of_this_side_is_no_violation(
             context.call("describe_service")
 
 
-def test_a_check_is_repeated_once_after_an_error_of_this_side(
+def test_a_check_is_repeated_after_an_error_of_this_side(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("conformance.runner.pytest_plugin._OWN_CONNECTION_PAUSE_S", 0)
+    monkeypatch.setattr("conformance.runner.pytest_plugin._PAUSE_S", 0)
     calls: list[int] = []
 
     def fail_at_first(_: CheckContext) -> None:
@@ -142,7 +146,25 @@ def test_a_check_is_repeated_once_after_an_error_of_this_side(
         assert len(calls) == 2
         with pytest.raises(OwnConnectionFailed):
             _call_check(fail_always, context)
-        assert len(calls) == 4
+        assert len(calls) == 5
+
+
+def test_what_is_late_is_repeated_and_then_a_violation(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("conformance.runner.pytest_plugin._PAUSE_S", 0)
+    late_s = [0.9]
+
+    def answer_late(_: CheckContext) -> None:
+        expect.in_time(1 + late_s[0], 1, "an answer")
+
+    with open_context(OneAnswerPerConnection()) as context:
+        monkeypatch.setattr(context, "measure_noise", lambda: 0.02)
+        with pytest.raises(Inconclusive, match="busy"):
+            _call_check(answer_late, context)
+        late_s[0] = 1.1
+        with pytest.raises(TooLate):
+            _call_check(answer_late, context)
 
 
 def test_an_endpoint_that_is_no_url_is_a_violation() -> None:
@@ -150,7 +172,6 @@ def test_an_endpoint_that_is_no_url_is_a_violation() -> None:
         open_context(OneAnswerPerConnection()) as context,
         pytest.raises(Violation, match="valid URL"),
     ):
-        context.call("get_run", run_id="r")
         context.http_client.request("GET", "http://[::1/v1/runs")
 
 

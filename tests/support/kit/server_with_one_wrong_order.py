@@ -9,6 +9,7 @@ import sys
 
 from reference_server.__main__ import main
 from reference_server.rules.run import Episode, Run
+from tests.mutants import put
 
 
 def take_last_pending(run: Run) -> Episode | None:
@@ -24,5 +25,5 @@ def take_last_pending(run: Run) -> Episode | None:
 right = Run.take_pending
 
 if __name__ == "__main__":
-    Run.take_pending = take_last_pending  # type: ignore[method-assign]
+    put(Run, "take_pending", take_last_pending)
     sys.exit(main())
