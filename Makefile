@@ -93,6 +93,10 @@ lock: setup ## Resolve requirements/*.in into hashed locks; ARGS=--upgrade
 kill-matrix: setup ## Judge the kit on broken servers, rewrite its page
 	@$(python) -m tests.mutants.kill --write
 
+false-alarms: setup ## Run the kit on right servers again and again
+#                   RUNS=... BUSY=1 (every run on a busy machine) ARGS=--write
+	@$(python) -m tools.false_alarms $${RUNS:+--runs "$$RUNS"} $${BUSY:+--load busy} $(ARGS)
+
 experts: setup ## Measure the scripted experts, rewrite their page
 	@$(python) tools/experts.py --write $(ARGS)
 
