@@ -16,7 +16,7 @@ from conformance.client.http_client import AnswerStream, HttpClient
 from conformance.client.request_context import RequestContext
 from conformance.exchanges.answer import Answer
 from conformance.specification.document import Operation
-from conformance.verdicts.expect import SetUpFailed, Violation
+from conformance.verdicts.expect import SetUpFailed, SetUpList, Violation
 
 _ENDED = ("completed", "failed", "stopped")
 _CLEAN_UP_TIMEOUT_S = 5.0
@@ -106,7 +106,7 @@ class RunClient:
 
     def episodes(self) -> list[dict[str, Any]]:
         """Read all pages of the episodes."""
-        episodes: list[dict[str, Any]] = []
+        episodes: list[dict[str, Any]] = SetUpList()
         params: dict[str, Any] = {}
         for _ in range(_MAX_PAGES):
             page = self._require("list_episodes", params=params)

@@ -102,6 +102,17 @@ class ExpectedBody(dict[str, Any]):
         raise Violation(f"a member `{key}`", f"members {sorted(self)}")
 
 
+class ExpectedList(list[Any]):
+    """A list in which a missing entry is a violation of the rule under test."""
+
+    def __getitem__(self, index: Any) -> Any:
+        """Give an entry, or raise: it is missing."""
+        try:
+            return super().__getitem__(index)
+        except IndexError:
+            raise Violation(f"an entry {index}", f"{len(self)} entries") from None
+
+
 class SetUpBody(dict[str, Any]):
     """A body of a set-up step, in which a missing member proves nothing."""
 
@@ -110,6 +121,18 @@ class SetUpBody(dict[str, Any]):
         raise SetUpFailed(
             f"response member `{key}` is missing; present: {sorted(self)}"
         )
+
+
+class SetUpList(list[Any]):
+    """A list of a set-up step, in which a missing entry proves nothing."""
+
+    def __getitem__(self, index: Any) -> Any:
+        """Give an entry, or raise: it is missing."""
+        try:
+            return super().__getitem__(index)
+        except IndexError:
+            text = f"response entry {index} is missing; there are {len(self)}"
+            raise SetUpFailed(text) from None
 
 
 def ok(answer: Answer, status: int = 200) -> Any:
@@ -230,9 +253,15 @@ def _pointers(body: dict[str, Any]) -> list[Any]:
     return [item.get("pointer") for item in errors if isinstance(item, dict)]
 
 
+_LISTS: dict[type[dict[str, Any]], type[list[Any]]] = {
+    ExpectedBody: ExpectedList,
+    SetUpBody: SetUpList,
+}
+
+
 def _wrap(value: Any, kind: type[dict[str, Any]]) -> Any:
     if isinstance(value, dict):
         return kind({key: _wrap(item, kind) for key, item in value.items()})
     if isinstance(value, list):
-        return [_wrap(item, kind) for item in value]
+        return _LISTS[kind](_wrap(item, kind) for item in value)
     return value

@@ -13,7 +13,12 @@ from conformance.client.request_context import RequestContext
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.exchanges.answer import Answer
 from conformance.verdicts import expect
-from conformance.verdicts.expect import Inconclusive, NotApplicable, SetUpFailed
+from conformance.verdicts.expect import (
+    Inconclusive,
+    NotApplicable,
+    SetUpFailed,
+    SetUpList,
+)
 
 # Differs between two equal histories: when, how fast, and how often it was tried.
 VOLATILE_RESULT_MEMBERS = ("episode_id", "attempt", "faults", "think_s", "finished_at")
@@ -100,7 +105,7 @@ def without(body: Mapping[str, Any], *members: str) -> dict[str, Any]:
 
 def results(run: RunClient) -> list[dict[str, Any] | None]:
     """Results by manifest order; None for an episode without one."""
-    return [episode.get("result") for episode in run.episodes()]
+    return SetUpList(episode.get("result") for episode in run.episodes())
 
 
 def expect_pointer(problem: Mapping[str, Any], *pointers: str) -> None:

@@ -67,6 +67,8 @@ def test_ok_takes_the_status_and_guards_the_body() -> None:
     assert body["a"][0]["b"] == 1
     with pytest.raises(Violation, match="a member `c`"):
         body["a"][0]["c"]
+    with pytest.raises(Violation, match="an entry 1"):
+        body["a"][1]
     with pytest.raises(Violation, match="status 201"):
         expect.ok(answer(200), 201)
 
@@ -92,6 +94,8 @@ def test_given_never_reports_a_violation() -> None:
         expect.require(answer(500), 200, "attach_worker")
     with pytest.raises(SetUpFailed, match="member `b` is missing"):
         expect.require(answer(200, {"a": 1}), 200, "attach_worker")["b"]
+    with pytest.raises(SetUpFailed, match="entry -2 is missing"):
+        expect.require(answer(200, [1]), 200, "attach_worker")[-2]
 
 
 def test_timeouts_shrink_after_a_missed_state() -> None:
