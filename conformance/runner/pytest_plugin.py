@@ -211,8 +211,9 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
     return True
 
 
+@pytest.hookimpl(trylast=True)
 def pytest_runtest_teardown(item: pytest.Item) -> None:
-    """Stop the runs of the check."""
+    """Stop the runs of the check, after pytest's own teardown."""
     if _CHECK_CONTEXT in item.stash:
         item.stash[_CHECK_CONTEXT].tidy_up()
 

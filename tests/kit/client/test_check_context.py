@@ -179,6 +179,20 @@ def test_story_sends_what_the_document_allows(context: CheckContext) -> None:
     assert "secret" not in repr(exchanges)
 
 
+def test_a_run_without_its_members_is_a_failed_set_up(context: CheckContext) -> None:
+    with pytest.raises(SetUpFailed, match="`run_id` is missing"):
+        context.adopt({})
+    run = context.adopt({"run_id": "run-1"})
+    with pytest.raises(SetUpFailed, match="`endpoint` is missing"):
+        run.call("get_run")
+
+    def fail() -> None:
+        raise KeyError("a member of a wrong answer")
+
+    context.clean_up_with(fail)
+    context.tidy_up()
+
+
 def test_an_invalid_request_is_a_kit_error(context: CheckContext) -> None:
     with pytest.raises(KitError):
         context.submit("no_such_task")
