@@ -1,7 +1,7 @@
 #!/bin/sh
 # Provides nginx and HAProxy, which tests/kit/test_behind_proxies.py runs a server behind.
 # What the machine has is taken; on Debian and Ubuntu the packages are unpacked into
-# .venv/proxies, where nothing of the machine changes and nobody has to be root. Elsewhere
+# .venv/proxies, where nothing of the machine changes and root is not needed. Elsewhere
 # it names what to install, and fails: the tests do not pass without them.
 set -eu
 directory=.venv/proxies

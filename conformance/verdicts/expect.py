@@ -91,7 +91,7 @@ class KitError(Exception):
 
 
 class OwnConnectionFailed(KitError):
-    """A connection failed on this side, which tells nothing about the server."""
+    """A connection failed on this side, which proves nothing about the server."""
 
 
 class ExpectedBody(dict[str, Any]):

@@ -181,9 +181,7 @@ def page(status: int, body: bytes, head: str = "") -> bytes:
 
 
 @pytest.mark.parametrize(("status", "body"), [(413, NGINX_413), (400, HAPROXY_400)])
-def test_the_page_of_a_proxy_is_not_blamed_on_the_server(
-    status: int, body: bytes
-) -> None:
+def test_the_page_of_a_proxy_is_no_violation(status: int, body: bytes) -> None:
     with open_context(OneAnswerPerConnection(page(status, body))) as context:
         with pytest.raises(AnsweredByProxy) as caught:
             context.call("describe_service")
