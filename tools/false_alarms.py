@@ -153,7 +153,7 @@ def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
         "How often the whole kit called a right server wrong, or could not decide.",
         f"Written by `make false-alarms ARGS=--write`; the kit of commit {commit} of",
         f"{date}, on {os.cpu_count()} processors, another seed in each run.",
-        "`quiet`: beside whatever else the machine ran; `busy`: beside one process more",
+        "`quiet`: beside whatever the machine ran; `busy`: beside one process more",
         "per processor that computes without end.",
         "",
         *summarize(results),
