@@ -64,7 +64,7 @@ metaworld-table: metaworld ## Play its experts both ways, rewrite their page
 
 check: setup lint generate-check ## Lint, check generated files, run the fast tests
 	@$(pytest) -m "not slow"
-test: setup lint generate-check ## The same with all tests; mutants by their own rows
+test: setup proxies lint generate-check ## The same with all tests; mutants by their own rows
 	@$(pytest)
 lint: setup ## Check style and types
 	@$(python) -m ruff check --quiet .
@@ -75,6 +75,10 @@ generate: .venv-generate/ready ## Rewrite models and clients from spec/
 	@.venv-generate/bin/python tools/generate.py
 generate-check: .venv-generate/ready ## Fail if generated files differ from spec/
 	@.venv-generate/bin/python tools/generate.py --check
+proxies: .venv/proxies/ready ## Provide nginx and HAProxy for the tests
+.venv/proxies/ready: .venv/ready tools/proxies.sh
+	@sh tools/proxies.sh
+
 client: .venv-generate/ready ## Write a client in LANGUAGE=kotlin or any other
 	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)"
 docs: setup ## Rewrite the pages that follow from spec/ and the code
@@ -88,6 +92,10 @@ lock: setup ## Resolve requirements/*.in into hashed locks; ARGS=--upgrade
 
 kill-matrix: setup ## Judge the kit on broken servers, rewrite its page
 	@$(python) -m tests.mutants.kill --write
+
+false-alarms: setup ## Run the kit on right servers again and again
+#                   RUNS=... BUSY=1 (every run on a busy machine) ARGS=--write
+	@$(python) -m tools.false_alarms $${RUNS:+--runs "$$RUNS"} $${BUSY:+--load busy} $(ARGS)
 
 experts: setup ## Measure the scripted experts, rewrite their page
 	@$(python) tools/experts.py --write $(ARGS)

@@ -49,10 +49,10 @@ class Event:
             body = msgspec.json.decode("\n".join(self.data))
         except msgspec.DecodeError as error:
             raise SetUpFailed(
-                f"event data is not valid JSON (EVT-001): {error}"
+                f"event data is not valid JSON: {error}", breaks="EVT-001"
             ) from error
         if not isinstance(body, dict):
-            raise SetUpFailed("event data is not a JSON object (EVT-001)")
+            raise SetUpFailed("event data is not a JSON object", breaks="EVT-001")
         return SetUpBody(body)
 
 
@@ -181,9 +181,11 @@ class EventReader:
         self,
         is_it: Callable[[Event], bool],
         what: str,
-        within_s: float = ANSWER_TIMEOUT_S,
+        within_s: float | None = None,
     ) -> list[Event]:
-        """Expect an event; give all up to it."""
+        """Expect an event, at most ANSWER_TIMEOUT_S late; give all up to it."""
+        if within_s is None:
+            within_s = max(ANSWER_TIMEOUT_S, 10 * self._run.context.tolerance_s)
         until, events = time.monotonic() + within_s, list[Event]()
         while True:
             found = self._next(until - time.monotonic())

@@ -21,11 +21,17 @@ from urllib.parse import urlsplit
 
 import httpx
 
+from conformance.client.connection_faults import (
+    ConnectionTrace,
+    is_own_fault,
+    is_repeatable,
+)
 from conformance.client.exchange_log import ExchangeLog
+from conformance.client.proxy_answers import find_proxy
 from conformance.exchanges.answer import Answer, ParsedAnswer, media_type_of, parse
 from conformance.exchanges.exchange import Exchange
 from conformance.specification.document import EVENT_STREAM, JSON, Operation, Spec
-from conformance.verdicts.expect import Violation
+from conformance.verdicts.expect import OwnConnectionFailed, SetUpFailed, Violation
 
 OWN_TOKEN = "own"
 # Of a stream: the bytes stored, and the timeout for its first event.
@@ -42,6 +48,10 @@ class NoAnswer(Violation):
     """The server closed the connection, refused it, or took too long."""
 
 
+class AnsweredByProxy(SetUpFailed):
+    """A proxy in front of the server refused the request, which did not reach it."""
+
+
 class ClientPool:
     """HTTP clients that keep their connections, each used by one thread at a time.
 
@@ -56,15 +66,20 @@ class ClientPool:
 
     @contextlib.contextmanager
     def borrow(self) -> Iterator[httpx.Client]:
-        """Give a client that nothing else uses until the end of the block."""
+        """Give a client that nothing else uses until the end of the block.
+
+        After an error its connections are closed: nothing is known about them.
+        """
         with self._lock:
             client = self._idle.pop() if self._idle else None
         client = client or self._open()
         try:
             yield client
-        finally:
-            with self._lock:
-                self._idle.append(client)
+        except BaseException:
+            client.close()
+            raise
+        with self._lock:
+            self._idle.append(client)
 
     def _open(self) -> httpx.Client:
         no_cookies = http.cookiejar.DefaultCookiePolicy(allowed_domains=[])
@@ -120,6 +135,15 @@ class AnswerStream:
             network.get_extra_info("socket").shutdown(socket.SHUT_RDWR)
 
 
+def _send_once(
+    client: httpx.Client, request: httpx.Request, is_stream: bool
+) -> httpx.Response:
+    response = client.send(request, stream=is_stream)
+    if media_type_of(response.headers) != EVENT_STREAM:
+        response.read()
+    return response
+
+
 def _read_first_event(response: httpx.Response) -> bytes:
     """Read the first event of a stream that may have no end."""
     stream, until = AnswerStream(response), time.monotonic() + _FIRST_EVENT_TIMEOUT_S
@@ -167,8 +191,8 @@ class HttpClient:
     ) -> Answer:
         """Send one request. `path` may be absolute; `token` None sends none.
 
-        Raises NoAnswer when there is no answer at all. Of an event
-        stream, which has no end, the first event is the answer, or a few seconds.
+        Raises NoAnswer when there is no answer at all, and AnsweredByProxy. Of an
+        event stream, which has no end, the first event is the answer, or a few seconds.
         """
         if json is not None:
             content = json_module.dumps(json).encode()
@@ -186,8 +210,7 @@ class HttpClient:
             )
             if operation is None:
                 operation = self._operation_of(method, str(request.url))
-            is_event_stream = operation is not None and operation.is_event_stream
-            response = self._send(client, request, exchange, is_event_stream)
+            response = self._send(client, request, exchange, operation)
             is_read = response.is_stream_consumed
             body = response.content if is_read else _read_first_event(response)
         return self._log_and_observe(response, body, exchange, operation)
@@ -201,7 +224,7 @@ class HttpClient:
         headers = {"Connection": "close", **headers}
         with self._clients.borrow() as client:
             request, exchange = self._prepare(client, "GET", path, headers=headers)
-            response = self._send(client, request, exchange, is_event_stream=True)
+            response = self._send(client, request, exchange, operation)
             if response.is_stream_consumed:
                 yield self._log_and_observe(
                     response, response.content, exchange, operation
@@ -233,14 +256,18 @@ class HttpClient:
         bearer = self.token if token == OWN_TOKEN else token
         if bearer is not None:
             own_headers["Authorization"] = f"Bearer {bearer}"
-        request = client.build_request(
-            method,
-            url,
-            content=content,
-            headers={**own_headers, **(headers or {})},
-            params=params,
-            timeout=timeout_s,
-        )
+        try:
+            request = client.build_request(
+                method,
+                url,
+                content=content,
+                headers={**own_headers, **(headers or {})},
+                params=params,
+                timeout=timeout_s,
+            )
+        except httpx.InvalidURL as error:
+            # Paths of the kit are valid; `endpoint` is the server's.
+            raise Violation("a valid URL", f"{url!r}: {error}") from error
         size = len(content) if isinstance(content, bytes) else None
         exchange = Exchange(
             number=number,
@@ -263,26 +290,59 @@ class HttpClient:
         client: httpx.Client,
         request: httpx.Request,
         exchange: Exchange,
-        is_event_stream: bool,
+        operation: Operation | None,
     ) -> httpx.Response:
         """Give the response; of an event stream only the head.
 
         Raises httpx.LocalProtocolError, as of a mistake of the kit, when HTTP cannot
         carry the request.
         """
+        is_stream = operation is not None and operation.is_event_stream
+        operation_id = operation.operation_id if operation is not None else None
         exchange.started_at = time.monotonic()
+        trace = ConnectionTrace()
+        request.extensions["trace"] = trace
         try:
-            response = client.send(request, stream=is_event_stream)
-            if media_type_of(response.headers) != EVENT_STREAM:
-                response.read()
+            try:
+                response = _send_once(client, request, is_stream)
+            except httpx.TransportError as error:
+                if not trace.was_closed_before_use(error):
+                    raise
+                if not is_repeatable(request, operation_id):
+                    raise
+                response = _send_once(client, request, is_stream)
         except httpx.LocalProtocolError:
             raise
-        except (httpx.TransportError, OSError) as error:
-            exchange.elapsed_s = time.monotonic() - exchange.started_at
-            exchange.error = f"{type(error).__name__}: {error}"
-            self._exchange_log.add(exchange)
-            raise NoAnswer("an answer", exchange.error, exchange.number) from error
+        except (httpx.RequestError, OSError) as error:
+            text = f"{type(error).__name__}: {error}"
+            if is_own_fault(error):
+                raise OwnConnectionFailed(f"{request.url}: {text}") from error
+            raise self._log_no_answer(exchange, text) from error
+        if response.is_stream_consumed:
+            self._refuse_answer_of_proxy(response, exchange)
         return response
+
+    def _log_no_answer(self, exchange: Exchange, text: str) -> NoAnswer:
+        exchange.elapsed_s = time.monotonic() - exchange.started_at
+        exchange.error = text
+        self._exchange_log.add(exchange)
+        return NoAnswer("an answer", text, exchange.number)
+
+    def _refuse_answer_of_proxy(
+        self, response: httpx.Response, exchange: Exchange
+    ) -> None:
+        """Raise if a proxy answered: a 5xx says that it got no answer, either."""
+        status = response.status_code
+        proxy = find_proxy(status, response.headers, response.content)
+        if proxy is None:
+            return
+        text = f"{proxy}, in front of the server, answered {status} in its place"
+        no_answer = self._log_no_answer(exchange, text)
+        if status >= 500:
+            raise no_answer
+        raise AnsweredByProxy(
+            f"the request did not reach the server: {text}", allowed=True
+        )
 
     def _log_and_observe(
         self,

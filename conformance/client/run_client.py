@@ -16,7 +16,12 @@ from conformance.client.http_client import AnswerStream, HttpClient
 from conformance.client.request_context import RequestContext
 from conformance.exchanges.answer import Answer
 from conformance.specification.document import Operation
-from conformance.verdicts.expect import SetUpFailed, Violation
+from conformance.verdicts.expect import (
+    SetUpFailed,
+    SetUpList,
+    Violation,
+    as_set_up,
+)
 
 _ENDED = ("completed", "failed", "stopped")
 _CLEAN_UP_TIMEOUT_S = 5.0
@@ -34,8 +39,8 @@ class RunClient:
     ) -> None:
         self.context = context
         self.http_client = http_client
-        self.body = body
-        self.id: str = body["run_id"]
+        self.body = as_set_up(body)
+        self.id = str(self.body["run_id"])
         self._worker_numbers = itertools.count(1)
         self._sessions: dict[str, str] = {}  # of each worker, the latest
 
@@ -43,7 +48,8 @@ class RunClient:
         """Send an operation on this run; the answer is raw."""
         how.setdefault("http_client", self.http_client)
         how.setdefault("run_id", self.id)
-        answer = self.context.call(operation_id, endpoint=self.body["endpoint"], **how)
+        endpoint = str(self.body["endpoint"])
+        answer = self.context.call(operation_id, endpoint=endpoint, **how)
         if operation_id == "attach_worker" and answer.status == 200:
             self._store_session_id(str(how.get("worker_id")), answer.json)
         return answer
@@ -106,7 +112,7 @@ class RunClient:
 
     def episodes(self) -> list[dict[str, Any]]:
         """Read all pages of the episodes."""
-        episodes: list[dict[str, Any]] = []
+        episodes: list[dict[str, Any]] = SetUpList()
         params: dict[str, Any] = {}
         for _ in range(_MAX_PAGES):
             page = self._require("list_episodes", params=params)
@@ -114,7 +120,8 @@ class RunClient:
             if page["next_cursor"] is None:
                 return episodes
             params = {"cursor": page["next_cursor"]}
-        raise SetUpFailed(f"`list_episodes` returned more than {_MAX_PAGES} pages")
+        text = f"`list_episodes` returned more than {_MAX_PAGES} pages"
+        raise SetUpFailed(text, breaks="EPI-006")
 
     def stop(self, mode: str = "abort") -> dict[str, Any]:
         """Stop the run."""
@@ -250,7 +257,8 @@ class WorkerClient:
         for first in range(0, steps, max_chunk):
             turn = self.predict(*actions[first : first + max_chunk])
         if "episode_result" not in turn:
-            raise SetUpFailed("an action with `end` 1 did not end the episode")
+            text = "an action with `end` 1 did not end the episode"
+            raise SetUpFailed(text, breaks="CAL-005")
         return turn
 
     def try_heartbeat(self, session_id: str | None = None, **how: Any) -> Answer:

@@ -112,9 +112,8 @@ def open_endpoint(context: CheckContext, run: RunClient) -> EBenchRun:
     answer = call_control_plane(context, "ready", {"task_id": run.id}, run.http_client)
     data = answer.json.get("data") if isinstance(answer.json, dict) else None
     if answer.status != 200 or not isinstance(data, dict) or not data.get("endpoint"):
-        raise SetUpFailed(
-            f"`ready` gave no endpoint: {describe_answer(answer)}; see EBE-003"
-        )
+        text = f"`ready` gave no endpoint: {describe_answer(answer)}"
+        raise SetUpFailed(text, breaks="EBE-003")
     return EBenchRun(run, str(data["endpoint"]).rstrip("/"))
 
 
@@ -143,7 +142,7 @@ def expect_workers(answer: Answer) -> Any:
         return expect_plain_pickle(answer)
     except pickles.GlobalInPickle as error:
         raise SetUpFailed(
-            f"response pickle references the global {error} (EBE-020)"
+            f"response pickle references the global {error}", breaks="EBE-020"
         ) from error
 
 

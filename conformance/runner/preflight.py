@@ -15,16 +15,15 @@ from jsonschema import Draft202012Validator
 
 from conformance.client.check_context import CheckContext
 from conformance.client.http_client import HttpClient
-from conformance.client.request_context import SharedContext
+from conformance.client.request_context import TOLERANCE_ROUND_TRIPS, SharedContext
 from conformance.exchanges.answer import Answer
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
-from conformance.verdicts.expect import Violation, describe_answer
+from conformance.verdicts.expect import SetUpFailed, Violation, describe_answer
 
 _PROBES = 12
 _TIMEOUT_S = 10.0
 _TOLERANCE_MIN_S = 0.25
-_TOLERANCE_ROUND_TRIPS = 20
 _NAMES = {"type": "array", "items": {"type": "string"}}
 _SKEW_NOTED_S = 2.0
 
@@ -59,7 +58,7 @@ def _inspect(context: CheckContext, settings: Settings) -> Findings:
     findings = _measure(context)
     settings.round_trip_s = findings.round_trip_p95_s
     settings.tolerance_s = max(
-        _TOLERANCE_MIN_S, _TOLERANCE_ROUND_TRIPS * findings.round_trip_p95_s
+        _TOLERANCE_MIN_S, TOLERANCE_ROUND_TRIPS * findings.round_trip_p95_s
     )
     _require_version_overlap(settings.service)
     _require_admitted(context.http_client, "--token or PROCTOR_TOKEN")
@@ -87,6 +86,8 @@ def _request(http_client: HttpClient, method: str, path: str, **how: Any) -> Ans
             f"no response to {method} {http_client.base_url}{path} "
             f"({error.observed}): start the server or correct --url"
         ) from error
+    except SetUpFailed as error:
+        raise CannotJudge(f"{method} {path}: {error.reason}") from error
 
 
 def _read_service(context: CheckContext) -> dict[str, Any]:

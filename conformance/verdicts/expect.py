@@ -15,6 +15,18 @@ from conformance.exchanges.answer import Answer
 from conformance.specification.document import load_spec
 
 TIME_WAS_UP = "time limit reached"
+# The rule that every request is answered as the rules and earlier requests demand.
+ANY_SEQUENCE = "MODEL-001"
+# What refuses a valid request of a set-up, where neither limits, capacity, time nor a
+# proxy can be the reason.
+_NEVER_FOR_SET_UP = frozenset(
+    {
+        *("malformed_body", "unsupported_version", "not_found", "method_not_allowed"),
+        *("not_acceptable", "idempotency_conflict", "worker_busy", "seq_conflict"),
+        *("seq_out_of_order", "session_superseded", "convention_mismatch"),
+        *("unsupported_media_type", "illegal_transition", "no_episode"),
+    }
+)
 _LONGEST_TEXT = 600
 _PATHS_SHOWN = 5
 _ABSENT = "(absent)"
@@ -39,17 +51,31 @@ class Violation(AssertionError):
         self.is_alone = is_alone
 
 
+class TooLate(Violation):
+    """A limit of time was missed: the check is repeated, for a machine may be busy."""
+
+    def __init__(self, expected: str, took_s: float, limit_s: float) -> None:
+        super().__init__(expected, f"after {took_s:.2f} s")
+        self.late_s = took_s - limit_s
+
+
 class SetUpFailed(Exception):
     """A step before the one under test failed, so the rule is not verified.
 
     `allowed` marks what the operator chose not to give (a second token, a restart
-    hook): it leaves a run conformant.
+    hook): it leaves a run conformant. `breaks` names the rule that the observation
+    contradicts with certainty, whatever clock and network do: that rule is violated,
+    also where its own check passes.
     """
 
-    def __init__(self, reason: str, *, allowed: bool = False):
-        super().__init__(reason)
-        self.reason = reason
+    def __init__(
+        self, reason: str, *, allowed: bool = False, breaks: str | None = None
+    ):
+        text = reason if breaks is None else f"{reason}; see {breaks}"
+        super().__init__(text)
+        self.reason = text
         self.allowed = allowed
+        self.breaks = breaks
 
 
 class Inconclusive(Exception):
@@ -64,12 +90,27 @@ class KitError(Exception):
     """The kit sent something that the specification forbids."""
 
 
+class OwnConnectionFailed(KitError):
+    """A connection failed on this side, which proves nothing about the server."""
+
+
 class ExpectedBody(dict[str, Any]):
     """A body in which a missing member is a violation of the rule under test."""
 
     def __missing__(self, key: str) -> Any:
         """Raise: the member is missing."""
         raise Violation(f"a member `{key}`", f"members {sorted(self)}")
+
+
+class ExpectedList(list[Any]):
+    """A list in which a missing entry is a violation of the rule under test."""
+
+    def __getitem__(self, index: Any) -> Any:
+        """Give an entry, or raise: it is missing."""
+        try:
+            return super().__getitem__(index)
+        except IndexError:
+            raise Violation(f"an entry {index}", f"{len(self)} entries") from None
 
 
 class SetUpBody(dict[str, Any]):
@@ -80,6 +121,18 @@ class SetUpBody(dict[str, Any]):
         raise SetUpFailed(
             f"response member `{key}` is missing; present: {sorted(self)}"
         )
+
+
+class SetUpList(list[Any]):
+    """A list of a set-up step, in which a missing entry proves nothing."""
+
+    def __getitem__(self, index: Any) -> Any:
+        """Give an entry, or raise: it is missing."""
+        try:
+            return super().__getitem__(index)
+        except IndexError:
+            text = f"response entry {index} is missing; there are {len(self)}"
+            raise SetUpFailed(text) from None
 
 
 def ok(answer: Answer, status: int = 200) -> Any:
@@ -156,11 +209,25 @@ def true(condition: object, what: str, observed: Any = None) -> None:
         )
 
 
+def in_time(took_s: float, limit_s: float, what: str) -> None:
+    """Expect what `what` describes within a limit of time, in seconds."""
+    if took_s > limit_s:
+        raise TooLate(f"{what} within {limit_s:.2f} s", took_s, limit_s)
+
+
 def require(answer: Answer, status: int, step: str) -> Any:
     """Require success of a step that is not under test, or raise SetUpFailed."""
     if answer.status != status:
-        raise SetUpFailed(f"{step}: unexpected response: {describe_answer(answer)}")
+        text = f"{step}: unexpected response: {describe_answer(answer)}"
+        breaks = ANY_SEQUENCE if answer.code in _NEVER_FOR_SET_UP else None
+        raise SetUpFailed(text, breaks=breaks)
     return _wrap(answer.json, SetUpBody)
+
+
+def as_set_up(body: dict[str, Any]) -> dict[str, Any]:
+    """Give a body whose missing members and entries prove nothing."""
+    wrapped: dict[str, Any] = _wrap(body, SetUpBody)
+    return wrapped
 
 
 def describe_answer(answer: Answer) -> str:
@@ -192,9 +259,15 @@ def _pointers(body: dict[str, Any]) -> list[Any]:
     return [item.get("pointer") for item in errors if isinstance(item, dict)]
 
 
+_LISTS: dict[type[dict[str, Any]], type[list[Any]]] = {
+    ExpectedBody: ExpectedList,
+    SetUpBody: SetUpList,
+}
+
+
 def _wrap(value: Any, kind: type[dict[str, Any]]) -> Any:
     if isinstance(value, dict):
         return kind({key: _wrap(item, kind) for key, item in value.items()})
     if isinstance(value, list):
-        return [_wrap(item, kind) for item in value]
+        return _LISTS[kind](_wrap(item, kind) for item in value)
     return value

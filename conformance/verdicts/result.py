@@ -15,7 +15,7 @@ from conformance.specification.ledger import (
     Requirement,
     load_ledger,
 )
-from conformance.verdicts.expect import TIME_WAS_UP
+from conformance.verdicts.expect import ANY_SEQUENCE, TIME_WAS_UP
 from conformance.verdicts.universal_rules import UNIVERSAL_RULES, Tally
 from conformance.verdicts.verdict import Outcome, Verdict, exit_code
 
@@ -125,11 +125,14 @@ def conclude(
         verdict = _verdict_on(row, result, verdicts)
         if row.id in UNIVERSAL_RULES:
             _apply_tally(verdict, tally)
+        result.rows[row.id] = verdict
+    _fail_rules_broken_in_set_ups(result.rows)
+    for row in result.settings.selected_rules:
+        verdict = result.rows[row.id]
         if row.id in known:
             verdict.is_known_failure = verdict.outcome == Outcome.FAILED
             if verdict.outcome == Outcome.PASSED:
                 result.stale.append(row.id)
-        result.rows[row.id] = verdict
 
 
 def _verdict_on(
@@ -166,6 +169,28 @@ def _apply_tally(verdict: Verdict, tally: Tally) -> None:
     verdict.reason = f"{tally.broken[row]} of {tally.exercised[row]} answers"
     verdict.expected, verdict.observed = first.expected, first.observed
     verdict.exchanges = [breach.exchange for breach in breaches[:3]]
+
+
+def _fail_rules_broken_in_set_ups(rows: dict[str, Verdict]) -> None:
+    """Fail a rule whose check passed, but that the set-up of another check saw broken.
+
+    MODEL-001 is the rule on all answers together: it fails where nothing else explains
+    a refusal.
+    """
+    found = [v for v in rows.values() if v.outcome == Outcome.NOT_VERIFIED and v.breaks]
+    for verdict in sorted(found, key=lambda v: v.breaks == ANY_SEQUENCE):
+        broken = rows.get(verdict.breaks)
+        if broken is None or broken.outcome != Outcome.PASSED:
+            continue
+        if verdict.breaks == ANY_SEQUENCE and any(
+            row.outcome == Outcome.FAILED for row in rows.values()
+        ):
+            continue
+        broken.outcome = Outcome.FAILED
+        broken.reason = f"broken in the set-up of {verdict.requirement_id}"
+        broken.expected = load_ledger()[verdict.breaks].text
+        broken.observed = f"{verdict.reason} (in the set-up of {verdict.check})"
+        broken.exchanges = verdict.exchanges
 
 
 def as_plain(result: Result) -> dict[str, Any]:

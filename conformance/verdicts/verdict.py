@@ -36,12 +36,14 @@ class Verdict:
 
     `allowed`: the rule cannot be verified with these options (no restart command, no
     second token, not observable), as opposed to a prerequisite that failed.
+    `breaks`: the rule that the failed prerequisite contradicts.
     """
 
     requirement_id: str
     outcome: Outcome
     reason: str = ""
     allowed: bool = False
+    breaks: str = ""
     expected: str = ""
     observed: str = ""
     check: str = ""

@@ -9,11 +9,10 @@ from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
-from conformance.verdicts.expect import Inconclusive, NotApplicable, SetUpFailed
+from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
 _CHANGE_AFTER_S = 0.4
 _LATE_S = 1.0
-_TOO_LATE_S = 5.0
 # Timers of the server and of this machine may disagree by so much.
 _EARLY_S = 0.02
 # Far longer than any answer takes that is not waited for.
@@ -88,13 +87,8 @@ def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> N
             partial(run.call, "get_run", headers=headers), partial(change_later, change)
         )
         expect.equal(expect.ok(polled)["state"], state, "state")
-        late_s = polled.ended_at - changed_at
         limit_s = _LATE_S + context.tolerance_s
-        expect.true(
-            late_s <= limit_s,
-            f"the answer within {limit_s:.2f} s of the change",
-            f"after {late_s:.2f} s",
-        )
+        expect.in_time(polled.ended_at - changed_at, limit_s, "the answer to a change")
 
 
 @background
@@ -112,11 +106,7 @@ def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -
         expect.ok(answer, 304)
         took, due = f"after {answer.elapsed_s:.2f} s", f"304 after {wait_s} s"
         expect.true(answer.elapsed_s >= wait_s - _EARLY_S, f"{due}, not before", took)
-        expect.true(answer.elapsed_s <= wait_s + _TOO_LATE_S, due, took)
-        if answer.elapsed_s > wait_s + _LATE_S + context.tolerance_s:
-            raise Inconclusive(
-                f"the answer came {took}; server or network too slow to decide"
-            )
+        expect.in_time(answer.elapsed_s, wait_s + _LATE_S + context.tolerance_s, due)
 
 
 @requirement("RUN-030")

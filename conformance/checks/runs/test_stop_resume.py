@@ -120,7 +120,7 @@ def test_res_001_resume_keeps_results(context: CheckContext) -> None:
     run.stop()
     before = scored(run)
     if len(before) != 2:
-        raise SetUpFailed("a result is missing after the stop; see STOP-001")
+        raise SetUpFailed("a result is missing after the stop", breaks="STOP-001")
     run.resume()
     expect.equal(scored(run), before, "results after the resume")
     run.until("ready")

@@ -171,7 +171,8 @@ def test_auth_004_cannot_list_runs_of_another_account(context: CheckContext) -> 
         )
         seen = {run["run_id"] for run in page["runs"]}
         if shown.id not in seen:
-            raise expect.SetUpFailed("`list_runs` does not show a run to its owner")
+            text = "`list_runs` does not show a run to its owner"
+            raise expect.SetUpFailed(text, breaks="RUN-009")
         expect.true(hidden.id not in seen, "no run of another account", hidden.id)
         owned.append(seen)
     cursors = [

@@ -213,7 +213,8 @@ def images_of(context: CheckContext, codec: str, size: dict[str, int]) -> Iterat
     for turn in (worker.turn, worker.predict(*[context.action()] * 3)):
         images = turn["observation"]["images"]
         if "pattern" not in images:
-            raise SetUpFailed(f"the task `echo` has no image `pattern`: {[*images]}")
+            text = f"the task `echo` has no image `pattern`: {[*images]}"
+            raise SetUpFailed(text, breaks="CAL-001")
         image = images["pattern"]
         expected = {"codec": codec, "channels": 3, **size}
         expect.equal(

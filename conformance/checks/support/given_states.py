@@ -4,6 +4,7 @@ Everything here is set-up: it raises SetUpFailed or NotApplicable, never Violati
 except `expect_pointer`, which completes `expect.refused`.
 """
 
+import time
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -12,31 +13,37 @@ from conformance.client.request_context import RequestContext
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.exchanges.answer import Answer
 from conformance.verdicts import expect
-from conformance.verdicts.expect import NotApplicable, SetUpFailed
+from conformance.verdicts.expect import (
+    Inconclusive,
+    NotApplicable,
+    SetUpFailed,
+    SetUpList,
+)
 
 # Differs between two equal histories: when, how fast, and how often it was tried.
 VOLATILE_RESULT_MEMBERS = ("episode_id", "attempt", "faults", "think_s", "finished_at")
 
 
 def require_not_state_refusal(answer: Answer) -> Answer:
-    """Require that the run state was not the reason of a refusal (LIFE judges it)."""
+    """Require that a running run did not refuse an attach for its state."""
     if answer.code == "illegal_transition":
-        raise SetUpFailed("request refused because of the run state; see LIFE-…")
+        text = "request refused because of the run state, which allows it"
+        raise SetUpFailed(text, breaks="LIFE-301")
     return answer
 
 
 def require_not_seq_refusal(answer: Answer) -> Answer:
-    """Require that seq was not refused (PRED-004 and PRED-024 judge it)."""
+    """Require that the next seq was not refused, also after refused turns."""
     if answer.code in ("seq_conflict", "seq_out_of_order"):
-        raise SetUpFailed("server counts seq differently; see PRED-004, PRED-024")
+        raise SetUpFailed("server counts seq differently", breaks="PRED-024")
     return answer
 
 
 def require_duration(answer: Answer, delay_s: float) -> None:
     """Require that a step took the time that its action requested."""
     if answer.elapsed_s < delay_s:
-        text = f"a step of {delay_s:g} s took {answer.elapsed_s:.3f} s; see CAL-004"
-        raise SetUpFailed(text)
+        text = f"a step of {delay_s:g} s took {answer.elapsed_s:.3f} s"
+        raise SetUpFailed(text, breaks="CAL-004")
 
 
 def require_worker_limit(context: RequestContext, workers: int) -> None:
@@ -51,7 +58,7 @@ def attach_workers(run: RunClient, workers: int) -> list[WorkerClient]:
     attached_workers = [run.worker() for _ in range(workers)]
     held = [worker.attach()["episode"]["index"] for worker in attached_workers]
     if len(set(held)) < workers:
-        raise SetUpFailed(f"workers hold the same episode, {held}; see EPI-008")
+        raise SetUpFailed(f"workers hold the same episode, {held}", breaks="EPI-008")
     return attached_workers
 
 
@@ -66,7 +73,8 @@ def detach_only_worker(worker: WorkerClient) -> None:
     worker.detach()
     live = worker.run.get()["live_workers"]
     if live != 0:
-        raise SetUpFailed(f"the detached worker is still live ({live}); see DET-001")
+        text = f"the detached worker is still live ({live})"
+        raise SetUpFailed(text, breaks="DET-001")
 
 
 def start_drain(run: RunClient) -> None:
@@ -97,7 +105,7 @@ def without(body: Mapping[str, Any], *members: str) -> dict[str, Any]:
 
 def results(run: RunClient) -> list[dict[str, Any] | None]:
     """Results by manifest order; None for an episode without one."""
-    return [episode.get("result") for episode in run.episodes()]
+    return SetUpList(episode.get("result") for episode in run.episodes())
 
 
 def expect_pointer(problem: Mapping[str, Any], *pointers: str) -> None:
@@ -118,21 +126,47 @@ def fail_run(run: RunClient, fault: float = 1) -> None:
     run.until("failed")
 
 
+_QUEUE_S = 10
+# By which rule a run of the makers below has its state; others depend on the clock.
+_RULES_BY_STATE = {
+    "running": "LIFE-201",
+    "stopping": "LIFE-303",
+    "stopped": "LIFE-102",
+    "completed": "LIFE-804",
+}
+
+
 def make_run_in_state(context: CheckContext, state: str, **options: Any) -> RunClient:
     """Submit a run and bring it into a state."""
+    began_at = time.monotonic()
     run = _MAKERS_BY_STATE[state](context, options)
+    if state == "queued":
+        return _require_queued(run, began_at, options.get("queue_s", _QUEUE_S))
     return _require_state(run, state.partition(" ")[0])
+
+
+def _require_queued(run: RunClient, began_at: float, queue_s: float) -> RunClient:
+    """Require that a run waits, unless the kit was too slow to see it wait."""
+    now = run.get()["state"]
+    if now != "queued" and time.monotonic() - began_at > queue_s:
+        raise Inconclusive(f"the kit looked later than {queue_s:g} s after submit_run")
+    if now != "queued":
+        text = f"run state is `{now}` although its option queue_s is {queue_s:g}"
+        raise SetUpFailed(text, breaks="CAL-001")
+    return run
 
 
 def _require_state(run: RunClient, state: str) -> RunClient:
     now = run.get()["state"]
     if now != state:
-        raise SetUpFailed(f"run state is `{now}`, expected `{state}`")
+        text = f"run state is `{now}`, expected `{state}`"
+        raise SetUpFailed(text, breaks=_RULES_BY_STATE.get(state))
     return run
 
 
 def _make_queued(context: CheckContext, options: dict[str, Any]) -> RunClient:
-    return context.submit("score", wait_ready=False, **({"queue_s": 10} | options))
+    options = {"queue_s": _QUEUE_S} | options
+    return context.submit("score", wait_ready=False, **options)
 
 
 def _make_ready(context: CheckContext, options: dict[str, Any]) -> RunClient:

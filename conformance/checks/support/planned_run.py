@@ -54,7 +54,7 @@ class PlannedRun:
             self._worker = self.run.worker()
             self._worker.attach()
         if index_of(self._worker) != self.played:
-            raise SetUpFailed("episodes come in another order; see EPI-001")
+            raise SetUpFailed("episodes come in another order", breaks="EPI-001")
         planned_episode = self._plan[self.played]
         is_abandoned = planned_episode.outcome == "abandoned"
         self._worker.predict(
@@ -69,7 +69,7 @@ class PlannedRun:
             self._worker = None
             result = results(self.run)[self.played]
             if result is None or result["outcome"] != "abandoned":
-                raise SetUpFailed("the last attempt is not abandoned; see EPI-004")
+                raise SetUpFailed("the last attempt is not abandoned", breaks="EPI-004")
         self.played += 1
 
     def play_all(self) -> dict[str, Any]:

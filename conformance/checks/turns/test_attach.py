@@ -247,7 +247,8 @@ def test_att_012_attach_without_an_episode_left(context: CheckContext) -> None:
     first = submit_and_attach(context, "score")
     turn = expect.ok(require_not_state_refusal(first.run.worker().try_attach()))
     if turn.get("episode") == first.turn["episode"]:
-        raise SetUpFailed("the episode in progress was assigned again; see EPI-008")
+        text = "the episode in progress was assigned again"
+        raise SetUpFailed(text, breaks="EPI-008")
     expect.equal(turn["done"], True, "done")
     expect.true("observation" not in turn, "no observation", turn.get("observation"))
     expect.equal(turn["seq"], 0, "seq")

