@@ -18,7 +18,6 @@ from conformance.checks.support.given_states import (
     require_duration,
     require_not_state_refusal,
 )
-from conformance.checks.support.late_retries import retry_when_late
 from conformance.client.check_context import CheckContext
 from conformance.client.request_context import RequestContext
 from conformance.client.run_client import WorkerClient
@@ -108,7 +107,6 @@ def require_ended_session(worker: WorkerClient) -> None:
 
 @requirement("LEASE-001")
 @background
-@retry_when_late
 def test_lease_001_session_ends(context: CheckContext) -> None:
     """A worker plays a turn and then sends nothing for longer than its lease.
 
@@ -123,7 +121,6 @@ def test_lease_001_session_ends(context: CheckContext) -> None:
 
 @requirement("LEASE-002")
 @background
-@retry_when_late
 def test_lease_002_session_lives_for_its_lease(context: CheckContext) -> None:
     """A worker sends nothing for nearly its whole lease, and so does one whose run is
     completed; another one is silent for all of it.
@@ -162,7 +159,6 @@ def expect_lease_extension(
 
 @requirement("LEASE-003")
 @background
-@retry_when_late
 def test_lease_003_heartbeat_extends(context: CheckContext) -> None:
     """A worker sends three heartbeats, each when its lease is nearly over.
 
@@ -173,7 +169,6 @@ def test_lease_003_heartbeat_extends(context: CheckContext) -> None:
 
 @requirement("LEASE-004")
 @background
-@retry_when_late
 def test_lease_004_predict_extends(context: CheckContext) -> None:
     """A worker plays three turns, each when its lease is nearly over.
 
@@ -184,7 +179,6 @@ def test_lease_004_predict_extends(context: CheckContext) -> None:
 
 @requirement("LEASE-005")
 @background
-@retry_when_late
 def test_lease_005_execution_does_not_count(context: CheckContext) -> None:
     """A turn takes half a lease longer than the lease; a heartbeat comes when the lease
     would be over, and the next turn at once.
@@ -244,7 +238,6 @@ def test_lease_006_end_of_lease_frees_the_slot(context: CheckContext) -> None:
 
 @requirement("LEASE-008")
 @background
-@retry_when_late
 def test_lease_008_refusals_do_not_extend(context: CheckContext) -> None:
     """A worker plays a turn; all that follows is refused: a wrong seq, another body, a
     bad action, its worker attached by others, the session that it took over.
@@ -340,7 +333,6 @@ def test_lease_009_answers_show_the_whole_lease(context: CheckContext) -> None:
 
 @requirement("LEASE-010")
 @background
-@retry_when_late
 def test_lease_010_repeats_extend(context: CheckContext) -> None:
     """A worker repeats its attach, and another one its turn, twice, each time when the
     lease of the answer before is nearly over.
@@ -369,7 +361,6 @@ def test_lease_010_repeats_extend(context: CheckContext) -> None:
 
 @requirement("LEASE-011")
 @background
-@retry_when_late
 def test_lease_011_end_of_lease_is_shown(context: CheckContext) -> None:
     """A worker plays a turn and falls silent while `get_run` waits for a change.
 
@@ -428,7 +419,6 @@ def expect_others_unaffected(context: CheckContext) -> None:
 
 @requirement("LEASE-012")
 @background
-@retry_when_late
 def test_lease_012_end_of_lease_closes_the_attempt(context: CheckContext) -> None:
     """Five workers fall silent: before the first action, after some, in the last
     attempt (with and without an episode left), and in a drain.

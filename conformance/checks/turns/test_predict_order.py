@@ -11,7 +11,7 @@ from conformance.checks.support.given_states import (
     require_not_seq_refusal,
     submit_and_attach,
 )
-from conformance.checks.support.late_retries import long_turn_s, retry_when_late
+from conformance.checks.support.long_turns import long_turn_s
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
 from conformance.exchanges.answer import Answer
@@ -388,7 +388,6 @@ def test_pred_025_equal_values_are_the_same_body(context: CheckContext) -> None:
 
 @requirement("PRED-026")
 @background
-@retry_when_late
 def test_pred_026_cannot_send_another_body_during_a_turn(context: CheckContext) -> None:
     """A client sends another body under the same seq in the middle of a turn.
 

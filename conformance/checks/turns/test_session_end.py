@@ -14,7 +14,7 @@ from conformance.checks.support.given_states import (
     start_drain,
     submit_and_attach,
 )
-from conformance.checks.support.late_retries import long_turn_s, retry_when_late
+from conformance.checks.support.long_turns import long_turn_s
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.exchanges.answer import Answer
@@ -135,7 +135,6 @@ ENDS: dict[str, Callable[[WorkerClient], Answer]] = {
 
 @requirement("DET-003")
 @background
-@retry_when_late
 def test_det_003_session_ends_during_a_turn(context: CheckContext) -> None:
     """A worker has played one action; its session is detached, or its run aborted, in
     the middle of its next turn.

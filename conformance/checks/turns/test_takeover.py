@@ -13,7 +13,7 @@ from conformance.checks.support.given_states import (
     start_drain,
     submit_and_attach,
 )
-from conformance.checks.support.late_retries import long_turn_s, retry_when_late
+from conformance.checks.support.long_turns import long_turn_s
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
 from conformance.exchanges.answer import Answer
@@ -154,7 +154,6 @@ def take_over_during_turn(worker: WorkerClient, other: WorkerClient) -> list[Ans
 
 @requirement("ATT-021")
 @background
-@retry_when_late
 def test_att_021_takeover_during_a_turn(context: CheckContext) -> None:
     """A worker is taken over in the middle of a turn of two actions.
 
