@@ -1,0 +1,3 @@
+module proctor-server-go
+
+go 1.24
