@@ -15,6 +15,7 @@ from conformance.exchanges.answer import Answer
 from conformance.specification.document import load_spec
 
 TIME_WAS_UP = "time limit reached"
+VIOLATION_FOUND = "a rule was violated before (--fail-fast)"
 _LONGEST_TEXT = 600
 _PATHS_SHOWN = 5
 _ABSENT = "(absent)"
