@@ -164,10 +164,22 @@ class Campaign:
             self._target.restore(mutant, copy)
             self._copies.put(copy)
         today = dt.datetime.now(dt.UTC).date().isoformat()
-        place = {k: v for k, v in asdict(mutant).items() if k != "edit"}
-        changed = {"replacement": mutant.edit.replacement}
-        context = {"seed": self._seed, "kit": self._commit, "date": today}
-        record = Record(**place, **changed, **asdict(found), **context)
+        record = Record(
+            id=mutant.id,
+            file=mutant.file,
+            line=mutant.line,
+            function=mutant.function,
+            operator=mutant.operator,
+            original=mutant.original,
+            replacement=mutant.edit.replacement,
+            outcome=found.outcome,
+            failed=found.failed,
+            conclusion=found.conclusion,
+            elapsed_s=found.elapsed_s,
+            seed=self._seed,
+            kit=self._commit,
+            date=today,
+        )
         with self._lock, self._path.open("a") as file:
             self._killers.add(record)
             file.write(json.dumps(asdict(record), ensure_ascii=False) + "\n")

@@ -46,19 +46,19 @@ COMPARISONS = {
 ARITHMETIC = {"+": "-", "-": "+", "*": "/", "/": "*", "%": "*", "**": "*"}
 ASSIGNMENTS = {"+=": ("-=", "="), "-=": ("+=", "="), "||=": ("=",), "??=": ("=",)}
 OTHER_STATUS = {
-    200: 201,
-    201: 200,
-    204: 200,
-    304: 200,
-    400: 422,
-    401: 403,
-    403: 404,
-    404: 403,
-    409: 400,
-    422: 400,
-    429: 503,
-    500: 400,
-    503: 429,
+    "200": "201",
+    "201": "200",
+    "204": "200",
+    "304": "200",
+    "400": "422",
+    "401": "403",
+    "403": "404",
+    "404": "403",
+    "409": "400",
+    "422": "400",
+    "429": "503",
+    "500": "400",
+    "503": "429",
 }
 OTHER_NAMES = {
     "min": "max",
@@ -225,9 +225,8 @@ def change_arithmetic(node: Node) -> Iterator[Edit]:
 @operator
 def change_status(node: Node) -> Iterator[Edit]:
     """An HTTP status becomes another one."""
-    if node.type in NUMBERS and text(node).isdigit():
-        if (other := OTHER_STATUS.get(int(text(node)))) is not None:
-            yield replace(node, str(other))
+    if node.type in NUMBERS and text(node) in OTHER_STATUS:
+        yield replace(node, OTHER_STATUS[text(node)])
     if node.type == "selector_expression" and text(node).startswith("http.Status"):
         is_ok = text(node) == "http.StatusOK"
         yield replace(node, "http.StatusAccepted" if is_ok else "http.StatusOK")
@@ -525,10 +524,10 @@ def drop_statement(node: Node) -> Iterator[Edit]:
 
 @operator
 def drop_value(node: Node) -> Iterator[Edit]:
-    """`return a` → `return` in JavaScript; `a = b` → `a = undefined`."""
-    if node.type == "return_statement" and node.children[-1].type == ";":
-        if node.named_children:
-            yield replace(node, "return;")
+    """`return a` → `return`, in JavaScript."""
+    is_js = node.type == "return_statement" and node.children[-1].type == ";"
+    if is_js and node.named_children:
+        yield replace(node, "return;")
 
 
 @operator
