@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
+import signal
 import sys
 
 from tests.mutation.campaign import Campaign, Record, choose, results_of
@@ -21,6 +23,7 @@ def main() -> int:
     )
     arguments.add_argument("--only", default="", metavar="ID,…", help="mutants")
     options = arguments.parse_args()
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     target = TARGETS[options.server]
     chosen = choose(target.mutants(), options.sample, options.seed)
     if options.only:
@@ -28,7 +31,8 @@ def main() -> int:
         chosen = [mutant for mutant in target.mutants() if mutant.id in wanted]
     again = {word for word in options.again.split(",") if word}
     campaign = Campaign(target, options.seed, options.jobs, results_of(target))
-    campaign.run(chosen, again, _print)
+    with contextlib.suppress(KeyboardInterrupt):
+        campaign.run(chosen, again, _print)
     return 0
 
 

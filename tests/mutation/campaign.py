@@ -15,7 +15,7 @@ import tempfile
 import threading
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -140,8 +140,12 @@ class Campaign:
                 self._target.build(copy)
                 self._copies.put(copy)
             self._require_conformant()
-            for record in executor.map(self._judge, left):
-                report(record)
+            futures = [executor.submit(self._judge, one) for one in left]
+            try:
+                for future in as_completed(futures):
+                    report(future.result())
+            finally:  # what is being judged comes to its end, so that servers end
+                executor.shutdown(cancel_futures=True)
 
     def _require_conformant(self) -> None:
         """The unchanged server: every mutant of another one would be killed."""
