@@ -89,6 +89,13 @@ lock: setup ## Resolve requirements/*.in into hashed locks; ARGS=--upgrade
 kill-matrix: setup ## Judge the kit on broken servers, rewrite its page
 	@$(python) -m tests.mutants.kill --write
 
+mutation: setup ## Judge the kit on machine-made changes of a server, rewrite its page
+#                   SERVER=js or go; SAMPLE=150 (all without it) SEED=1 JOBS=2
+#                   ARGS='--again survived'; goes on where it was ended
+	@$(python) -m tests.mutation "$${SERVER:-js}" --sample "$${SAMPLE:-0}" \
+		--seed "$${SEED:-1}" --jobs "$${JOBS:-2}" $(ARGS)
+	@$(python) -m tests.mutation.page
+
 experts: setup ## Measure the scripted experts, rewrite their page
 	@$(python) tools/experts.py --write $(ARGS)
 

@@ -88,7 +88,7 @@ TARGETS = {
     ),
     "go": Target(
         *("go", "examples/server_go", ".go"),
-        check="go build -o {}/mutant-server .",
+        check="go build -trimpath -o {}/mutant-server .",
         start="{}/mutant-server",
     ),
 }
