@@ -95,9 +95,12 @@ class BackgroundChecks:
 
     def wait_for_violation(self, item: pytest.Function) -> None:
         """Wait until a check ends, or another one finds a violation."""
+        until = time.monotonic() + _BACKGROUND_TIMEOUT_S
         while not self.has_ended(item) and not self.has_violation():
+            if time.monotonic() > until:
+                return
             pending = [future for future in self._futures.values() if not future.done()]
-            wait(pending, _BACKGROUND_TIMEOUT_S, FIRST_COMPLETED)
+            wait(pending, until - time.monotonic(), FIRST_COMPLETED)
 
     def collect(self, item: pytest.Function) -> None:
         """Wait for the end of a check and raise its exception."""

@@ -47,7 +47,9 @@ def judge(
     if quick.outcome in ("killed", "unusable"):
         return quick
     left = [id_ for id_ in rules if id_ not in quick.passed]
-    return _run(kit, start, seed, ["--only", ",".join(left)])
+    rest = _run(kit, start, seed, ["--only", ",".join(left)])
+    # A set-up that fails counts against the rule that it names, if that was judged.
+    return _run(kit, start, seed, []) if rest.outcome == "undecided" else rest
 
 
 def _in_order(likely: Sequence[str]) -> list[str]:
