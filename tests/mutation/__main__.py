@@ -9,6 +9,7 @@ import sys
 
 from tests.mutation.campaign import Campaign, Record, choose, results_of
 from tests.mutation.targets import TARGETS
+from tests.mutation.triage import read_triage
 
 
 def main() -> int:
@@ -19,7 +20,10 @@ def main() -> int:
     arguments.add_argument("--seed", type=int, default=1, help="of sample and kit")
     arguments.add_argument("--jobs", type=int, default=2, help="kits at once")
     arguments.add_argument(
-        "--again", default="", metavar="OUTCOME,…", help="judge these once more"
+        "--again",
+        default="",
+        metavar="OUTCOME,…",
+        help="judge these once more, unless excused",
     )
     arguments.add_argument("--only", default="", metavar="ID,…", help="mutants")
     options = arguments.parse_args()
@@ -30,6 +34,9 @@ def main() -> int:
         wanted = set(options.only.split(","))
         chosen = [mutant for mutant in target.mutants() if mutant.id in wanted]
     again = {word for word in options.again.split(",") if word}
+    excused = {id_ for id_, reason in read_triage().items() if reason.is_excused}
+    if not options.only:
+        chosen = [mutant for mutant in chosen if mutant.id not in excused or not again]
     campaign = Campaign(target, options.seed, options.jobs, results_of(target))
     with contextlib.suppress(KeyboardInterrupt):
         campaign.run(chosen, again, _print)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import sys
 from dataclasses import asdict, replace
 from pathlib import Path
 
 import pytest
 
 from tests.mutation.campaign import Killers, Record, choose, read_results
+from tests.mutation.judge import judge
 from tests.mutation.operators import OPERATORS, find_mutants
 from tests.mutation.page import PAGE, score, section, tally, write_page
 from tests.mutation.syntax import has_same_tree
@@ -239,3 +241,37 @@ def test_triage_is_complete(tmp_path: Path, entry: str) -> None:
     file.write_text(entry)
     with pytest.raises(ValueError, match="a"):
         read_triage(file)
+
+
+FAKE_KIT = """
+import json, sys
+from pathlib import Path
+options = sys.argv[1:]
+report = Path(options[options.index("--report") + 1])
+code = int(options[options.index("--start-cmd") + 1])
+outcome = {0: "passed", 1: "failed", 2: "not_verified"}[code]
+row = {"requirement_id": "RUN-001", "outcome": outcome}
+problem = "no server" if "--quick" in options and code == 2 else None
+report.joinpath("report.json").write_text(json.dumps({
+    "rows": [row], "exit_code": code, "problem": problem,
+    "conclusion": " ".join(options), "elapsed_s": 0.5,
+}))
+"""
+
+
+@pytest.mark.parametrize(
+    ("code", "outcome", "is_quick"),
+    [(0, "survived", False), (1, "killed", True), (2, "unusable", True)],
+)
+def test_kit_is_run_with_the_cheap_rows_first(
+    tmp_path: Path, code: int, outcome: str, *, is_quick: bool
+) -> None:
+    """A kit that fails ends at once; one that passes judges what is left."""
+    kit = tmp_path / "kit.py"
+    kit.write_text(FAKE_KIT)
+    found = judge([sys.executable, str(kit)], str(code), 1, ["RUN-002"])
+    assert (found.outcome, "--quick" in found.conclusion) == (outcome, is_quick)
+    assert found.failed == (["RUN-001"] if code == 1 else [])
+    rules = found.conclusion.split("--only ")[1].split(",")
+    assert rules[0] == "RUN-002"
+    assert ("RUN-001" in rules) == is_quick

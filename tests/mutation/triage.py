@@ -20,6 +20,11 @@ class Reason:
     verdict: str
     text: str
 
+    @property
+    def is_excused(self) -> bool:
+        """Whether no check may judge the mutant."""
+        return self.verdict in EXCUSED
+
 
 def read_triage(file: Path = FILE) -> dict[str, Reason]:
     """The reason of each id. Refuses unknown verdicts, empty texts and repeated ids."""
