@@ -35,6 +35,14 @@ it was ended; `.venv/bin/python -m tests.mutation.page` writes this page.
 
 The score is killed and unusable, of all that are valid and not excused; the goal is
 97 %. Reasons are written by people, in `tests/mutation/triage.toml`.
+
+A survivor may have a missing check. Its id is in the table; to judge it once more:
+
+    .venv/bin/python -m tests.mutation js --only ID --again survived,undecided
+
+Why operators of our own: StrykerJS with a command as its test runner takes the exit
+code alone, and gremlins runs `go test`. Neither keeps apart a rule that is named, a
+server that does not start and rules without a verdict, and each has one language.
 """
 
 
