@@ -51,7 +51,9 @@ def answer(status: int, json: object = None) -> Answer:
     ],
 )
 def test_what_a_check_raises_is_its_verdict(error: Exception, outcome: Outcome) -> None:
-    assert judge("ATT-001", error).outcome == outcome
+    with pytest.raises(type(error)) as caught:
+        raise error  # with a traceback, as from a check
+    assert judge("ATT-001", caught.value).outcome == outcome
     assert judge("ATT-001", None).outcome == Outcome.PASSED
 
 
