@@ -97,6 +97,13 @@ false-alarms: setup ## Run the kit on right servers again and again
 #                   RUNS=... BUSY=1 (every run on a busy machine) ARGS=--write
 	@$(python) -m tools.false_alarms $${RUNS:+--runs "$$RUNS"} $${BUSY:+--load busy} $(ARGS)
 
+mutation: setup ## Judge the kit on machine-made changes of a server, rewrite its page
+#                   SERVER=js or go; SAMPLE=150 (all without it) SEED=1 JOBS=2
+#                   ARGS='--again survived'; goes on where it was ended
+	@$(python) -m tests.mutation "$${SERVER:-js}" --sample "$${SAMPLE:-0}" \
+		--seed "$${SEED:-1}" --jobs "$${JOBS:-2}" $(ARGS)
+	@$(python) -m tests.mutation.page
+
 experts: setup ## Measure the scripted experts, rewrite their page
 	@$(python) tools/experts.py --write $(ARGS)
 

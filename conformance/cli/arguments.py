@@ -89,6 +89,12 @@ def _add_execution(parser: argparse.ArgumentParser) -> None:
         "-n", metavar="N", type=int, default=0, help="number of parallel processes"
     )
     execution.add_argument(
+        "--fail-fast",
+        action="store_true",
+        help="start no check after the first violated MUST; the remaining rules are "
+        "reported as not verified; rules are judged in the order of --only",
+    )
+    execution.add_argument(
         "--max-time",
         type=float,
         metavar="SECONDS",
@@ -152,6 +158,8 @@ def read_settings(options: argparse.Namespace) -> Settings:
         raise BadArguments("--start-cmd and --restart-cmd exclude each other")
     if options.url is not None and not options.url.startswith(("http://", "https://")):
         raise BadArguments(f"--url {options.url}: not an http or https URL")
+    if options.fail_fast and options.known_failures is not None:
+        raise BadArguments("--fail-fast and --known-failures exclude each other")
     if options.max_time is not None and not options.max_time > 0:
         raise BadArguments(f"--max-time {options.max_time:g}: must be greater than 0")
     environment = os.environ
@@ -163,6 +171,7 @@ def read_settings(options: argparse.Namespace) -> Settings:
     )
     settings.start_cmd = options.start_cmd
     settings.restart_cmd = options.restart_cmd
+    settings.fail_fast = options.fail_fast
     seed: int | None = options.seed
     settings.seed = seed if seed is not None else random.randrange(10**6)
     if options.max_time is not None:

@@ -21,6 +21,7 @@ from conformance.runner.server_process import AccountTokens, ServerProcess, Star
 from conformance.verdicts.expect import SetUpFailed
 
 _RESTART_S = 60.0
+_OPEN: set[ServerProcess] = set()
 
 
 class PrivateServer(Protocol):
@@ -91,6 +92,7 @@ def open_private_server(context: CheckContext) -> Iterator[PrivateServer]:
     with tempfile.TemporaryDirectory(prefix="proctor-conformance-") as directory:
         log = Path(settings.report) / f"server-{context.name}.log"
         process = ServerProcess(settings.start_cmd, tokens, Path(directory), log)
+        _OPEN.add(process)
         try:
             process.start()
             yield _OwnServer(context.for_base_url(process.url), process)
@@ -98,3 +100,10 @@ def open_private_server(context: CheckContext) -> Iterator[PrivateServer]:
             raise SetUpFailed(str(error)) from error
         finally:
             process.stop()
+            _OPEN.discard(process)
+
+
+def close_private_servers() -> None:
+    """Kill those of checks whose end the kit does not wait for."""
+    for process in list(_OPEN):
+        process.close()

@@ -11,7 +11,7 @@ import threading
 import time
 import traceback
 from collections.abc import Callable, Iterator
-from concurrent.futures import Future
+from concurrent.futures import FIRST_COMPLETED, Future, wait
 from typing import Any
 
 import httpx
@@ -21,6 +21,8 @@ from conformance.client.check_context import CheckContext
 from conformance.client.request_context import SharedContext
 from conformance.exchanges.curl import select_exchanges_for
 from conformance.run_settings import Settings
+from conformance.runner.private_server import close_private_servers
+from conformance.specification.ledger import load_ledger
 from conformance.verdicts import expect
 from conformance.verdicts.result import is_offered
 from conformance.verdicts.verdict import Outcome, Verdict
@@ -38,6 +40,7 @@ _NOISE_FACTOR = 50
 _CHECK_CONTEXT = pytest.StashKey[CheckContext]()
 _SHARED = pytest.StashKey[SharedContext]()
 _BACKGROUND = pytest.StashKey["BackgroundChecks"]()
+_FAILED_FAST = pytest.StashKey[bool]()
 
 
 def requirement_of(item: pytest.Item) -> str:
@@ -81,6 +84,30 @@ class BackgroundChecks:
             threading.Thread(
                 target=_run_check, args=(check, context, future), daemon=True
             ).start()
+
+    def has_ended(self, item: pytest.Function) -> bool:
+        """Say whether a check has been started and does not run any more."""
+        return item.nodeid in self._futures and self._futures[item.nodeid].done()
+
+    def has_violation(self) -> bool:
+        """Say whether a check that has ended found a violation."""
+        return any(
+            future.done()
+            and _is_violation(
+                judge(self._contexts[name].name, future.exception()),
+                self._contexts[name],
+            )
+            for name, future in self._futures.items()
+        )
+
+    def wait_for_violation(self, item: pytest.Function) -> None:
+        """Wait until a check ends, or another one finds a violation."""
+        until = time.monotonic() + _BACKGROUND_TIMEOUT_S
+        while not self.has_ended(item) and not self.has_violation():
+            if time.monotonic() > until:
+                return
+            pending = [future for future in self._futures.values() if not future.done()]
+            wait(pending, until - time.monotonic(), FIRST_COMPLETED)
 
     def collect(self, item: pytest.Function) -> None:
         """Wait for the end of a check and raise its exception."""
@@ -138,7 +165,8 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
-    """Close the connections."""
+    """Close the connections, and end the servers of checks that still run."""
+    close_private_servers()
     config.stash[_SHARED].close()
 
 
@@ -160,11 +188,24 @@ def pytest_collection_modifyitems(
         if _waits(item):
             # One process starts them all, so that they wait together.
             item.add_marker(pytest.mark.xdist_group("background"))
-    items.sort(key=lambda item: (_is_crash(item), _waits(item)))
+    items.sort(
+        key=lambda item: (
+            _is_crash(item),
+            _waits(item),
+            _place(item, settings),
+        )
+    )
 
 
 def _is_crash(item: pytest.Item) -> bool:
     return requirement_of(item).startswith("CRASH-")
+
+
+def _place(item: pytest.Item, settings: Settings) -> int:
+    """With --fail-fast the rules that --only names first are judged first."""
+    rule = requirement_of(item)
+    places = [n for n, name in enumerate(settings.only) if rule.startswith(name)]
+    return min(places) if settings.fail_fast and places else 0
 
 
 def _waits(item: pytest.Item) -> bool:
@@ -204,11 +245,26 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
         limit = f"--max-time {settings.max_time_s:g}"
         raise expect.SetUpFailed(f"{expect.TIME_WAS_UP} ({limit})")
     if not _waits(pyfuncitem):
+        _end_if_violated(pyfuncitem, background)
         _call_check(_bind_parameters(pyfuncitem), pyfuncitem.stash[_CHECK_CONTEXT])
         return True
     _start_background(pyfuncitem.session)
+    if settings.fail_fast and not pyfuncitem.config.stash.get(_FAILED_FAST, False):
+        background.wait_for_violation(pyfuncitem)
+    if not background.has_ended(pyfuncitem):
+        _end_if_violated(pyfuncitem, background)
     background.collect(pyfuncitem)
     return True
+
+
+def _end_if_violated(item: pytest.Function, background: BackgroundChecks) -> None:
+    """With --fail-fast: leave a check out when a rule was violated before it."""
+    if not item.config.stash[_SHARED].settings.fail_fast:
+        return
+    known = item.config.stash.get(_FAILED_FAST, False)
+    if known or background.has_violation():
+        item.config.stash[_FAILED_FAST] = True
+        raise expect.SetUpFailed(expect.VIOLATION_FOUND)
 
 
 @pytest.hookimpl(trylast=True)
@@ -225,13 +281,16 @@ def pytest_runtest_makereport(
     """Attach the verdict, and after teardown the tally of the universal rules."""
     check_context = item.stash.get(_CHECK_CONTEXT, None)
     if call.when == "call" or call.excinfo is not None:
-        verdict = judge(requirement_of(item), call.excinfo, check_context)
+        error = call.excinfo.value if call.excinfo is not None else None
+        verdict = judge(requirement_of(item), error, check_context)
         if _waits(item) and verdict.breaks == expect.ANY_SEQUENCE:
             verdict.breaks = ""  # a lease may have ended where the machine is slow
         verdict.check = item.name
         verdict.story = docstring_of(item)
         verdict.elapsed_s = call.duration
         item.user_properties.append((VERDICT, verdict.as_plain()))
+        if _is_violation(verdict, check_context):
+            item.config.stash[_FAILED_FAST] = True
         if check_context is not None and verdict.outcome != Outcome.PASSED:
             _stop_if_unreachable(item, check_context)
     if call.when == "teardown" and check_context is not None:
@@ -271,14 +330,20 @@ def _find_invalid_answer(context: CheckContext | None) -> str | None:
     return None
 
 
+def _is_violation(verdict: Verdict, context: CheckContext | None) -> bool:
+    """Whether a MUST is violated, by the check or by an answer that it received."""
+    is_must = load_ledger()[verdict.requirement_id].level == "MUST"
+    is_failed = verdict.outcome == Outcome.FAILED and is_must
+    return is_failed or (context is not None and context.tally.broken.total() > 0)
+
+
 def judge(
     requirement_id: str,
-    exception: pytest.ExceptionInfo[BaseException] | None,
-    context: CheckContext | None,
+    error: BaseException | None,
+    context: CheckContext | None = None,
 ) -> Verdict:
     """Derive the verdict from the exception of a check."""
     verdict = Verdict(requirement_id, Outcome.PASSED)
-    error = exception.value if exception is not None else None
     if error is None:
         return verdict
     if context is not None:

@@ -13,6 +13,7 @@ import shlex
 import signal
 import socket
 import subprocess
+import threading
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -62,6 +63,8 @@ class ServerProcess:
         self._output: IO[bytes] | None = None
         self._process: subprocess.Popen[bytes] | None = None
         self._port = 0
+        self._is_closed = False
+        self._lock = threading.Lock()
 
     def start(self) -> None:
         """Start it and wait until it responds; the port stays the same on a restart."""
@@ -77,17 +80,20 @@ class ServerProcess:
             # The address of the policy server of the kit, for the profile push.
             "PROCTOR_ALLOW_PRIVATE_POLICIES": "127.0.0.1",
         }
-        try:
-            self._process = subprocess.Popen(
-                self._command,
-                env=environment,
-                stdin=subprocess.DEVNULL,
-                stdout=self._output,
-                stderr=subprocess.STDOUT,
-                start_new_session=True,
-            )
-        except OSError as error:
-            raise StartFailed(f"`{self._command[0]}`: {error}") from error
+        with self._lock:
+            if self._is_closed:
+                raise StartFailed("the kit ends")
+            try:
+                self._process = subprocess.Popen(
+                    self._command,
+                    env=environment,
+                    stdin=subprocess.DEVNULL,
+                    stdout=self._output,
+                    stderr=subprocess.STDOUT,
+                    start_new_session=True,
+                )
+            except OSError as error:
+                raise StartFailed(f"`{self._command[0]}`: {error}") from error
         self._wait_until_ready(self._process)
 
     def _wait_until_ready(self, process: subprocess.Popen[bytes]) -> None:
@@ -115,6 +121,12 @@ class ServerProcess:
         self._signal(signal.SIGKILL)
         self._reap()
 
+    def close(self) -> None:
+        """Kill it from another thread than the one that uses it, and start no other."""
+        with self._lock:
+            self._is_closed = True
+            self._signal(signal.SIGKILL)
+
     def stop(self) -> None:
         """Terminate it; kill it after a timeout."""
         if self._process is None:
@@ -127,9 +139,10 @@ class ServerProcess:
         self._reap()
 
     def _signal(self, number: signal.Signals) -> None:
-        if self._process is not None:
+        process = self._process  # another thread may reap it meanwhile
+        if process is not None:
             with contextlib.suppress(ProcessLookupError, PermissionError):
-                os.killpg(self._process.pid, number)
+                os.killpg(process.pid, number)
 
     def _reap(self) -> None:
         if self._process is not None:

@@ -15,6 +15,7 @@ from conformance.exchanges.answer import Answer
 from conformance.specification.document import load_spec
 
 TIME_WAS_UP = "time limit reached"
+VIOLATION_FOUND = "a rule was violated before (--fail-fast)"
 # The rule that every request is answered as the rules and earlier requests demand.
 ANY_SEQUENCE = "MODEL-001"
 # What refuses a valid request of a set-up, where neither limits, capacity, time nor a

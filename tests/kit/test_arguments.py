@@ -17,6 +17,7 @@ from conformance.cli.main import main
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import load_ledger
+from conformance.verdicts.expect import VIOLATION_FOUND
 from conformance.verdicts.result import Result, conclude
 from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
@@ -184,3 +185,27 @@ def test_known_failure_with_an_unknown_id_is_refused(tmp_path: Path) -> None:
     code, output, _ = run_kit(tmp_path, *where)
     assert code == 2
     assert "line 1: unknown rule id PRDE-004; did you mean PRED-004" in output
+
+
+@pytest.mark.parametrize("only", ["PRED-004,LIFE-201", "LIFE-201,PRED-004"])
+def test_fail_fast_ends_at_the_first_violation(tmp_path: Path, only: str) -> None:
+    """A mutant with one wrong row. Expect what --only names after it not verified."""
+    options = ("--fail-fast", "--only", only)
+    code, _, written = run_kit(tmp_path, "--start-cmd", MUTANT, *options)
+    found = {row["requirement_id"]: row for row in written["rows"]}
+    assert code == 1
+    assert found["PRED-004"]["outcome"] == "failed"
+    if only.startswith("LIFE"):
+        assert found["LIFE-201"]["outcome"] == "passed"
+    else:
+        assert found["LIFE-201"]["outcome"] == "not_verified"
+        assert found["LIFE-201"]["reason"] == VIOLATION_FOUND
+
+
+def test_fail_fast_and_known_failures_exclude_each_other(tmp_path: Path) -> None:
+    file = tmp_path / "known"
+    file.write_text("ATT-001 # a reason\n")
+    options = ("--url", "http://127.0.0.1:1", "--known-failures", str(file))
+    code, output, _ = run_kit(tmp_path, *options, "--fail-fast")
+    assert code == 2
+    assert "exclude each other" in output

@@ -28,6 +28,7 @@ ROOT = Path(__file__).parents[2]
 CLIENT = Path(__file__).with_name("forked.py")
 START_S = 120.0
 REQUEST_BYTES_MAX = 1 << 20
+SCHEMATHESIS = "schemathesis.specs.openapi.schemas"
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +61,19 @@ def fork_servers() -> Iterator[Commands]:
 
 
 @contextlib.contextmanager
+def forked_kit() -> Iterator[tuple[str, ...]]:
+    """Start the fork server of the kit alone; give the command of a kit."""
+    if not hasattr(os, "pidfd_open"):
+        yield PLAIN.kit
+        return
+    with (
+        tempfile.TemporaryDirectory(prefix="proctor-mutants-") as directory,
+        _started("kit", Path(directory, "kit")) as kit,
+    ):
+        yield (sys.executable, "-S", "-I", str(CLIENT), str(kit))
+
+
+@contextlib.contextmanager
 def _started(kind: str, path: Path) -> Iterator[Path]:
     command = [sys.executable, "-m", "tests.mutants.fork_server", kind, str(path)]
     with subprocess.Popen(
@@ -84,7 +98,12 @@ def _prepare_kit() -> Callable[[list[str]], int]:
     from conformance.specification.ledger import load_ledger
 
     load_ledger()
-    for late in ("conformance.runner.execution", "httpcore", "stringprep"):
+    for late in (
+        "conformance.runner.execution",
+        "httpcore",
+        "stringprep",
+        SCHEMATHESIS,
+    ):
         importlib.import_module(late)  # otherwise imported when first needed
     folder = conformance.checks
     for found in pkgutil.walk_packages(folder.__path__, f"{folder.__name__}."):

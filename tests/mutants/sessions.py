@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import asyncio
 import time
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from reference_server.rules import effects, lifecycle
+from reference_server.rules import action_space, effects, lifecycle
+from reference_server.rules.action_space import SpaceErrors
 from reference_server.rules.lifecycle import (
     GUARDS,
     Attach,
@@ -125,6 +127,18 @@ def decides_first_and_opens_later() -> None:
 def ignores_assumed_conventions() -> None:
     """Radians are played as degrees, and scored."""
     replace_guard(lifecycle._conventions_agree, no_guard)
+
+
+@mutant("ATT-010")
+def ignores_assumed_vectors_that_are_absent() -> None:
+    """A policy that steers a gripper plays on an arm without one."""
+    right = action_space.convention_errors
+
+    def wrong(assumes: Mapping[str, Any], manifest: Mapping[str, Any]) -> SpaceErrors:
+        errors = right(assumes, manifest)
+        return [error for error in errors if "no such name" not in error[1]]
+
+    put(action_space, "convention_errors", wrong)
 
 
 @mutant("ATT-011")

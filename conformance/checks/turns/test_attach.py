@@ -191,12 +191,23 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"action": {"clipped": {"frame": "base"}}}, "/assumes/action/clipped"),
     ({"action": {"clipped": {"relative": True}}}, "/assumes/action/clipped"),
     ({"state": {"vector": {"size": 9}}}, "/assumes/state/vector"),
+    ({"state": {"count": {"unit": "m"}}}, "/assumes/state/count"),
+    ({"state": {"clipped": {"relative": True}}}, "/assumes/state/clipped"),
+    (
+        {"action": {"vector": {"size": 8}, "clipped": {"size": 3}}},
+        "/assumes/action/clipped",
+    ),
+    # Vectors that are not there, some named as a member of objects in a language.
+    ({"action": {"gripper": {"size": 1}}}, "/assumes/action/gripper"),
+    ({"state": {"gripper": {}}}, "/assumes/state/gripper"),
+    ({"action": {"constructor": {}}}, "/assumes/action/constructor"),
+    ({"state": {"__class__": {}}}, "/assumes/state/__class__"),
 ]
 
 
 @requirement("ATT-010")
 def test_att_010_cannot_attach_with_a_wrong_assumption(context: CheckContext) -> None:
-    """A policy with wrong assumptions of rate, size, unit, rotation, frame and so on.
+    """Wrong assumptions of rate, size, unit, rotation, frame, of vectors not there.
 
     Expect `convention_mismatch` pointing at the wrong value, and no session; the right
     rate is accepted.
