@@ -428,7 +428,8 @@ def _arguments(node: Node) -> list[Node]:
 def swap_arguments(node: Node) -> Iterator[Edit]:
     """`f(a, b)` → `f(b, a)`; `a - b` → `b - a`."""
     if node.type in ("call_expression", "new_expression"):
-        arguments = _arguments(node)
+        is_symmetric = re.match(r"(Math|math)?\.?(min|max|Min|Max)\(", text(node))
+        arguments = [] if is_symmetric else _arguments(node)
         for first, second in itertools.pairwise(arguments):
             yield from _swap(node, first, second)
     sign = _field(node, "operator")
