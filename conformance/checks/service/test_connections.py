@@ -38,11 +38,11 @@ def test_svc_004_refusal_leaves_its_connection_in_order(context: CheckContext) -
     Expect the run each time, over the same connection or, if it was closed, another.
     """
     run = context.submit()
-    nobody = {"Authorization": "Bearer no-such-token"}
+    wrong_token = {"Authorization": "Bearer no-such-token"}
     large = b"".join(pad_body({}, context.limits["max_body_bytes"] + 1))
     refused: list[tuple[str, str, bytes, dict[str, str]]] = [
-        ("POST", "/v1/runs", INNER_REQUEST, nobody),
-        ("POST", f"/v1/runs/{run.id}/resume", INNER_REQUEST, nobody),
+        ("POST", "/v1/runs", INNER_REQUEST, wrong_token),
+        ("POST", f"/v1/runs/{run.id}/resume", INNER_REQUEST, wrong_token),
         ("POST", "/v1/no-such-path", INNER_REQUEST, {}),
         ("PATCH", "/v1/runs", INNER_REQUEST, {}),
         ("POST", "/v1/runs", INNER_REQUEST, {"Content-Type": "text/plain"}),
