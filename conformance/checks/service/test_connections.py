@@ -16,6 +16,7 @@ from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
+from conformance.verdicts.expect import SetUpFailed
 
 # A body that is a request itself: who leaves it unread answers it next.
 INNER_REQUEST = b"GET /v1/no-such-path HTTP/1.1\r\nHost: localhost\r\n\r\n"
@@ -54,9 +55,11 @@ def test_svc_004_refusal_leaves_its_connection_in_order(context: CheckContext) -
     with context.own_connection() as http_client:
         for method, path, body, headers in refused:
             with contextlib.suppress(NoAnswer):
-                http_client.request(
+                answer = http_client.request(
                     method, path, content=body, headers=JSON_BODY | headers
                 )
+                if answer.status < 400:
+                    raise SetUpFailed(f"a wrong {method} of {path} was accepted")
             answer = read_next(run, http_client)
             expect.equal(expect.ok(answer)["run_id"], run.id, "run_id")
 
