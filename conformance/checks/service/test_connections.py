@@ -4,7 +4,7 @@ import contextlib
 import json
 from typing import Any
 
-from conformance.checks.support.invalid_bodies import pad_body
+from conformance.checks.support.bodies.invalid_bodies import pad_body
 from conformance.checks.support.operation_samples import (
     attach_live_worker,
     operation_samples,
