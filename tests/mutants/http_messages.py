@@ -55,7 +55,7 @@ def says_whose_an_unknown_run_is() -> None:
 
 @mutant("VER-002")
 def compares_only_the_major_version() -> None:
-    """A client of a later version is not told that its new members are unknown."""
+    """A client of a later version learns nothing of members that are unknown here."""
     put(dispatch, "_is_supported", lambda version: version.partition(".")[0] == "1")
 
 
@@ -258,7 +258,7 @@ def answers_the_body_of_a_refused_request() -> None:
 
 @mutant("SVC-005")
 def reads_no_body_without_a_length() -> None:
-    """A client that streams its body is told that it sent none."""
+    """A client that streams its body is refused as if it had sent none."""
     right = codec.read_body
 
     async def wrong(request: Request, max_bytes: int) -> bytes:

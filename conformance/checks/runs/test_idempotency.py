@@ -16,6 +16,7 @@ from conformance.client.check_context import CheckContext
 from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
+from conformance.verdicts.expect import SetUpFailed
 
 LONGEST_KEY = 128
 ONES = ("1.0", "1e0", "10E-1", "0.1e+1")
@@ -202,6 +203,9 @@ def test_run_028_same_body_may_be_written_otherwise(context: CheckContext) -> No
     for text in texts:
         repeated = expect.ok(send_text(context, text, key), 201)
         expect.equal(repeated["run_id"], first["run_id"], f"run_id of {text!r}")
+    unkeyed = expect.ok(submit(context, body), 201)
+    if unkeyed["run_id"] == first["run_id"]:
+        raise SetUpFailed("a submit without a key made no run; see RUN-029")
 
 
 @requirement("RUN-029")

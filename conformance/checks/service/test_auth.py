@@ -73,9 +73,11 @@ def test_auth_002_refusal_names_the_scheme(context: CheckContext) -> None:
     Expect `WWW-Authenticate: Bearer`; the header names the authentication scheme.
     """
     worker = attach_live_worker(context)
-    nobody, stranger = map(context.client_with_token, (None, "no-such-token"))
-    answers = [send(worker.run, s, nobody) for s in operation_samples(worker)]
-    answers.append(context.call("list_runs", http_client=stranger))
+    without_token, with_wrong_token = map(
+        context.client_with_token, (None, "no-such-token")
+    )
+    answers = [send(worker.run, s, without_token) for s in operation_samples(worker)]
+    answers.append(context.call("list_runs", http_client=with_wrong_token))
     for answer in answers:
         expect.refused(answer, "unauthenticated")
         header = answer.headers.get("www-authenticate", "")
@@ -122,7 +124,7 @@ def test_auth_003_cannot_see_or_touch_a_run_of_another_account(
 ) -> None:
     """Another account uses the ids of a run, of its worker, and of its session.
 
-    Expect `not_found` from every operation, told apart by nothing from the answer for a
+    Expect `not_found` from every operation, equal in every part to the answer for a
     run that does not exist, and the run unchanged.
     """
     other = context.second_account

@@ -4,7 +4,7 @@ import contextlib
 import json
 from typing import Any
 
-from conformance.checks.support.invalid_bodies import pad_body
+from conformance.checks.support.bodies.invalid_bodies import pad_body
 from conformance.checks.support.operation_samples import (
     attach_live_worker,
     operation_samples,
@@ -16,6 +16,7 @@ from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
+from conformance.verdicts.expect import SetUpFailed
 
 # A body that is a request itself: who leaves it unread answers it next.
 INNER_REQUEST = b"GET /v1/no-such-path HTTP/1.1\r\nHost: localhost\r\n\r\n"
@@ -38,11 +39,11 @@ def test_svc_004_refusal_leaves_its_connection_in_order(context: CheckContext) -
     Expect the run each time, over the same connection or, if it was closed, another.
     """
     run = context.submit()
-    nobody = {"Authorization": "Bearer no-such-token"}
+    wrong_token = {"Authorization": "Bearer no-such-token"}
     large = b"".join(pad_body({}, context.limits["max_body_bytes"] + 1))
     refused: list[tuple[str, str, bytes, dict[str, str]]] = [
-        ("POST", "/v1/runs", INNER_REQUEST, nobody),
-        ("POST", f"/v1/runs/{run.id}/resume", INNER_REQUEST, nobody),
+        ("POST", "/v1/runs", INNER_REQUEST, wrong_token),
+        ("POST", f"/v1/runs/{run.id}/resume", INNER_REQUEST, wrong_token),
         ("POST", "/v1/no-such-path", INNER_REQUEST, {}),
         ("PATCH", "/v1/runs", INNER_REQUEST, {}),
         ("POST", "/v1/runs", INNER_REQUEST, {"Content-Type": "text/plain"}),
@@ -54,9 +55,11 @@ def test_svc_004_refusal_leaves_its_connection_in_order(context: CheckContext) -
     with context.own_connection() as http_client:
         for method, path, body, headers in refused:
             with contextlib.suppress(NoAnswer):
-                http_client.request(
+                answer = http_client.request(
                     method, path, content=body, headers=JSON_BODY | headers
                 )
+                if answer.status < 400:
+                    raise SetUpFailed(f"a wrong {method} of {path} was accepted")
             answer = read_next(run, http_client)
             expect.equal(expect.ok(answer)["run_id"], run.id, "run_id")
 

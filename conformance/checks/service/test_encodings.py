@@ -12,7 +12,7 @@ from typing import Any
 import msgspec
 from PIL import Image
 
-from conformance.checks.support.msgpack_forms import WIDTHS, pack
+from conformance.checks.support.bodies.msgpack_forms import WIDTHS, pack
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
 from conformance.exchanges.answer import Answer

@@ -6,15 +6,15 @@ from typing import Any
 
 import msgspec
 
-from conformance.checks.support.fuzz import fuzz_operations
-from conformance.checks.support.given_states import count
-from conformance.checks.support.invalid_bodies import (
+from conformance.checks.support.bodies.invalid_bodies import (
     WRONG_TYPES,
     pad_body,
     replace_at,
     unrepresentable_json,
     with_unknown_members,
 )
+from conformance.checks.support.fuzz import fuzz_operations
+from conformance.checks.support.given_states import count
 from conformance.checks.support.operation_samples import (
     READ_OPERATIONS,
     attach_live_worker,

@@ -90,6 +90,9 @@ def test_err_017_headers_of_other_operations_are_ignored(context: CheckContext) 
         if operation_id == "submit_run":
             adopt_answer(context, answer)
         expect.ok(answer, SUCCESSES.get(operation_id, 200))
+    known = worker.run.call("get_run", headers={"If-None-Match": "*"})
+    if known.status != 304:
+        raise SetUpFailed("`get_run` ignores If-None-Match; see RUN-011")
 
 
 @requirement("ERR-018")

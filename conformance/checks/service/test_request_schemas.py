@@ -4,16 +4,16 @@ import json
 import uuid
 from typing import Any
 
+from conformance.checks.support.bodies.schema_breaches import (
+    at_bounds,
+    broken_bounds,
+    missing_members,
+)
 from conformance.checks.support.given_states import expect_pointer
 from conformance.checks.support.operation_samples import (
     attach_live_worker,
     operation_samples,
     send,
-)
-from conformance.checks.support.schema_breaches import (
-    at_bounds,
-    broken_bounds,
-    missing_members,
 )
 from conformance.checks.support.submissions import submit, whole_submission
 from conformance.client.check_context import CheckContext

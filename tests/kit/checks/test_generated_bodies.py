@@ -7,8 +7,8 @@ import jsonschema
 import msgspec
 import pytest
 
-from conformance.checks.support.msgpack_forms import WIDTHS, pack
-from conformance.checks.support.schema_breaches import (
+from conformance.checks.support.bodies.msgpack_forms import WIDTHS, pack
+from conformance.checks.support.bodies.schema_breaches import (
     at_bounds,
     broken_bounds,
     missing_members,

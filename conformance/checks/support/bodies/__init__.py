@@ -1,0 +1,1 @@
+"""Bodies of requests that are wrong, or right in an unusual way."""
