@@ -64,8 +64,8 @@ def load() -> dict[str, Mutant]:
         lifecycle,
         long_lists,
         push,
-        run_views,
         sessions,
+        shown_members,
         simulators,
         turns,
     )

@@ -254,7 +254,7 @@ def rounds_rewards() -> None:
 
 @mutant("CAL-009")
 def rounds_commanded_faults() -> None:
-    """The kit cannot tell what it has commanded."""
+    """A fault that was not commanded disturbs the run."""
     spoil_play(lambda acts: [{**a, "fault": [round(a["fault"][0])]} for a in acts])
 
 
