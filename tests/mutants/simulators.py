@@ -258,7 +258,7 @@ def rounds_commanded_faults() -> None:
     spoil_play(lambda acts: [{**a, "fault": [round(a["fault"][0])]} for a in acts])
 
 
-@mutant("CAL-010")
+@mutant("CAL-010", "PRED-017")
 def breaks_down_in_every_task() -> None:
     """An action that has no meaning in a task disturbs the run."""
     right_begin, right_play = SimulatorHandle.begin, SimulatorHandle.play
