@@ -68,8 +68,8 @@ def load() -> dict[str, Mutant]:
         long_lists,
         push,
         restarts,
-        run_views,
         sessions,
+        shown_members,
         simulators,
         turns,
     )

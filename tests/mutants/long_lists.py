@@ -100,7 +100,7 @@ def computes_the_p_value_with_factorials() -> None:
     put(comparison, "mcnemar", wrong)
 
 
-@mutant("CMP-006", "CMP-007")
+@mutant("CMP-005", "CMP-006", "CMP-007")
 def pairs_episodes_in_the_order_of_scoring() -> None:
     """With two workers, episodes are compared with others than themselves."""
 

@@ -254,11 +254,11 @@ def rounds_rewards() -> None:
 
 @mutant("CAL-009")
 def rounds_commanded_faults() -> None:
-    """The kit cannot tell what it has commanded."""
+    """A fault that was not commanded disturbs the run."""
     spoil_play(lambda acts: [{**a, "fault": [round(a["fault"][0])]} for a in acts])
 
 
-@mutant("CAL-010")
+@mutant("CAL-010", "PRED-017")
 def breaks_down_in_every_task() -> None:
     """An action that has no meaning in a task disturbs the run."""
     right_begin, right_play = SimulatorHandle.begin, SimulatorHandle.play

@@ -103,7 +103,7 @@ def forgets_the_last_change_when_a_run_is_left() -> None:
 
 @mutant("RUN-022")
 def shows_episodes_in_play_as_pending() -> None:
-    """Nobody sees that a run is played."""
+    """A run that is played looks like one that waits."""
 
     def wrong(body: dict[str, Any], _run: RunHead) -> None:
         progress = body["progress"]
