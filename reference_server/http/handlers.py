@@ -18,6 +18,7 @@ from starlette.responses import Response
 from reference_server.generated import models
 from reference_server.http.codec import JSON, MSGPACK
 from reference_server.http.dispatch import (
+    ANY_HOST,
     VERSION_MAX,
     VERSION_MIN,
     Operation,
@@ -259,7 +260,11 @@ class Handlers:
 
     def base_url(self, call: OperationCall) -> str:
         """RUN-016: where the caller reaches this server; without a slash at the end."""
-        base = self.settings.public_url or str(call.request.base_url)
+        base = self.settings.public_url
+        if not base:
+            if host := call.request.headers.get("host"):
+                ANY_HOST.check(host)
+            base = str(call.request.base_url)
         return base.rstrip("/")
 
 
