@@ -65,6 +65,7 @@ class BoundedConnection(HttpToolsProtocol):
     ) -> None:
         super().__init__(config, server_state, app_state, _loop)
         self.address = ""
+        self.url = b""
         self._limiter = limiter
         self._limits: ConnectionLimits = limiter.limits
         self._phase = _Phase.IDLE

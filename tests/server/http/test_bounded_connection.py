@@ -73,12 +73,10 @@ def test_answers_that_are_not_read_stop_the_requests_behind_them() -> None:
         connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
         connection.settimeout(0.3)
         large = b"GET /large?1000000 HTTP/1.1\r\nHost: x\r\n\r\n"
-        send_all(connection, large * 100_000)
+        send_all(connection, large * 700)  # less than is held
         assert len(server.paths) < 20  # what the kernel buffers of this machine hold
-        (unsent,) = (
-            one.transport.get_write_buffer_size() for one in server.connections
-        )
-        assert unsent < 3 * 10**6
+        for one in server.connections:
+            assert one.transport.get_write_buffer_size() < 3 * 10**6
 
 
 # --- the head ---

@@ -38,8 +38,9 @@ class BoundedServer:
             self._app,
             http=connection_factory(self.limiter),
             ws="none",
+            interface="asgi3",
             lifespan="off",
-            log_level="critical",
+            log_level="error",
             timeout_graceful_shutdown=1,
         )
         self._server = uvicorn.Server(config)
@@ -116,14 +117,14 @@ def read_to_end(connection: socket.socket) -> bytes:
 
 
 def read_answer(connection: socket.socket) -> tuple[int, bytes]:
-    """Status and body of one answer with a Content-Length."""
-    received = b""
-    while b"\r\n\r\n" not in received:
-        part = connection.recv(2**16)
-        assert part, f"the server hung up after {received!r}"
-        received += part
-    head, _, body = received.partition(b"\r\n\r\n")
-    length = int(head.lower().partition(b"content-length:")[2].split()[0])
-    while len(body) < length:
-        body += connection.recv(2**16)
+    """Status and body of one answer with a Content-Length; the next stays unread."""
+    head = b""
+    while not head.endswith(b"\r\n\r\n"):
+        part = connection.recv(1)
+        assert part, f"the server hung up after {head!r}"
+        head += part
+    left = int(head.lower().partition(b"content-length:")[2].split()[0])
+    body = b""
+    while len(body) < left:
+        body += connection.recv(left - len(body))
     return int(head.split()[1]), body
