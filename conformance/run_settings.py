@@ -28,6 +28,7 @@ class Settings:
     restart_cmd: str | None = None
     seed: int = 0
     quick: bool = False
+    stress: bool = False
     only: list[str] = field(default_factory=list)
     profiles: list[str] = field(default_factory=list)
     report: str = "report"

@@ -151,6 +151,7 @@ class BoundedConnection(HttpToolsProtocol):
         return True
 
     def check_deadlines(self, now: float) -> None:
+        """LIM-002: headers; LIM-003: bodies; also answers and idle connections."""
         if now > self._write_deadline:
             self.abort()
         elif self._phase is _Phase.REFUSED:
@@ -235,7 +236,7 @@ class BoundedConnection(HttpToolsProtocol):
     # --- reading ---
 
     def _feed_head(self, data: bytes, position: int) -> int:
-        """Parse up to the end of the head; returns the position behind it."""
+        """Parse up to the end of the head; returns the position behind it (LIM-001)."""
         end = self._find_head_end(data, position)
         is_first_part = not self._head_size
         room = self._limits.header_bytes - self._head_size

@@ -13,6 +13,8 @@ from dataclasses import dataclass
 from ipaddress import IPv6Address, ip_address
 from typing import Protocol
 
+# Of a request line and headers (LIM-001); browsers and proxies send a quarter.
+HEADER_BYTES = 2**15
 # Refused connections that may wait for their 503 at once; others are closed unanswered.
 REFUSED_MAX = 64
 # After a search for an idle connection found none, as long none is searched for.
@@ -36,7 +38,7 @@ class ConnectionLimits:
 
     connections: int = 2000
     per_address: int = 1500
-    header_bytes: int = 2**15
+    header_bytes: int = HEADER_BYTES
     request_line_bytes: int = 2**14
     header_count: int = 100
     header_timeout_s: float = 10.0

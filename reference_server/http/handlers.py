@@ -17,6 +17,7 @@ from starlette.responses import Response
 
 from reference_server.generated import models
 from reference_server.http.codec import JSON, MSGPACK
+from reference_server.http.connection_limits import HEADER_BYTES
 from reference_server.http.dispatch import (
     ANY_HOST,
     VERSION_MAX,
@@ -35,7 +36,9 @@ from reference_server.views import run_views
 SOFTWARE_VERSION = importlib.metadata.version("proctor-eval")
 IDLE_TIMEOUT_S_MIN = 1.0
 PAGE = 100
-PROFILES: tuple[models.Profile, ...] = ("core", "msgpack", "compare", "events", "push")
+PROFILES: tuple[models.Profile, ...] = (
+    *("core", "msgpack", "compare", "events", "push", "limits"),
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,6 +123,9 @@ class Handlers:
                 idle_timeout_s_min=IDLE_TIMEOUT_S_MIN,
                 idle_timeout_s_max=settings.idle_timeout_s_max,
                 wait_s_max=settings.wait_s_max,
+                max_header_bytes=HEADER_BYTES,
+                header_timeout_s=settings.request_timeout_s,
+                body_timeout_s=settings.request_timeout_s,
             ),
             encodings=[JSON, MSGPACK],
             image_codecs=["raw", "png", "jpeg"],
