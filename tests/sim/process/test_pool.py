@@ -22,6 +22,7 @@ from reference_sim.process.pool import (
     SimulatorPool,
     TaskUnplayable,
 )
+from reference_sim.process.simulator_main import NewFrameMemory
 from reference_sim.process.simulator_process import ForkStarter
 from tests.support.sim.calibration_action import calibration_action as action
 
@@ -30,10 +31,6 @@ WORLD = benchmark_registry.resolve("calibration").world
 OTHER_WORLD = benchmark_registry.resolve(
     "calibration", images={"codec": "png", "width": 64, "height": 48}
 ).world
-RAW_IMAGES = benchmark_registry.resolve(
-    "calibration", images={"codec": "raw", "width": 64, "height": 48}
-).world
-
 fork_and_exec = pytest.mark.parametrize("fork", [True, False], ids=["fork", "exec"])
 
 
@@ -242,12 +239,13 @@ def test_memory_that_cannot_be_mapped_for_want_of_files_is_no_fault(
 
     async def scenario(pool: SimulatorPool) -> None:
         monkeypatch.setattr(simulator_process, "map_memory", fail)
-        handle = await pool.acquire(RAW_IMAGES)
+        handle = await pool.acquire(WORLD)
         await begin(handle, "count")
-        played = [handle.play([action()], observe_all=False) for _ in range(3)]
-        ended = await asyncio.gather(*played, return_exceptions=True)
-        assert "Too many open files" in str(ended)
-        assert any(isinstance(one, NoCapacity) for one in ended)
+        pending = asyncio.create_task(handle.observe())
+        await asyncio.sleep(0)
+        handle._process._map_frame_memory(NewFrameMemory(descriptor=3, size=64))
+        with pytest.raises(NoCapacity, match="Too many open files"):
+            await pending
         assert pool.busy == 0
 
     with_pool(scenario, spares=0)
