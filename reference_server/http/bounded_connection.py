@@ -233,7 +233,7 @@ class BoundedConnection(HttpToolsProtocol):
             self._read_next()
 
     def _unsupported_upgrade_warning(self) -> None:
-        """Anybody can ask for an upgrade; that is no event for the log."""
+        """Every client can ask for an upgrade; that is no event for the log."""
 
     # --- reading ---
 

@@ -52,7 +52,7 @@ class NoCapacity(Exception):
 class SimulatorHandle:
     """A process lent by the pool. After a SimulatorFault it is dead and returned.
 
-    NoCapacity from a request means the same, and that nobody is to blame.
+    After NoCapacity from a request, too; then the simulator did not cause it.
     """
 
     def __init__(

@@ -50,7 +50,7 @@ class SimulatorFault(Exception):
 
 
 class ResourceShortage(SimulatorFault):
-    """The machine has no files, processes or memory left; no simulator is to blame."""
+    """The machine has no files, processes or memory left; no simulator caused it."""
 
 
 _SHORTAGE = {errno.EMFILE, errno.ENFILE, errno.EAGAIN, errno.ENOMEM}

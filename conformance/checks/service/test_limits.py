@@ -1,6 +1,6 @@
 """Requests that are too large or too slow for the HTTP layer (LIM).
 
-A server that somebody else uses gets them only with `--stress`.
+A server that other accounts use gets them only with `--stress`.
 """
 
 from conformance.client.check_context import CheckContext

@@ -269,7 +269,7 @@ def test_a_request_in_work_is_waited_for() -> None:
 # --- bodies ---
 
 
-def test_a_body_that_nobody_wants_is_not_kept() -> None:
+def test_an_unread_body_is_not_kept() -> None:
     with bounded_server() as server, server.connect() as connection:
         connection.sendall(b"POST /now HTTP/1.1\r\nContent-Length: 200000\r\n\r\n")
         connection.sendall(b"a" * 200_000)
@@ -334,14 +334,14 @@ def test_one_address_cannot_have_all_connections() -> None:
     other = {"source_address": ("127.0.0.2", 0)}
     with contextlib.ExitStack() as stack:
         server = stack.enter_context(bounded_server(**limits))
-        patient = stack.enter_context(server.connect(**other))
-        patient.sendall(GET)
-        assert read_answer(patient) == (200, b"ok")
+        earlier = stack.enter_context(server.connect(**other))
+        earlier.sendall(GET)
+        assert read_answer(earlier) == (200, b"ok")
         many = [stack.enter_context(server.connect()) for _ in range(8)]
         for connection in many:
             send_all(connection, WAIT)
         wait_until(lambda: len(server.paths) == 5, "four of them are in work")
-        for connection in (patient, stack.enter_context(server.connect(**other))):
+        for connection in (earlier, stack.enter_context(server.connect(**other))):
             connection.sendall(GET)
             assert read_answer(connection) == (200, b"ok")
         server.release()
