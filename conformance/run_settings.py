@@ -29,6 +29,7 @@ class Settings:
     seed: int = 0
     quick: bool = False
     fail_fast: bool = False
+    stress: bool = False
     only: list[str] = field(default_factory=list)
     profiles: list[str] = field(default_factory=list)
     report: str = "report"

@@ -19,8 +19,11 @@ import uvicorn
 from pydantic import ValidationError
 from pydantic_settings import CliSettingsSource, SettingsError
 
+from reference_server import open_files
 from reference_server.app import build
 from reference_server.http.auth import BadTokens, Tokens
+from reference_server.http.bounded_connection import connection_factory
+from reference_server.http.connection_limits import ConnectionLimiter, ConnectionLimits
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.settings import Settings
 from reference_server.storage.store import Store, StoreFailed
@@ -139,11 +142,12 @@ def _serve(
         return 2
     config = uvicorn.Config(
         app,
+        http=connection_factory(ConnectionLimiter(_connection_limits(settings))),
+        ws="none",  # none is offered, and it would have none of the bounds
         log_level=settings.log_level,
         access_log=False,
         server_header=False,
         timeout_graceful_shutdown=5,
-        timeout_keep_alive=75,  # a policy may take longer than the default of 5 s
     )
     port = listener.getsockname()[1]
     server = Server(
@@ -153,6 +157,24 @@ def _serve(
     with contextlib.suppress(KeyboardInterrupt):
         server.run(sockets=[listener])
     return 0 if server.started else 1
+
+
+def _connection_limits(settings: Settings) -> ConnectionLimits:
+    files = open_files.raise_limit()
+    allowed = open_files.connections_allowed(files, settings.max_simulators)
+    if allowed < settings.max_connections:
+        _print_line(
+            f"at most {allowed} connections, not {settings.max_connections}: this "
+            f"process may have {files} open files"
+        )
+    connections = min(settings.max_connections, allowed)
+    return ConnectionLimits(
+        connections=connections,
+        per_address=min(settings.max_connections_per_address, connections * 3 // 4),
+        header_timeout_s=settings.request_timeout_s,
+        body_grace_s=settings.request_timeout_s,
+        body_bytes=settings.max_body_bytes,
+    )
 
 
 async def _check_store(url: str) -> None:

@@ -16,6 +16,7 @@ from starlette.routing import Route, Router
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
+from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import Operation, perform
 from reference_server.http.handlers import Handlers
@@ -89,9 +90,10 @@ def build(settings: Settings, tokens: Tokens) -> Application:
             await store.close()
 
     table = handlers.table() | profile_tables(handlers)
+    hosts = AllowedHosts.parse(settings.allowed_hosts)
     router = Router(
         routes=[
-            Route(path, _Endpoint(operations, tokens, settings.max_body_bytes))
+            Route(path, _Endpoint(operations, tokens, settings.max_body_bytes, hosts))
             for path, operations in table.items()
         ],
         default=_not_found,
@@ -105,11 +107,16 @@ class _Endpoint:
     """One path for every method, so that a 405 can name those that it has (ERR-010)."""
 
     def __init__(
-        self, operations: Mapping[str, Operation], tokens: Tokens, max_body: int
+        self,
+        operations: Mapping[str, Operation],
+        tokens: Tokens,
+        max_body: int,
+        hosts: AllowedHosts,
     ) -> None:
         self._operations = operations
         self._tokens = tokens
         self._max_body = max_body
+        self._hosts = hosts
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         operation = self._operations.get(scope["method"])
@@ -117,7 +124,9 @@ class _Endpoint:
             response = self._not_allowed(scope["method"])
         else:
             request = Request(scope, receive)
-            response = await perform(request, operation, self._tokens, self._max_body)
+            response = await perform(
+                request, operation, self._tokens, self._max_body, self._hosts
+            )
         await response(scope, receive, send)
 
     def _not_allowed(self, method: str) -> Response:

@@ -15,6 +15,7 @@ from pydantic import Field, field_validator
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
 from reference_server.allowed_networks import AllowedNetworks
+from reference_server.http.allowed_hosts import AllowedHosts
 
 
 class Settings(BaseSettings):
@@ -38,6 +39,12 @@ class Settings(BaseSettings):
         pattern=r"^(https?://\S+)?$",
         description="Base URL at which clients reach this server, used in "
         "run.endpoint. If empty, it is taken from each request.",
+    )
+    allowed_hosts: str = Field(
+        "",
+        description="Names that a request may have in its header Host, "
+        "comma-separated and without ports, for example eval.example.org or "
+        "*.example.org. If empty, any.",
     )
     database: str = Field(
         "var/proctor.sqlite",
@@ -104,6 +111,26 @@ class Settings(BaseSettings):
     max_body_bytes: int = Field(
         8 * 2**20, ge=2**16, description="Maximum size of a request body."
     )
+    max_connections: int = Field(
+        2000,
+        ge=16,
+        description="Maximum open connections of clients; fewer if the limit of open "
+        "files is too low.",
+    )
+    max_connections_per_address: int = Field(
+        1500,
+        ge=1,
+        description="Maximum open connections of one client address (of IPv6, a /64 "
+        "network), at most three quarters of all. Behind a proxy all clients have its "
+        "address.",
+    )
+    request_timeout_s: float = Field(
+        10.0,
+        ge=0.1,
+        le=600,
+        description="Maximum time for the headers of a request; its body, and an "
+        "answer that is slowly read, may take as long and 1 s more per 16 KiB.",
+    )
     max_chunk: int = Field(
         64, ge=4, le=4096, description="Maximum actions in one turn."
     )
@@ -117,6 +144,12 @@ class Settings(BaseSettings):
         known: tuple[Literal["ebench", "flageval"], ...] = ("ebench", "flageval")
         chosen = self.profiles.split(",")
         return [name for name in known if name in chosen]
+
+    @field_validator("allowed_hosts")
+    @classmethod
+    def _check_hosts(cls, text: str) -> str:
+        AllowedHosts.parse(text)  # raises ValueError
+        return text
 
     @field_validator("allow_private_policies")
     @classmethod

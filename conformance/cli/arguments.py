@@ -102,6 +102,12 @@ def _add_execution(parser: argparse.ArgumentParser) -> None:
         "not verified",
     )
     execution.add_argument(
+        "--stress",
+        action="store_true",
+        help="also send requests that are too large or too slow to the server at "
+        "--url; without this option only a server started by --start-cmd gets them",
+    )
+    execution.add_argument(
         "--report", default="report", metavar="DIR", help="directory of the reports"
     )
     execution.add_argument(
@@ -172,6 +178,7 @@ def read_settings(options: argparse.Namespace) -> Settings:
     settings.start_cmd = options.start_cmd
     settings.restart_cmd = options.restart_cmd
     settings.fail_fast = options.fail_fast
+    settings.stress = options.stress or options.start_cmd is not None
     seed: int | None = options.seed
     settings.seed = seed if seed is not None else random.randrange(10**6)
     if options.max_time is not None:

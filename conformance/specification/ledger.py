@@ -18,7 +18,7 @@ from conformance.specification.document import (
 
 _SCORING_LINE = re.compile(r"^- \[(?P<id>SCORE-\d{3})\] (?P<text>.+)$", re.MULTILINE)
 PROFILES = (
-    *("core", "msgpack", "compare", "events", "push", "crash"),
+    *("core", "msgpack", "compare", "events", "push", "limits", "crash"),
     *("ebench", "flageval"),
 )
 POLICY = "policy"  # of policy servers, which are checked by a command of their own

@@ -419,6 +419,27 @@ class Limits(BaseModel):
     wait_s_max: Annotated[
         int, Field(description="Longest wait that a long-poll is granted.")
     ]
+    max_header_bytes: Annotated[
+        int | MISSING,
+        Field(
+            description="Longest request line with its headers that is read; for the profile `limits`.",
+            ge=8192,
+        ),
+    ] = MISSING
+    header_timeout_s: Annotated[
+        float | MISSING,
+        Field(
+            description="Time in which the headers of a request are complete, from its first byte; for the profile `limits`.",
+            ge=0.0,
+        ),
+    ] = MISSING
+    body_timeout_s: Annotated[
+        float | MISSING,
+        Field(
+            description="Time in which a part of a body arrives after the headers of its request; for the profile `limits`.",
+            ge=0.0,
+        ),
+    ] = MISSING
 
 
 class Observation(BaseModel):

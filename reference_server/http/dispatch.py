@@ -21,6 +21,7 @@ from starlette.responses import Response
 
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http import codec
+from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.auth import Caller, Tokens
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
@@ -28,8 +29,13 @@ from reference_server.storage.store import StoreFailed
 
 log = logging.getLogger("proctor.http")
 
+ANY_HOST = AllowedHosts()
+
 # This server speaks one version.
 VERSION_MIN = VERSION_MAX = PROTOCOL_VERSION
+VERSION_CHARS_MAX = 9
+# No operation has as many; the rest is not even split.
+QUERY_PARAMETERS_MAX = 32
 
 # name → (pattern, code): path parameters of unknown form name nothing that exists, but
 # a worker id is the client's own choice and so its own mistake (ERR-018, ATT-013).
@@ -107,13 +113,19 @@ class OperationCall:
 
 
 async def perform(
-    request: Request, operation: Operation, tokens: Tokens, max_body_bytes: int
+    request: Request,
+    operation: Operation,
+    tokens: Tokens,
+    max_body_bytes: int,
+    hosts: AllowedHosts = ANY_HOST,
 ) -> Response:
     """Check a request in the fixed order and carry it out; refusals become problems.
 
     ERR-020: nothing is carried out before everything is checked.
     """
     try:
+        if hosts:
+            hosts.check(request.headers.get("host", ""))
         call = await _check_request(request, operation, tokens, max_body_bytes)
         return await operation.handler(call)
     except Refused as error:
@@ -165,8 +177,13 @@ def check_version(request: Request) -> None:
         )
 
 
-@lru_cache(maxsize=64)
 def _is_supported(version: str) -> bool:
+    """Only what may be a version is remembered: a header can have many kilobytes."""
+    return len(version) <= VERSION_CHARS_MAX and _is_in_range(version)
+
+
+@lru_cache(maxsize=64)
+def _is_in_range(version: str) -> bool:
     if not re.fullmatch(r"[0-9]{1,4}\.[0-9]{1,4}", version):
         return False
     return _pair(VERSION_MIN) <= _pair(version) <= _pair(VERSION_MAX)
@@ -194,6 +211,12 @@ def _query(request: Request, operation: Operation) -> Mapping[str, str]:
     seen: dict[str, str] = {}
     if not request.scope["query_string"] and not operation.required_query:
         return seen
+    if request.scope["query_string"].count(b"&") > QUERY_PARAMETERS_MAX:
+        raise Refused(
+            "invalid_request",
+            f"The query has more than {QUERY_PARAMETERS_MAX} parameters.",
+            errors=[("query:", f"must not have more than {QUERY_PARAMETERS_MAX}")],
+        )
     errors = []
     for name, value in request.query_params.multi_items():
         if name not in operation.query:

@@ -17,7 +17,9 @@ from starlette.responses import Response
 
 from reference_server.generated import models
 from reference_server.http.codec import JSON, MSGPACK
+from reference_server.http.connection_limits import HEADER_BYTES
 from reference_server.http.dispatch import (
+    ANY_HOST,
     VERSION_MAX,
     VERSION_MIN,
     Operation,
@@ -35,7 +37,9 @@ SOFTWARE_VERSION = importlib.metadata.version("proctor-eval")
 IDLE_TIMEOUT_S_MIN = 1.0
 PAGE = 100  # RUN-025: items on a page when no limit is sent
 # RUN-032: `push` is always among them, and so are its members of a submit.
-PROFILES: tuple[models.Profile, ...] = ("core", "msgpack", "compare", "events", "push")
+PROFILES: tuple[models.Profile, ...] = (
+    *("core", "msgpack", "compare", "events", "push", "limits"),
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,6 +124,9 @@ class Handlers:
                 idle_timeout_s_min=IDLE_TIMEOUT_S_MIN,
                 idle_timeout_s_max=settings.idle_timeout_s_max,
                 wait_s_max=settings.wait_s_max,
+                max_header_bytes=HEADER_BYTES,
+                header_timeout_s=settings.request_timeout_s,
+                body_timeout_s=settings.request_timeout_s,
             ),
             encodings=[JSON, MSGPACK],
             image_codecs=["raw", "png", "jpeg"],
@@ -261,7 +268,11 @@ class Handlers:
 
     def base_url(self, call: OperationCall) -> str:
         """RUN-016: where the caller reaches this server; without a slash at the end."""
-        base = self.settings.public_url or str(call.request.base_url)
+        base = self.settings.public_url
+        if not base:
+            if host := call.request.headers.get("host"):
+                ANY_HOST.check(host)
+            base = str(call.request.base_url)
         return base.rstrip("/")
 
 

@@ -23,6 +23,7 @@ from reference_sim.process.simulator_process import (
     ExecStarter,
     ForkStarter,
     ReplyT,
+    ResourceShortage,
     SimulatorFault,
     SimulatorProcess,
 )
@@ -45,11 +46,14 @@ _log = logging.getLogger(__name__)
 
 
 class NoCapacity(Exception):
-    """The maximum number of simulators is in use."""
+    """The maximum number of simulators is in use, or the machine can run no more."""
 
 
 class SimulatorHandle:
-    """A process lent by the pool. After a SimulatorFault it is dead and returned."""
+    """A process lent by the pool. After a SimulatorFault it is dead and returned.
+
+    After NoCapacity from a request, too; then the simulator did not cause it.
+    """
 
     def __init__(
         self, process: SimulatorProcess, give_back: Callable[[SimulatorProcess], None]
@@ -111,7 +115,10 @@ class SimulatorHandle:
     ) -> ReplyT:
         if not self._lent:
             raise SimulatorFault("the simulator was released")
-        return await self._process.request(command, wanted)
+        try:
+            return await self._process.request(command, wanted)
+        except ResourceShortage as shortage:
+            raise NoCapacity(str(shortage)) from shortage
 
 
 # The pool
@@ -175,6 +182,8 @@ class SimulatorPool:
             # A process of its own: neither its fault (FAULT-004) nor a long turn
             # (PRED-022) affects another worker.
             process = await self._build(world)
+        except ResourceShortage as shortage:  # no fault of the simulator
+            raise NoCapacity(str(shortage)) from shortage
         finally:
             self._acquiring -= 1
         self._lent.add(process)

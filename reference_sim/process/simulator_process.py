@@ -12,6 +12,7 @@ into every child, uses pickle, and its busy children outlive a server killed by 
 from __future__ import annotations
 
 import asyncio
+import errno
 import logging
 import os
 import socket
@@ -46,6 +47,13 @@ ReplyT = TypeVar("ReplyT", bound=simulator_main.SimulatorReply)
 
 class SimulatorFault(Exception):
     """The process died, hung, broke the protocol, or its simulator raised."""
+
+
+class ResourceShortage(SimulatorFault):
+    """The machine has no files, processes or memory left; no simulator caused it."""
+
+
+_SHORTAGE = {errno.EMFILE, errno.ENFILE, errno.EAGAIN, errno.ENOMEM}
 
 
 # Starting and killing processes
@@ -197,14 +205,18 @@ class SimulatorProcess(asyncio.BufferedProtocol):
 
     async def start(self) -> None:
         """Start the process; returns when it is ready. Raises SimulatorFault."""
-        ours, theirs = socket.socketpair()
+        try:
+            ours, theirs = socket.socketpair()
+        except OSError as error:
+            self.end("did not start")
+            raise _fault_of(error) from error
         try:
             with theirs:
                 self._starter.start(theirs)
             await self._loop.create_unix_connection(lambda: self, sock=ours)
             hello = await self._await_answer(_START_TIMEOUT_S)
         except OSError as error:
-            raise SimulatorFault(f"no simulator process: {error}") from error
+            raise _fault_of(error) from error
         finally:
             if self._transport is None:
                 ours.close()
@@ -268,10 +280,14 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             self._starter.kill(self.pid)
         if self._transport is not None:
             self._transport.abort()  # ends a process whose id is not yet known
-        if not self._answer.done():
-            self._answer.set_exception(SimulatorFault(f"the simulator process {why}"))
-            self._answer.exception()  # no warning if no request is pending
+        self._fail(SimulatorFault(f"the simulator process {why}"))
         self._on_end(self)
+
+    def _fail(self, fault: SimulatorFault) -> None:
+        """Let the pending request raise this fault."""
+        if not self._answer.done():
+            self._answer.set_exception(fault)
+            self._answer.exception()  # no warning if no request is pending
 
     async def _await_answer(self, timeout_s: float) -> simulator_main.SimulatorReply:
         self._last_message_at = self._loop.time()
@@ -351,7 +367,9 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             self._frame_memory = map_memory(
                 self.pid, SharedMemoryRegion(mapping.descriptor, mapping.size)
             )
-        except (OSError, ValueError):
+        except (OSError, ValueError) as error:
+            if isinstance(error, OSError) and error.errno in _SHORTAGE:
+                self._fail(_fault_of(error))
             self.end("could not share memory")
 
     def _resolve_pixels(self, observation: EncodedObservation) -> None:
@@ -362,6 +380,11 @@ class SimulatorProcess(asyncio.BufferedProtocol):
                 image["data"] = self._frame_memory[offset : offset + length]
                 if offset < 0 or len(image["data"]) != length:
                     raise ValueError("image offset outside the frame buffer")
+
+
+def _fault_of(error: OSError) -> SimulatorFault:
+    kind = ResourceShortage if error.errno in _SHORTAGE else SimulatorFault
+    return kind(f"no simulator process: {error}")
 
 
 def _observations_of(

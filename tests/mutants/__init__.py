@@ -54,6 +54,7 @@ def load() -> dict[str, Mutant]:
         answers,
         chat,
         compare,
+        connections,
         control_plane,
         ebench,
         episodes,

@@ -92,6 +92,7 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
     field = Settings.model_fields[name]
     examples: dict[str, tuple[str, str]] = {
         "public_url": ("http://a", "https://b"),
+        "allowed_hosts": ("a.example", "*.b.example,c.example"),
         "log_level": ("info", "debug"),
         "allow_private_policies": ("127.0.0.1", "10.0.0.0/8,fd00::/8"),
         "profiles": ("ebench", "flageval,ebench"),
@@ -101,6 +102,8 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
     flag, variable = f"--{name.replace('_', '-')}", f"PROCTOR_{name.upper()}"
     if name == "max_body_bytes":
         by_variable, by_flag = "70000", "80000"
+    if name == "max_connections":
+        by_variable, by_flag = "50", "60"
     assert getattr(settings(), name) == field.default
     monkeypatch.setenv(variable, by_variable)
     assert str(getattr(settings(), name)).removesuffix(".0") == by_variable

@@ -19,6 +19,9 @@ struct Limits {
     double idle_timeout_s_min{};
     double idle_timeout_s_max{};
     std::int32_t wait_s_max{}; // Longest wait that a long-poll is granted.
+    std::optional<std::int32_t> max_header_bytes{}; // Longest request line with its headers that is read; for the profile `limits`.
+    std::optional<double> header_timeout_s{}; // Time in which the headers of a request are complete, from its first byte; for the profile `limits`.
+    std::optional<double> body_timeout_s{}; // Time in which a part of a body arrives after the headers of its request; for the profile `limits`.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("max_body_bytes", self.max_body_bytes);
@@ -27,6 +30,9 @@ struct Limits {
         visitor.required("idle_timeout_s_min", self.idle_timeout_s_min);
         visitor.required("idle_timeout_s_max", self.idle_timeout_s_max);
         visitor.required("wait_s_max", self.wait_s_max);
+        visitor.optional("max_header_bytes", self.max_header_bytes);
+        visitor.optional("header_timeout_s", self.header_timeout_s);
+        visitor.optional("body_timeout_s", self.body_timeout_s);
     }
 };
 

@@ -60,6 +60,11 @@ BENCHMARK_SETS = {
     "ebench_mobile_manip": "mobile_bimanual_mobile_manip",
     "ebench_table_top_manip": "mobile_bimanual_table_top_manip",
 }
+# Of the only page that a browser shows: it loads nothing and is taken for nothing else.
+PAGE_HEADERS = {
+    "Content-Security-Policy": "default-src 'none'; frame-ancestors 'none'",
+    "X-Content-Type-Options": "nosniff",
+}
 PICKLE_INLINE_BYTES = 2**16  # larger ones are read in a thread
 
 Turn: TypeAlias = Mapping[str, Any]
@@ -154,7 +159,9 @@ class EbenchHandlers:
     async def docs(self, call: OperationCall) -> Response:
         """EBE-005: EBench's client calls it to see whether the endpoint answers."""
         run = await self._run(call)
-        return HTMLResponse(f"<p>EBench API of run {run.run_id}.</p>")
+        return HTMLResponse(
+            f"<p>EBench API of run {run.run_id}.</p>", headers=PAGE_HEADERS
+        )
 
     async def status(self, call: OperationCall) -> Response:
         run = await self._run(call)

@@ -253,7 +253,7 @@ def test_other_media_types_are_refused(live_run: LiveRun, media_type: str) -> No
 
 
 @pytest.mark.parametrize(
-    "secret", [b"unknown", b"\xc3\xa9", b"\xff", b"a b", b"a" * 10**5], ids=len
+    "secret", [b"unknown", b"\xc3\xa9", b"\xff", b"a b", b"a" * 10**4], ids=len
 )
 def test_requests_without_a_valid_token_are_refused(
     live_run: LiveRun, secret: bytes

@@ -1,6 +1,7 @@
 """Simulator processes: lent, reused, broken, killed."""
 
 import asyncio
+import errno
 import os
 import signal
 import sys
@@ -12,6 +13,7 @@ import pytest
 
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.calibration import Calibration
+from reference_sim.process import simulator_process
 from reference_sim.process.encoding import encode
 from reference_sim.process.pool import (
     NoCapacity,
@@ -20,6 +22,7 @@ from reference_sim.process.pool import (
     SimulatorPool,
     TaskUnplayable,
 )
+from reference_sim.process.simulator_main import NewFrameMemory
 from reference_sim.process.simulator_process import ForkStarter
 from tests.support.sim.calibration_action import calibration_action as action
 
@@ -28,7 +31,6 @@ WORLD = benchmark_registry.resolve("calibration").world
 OTHER_WORLD = benchmark_registry.resolve(
     "calibration", images={"codec": "png", "width": 64, "height": 48}
 ).world
-
 fork_and_exec = pytest.mark.parametrize("fork", [True, False], ids=["fork", "exec"])
 
 
@@ -209,6 +211,44 @@ def test_the_pool_lends_at_most_size_max() -> None:
         await pool.acquire(WORLD)
 
     with_pool(scenario, size_max=3)
+
+
+@pytest.mark.parametrize("module", ["socket.socketpair", "socket.send_fds"])
+def test_a_shortage_of_files_is_no_fault(
+    module: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: object) -> None:
+        raise OSError(errno.EMFILE, "Too many open files")
+
+    async def scenario(pool: SimulatorPool) -> None:
+        with monkeypatch.context() as patch:
+            patch.setattr(module, fail)
+            for _ in range(3):
+                with pytest.raises(NoCapacity, match="Too many open files"):
+                    await pool.acquire(WORLD)
+        await begin(await pool.acquire(WORLD), "count")
+
+    with_pool(scenario, spares=0)
+
+
+def test_memory_that_cannot_be_mapped_for_want_of_files_is_no_fault(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def fail(*_: object) -> None:
+        raise OSError(errno.EMFILE, "Too many open files")
+
+    async def scenario(pool: SimulatorPool) -> None:
+        monkeypatch.setattr(simulator_process, "map_memory", fail)
+        handle = await pool.acquire(WORLD)
+        await begin(handle, "count")
+        pending = asyncio.create_task(handle.observe())
+        await asyncio.sleep(0)
+        handle._process._map_frame_memory(NewFrameMemory(descriptor=3, size=64))
+        with pytest.raises(NoCapacity, match="Too many open files"):
+            await pending
+        assert pool.busy == 0
+
+    with_pool(scenario, spares=0)
 
 
 def test_spare_processes_are_started_and_replaced() -> None:

@@ -9,7 +9,7 @@ import re  # noqa: F401
 import json
 
 from pydantic import BaseModel, ConfigDict, Field, StrictFloat, StrictInt
-from typing import Any, ClassVar, Dict, List, Union
+from typing import Any, ClassVar, Dict, List, Optional, Union
 from typing_extensions import Annotated
 from typing import Optional, Set
 from typing_extensions import Self
@@ -25,8 +25,11 @@ class Limits(BaseModel):
     idle_timeout_s_min: Union[StrictFloat, StrictInt]
     idle_timeout_s_max: Union[StrictFloat, StrictInt]
     wait_s_max: StrictInt = Field(description="Longest wait that a long-poll is granted.")
+    max_header_bytes: Optional[Annotated[int, Field(strict=True, ge=8192)]] = Field(default=None, description="Longest request line with its headers that is read; for the profile `limits`.")
+    header_timeout_s: Optional[Union[Annotated[float, Field(strict=True, ge=0)], Annotated[int, Field(strict=True, ge=0)]]] = Field(default=None, description="Time in which the headers of a request are complete, from its first byte; for the profile `limits`.")
+    body_timeout_s: Optional[Union[Annotated[float, Field(strict=True, ge=0)], Annotated[int, Field(strict=True, ge=0)]]] = Field(default=None, description="Time in which a part of a body arrives after the headers of its request; for the profile `limits`.")
     additional_properties: Dict[str, Any] = {}
-    __properties: ClassVar[List[str]] = ["max_body_bytes", "max_workers", "max_chunk", "idle_timeout_s_min", "idle_timeout_s_max", "wait_s_max"]
+    __properties: ClassVar[List[str]] = ["max_body_bytes", "max_workers", "max_chunk", "idle_timeout_s_min", "idle_timeout_s_max", "wait_s_max", "max_header_bytes", "header_timeout_s", "body_timeout_s"]
 
     model_config = ConfigDict(
         validate_by_name=True,
@@ -91,7 +94,10 @@ class Limits(BaseModel):
             "max_chunk": obj.get("max_chunk"),
             "idle_timeout_s_min": obj.get("idle_timeout_s_min"),
             "idle_timeout_s_max": obj.get("idle_timeout_s_max"),
-            "wait_s_max": obj.get("wait_s_max")
+            "wait_s_max": obj.get("wait_s_max"),
+            "max_header_bytes": obj.get("max_header_bytes"),
+            "header_timeout_s": obj.get("header_timeout_s"),
+            "body_timeout_s": obj.get("body_timeout_s")
         })
         # store additional fields in additional_properties
         for _key in obj.keys():

@@ -21,6 +21,15 @@ pub struct Limits {
     /// Longest wait that a long-poll is granted.
     #[serde(rename = "wait_s_max")]
     pub wait_s_max: i32,
+    /// Longest request line with its headers that is read; for the profile `limits`.
+    #[serde(rename = "max_header_bytes", skip_serializing_if = "Option::is_none")]
+    pub max_header_bytes: Option<i32>,
+    /// Time in which the headers of a request are complete, from its first byte; for the profile `limits`.
+    #[serde(rename = "header_timeout_s", skip_serializing_if = "Option::is_none")]
+    pub header_timeout_s: Option<f64>,
+    /// Time in which a part of a body arrives after the headers of its request; for the profile `limits`.
+    #[serde(rename = "body_timeout_s", skip_serializing_if = "Option::is_none")]
+    pub body_timeout_s: Option<f64>,
 }
 
 impl Limits {
@@ -32,6 +41,9 @@ impl Limits {
             idle_timeout_s_min,
             idle_timeout_s_max,
             wait_s_max,
+            max_header_bytes: None,
+            header_timeout_s: None,
+            body_timeout_s: None,
         }
     }
 }

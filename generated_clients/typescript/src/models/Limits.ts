@@ -36,6 +36,18 @@ export interface Limits {
      * Longest wait that a long-poll is granted.
      */
     wait_s_max: number;
+    /**
+     * Longest request line with its headers that is read; for the profile `limits`.
+     */
+    max_header_bytes?: number;
+    /**
+     * Time in which the headers of a request are complete, from its first byte; for the profile `limits`.
+     */
+    header_timeout_s?: number;
+    /**
+     * Time in which a part of a body arrives after the headers of its request; for the profile `limits`.
+     */
+    body_timeout_s?: number;
 }
 
 /**
@@ -68,6 +80,9 @@ export function LimitsFromJSONTyped(json: any, ignoreDiscriminator: boolean): Li
         'idle_timeout_s_min': json['idle_timeout_s_min'],
         'idle_timeout_s_max': json['idle_timeout_s_max'],
         'wait_s_max': json['wait_s_max'],
+        'max_header_bytes': json['max_header_bytes'] == null ? undefined : json['max_header_bytes'],
+        'header_timeout_s': json['header_timeout_s'] == null ? undefined : json['header_timeout_s'],
+        'body_timeout_s': json['body_timeout_s'] == null ? undefined : json['body_timeout_s'],
     };
 }
 
@@ -89,5 +104,8 @@ export function LimitsToJSONTyped(value?: Limits | null, ignoreDiscriminator: bo
         'idle_timeout_s_min': value['idle_timeout_s_min'],
         'idle_timeout_s_max': value['idle_timeout_s_max'],
         'wait_s_max': value['wait_s_max'],
+        'max_header_bytes': value['max_header_bytes'],
+        'header_timeout_s': value['header_timeout_s'],
+        'body_timeout_s': value['body_timeout_s'],
     };
 }

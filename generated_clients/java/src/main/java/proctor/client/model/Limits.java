@@ -36,6 +36,15 @@ public class Limits {
   @javax.annotation.Nonnull
   private Integer waitSMax;
 
+  @SerializedName("max_header_bytes")
+  private Integer maxHeaderBytes;
+
+  @SerializedName("header_timeout_s")
+  private Double headerTimeoutS;
+
+  @SerializedName("body_timeout_s")
+  private Double bodyTimeoutS;
+
   /** Longest request body that is read. */
   public Long getMaxBodyBytes() {
     return maxBodyBytes;
@@ -116,6 +125,48 @@ public class Limits {
 
   public void setWaitSMax(Integer waitSMax) {
     this.waitSMax = waitSMax;
+  }
+
+  /** Longest request line with its headers that is read; for the profile &#x60;limits&#x60;. */
+  public Integer getMaxHeaderBytes() {
+    return maxHeaderBytes;
+  }
+
+  public Limits maxHeaderBytes(Integer maxHeaderBytes) {
+    this.maxHeaderBytes = maxHeaderBytes;
+    return this;
+  }
+
+  public void setMaxHeaderBytes(Integer maxHeaderBytes) {
+    this.maxHeaderBytes = maxHeaderBytes;
+  }
+
+  /** Time in which the headers of a request are complete, from its first byte; for the profile &#x60;limits&#x60;. */
+  public Double getHeaderTimeoutS() {
+    return headerTimeoutS;
+  }
+
+  public Limits headerTimeoutS(Double headerTimeoutS) {
+    this.headerTimeoutS = headerTimeoutS;
+    return this;
+  }
+
+  public void setHeaderTimeoutS(Double headerTimeoutS) {
+    this.headerTimeoutS = headerTimeoutS;
+  }
+
+  /** Time in which a part of a body arrives after the headers of its request; for the profile &#x60;limits&#x60;. */
+  public Double getBodyTimeoutS() {
+    return bodyTimeoutS;
+  }
+
+  public Limits bodyTimeoutS(Double bodyTimeoutS) {
+    this.bodyTimeoutS = bodyTimeoutS;
+    return this;
+  }
+
+  public void setBodyTimeoutS(Double bodyTimeoutS) {
+    this.bodyTimeoutS = bodyTimeoutS;
   }
 
   public static Limits fromJson(String text) {

@@ -1,0 +1,90 @@
+"""A connection for bytes that no HTTP library sends: requests that never end.
+
+Knows URLs, TLS and the status line of an answer, and nothing of the protocol.
+"""
+
+import contextlib
+import socket
+import ssl
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from urllib.parse import urlsplit
+
+import httpx
+
+_CONNECT_TIMEOUT_S = 10.0
+_STORED_BYTES = 2**16
+
+
+@dataclass(frozen=True)
+class Ending:
+    """What came back. status: None without an answer. is_closed: by the server."""
+
+    status: int | None
+    is_closed: bool
+    after_s: float
+
+    def __str__(self) -> str:
+        answer = f"status {self.status}" if self.status else "no answer"
+        end = "closed" if self.is_closed else "still open"
+        return f"{answer}, connection {end} after {self.after_s:.1f} s"
+
+
+class RawConnection:
+    """One connection to the server of a URL; head lines name it."""
+
+    def __init__(self, connection: socket.socket, host: str, prefix: str) -> None:
+        self._connection = connection
+        self._host = host
+        self._prefix = prefix
+
+    def head(self, method: str, path: str, *lines: str) -> bytes:
+        """Give a request line and headers, without the empty line behind them."""
+        first = f"{method} {self._prefix}{path} HTTP/1.1"
+        return "".join(
+            f"{line}\r\n" for line in (first, f"Host: {self._host}", *lines)
+        ).encode()
+
+    def send_until_end(self, data: bytes, timeout_s: float) -> Ending:
+        """Send bytes, and read until the server closes or the time is over."""
+        began_at = time.monotonic()
+        self._connection.settimeout(timeout_s)
+        with contextlib.suppress(OSError):  # it may hang up before all is sent
+            self._connection.sendall(data)
+        received, is_closed = b"", False
+        while (left_s := began_at + timeout_s - time.monotonic()) > 0:
+            self._connection.settimeout(left_s)
+            try:
+                part = self._connection.recv(2**16)
+            except TimeoutError:
+                break
+            except OSError:
+                part = b""
+            if not part:
+                is_closed = True
+                break
+            received += part[: max(0, _STORED_BYTES - len(received))]
+        words = received.split(b" ", 2)
+        status = int(words[1]) if len(words) == 3 and words[1].isdigit() else None
+        return Ending(status, is_closed, time.monotonic() - began_at)
+
+
+@contextlib.contextmanager
+def open_raw_connection(url: str) -> Iterator[RawConnection]:
+    """Connect to the server at a base URL; raises OSError."""
+    parts = urlsplit(url)
+    assert parts.hostname is not None
+    is_tls = parts.scheme == "https"
+    address = (parts.hostname, parts.port or (443 if is_tls else 80))
+    with contextlib.ExitStack() as stack:
+        connection = stack.enter_context(
+            socket.create_connection(address, _CONNECT_TIMEOUT_S)
+        )
+        if is_tls:
+            certificates: ssl.SSLContext = httpx.create_ssl_context()
+            connection = stack.enter_context(
+                certificates.wrap_socket(connection, server_hostname=parts.hostname)
+            )
+        host = parts.netloc.rpartition("@")[2]
+        yield RawConnection(connection, host, parts.path.rstrip("/"))

@@ -1,0 +1,54 @@
+"""Which host names a request may be sent to: the header Host, which run.endpoint shows.
+
+Without it a client behind a rebound DNS name, or a cache, could spread an endpoint that
+is not this server.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from reference_server.rules.refusal import Refused
+
+_HOST = re.compile(r"([A-Za-z0-9._-]{1,253}|\[[0-9A-Fa-f:.]{2,45}\])(:[0-9]{1,5})?")
+_NAME = re.compile(r"(\*\.)?[A-Za-z0-9._-]{1,253}|\[[0-9A-Fa-f:.]{2,45}\]")
+
+
+@dataclass(frozen=True, slots=True)
+class AllowedHosts:
+    """Names without ports; `.example.org` stands for every name that ends so."""
+
+    names: frozenset[str] = frozenset()
+    suffixes: tuple[str, ...] = ()
+
+    @classmethod
+    def parse(cls, text: str) -> AllowedHosts:
+        """Comma-separated: `example.org, *.example.org, [::1]`. Raises ValueError."""
+        found = [name.strip().lower() for name in text.split(",") if name.strip()]
+        for name in found:
+            if not _NAME.fullmatch(name):
+                raise ValueError(f"{name!r} is not a host name without port")
+        suffixes = [name[1:] for name in found if name.startswith("*.")]
+        names = [name for name in found if not name.startswith("*.")]
+        return cls(frozenset(names), tuple(suffixes))
+
+    def __bool__(self) -> bool:
+        return bool(self.names or self.suffixes)
+
+    def check(self, host: str) -> None:
+        """Refuse what is no host; if there are names, also what is none of them."""
+        match = _HOST.fullmatch(host)
+        if match is None:
+            raise _refused("must be a host name or an address, and a port if any")
+        name = match[1].lower()
+        if self and name not in self.names and not name.endswith(self.suffixes):
+            raise _refused("is not a name of this server")
+
+
+def _refused(detail: str) -> Refused:
+    return Refused(
+        "invalid_request",
+        "The header Host names another server.",
+        errors=[("header:host", detail)],
+    )

@@ -1,0 +1,130 @@
+"""A server of `BoundedConnection` in this process, with a small application behind it.
+
+The application answers `/body` with the size of its body, `/large` with as many bytes
+as its query says, `/wait` when it is released, and anything else at once.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import socket
+import threading
+from collections.abc import Iterator
+from typing import Any
+
+import uvicorn
+from starlette.types import Receive, Scope, Send
+
+from reference_server.http.bounded_connection import (
+    BoundedConnection,
+    connection_factory,
+)
+from reference_server.http.connection_limits import ConnectionLimiter, ConnectionLimits
+from tests.support.servers import TIMEOUT_S
+from tests.support.waiting import wait_until
+
+
+class BoundedServer:
+    """limiter: counts its connections. paths: of the requests that it was given."""
+
+    def __init__(self, limits: ConnectionLimits) -> None:
+        self.limiter = ConnectionLimiter(limits)
+        self.paths: list[str] = []
+        self._released = asyncio.Event()
+        self._listener = socket.create_server(("127.0.0.1", 0))
+        self.address: tuple[str, int] = self._listener.getsockname()
+        config = uvicorn.Config(
+            self._app,
+            http=connection_factory(self.limiter),
+            ws="none",
+            interface="asgi3",
+            lifespan="off",
+            log_level="error",
+            timeout_graceful_shutdown=1,
+        )
+        self._server = uvicorn.Server(config)
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+        wait_until(lambda: self._server.started, "the server listens")
+
+    def _run(self) -> None:
+        self._server.run(sockets=[self._listener])
+
+    @property
+    def connections(self) -> list[BoundedConnection]:
+        """Those that are open, also while they close."""
+        return [
+            one
+            for one in list(self._server.server_state.connections)
+            if isinstance(one, BoundedConnection)
+        ]
+
+    def connect(self, **options: Any) -> socket.socket:
+        """A new connection; closed by the caller."""
+        return socket.create_connection(self.address, TIMEOUT_S, **options)
+
+    def release(self) -> None:
+        """Answer what waits."""
+        loop = self.connections[0].loop
+        loop.call_soon_threadsafe(self._released.set)
+
+    def end(self) -> None:
+        self._server.force_exit = self._server.should_exit = True
+        self._thread.join(TIMEOUT_S)
+
+    async def _app(self, scope: Scope, receive: Receive, send: Send) -> None:
+        self.paths.append(scope["path"])
+        body = b"ok"
+        match scope["path"]:
+            case "/body":
+                body = b"%d" % await _read_size(receive)
+            case "/large":
+                body = b"x" * int(scope["query_string"])
+            case "/wait":
+                await self._released.wait()
+        length = (b"content-length", b"%d" % len(body))
+        await send({"type": "http.response.start", "status": 200, "headers": [length]})
+        await send({"type": "http.response.body", "body": body})
+
+
+async def _read_size(receive: Receive) -> int:
+    size, more = 0, True
+    while more:
+        message = await receive()
+        if message["type"] == "http.disconnect":
+            return size
+        size += len(message.get("body", b""))
+        more = message.get("more_body", False)
+    return size
+
+
+@contextlib.contextmanager
+def bounded_server(**limits: Any) -> Iterator[BoundedServer]:
+    """A server with some limits other than the defaults; checks are 20 per second."""
+    server = BoundedServer(ConnectionLimits(**{"check_interval_s": 0.05, **limits}))
+    yield server
+    server.end()
+
+
+def read_to_end(connection: socket.socket) -> bytes:
+    """All until the server hangs up; a reset is an end, too."""
+    parts = []
+    with contextlib.suppress(ConnectionError):
+        while part := connection.recv(2**16):
+            parts.append(part)
+    return b"".join(parts)
+
+
+def read_answer(connection: socket.socket) -> tuple[int, bytes]:
+    """Status and body of one answer with a Content-Length; the next stays unread."""
+    head = b""
+    while not head.endswith(b"\r\n\r\n"):
+        part = connection.recv(1)
+        assert part, f"the server hung up after {head!r}"
+        head += part
+    left = int(head.lower().partition(b"content-length:")[2].split()[0])
+    body = b""
+    while len(body) < left:
+        body += connection.recv(left - len(body))
+    return int(head.split()[1]), body
