@@ -446,7 +446,7 @@ type ApiGetRunRequest struct {
 	proctorVersion *string
 }
 
-// The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none.
+// The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with &#x60;W/&#x60; before it may name the same as without.
 func (r ApiGetRunRequest) IfNoneMatch(ifNoneMatch string) ApiGetRunRequest {
 	r.ifNoneMatch = &ifNoneMatch
 	return r

@@ -599,7 +599,7 @@ class ControlApi:
     def get_run(
         self,
         run_id: Annotated[str, Field(strict=True)],
-        if_none_match: Annotated[Optional[Annotated[str, Field(strict=True, max_length=200)]], Field(description="The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none.")] = None,
+        if_none_match: Annotated[Optional[Annotated[str, Field(strict=True, max_length=200)]], Field(description="The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with `W/` before it may name the same as without.")] = None,
         prefer: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request`.")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
@@ -620,7 +620,7 @@ class ControlApi:
 
         :param run_id: (required)
         :type run_id: str
-        :param if_none_match: The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none.
+        :param if_none_match: The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with `W/` before it may name the same as without.
         :type if_none_match: str
         :param prefer: `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request`.
         :type prefer: str
@@ -664,7 +664,7 @@ class ControlApi:
     def get_run_with_http_info(
         self,
         run_id: Annotated[str, Field(strict=True)],
-        if_none_match: Annotated[Optional[Annotated[str, Field(strict=True, max_length=200)]], Field(description="The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none.")] = None,
+        if_none_match: Annotated[Optional[Annotated[str, Field(strict=True, max_length=200)]], Field(description="The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with `W/` before it may name the same as without.")] = None,
         prefer: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request`.")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
@@ -685,7 +685,7 @@ class ControlApi:
 
         :param run_id: (required)
         :type run_id: str
-        :param if_none_match: The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none.
+        :param if_none_match: The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with `W/` before it may name the same as without.
         :type if_none_match: str
         :param prefer: `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request`.
         :type prefer: str

@@ -104,7 +104,7 @@ export interface GetRunRequest {
      */
     runId: string;
     /**
-     * The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none.
+     * The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with `W/` before it may name the same as without.
      */
     ifNoneMatch?: string;
     /**

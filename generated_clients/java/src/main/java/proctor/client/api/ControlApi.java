@@ -526,7 +526,7 @@ public class ControlApi {
     /**
      * Build call for getRun
      * @param runId  (required)
-     * @param ifNoneMatch The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. (optional)
+     * @param ifNoneMatch The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with &#x60;W/&#x60; before it may name the same as without. (optional)
      * @param prefer &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60;. (optional)
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @param _callback Callback for upload/download progress
@@ -618,7 +618,7 @@ public class ControlApi {
      * State, progress and the reason for both; can wait for a change
      *
      * @param runId  (required)
-     * @param ifNoneMatch The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. (optional)
+     * @param ifNoneMatch The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with &#x60;W/&#x60; before it may name the same as without. (optional)
      * @param prefer &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60;. (optional)
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @return Run
@@ -642,7 +642,7 @@ public class ControlApi {
      * State, progress and the reason for both; can wait for a change
      *
      * @param runId  (required)
-     * @param ifNoneMatch The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. (optional)
+     * @param ifNoneMatch The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with &#x60;W/&#x60; before it may name the same as without. (optional)
      * @param prefer &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60;. (optional)
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @return ApiResponse&lt;Run&gt;
@@ -667,7 +667,7 @@ public class ControlApi {
      * State, progress and the reason for both; can wait for a change (asynchronously)
      *
      * @param runId  (required)
-     * @param ifNoneMatch The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. (optional)
+     * @param ifNoneMatch The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with &#x60;W/&#x60; before it may name the same as without. (optional)
      * @param prefer &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60;. (optional)
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @param _callback The callback to be executed when the API call finishes
