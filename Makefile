@@ -78,7 +78,6 @@ generate-check: .venv-generate/ready ## Fail if generated files differ from spec
 proxies: .venv/proxies/ready ## Provide nginx and HAProxy for the tests
 .venv/proxies/ready: .venv/ready tools/proxies.sh
 	@sh tools/proxies.sh
-
 client: .venv-generate/ready ## Write a client in LANGUAGE=kotlin or any other
 	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)"
 docs: setup ## Rewrite the pages that follow from spec/ and the code
@@ -92,21 +91,17 @@ lock: setup ## Resolve requirements/*.in into hashed locks; ARGS=--upgrade
 
 kill-matrix: setup ## Judge the kit on broken servers, rewrite its page
 	@$(python) -m tests.mutants.kill --write
-
 false-alarms: setup ## Run the kit on right servers again and again
 #                   RUNS=... BUSY=1 (every run on a busy machine) ARGS=--write
 	@$(python) -m tools.false_alarms $${RUNS:+--runs "$$RUNS"} $${BUSY:+--load busy} $(ARGS)
-
 mutation: setup ## Judge the kit on machine-made changes of a server, rewrite its page
 #                   SERVER=js or go; SAMPLE=150 (all without it) SEED=1 JOBS=2
 #                   ARGS='--again survived'; goes on where it was ended
 	@$(python) -m tests.mutation "$${SERVER:-js}" --sample "$${SAMPLE:-0}" \
 		--seed "$${SEED:-1}" --jobs "$${JOBS:-2}" $(ARGS)
 	@$(python) -m tests.mutation.page
-
 experts: setup ## Measure the scripted experts, rewrite their page
 	@$(python) tools/experts.py --write $(ARGS)
-
 bench: setup .venv-bench/ready ## Measure beside the alternatives, rewrite their page
 	@$(python) -m benchmarks $(ARGS) && $(python) -m benchmarks.storage_growth
 
