@@ -26,7 +26,7 @@ SCHEMA = json.loads(
 # refusing, or resuming is among them. Shrinks when a check learns to look closer.
 CANNED_ANSWERS_PASS = frozenset(
     {
-        *("SVC-001", "SVC-002", "VER-001", "BEN-001", "BEN-003"),
+        *("SVC-001", "SVC-002", "VER-001", "BEN-001", "BEN-003", "BEN-004"),
         *("RUN-001", "RUN-002", "RUN-016", "ATT-001", "ATT-011"),
         *("PRED-023", "ERR-012", "ENC-001", "LIFE-204"),
     }

@@ -178,6 +178,23 @@ def test_an_unstored_result_is_not_answered(tmp_path: Path) -> None:
     run_scenarios(tmp_path, scenario)
 
 
+def test_a_clock_that_is_set_back_does_not_set_a_run_back(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """RUN-021."""
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(), None, "")
+        seen = []
+        for now in (5000.0, 4000.0, 6000.0):
+            monkeypatch.setattr("time.time", lambda now=now: now)
+            await parts.registry.commit(run)
+            seen.append(run.updated_at_wall)
+        assert seen == [5000.0, 5000.0, 6000.0]
+
+    run_scenarios(tmp_path, scenario)
+
+
 def test_an_unstored_resume_has_no_effect(tmp_path: Path) -> None:
     async def scenario(parts: ServerParts) -> None:
         run = await parts.registry.add(calibration_run(state="stopped"), None, "")
