@@ -68,7 +68,7 @@ def _add_selection(parser: argparse.ArgumentParser) -> None:
     selection.add_argument("--only", metavar="ID,...", help="rule ids or id prefixes")
     selection.add_argument("--profile", metavar="NAME,...", help=", ".join(PROFILES))
     selection.add_argument(
-        "--quick", action="store_true", help="skip checks that wait for timeouts"
+        "--quick", action="store_true", help="skip checks that wait or play a long run"
     )
     selection.add_argument(
         "--list", action="store_true", help="print the rules and exit"

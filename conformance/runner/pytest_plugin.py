@@ -159,6 +159,7 @@ def pytest_configure(config: pytest.Config) -> None:
     """Load the settings and open the connections."""
     config.addinivalue_line("markers", "requirement(id): the rule that a check judges")
     config.addinivalue_line("markers", "background: waits, so it runs in a thread")
+    config.addinivalue_line("markers", "long_run: reads a run of many episodes")
     config.addinivalue_line("markers", "xdist_group(name): stays in one process")
     config.stash[_SHARED] = SharedContext.of(Settings.load_from_environment())
     config.stash[_BACKGROUND] = BackgroundChecks(config.stash[_SHARED])
@@ -179,7 +180,7 @@ def pytest_collection_modifyitems(
     items[:] = [
         item
         for item in items
-        if requirement_of(item) in wanted and not (settings.quick and _waits(item))
+        if requirement_of(item) in wanted and not (settings.quick and _is_long(item))
     ]
     for item in items:
         if _is_crash(item) and settings.restart_cmd is None:
@@ -210,6 +211,10 @@ def _place(item: pytest.Item, settings: Settings) -> int:
 
 def _waits(item: pytest.Item) -> bool:
     return item.get_closest_marker("background") is not None
+
+
+def _is_long(item: pytest.Item) -> bool:
+    return _waits(item) or item.get_closest_marker("long_run") is not None
 
 
 def pytest_runtestloop(session: pytest.Session) -> None:

@@ -20,6 +20,9 @@ def background(check: Check) -> Check:
 
 
 def on_long_run(check: Check) -> Check:
-    """Mark a check that reads the long run; one process plays it for all of them."""
-    marked: Check = pytest.mark.xdist_group("long run")(check)
+    """Mark a check that reads the long run; one process plays it for all of them.
+
+    `--quick` leaves such checks out, as it does those that wait.
+    """
+    marked: Check = pytest.mark.long_run(pytest.mark.xdist_group("long run")(check))
     return marked

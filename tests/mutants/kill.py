@@ -3,8 +3,8 @@
 A mutant is killed when the kit fails exactly the requirements that it breaks. On every
 run of the tests the kit judges a mutant by its own rows (`own`), each of which has to
 fail. By all rows (`all`), of which no other may fail, a run judges a sixth of the
-mutants, which the commit chooses; `make kill-matrix` judges all of them so and writes
-the page PAGE.
+mutants, which the committed spec, kit and server choose; `make kill-matrix` judges all
+of them so and writes the page PAGE.
 
 The rows MODEL-… say that all rules hold together, so whatever breaks one rule may break
 them as well: they have to fail where a mutant names them, may fail with it, and are
@@ -82,10 +82,14 @@ class Kill:
 
 
 @functools.cache
-def _tree() -> str:
-    """The id of the files that were committed last; empty where git knows none."""
+def _trees() -> str:
+    """The ids of what judges and what is judged, as committed; empty without git.
+
+    A corrected mutant is judged again by the rows that it failed.
+    """
+    trees = [f"HEAD:{folder}" for folder in ("spec", "conformance", "reference_server")]
     done = subprocess.run(
-        ["git", "rev-parse", "HEAD^{tree}"],
+        ["git", "rev-parse", *trees],
         cwd=ROOT,
         capture_output=True,
         text=True,
@@ -96,7 +100,7 @@ def _tree() -> str:
 
 def rows_of_this_commit(name: str) -> Rows:
     """By which rows a run of the tests judges a mutant."""
-    digest = hashlib.sha256(f"{_tree()} {name}".encode()).digest()
+    digest = hashlib.sha256(f"{_trees()} {name}".encode()).digest()
     return "own" if int.from_bytes(digest) % ROTATION else "all"
 
 

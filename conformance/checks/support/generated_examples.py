@@ -32,6 +32,7 @@ def for_all(
 ) -> None:
     """Check a property on examples; raise the violation of the smallest one.
 
+    times: how many examples, a quarter of them with `--quick`.
     The log then holds the exchanges before the examples, and those of that example.
     The first example that could not be decided ends the search, and is raised.
     """
@@ -59,7 +60,7 @@ def for_all(
             raise smaller from error
 
     search = hypothesis.settings(
-        max_examples=times,
+        max_examples=-(-times // 4) if context.shared.settings.quick else times,
         deadline=None,
         database=None,
         phases=(hypothesis.Phase.generate, hypothesis.Phase.shrink),
