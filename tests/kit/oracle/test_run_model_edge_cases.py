@@ -127,17 +127,17 @@ def test_a_second_detach_succeeds() -> None:
         advance_all(gone, (Detach("a", "s1"), refused("session_ended")))
 
 
-@pytest.mark.parametrize("state", ["stopped", "completed"])
-def test_abort_of_the_last_attempt_may_complete_the_run(state: str) -> None:
+def test_abort_of_the_last_attempt_completes_the_run() -> None:
     played = advance_all(
         one_episode_run(attempt=2),
         attach_exchange(attempt=2),
         (PLAY, turn("s1", 1, [STEP], attempt=2)),
     )
     after = advance_all(played, (Stop("abort"), OK))
-    assert advance_all(after, (Read(), shown(state, 0, 1, 0, 0)))
-    with pytest.raises(Deviation):
-        advance_all(after, (Read(), shown(state, 0, 0, 0, 1)))
+    assert advance_all(after, (Read(), shown("completed", 0, 1, 0, 0)))
+    for state, scored in (("stopped", 1), ("completed", 0)):
+        with pytest.raises(Deviation):
+            advance_all(after, (Read(), shown(state, 0, scored, 0, 1 - scored)))
 
 
 def test_abort_ends_a_session_that_is_done() -> None:
