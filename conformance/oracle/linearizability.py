@@ -108,9 +108,23 @@ def _refused_during_turn(
                 continue
             taken = replace(session, seq=turn.seq, request=turn.steps)
             in_play = frozenset({model.with_session(taken)})
-            if _advance_or_interrupt(rules, in_play, request, refused.summary):
+            is_allowed = _is_old_seq_refused_by(turn, request, refused.summary)
+            if is_allowed or _advance_or_interrupt(
+                rules, in_play, request, refused.summary
+            ):
                 after.add(model)
     return frozenset(after)
+
+
+def _is_old_seq_refused_by(
+    turn: Predict, request: Predict, summary: AnswerSummary
+) -> bool:
+    """While a turn is executed, `expected_seq` may be its seq as well as the next."""
+    return (
+        summary.code == "seq_out_of_order"
+        and request.seq < turn.seq
+        and summary.body.get("expected_seq") == turn.seq
+    )
 
 
 def _advance_or_interrupt(

@@ -262,7 +262,7 @@ class RunRegistry:
         return list(self._active)
 
     def queue_position(self, run: RunHead) -> int | None:
-        """RUN-008: 1 is next; None unless queued. LIFE-813: numbers are unique."""
+        """RUN-008: 1 is next; None unless queued."""
         if run.state not in WAITING_STATES:
             return None
         return 1 + bisect_left(self._queue, run.number)

@@ -505,17 +505,6 @@ def starts_a_run_that_was_stopped_in_the_queue() -> None:
     put(effects, "stop", wrong)
 
 
-@mutant("LIFE-813")
-def calls_every_queued_run_the_next() -> None:
-    """Every submitter in a long queue expects to be the next."""
-    right = RunRegistry.queue_position
-
-    def wrong(self: RunRegistry, run: Run) -> int | None:
-        return None if right(self, run) is None else 1
-
-    put(RunRegistry, "queue_position", wrong)
-
-
 @mutant("SCORE-007")
 def rounds_the_bounds_of_a_score() -> None:
     """The bounds of a score exclude the score."""

@@ -30,7 +30,6 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
 POLL_S = 0.05
-READS_MAX = 20
 
 COMMANDS: dict[str, Callable[[RunClient], Answer]] = {
     "attach_worker": lambda run: run.worker("newcomer").try_attach(),
@@ -274,25 +273,3 @@ def test_life_811_stopped_in_the_queue_stays_stopped(context: CheckContext) -> N
     time.sleep(1.0)
     for run in runs:
         expect.equal(run.get()["state"], "stopped", "state after `queue_s`")
-
-
-@requirement("LIFE-813")
-def test_life_813_no_queue_position_twice(context: CheckContext) -> None:
-    """Three runs wait in the queue; then the first one is stopped.
-
-    Expect different positions; read again while others may enter and leave the queue.
-    """
-    runs = [
-        context.submit("score", wait_ready=False, queue_s=10)
-        for _ in ("first", "second", "third")
-    ]
-    for waiting in (runs, runs[1:]):
-        for _ in range(READS_MAX):
-            bodies = [run.get() for run in waiting]
-            if any(body["state"] != "queued" for body in bodies):
-                raise SetUpFailed("a run leaves the queue too early; see LIFE-810")
-            positions = [body["queue_position"] for body in bodies]
-            if len(set(positions)) == len(positions):
-                break
-        expect.equal(len(set(positions)), len(positions), "different positions")
-        runs[0].stop()

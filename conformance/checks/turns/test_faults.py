@@ -279,6 +279,7 @@ def test_fault_012_nothing_of_the_chunk_is_executed(context: CheckContext) -> No
     for observe in ("last", "all"):
         turn = expect.ok(worker.try_predict(*chunk, observe=observe))
         worker.seq += 1
+        expect.true("fault" in turn, "`fault` in the turn", turn)
         expect.equal(turn["executed_steps"], 0, "executed_steps")
         expect.equal(turn["rewards"], [], "rewards")
         expect.equal(turn.get("observations", []), [], "observations")
