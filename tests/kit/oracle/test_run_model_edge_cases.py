@@ -235,3 +235,14 @@ def test_a_turn_that_has_begun_explains_only_what_follows_from_it() -> None:
         other = at(replace(PLAY, seq=3), ahead, 0, 1)
         found = explain(RULES, models, [other, replace(begun, started_at=0.5)])
         assert bool(found) == is_so
+
+
+def test_an_answered_seq_is_refused_during_a_turn_by_its_seq_or_the_next() -> None:
+    """Expect 2 and 3 allowed while the turn with seq 2 is executed, and nothing else."""
+    answered = (PLAY, turn("s1", 1, [STEP]))
+    models = advance_all(one_episode_run(), attach_exchange(), answered)
+    begun = at(replace(PLAY, seq=2), turn("s1", 2, [STEP]), 0, 9)
+    for due, is_allowed in ((1, False), (2, True), (3, True), (4, False)):
+        answer = refused("seq_out_of_order", expected_seq=due)
+        other = at(replace(PLAY, steps=(STEP,)), answer, 1, 2)
+        assert bool(explain(RULES, models, [begun, other])) == is_allowed
