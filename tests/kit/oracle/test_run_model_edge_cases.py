@@ -238,10 +238,15 @@ def test_a_turn_that_has_begun_explains_only_what_follows_from_it() -> None:
 
 
 def test_an_answered_seq_is_refused_during_a_turn_by_its_seq_or_the_next() -> None:
-    """Expect 2 and 3 allowed while the turn with seq 2 is executed, and nothing else."""
+    """Expect 2 and 3 while the turn with seq 2 is executed, and nothing else."""
     answered = (PLAY, turn("s1", 1, [STEP]))
     models = advance_all(one_episode_run(), attach_exchange(), answered)
-    begun = at(replace(PLAY, seq=2), turn("s1", 2, [STEP]), 0, 9)
+    second = turn("s1", 2, [STEP])
+    second.body["episode"]["step"], second.body["observation"]["state"]["count"] = (
+        2,
+        [2],
+    )
+    begun = at(replace(PLAY, seq=2), second, 0, 9)
     for due, is_allowed in ((1, False), (2, True), (3, True), (4, False)):
         answer = refused("seq_out_of_order", expected_seq=due)
         other = at(replace(PLAY, steps=(STEP,)), answer, 1, 2)
