@@ -156,7 +156,7 @@ def does_not_say_when_to_retry() -> None:
     put(dispatch, "problem_response", wrong)
 
 
-@mutant("SVC-003")
+@mutant("DET-001", "DET-003", "LEASE-011", "SVC-003")
 def sends_numbers_as_text() -> None:
     """Generated clients cannot read the run."""
     right = run_views.run_view

@@ -306,7 +306,7 @@ def does_not_say_that_the_run_failed() -> None:
     put(Run, "record_end", wrong)
 
 
-@mutant("CRASH-002")
+@mutant("CRASH-002", "CRASH-004")
 def counts_attempts_over_a_crash() -> None:
     """A crash of the server uses up an attempt of every running policy."""
     right = rows.run_of

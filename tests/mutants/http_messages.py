@@ -117,10 +117,8 @@ def checks_the_version_after_the_work() -> None:
 
     put(dispatch, "check_version", lambda _request: None)
 
-    async def wrong(
-        request: Request, operation: Any, tokens: Any, max_bytes: int
-    ) -> Response:
-        response = await right_perform(request, operation, tokens, max_bytes)
+    async def wrong(request: Request, *more: Any) -> Response:
+        response = await right_perform(request, *more)
         try:
             right(request)
         except Refused as refused:

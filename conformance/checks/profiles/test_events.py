@@ -301,9 +301,10 @@ def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) 
     for worker, episodes in zip(runs, (1, 5), strict=True):
         for _ in range(episodes):
             worker.play()
-    run, own = runs[0].run, ids_of(read_events(runs[0].run, 1))[-1]
+    run, known = runs[0].run, ids_of(read_events(runs[0].run, 1))
+    own, foreign = known[-1], ids_of(read_events(runs[1].run, 5))
     # Ids may be numbers that each run counts: five episodes count beyond one.
-    others = [ids_of(read_events(runs[1].run, 5))[-1]]
+    others = [foreign[-1], *(id_ for id_ in foreign[:1] if id_ not in known)]
     others += [re.sub(r"\d+", lambda found: str(int(found[0]) + 1000), own, count=1)]
     for wrong in (uuid.uuid4().hex, "no such event", "x" * 129, *others):
         if wrong == own:
