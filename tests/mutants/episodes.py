@@ -183,7 +183,7 @@ def calls_an_unplayable_task_retryable() -> None:
     put(effects, "record_fault", wrong)
 
 
-@mutant("FAULT-004", "FAULT-007", "FAULT-014")
+@mutant("DET-005", "FAULT-004", "FAULT-007", "FAULT-014")
 def ends_every_session_when_one_simulator_breaks() -> None:
     """One broken episode ends the sessions of all workers."""
     right = effects.record_fault
