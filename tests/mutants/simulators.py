@@ -100,6 +100,7 @@ def executes_a_chunk_backwards() -> None:
 
 @mutant(
     "CAL-003",
+    "CAL-005",
     "CAL-008",
     "CAL-010",
     "ENC-005",
@@ -107,6 +108,7 @@ def executes_a_chunk_backwards() -> None:
     "PRED-001",
     "PRED-006",
     "PRED-012",
+    "PRED-015",
     "PRED-018",
     "PRED-021",
 )
