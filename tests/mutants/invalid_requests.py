@@ -159,7 +159,7 @@ def does_not_say_which_methods_are_allowed() -> None:
     put(app._Endpoint, "_not_allowed", wrong)
 
 
-@mutant("ERR-012", "ERR-016")
+@mutant("ERR-012", "ERR-016", "RUN-018")
 def fails_on_text_outside_latin() -> None:
     """A name in Chinese makes the server fail."""
     right = RunService.prepare_run
