@@ -68,6 +68,8 @@ class EventParser:
     def feed(self, part: bytes) -> list[Event]:
         """Take received bytes, and give the events that they complete."""
         events: list[Event] = []
+        if not part:
+            return events
         if self._ended_with_cr:
             part = part.removeprefix(b"\n")
         self._ended_with_cr = part.endswith(b"\r")

@@ -63,7 +63,7 @@ def test_run_018_shows_what_was_submitted(context: CheckContext) -> None:
     """
     limits, benchmark = context.limits, context.benchmark
     low, high = limits["idle_timeout_s_min"], limits["idle_timeout_s_max"]
-    size = {name: benchmark["image_sizes"][1][name] for name in ("width", "height")}
+    size = {name: benchmark["image_sizes"][-1][name] for name in ("width", "height")}
     chosen: dict[str, Any] = {
         "benchmark_id": "calibration",
         "policy": {

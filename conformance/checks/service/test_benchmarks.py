@@ -101,7 +101,7 @@ def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
     defaults: dict[str, Any] = {"max_steps": 10, "success_rule": "any_step"}
     defaults |= {"max_attempts": 3, "max_faults": 3}
     first = digest_of(context, options={"tasks": tasks})
-    size = context.benchmark["image_sizes"][1]
+    size = context.benchmark["image_sizes"][-1]
     images = {name: size[name] for name in ("width", "height")} | {"codec": "raw"}
     for members in (
         {"options": {"tasks": tasks}},
