@@ -208,7 +208,7 @@ def shows_the_seed_to_the_policy() -> None:
     )
 
 
-@mutant("ATT-001")
+@mutant("ATT-001", "ATT-019")
 def claims_a_step_before_the_first_action() -> None:
     """A client that counts steps counts one too many."""
     right = turn_view.turn_view
