@@ -31,7 +31,16 @@ from tests.mutants import mutant, put
 from tests.mutants.turns import no_guard, replace_guard
 
 
-@mutant("ATT-002", "ATT-016", "ATT-018", "ENC-002", "LEASE-010")
+@mutant(
+    "ATT-002",
+    "ATT-016",
+    "ATT-018",
+    "ENC-002",
+    "ERR-015",
+    "ERR-017",
+    "LEASE-010",
+    "SVC-005",
+)
 def opens_a_new_session_for_the_same_key() -> None:
     """After a lost answer to attach, the worker is refused until its lease ends."""
     replace_guard(lifecycle._same_attach_key, no_guard)
