@@ -124,7 +124,7 @@ def calls_stopped_runs_retryable() -> None:
     spoil_run(wrong)
 
 
-@mutant("SCORE-014")
+@mutant("SCORE-010", "SCORE-014")
 def shows_every_score_as_that_of_a_completed_run() -> None:
     """A partial score is published under a state that it does not have."""
 
