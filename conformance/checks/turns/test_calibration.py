@@ -196,11 +196,15 @@ def test_cal_004_delay_is_executed(context: CheckContext) -> None:
 
 @requirement("CAL-005")
 def test_cal_005_end_ends_every_task(context: CheckContext) -> None:
-    """In every task actions with `end` just below 1, then one with 1.
+    """In every task actions with `end` just below 1, then one with 1, alone and last.
 
     Expect the episode to continue after the first, and to terminate with the second.
     """
-    worker = submit_and_attach(context, *TASKS)
+    worker = submit_and_attach(context, *TASKS, *TASKS)
+    for task in TASKS:
+        last = [context.action()] * 2 + [context.action(end=1)]
+        turn = worker.predict(*last)
+        expect.equal(turn["terminated"], True, f"terminated in {task} by the last of 3")
     for task in TASKS:
         for end in (0.999, BELOW_1):
             turn = worker.predict(context.action(end=end))
