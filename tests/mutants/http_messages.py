@@ -183,7 +183,7 @@ def lets_the_first_of_equal_members_count() -> None:
     put(codec, "_from_json", wrong)
 
 
-@mutant("ENC-010", "RUN-026")
+@mutant("ENC-010")
 def refuses_numbers_that_are_nearly_zero() -> None:
     """A policy that converges is refused in the end."""
     right = codec._from_json
