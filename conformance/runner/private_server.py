@@ -18,7 +18,7 @@ import httpx
 
 from conformance.client.check_context import CheckContext
 from conformance.runner.server_process import AccountTokens, ServerProcess, StartFailed
-from conformance.verdicts.expect import SetUpFailed
+from conformance.verdicts.expect import SetUpFailed, Violation
 
 _RESTART_S = 60.0
 _OPEN: set[ServerProcess] = set()
@@ -33,7 +33,11 @@ class PrivateServer(Protocol):
         """Kill the server with SIGKILL."""
 
     def restart(self) -> None:
-        """Restart it on the same data, and wait until it responds."""
+        """Restart it on the same data, and wait until it responds.
+
+        Raises Violation where it does not and the data is the reason, SetUpFailed
+        where anything else may be.
+        """
 
 
 class _OwnServer:
@@ -48,6 +52,12 @@ class _OwnServer:
         try:
             self._process.start()
         except StartFailed as error:
+            # The port or the machine may be the reason: the data is when the same
+            # command serves without it.
+            if self._process.starts_without_data():
+                raise Violation(
+                    "a server that serves again on the data that it left", str(error)
+                ) from error
             raise SetUpFailed(f"server restart failed: {error}") from error
 
 

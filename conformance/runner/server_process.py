@@ -111,6 +111,20 @@ class ServerProcess:
             time.sleep(_POLL_S)
         raise StartFailed(f"no response from {self.url}/v1 within {_START_S:g} s")
 
+    def starts_without_data(self) -> bool:
+        """Whether the command serves on the same port with an empty database."""
+        self.stop()
+        kept = self._database
+        self._database = kept.with_name("empty.sqlite3")
+        try:
+            self.start()
+        except StartFailed:
+            return False
+        finally:
+            self.stop()
+            self._database = kept
+        return True
+
     def log_tail(self) -> str:
         """Give the end of its output."""
         lines = self._log.read_text(errors="replace").split("\n")

@@ -25,6 +25,19 @@ def forgets_idempotency_keys_on_restart() -> None:
     put(RunRegistry, "open", wrong)
 
 
+@mutant("CRASH-001", "CRASH-002", "CRASH-003", "CRASH-004")
+def cannot_read_its_own_data() -> None:
+    """After a crash a host has no server any more, and nobody a score."""
+    right = RunRegistry.open
+
+    async def wrong(self: RunRegistry) -> None:
+        await right(self)
+        if self._active:
+            raise ValueError("runs that cannot be read")
+
+    put(RunRegistry, "open", wrong)
+
+
 @mutant("CRASH-003", "CRASH-004")
 def starts_stopped_runs_on_restart() -> None:
     """A run that its submitter stopped can be played again after a crash."""

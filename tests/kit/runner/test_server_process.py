@@ -1,0 +1,65 @@
+"""Servers that do not serve again after a kill: whether their data is the reason."""
+
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from conformance.runner.private_server import _OwnServer
+from conformance.runner.server_process import AccountTokens, ServerProcess
+from conformance.verdicts.expect import SetUpFailed, Violation
+
+pytestmark = pytest.mark.slow("starts servers")
+
+SERVER = """
+import http.server, os, pathlib, sys
+kept = pathlib.Path({path})
+if kept.exists():
+    sys.exit("cannot read " + str(kept))
+kept.write_text("a run")
+address = os.environ["PROCTOR_HOST"], int(os.environ["PROCTOR_PORT"])
+http.server.ThreadingHTTPServer(address, http.server.SimpleHTTPRequestHandler)\
+.serve_forever()
+"""
+DATABASE = "os.environ['PROCTOR_DATABASE']"
+ANYWHERE = "'started-once'"
+
+
+@pytest.fixture
+def start(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[Callable[..., _OwnServer]]:
+    """Start a server that keeps `path`, and does not start where that exists."""
+    monkeypatch.chdir(tmp_path)
+    started: list[ServerProcess] = []
+
+    def start_it(path: str) -> _OwnServer:
+        script = tmp_path / "server.py"
+        script.write_text(SERVER.format(path=path))
+        command = f"{sys.executable} {script}"
+        log = tmp_path / "server.log"
+        tokens = AccountTokens.generate()
+        started.append(ServerProcess(command, tokens, tmp_path, log))
+        started[0].start()
+        return _OwnServer(None, started[0])  # type: ignore[arg-type]
+
+    yield start_it
+    for server in started:
+        server.stop()
+
+
+def test_data_that_ends_the_server_is_a_violation(
+    start: Callable[..., _OwnServer],
+) -> None:
+    server = start(DATABASE)
+    server.kill9()
+    with pytest.raises(Violation, match=r"cannot read .*conformance\.sqlite3"):
+        server.restart()
+
+
+def test_other_reasons_are_none(start: Callable[..., _OwnServer]) -> None:
+    server = start(ANYWHERE)
+    server.kill9()
+    with pytest.raises(SetUpFailed, match="cannot read started-once"):
+        server.restart()
