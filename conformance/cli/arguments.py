@@ -68,7 +68,9 @@ def _add_selection(parser: argparse.ArgumentParser) -> None:
     selection.add_argument("--only", metavar="ID,...", help="rule ids or id prefixes")
     selection.add_argument("--profile", metavar="NAME,...", help=", ".join(PROFILES))
     selection.add_argument(
-        "--quick", action="store_true", help="skip checks that wait or play a long run"
+        "--quick",
+        action="store_true",
+        help="skip checks that wait, kill the server or play a long run",
     )
     selection.add_argument(
         "--list", action="store_true", help="print the rules and exit"
@@ -86,7 +88,10 @@ def _add_execution(parser: argparse.ArgumentParser) -> None:
         "--seed", type=int, help="seed of the generated requests (reproduces a kit run)"
     )
     execution.add_argument(
-        "-n", metavar="N", type=int, default=0, help="number of parallel processes"
+        "-n",
+        metavar="N",
+        type=int,
+        help="number of parallel processes; 2 with --quick alone, otherwise 1",
     )
     execution.add_argument(
         "--fail-fast",
@@ -116,6 +121,13 @@ def _add_execution(parser: argparse.ArgumentParser) -> None:
         help="file with one rule id and a # comment per line: these failures do not "
         "fail the run; an entry that passes does",
     )
+
+
+def read_processes(options: argparse.Namespace) -> int:
+    """How many processes judge: one keeps the order that --only asks for."""
+    if options.n is not None:
+        return int(options.n)
+    return 2 if options.quick and not (options.only or options.fail_fast) else 1
 
 
 def read_selection(options: argparse.Namespace) -> Settings:

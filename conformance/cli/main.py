@@ -10,6 +10,7 @@ from conformance.cli.arguments import (
     BadArguments,
     build_parser,
     read_known_failures,
+    read_processes,
     read_selection,
     read_settings,
 )
@@ -39,7 +40,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         result.settings = read_settings(options)
         known = read_known_failures(options.known_failures)
         with _server(result.settings):
-            _judge(result, known, options.n, terminal)
+            _judge(result, known, read_processes(options), terminal)
 
     return run_kit(result, terminal, judge)
 

@@ -214,7 +214,8 @@ def _waits(item: pytest.Item) -> bool:
 
 
 def _is_long(item: pytest.Item) -> bool:
-    return _waits(item) or item.get_closest_marker("long_run") is not None
+    plays_long = item.get_closest_marker("long_run") is not None
+    return _waits(item) or plays_long or _is_crash(item)
 
 
 def pytest_runtestloop(session: pytest.Session) -> None:

@@ -22,7 +22,7 @@ def background(check: Check) -> Check:
 def on_long_run(check: Check) -> Check:
     """Mark a check that reads the long run; one process plays it for all of them.
 
-    `--quick` leaves such checks out, as it does those that wait.
+    `--quick` leaves such checks out, as it does those that wait or kill the server.
     """
     marked: Check = pytest.mark.long_run(pytest.mark.xdist_group("long run")(check))
     return marked

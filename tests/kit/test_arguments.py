@@ -12,7 +12,12 @@ from typing import Any
 import jsonschema
 import pytest
 
-from conformance.cli.arguments import BadArguments, build_parser, read_selection
+from conformance.cli.arguments import (
+    BadArguments,
+    build_parser,
+    read_processes,
+    read_selection,
+)
 from conformance.cli.main import main
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
@@ -77,6 +82,22 @@ def test_an_empty_dry_run_is_no_success(tmp_path: Path) -> None:
 def test_list_takes_a_choice(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--list", "--only", "ATT-003"]) == 0
     assert capsys.readouterr().out.startswith("ATT-003  MUST  core  ")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "processes"),
+    [
+        ([], 1),
+        (["--quick"], 2),
+        (["--quick", "-n", "1"], 1),
+        (["--quick", "--only", "ATT"], 1),
+        (["--quick", "--fail-fast"], 1),
+        (["-n", "3"], 3),
+    ],
+)
+def test_quick_takes_two_processes(arguments: list[str], processes: int) -> None:
+    """One keeps the order of --only, and the place where --fail-fast ends."""
+    assert read_processes(build_parser().parse_args(arguments)) == processes
 
 
 @pytest.mark.parametrize("processes", ["0", "2"])
