@@ -5,6 +5,7 @@ Eighty columns, colour only on a terminal, one line per rule, one card per failu
 
 import itertools
 import sys
+import textwrap
 import time
 
 from rich.console import Console
@@ -17,6 +18,7 @@ from conformance.verdicts.result import Result
 from conformance.verdicts.verdict import Outcome, Verdict
 
 _EVERY_S = 3.0
+_IDS_SHOWN = 12
 _STYLES = {
     Outcome.PASSED: "green",
     Outcome.FAILED: "bold red",
@@ -62,10 +64,14 @@ class Terminal:
             sys.stdout.write("\r\x1b[K")
         if result.problem is None or self._seen:
             self._rows(result)
-            for verdict in result.rows.values():
-                if verdict.outcome in (Outcome.FAILED, Outcome.KIT_ERROR):
-                    self._card(verdict, result)
+            for first, *others in result.causes(Outcome.FAILED, Outcome.KIT_ERROR):
+                self._card(first, others, result)
             self.say("")
+            self._open_rules(result)
+            profiles = (
+                f"{name} {of_all}" for name, of_all in result.profiles().items()
+            )
+            self._wrapped(" · ".join(profiles))
             self.say(f"{result.headline()} ({result.elapsed_s:.1f} s)", "bold")
             self.say(
                 f"reports in {result.settings.report}/, seed {result.settings.seed}, "
@@ -98,10 +104,21 @@ class Terminal:
         line.append(_cut(summary, CARD_WIDTH - len(line)))
         self._console.print(line, soft_wrap=True)
 
-    def _card(self, verdict: Verdict, result: Result) -> None:
+    def _open_rules(self, result: Result) -> None:
+        """Name what is not green, but for profiles that are not announced."""
+        for why, ids in result.open_rules().items():
+            shown, left = ids[:_IDS_SHOWN], len(ids) - _IDS_SHOWN
+            more = f" and {left} more" if left > 0 else ""
+            self._wrapped(f"{why}: {', '.join(shown)}{more}", "yellow")
+
+    def _wrapped(self, text: str, style: str = "") -> None:
+        for line in textwrap.wrap(text, CARD_WIDTH, subsequent_indent="  "):
+            self.say(line, style)
+
+    def _card(self, verdict: Verdict, others: list[Verdict], result: Result) -> None:
         self.say("")
         self.say("─" * CARD_WIDTH, "red")
-        for line in card(verdict, result):
+        for line in card(verdict, result, others):
             self.say(line)
 
 

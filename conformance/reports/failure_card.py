@@ -4,7 +4,7 @@ Printed by the console and stored in junit.xml; at most 80 columns, except comma
 """
 
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from conformance.exchanges.curl import script
 from conformance.specification.ledger import load_ledger
@@ -23,11 +23,15 @@ OUTCOME_WORDS = {
 }
 
 
-def card(verdict: Verdict, result: Result) -> Iterator[str]:
-    """Give the lines of the card of one failure."""
+def card(
+    verdict: Verdict, result: Result, others: Sequence[Verdict] = ()
+) -> Iterator[str]:
+    """Give the lines of the card of one failure; `others` have the same cause."""
     row = load_ledger()[verdict.requirement_id]
     yield f"{row.id} {OUTCOME_WORDS[verdict.outcome]} ({row.level}, {row.profile})"
     yield from _entry("rule", row.text)
+    if others:
+        yield from _entry("also", ", ".join(one.requirement_id for one in others))
     story = " ".join(verdict.story.split())
     yield from _entry("check", f"{verdict.check}: {story}" if story else verdict.check)
     if verdict.expected:

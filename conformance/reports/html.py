@@ -5,6 +5,7 @@ every value. The page is complete without JavaScript; report.js adds filters and
 buttons.
 """
 
+import itertools
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,22 +17,13 @@ from markupsafe import Markup, escape
 from conformance.exchanges.curl import outcome_of, script
 from conformance.exchanges.exchange import Exchange
 from conformance.specification.document import load_spec, spec_sha256
-from conformance.specification.ledger import Requirement, load_ledger
-from conformance.verdicts.result import Result
+from conformance.specification.ledger import Requirement, load_areas, load_ledger
+from conformance.verdicts.result import WORST_FIRST, Result, label
 from conformance.verdicts.verdict import Outcome, Verdict
 
 _HERE = Path(__file__).resolve().parent
 _BODY_SHOWN = 2000
-# Worst first; those with a card are the first three.
-_ORDER = (
-    Outcome.FAILED,
-    Outcome.KIT_ERROR,
-    Outcome.INCONCLUSIVE,
-    Outcome.NOT_VERIFIED,
-    Outcome.NOT_APPLICABLE,
-    Outcome.PASSED,
-)
-_WITH_CARD = _ORDER[:3]
+_WITH_CARD = WORST_FIRST[:3]
 
 
 @dataclass(frozen=True)
@@ -41,14 +33,15 @@ class _Row:
     rule: Requirement
     verdict: Verdict
     word: str
-    has_card: bool
+    card: str = ""  # the id of the card that shows it
 
 
 @dataclass(frozen=True)
 class _Card:
-    """One failure with its requests, and the script to reproduce it."""
+    """One cause of failures with its requests, and the script to reproduce it."""
 
     rule: Requirement
+    others: list[Requirement]  # that fail by the same cause
     verdict: Verdict
     word: str
     check: str
@@ -68,10 +61,8 @@ def page(result: Result) -> str:
     environment.filters["code_spans"] = _with_code_spans
     settings = result.settings
     server = settings.service.get("name", settings.url or "a server")
-    verdicts = sorted(
-        (row for row in result.rows.values() if row.outcome in _WITH_CARD),
-        key=lambda verdict: _ORDER.index(verdict.outcome),
-    )
+    causes = result.causes(*_WITH_CARD)
+    cards = {one.requirement_id: cause[0] for cause in causes for one in cause}
     return environment.get_template("report.html.j2").render(
         result=result,
         title=f"Proctor conformance of {server}",
@@ -80,8 +71,11 @@ def page(result: Result) -> str:
         tiles=_tiles(result),
         about=_about(result),
         filters=_filters(result),
-        cards=[_card(verdict, result) for verdict in verdicts],
-        rows=[_row(verdict) for verdict in result.rows.values()],
+        cards=[_card(cause, result) for cause in causes],
+        areas=[
+            (load_areas()[area], [_row(verdict, cards) for verdict in verdicts])
+            for area, verdicts in itertools.groupby(result.rows.values(), _area)
+        ],
     )
 
 
@@ -96,11 +90,11 @@ def _with_code_spans(text: str) -> Markup:
 
 
 def _word(verdict: Verdict) -> str:
-    return "known failure" if verdict.is_known_failure else _label(verdict.outcome)
+    return "known failure" if verdict.is_known_failure else label(verdict.outcome)
 
 
-def _label(outcome: Outcome) -> str:
-    return outcome.value.replace("_", " ")
+def _area(verdict: Verdict) -> str:
+    return load_ledger()[verdict.requirement_id].area
 
 
 def _tiles(result: Result) -> list[dict[str, Any]]:
@@ -108,13 +102,13 @@ def _tiles(result: Result) -> list[dict[str, Any]]:
     tiles: list[dict[str, Any]] = [
         {"css": "", "number": count.total(), "label": "MUST rules"}
     ]
-    for outcome in (Outcome.PASSED, *_ORDER[:-1]):
+    for outcome in (Outcome.PASSED, *WORST_FIRST[:-1]):
         number = count[outcome]
         name = {Outcome.PASSED: "verified", Outcome.FAILED: "violated"}.get(outcome)
         if number or name:
             css = outcome.value if number else "none"
-            label = name or _label(outcome)
-            tiles.append({"css": css, "number": number, "label": label})
+            words = name or label(outcome)
+            tiles.append({"css": css, "number": number, "label": words})
     warned = result.counts("SHOULD")[Outcome.FAILED]
     if warned:
         tiles.append(
@@ -132,7 +126,7 @@ def _about(result: Result) -> dict[str, str]:
         "server": f"{server.get('name', '?')} {server.get('version', '?')}",
         "url": settings.url,
         "specification": f"Proctor {load_spec().version}, sha256 {spec_sha256()}",
-        "profiles": ", ".join(settings.profiles),
+        "profiles": " · ".join(f"{p} {n}" for p, n in result.profiles().items()),
         "selection": " ".join(selection),
         "known failures": ", ".join(known),
         "started": f"{result.started_at}, took {result.elapsed_s:.1f} s",
@@ -147,29 +141,32 @@ def _filters(result: Result) -> dict[str, dict[str, str]]:
     ledger = load_ledger()
     rows = result.rows.values()
     present = {row.outcome for row in rows}
-    areas = dict.fromkeys(ledger[row.requirement_id].area for row in rows)
+    areas = dict.fromkeys(map(_area, rows))
     levels = dict.fromkeys(ledger[row.requirement_id].level for row in rows)
     return {
-        "verdict": {o.value: _label(o) for o in _ORDER if o in present},
-        "area": {area: area for area in areas},
+        "verdict": {o.value: label(o) for o in WORST_FIRST if o in present},
+        "area": {area: load_areas()[area] for area in areas},
         "level": {level: level for level in levels},
     }
 
 
-def _row(verdict: Verdict) -> _Row:
+def _row(verdict: Verdict, cards: dict[str, Verdict]) -> _Row:
+    shown = cards.get(verdict.requirement_id)
     return _Row(
         rule=load_ledger()[verdict.requirement_id],
         verdict=verdict,
         word=_word(verdict),
-        has_card=verdict.outcome in _WITH_CARD,
+        card=shown.requirement_id if shown else "",
     )
 
 
-def _card(verdict: Verdict, result: Result) -> _Card:
+def _card(cause: list[Verdict], result: Result) -> _Card:
+    verdict, *others = cause
     base_url = result.settings.url
     requests, elapsed_s = _requests(verdict.exchanges, base_url)
     return _Card(
         rule=load_ledger()[verdict.requirement_id],
+        others=[load_ledger()[one.requirement_id] for one in others],
         verdict=verdict,
         word=_word(verdict),
         check=f"{verdict.check}: {' '.join(verdict.story.split())}",

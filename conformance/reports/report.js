@@ -9,7 +9,9 @@
 
   function isShown(item, words) {
     const kinds = Object.entries(chosen);
-    return kinds.every(([kind, set]) => !set.size || set.has(item.dataset[kind]))
+    const isChosen = ([kind, set]) =>
+      !set.size || item.dataset[kind].split(" ").some((value) => set.has(value));
+    return kinds.every(isChosen)
       && words.every((word) => item.textContent.toLowerCase().includes(word));
   }
 
@@ -19,9 +21,33 @@
     const rows = items.filter((item) => item.tagName === "TR");
     const shown = rows.filter((row) => !row.hidden).length;
     shownCount.textContent = `${shown} of ${rows.length} rules`;
-    for (const section of document.querySelectorAll("section")) {
-      section.hidden = !section.querySelector("[data-verdict]:not([hidden])");
+    for (const part of document.querySelectorAll("section, tbody")) {
+      part.hidden = !part.querySelector("[data-verdict]:not([hidden])");
     }
+  }
+
+  // The filters stand in the address, so that a link shows what its sender saw.
+  function write() {
+    const kinds = Object.entries(chosen).filter(([, set]) => set.size);
+    const parts = kinds.map(([kind, set]) => [kind, [...set].join(" ")]);
+    if (text.value) parts.push(["text", text.value]);
+    const hash = new URLSearchParams(parts).toString();
+    history.replaceState(null, "", hash ? `#${hash}` : "#top");
+  }
+
+  function read() {
+    if (!location.hash.includes("=")) return; // the address of a rule or a card
+    const asked = new URLSearchParams(location.hash.slice(1));
+    text.value = asked.get("text") ?? "";
+    for (const [kind, set] of Object.entries(chosen)) {
+      set.clear();
+      (asked.get(kind) ?? "").split(" ").filter(Boolean).forEach((v) => set.add(v));
+    }
+    for (const button of filters.querySelectorAll("button")) {
+      const { kind, value } = button.dataset;
+      button.setAttribute("aria-pressed", chosen[kind].has(value));
+    }
+    apply();
   }
 
   filters.addEventListener("click", (event) => {
@@ -32,8 +58,10 @@
     if (isPressed) set.add(button.dataset.value);
     button.setAttribute("aria-pressed", isPressed);
     apply();
+    write();
   });
-  text.addEventListener("input", apply);
+  text.addEventListener("input", () => { apply(); write(); });
+  addEventListener("hashchange", read);
 
   for (const script of document.querySelectorAll(".script")) {
     const button = document.createElement("button");
@@ -51,4 +79,5 @@
   }
   filters.hidden = false;
   apply();
+  read();
 })();

@@ -86,3 +86,9 @@ def load_ledger() -> dict[str, Requirement]:
     if len(ledger) != len(rows):
         raise ValueError("an id occurs twice in the specification")
     return ledger
+
+
+def load_areas() -> dict[str, str]:
+    """Give the name of each area, by the letters before the number of an id."""
+    areas: dict[str, str] = load_spec().document["x-areas"]
+    return areas

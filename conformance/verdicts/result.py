@@ -19,6 +19,15 @@ from conformance.verdicts.expect import ANY_SEQUENCE, TIME_WAS_UP
 from conformance.verdicts.universal_rules import UNIVERSAL_RULES, Tally
 from conformance.verdicts.verdict import Outcome, Verdict, exit_code
 
+WORST_FIRST = (
+    Outcome.FAILED,
+    Outcome.KIT_ERROR,
+    Outcome.INCONCLUSIVE,
+    Outcome.NOT_VERIFIED,
+    Outcome.NOT_APPLICABLE,
+    Outcome.PASSED,
+)
+
 
 @dataclass
 class Result:
@@ -73,7 +82,7 @@ class Result:
             f"{count[Outcome.NOT_APPLICABLE]} not applicable",
         ]
         parts += [
-            f"{count[outcome]} {outcome.value.replace('_', ' ')}"
+            f"{count[outcome]} {label(outcome)}"
             for outcome in (Outcome.INCONCLUSIVE, Outcome.KIT_ERROR)
             if count[outcome]
         ]
@@ -81,6 +90,54 @@ class Result:
         if warned:
             parts.append(f"{warned} SHOULD violated")
         return ", ".join(parts)
+
+    def profiles(self) -> dict[str, str]:
+        """Give each profile with its MUST rules verified, of all that apply."""
+        ledger = load_ledger()
+        found: dict[str, Counter[Outcome]] = {}
+        for verdict in self.rows.values():
+            rule = ledger[verdict.requirement_id]
+            if rule.level == "MUST":
+                found.setdefault(rule.profile, Counter())[verdict.outcome] += 1
+        return {profile: _of_all(count) for profile, count in found.items()}
+
+    def open_rules(self) -> dict[str, list[str]]:
+        """Give the rules that were not verified, by verdict and reason, worst first."""
+        found: dict[tuple[Outcome, str], list[str]] = {}
+        for verdict in self.rows.values():
+            if verdict.outcome in WORST_FIRST[:-2]:
+                is_failed = verdict.outcome == Outcome.FAILED
+                reason = "" if is_failed else verdict.reason.split("\n")[0]
+                found.setdefault((verdict.outcome, reason), []).append(
+                    verdict.requirement_id
+                )
+        words = {Outcome.FAILED: "violated"}
+        return {
+            ", ".join(filter(None, (words.get(kind) or label(kind), reason))): ids
+            for (kind, reason), ids in sorted(
+                found.items(),
+                key=lambda item: (WORST_FIRST.index(item[0][0]), -len(item[1])),
+            )
+        }
+
+    def causes(self, *outcomes: Outcome) -> list[list[Verdict]]:
+        """Give the rows with these outcomes, worst first, those of one cause together.
+
+        The cause is taken for one where the same was expected and the same observed,
+        or the same is given as the reason.
+        """
+        found: dict[tuple[str, ...], list[Verdict]] = {}
+        for verdict in sorted(
+            (row for row in self.rows.values() if row.outcome in outcomes),
+            key=lambda row: WORST_FIRST.index(row.outcome),
+        ):
+            said = (verdict.expected, verdict.observed, verdict.reason)
+            is_told = bool(verdict.observed or verdict.reason)
+            known = str(verdict.is_known_failure)
+            alone = "" if is_told else verdict.requirement_id
+            key = (verdict.outcome.value, known, alone, *said)
+            found.setdefault(key, []).append(verdict)
+        return list(found.values())
 
     def conclusion(self) -> str:
         """Give the last line."""
@@ -109,6 +166,16 @@ class Result:
         more = f" and {len(broken) - 8} more" if len(broken) > 8 else ""
         reason = (broken[0].reason.strip() or "?").splitlines()[0]
         return f"{ids}{more} ({reason})"
+
+
+def label(outcome: Outcome) -> str:
+    """Give an outcome in words."""
+    return outcome.value.replace("_", " ")
+
+
+def _of_all(count: Counter[Outcome]) -> str:
+    applying = count.total() - count[Outcome.NOT_APPLICABLE]
+    return f"{count[Outcome.PASSED]}/{applying}" if applying else "not announced"
 
 
 def is_offered(row: Requirement, settings: Settings) -> bool:

@@ -8,6 +8,7 @@ import jsonschema
 import pytest
 
 from conformance.cli.arguments import BadArguments, read_known_failures
+from conformance.cli.console import Terminal
 from conformance.exchanges.answer import ParsedAnswer
 from conformance.exchanges.curl import script
 from conformance.exchanges.exchange import Exchange
@@ -153,6 +154,48 @@ def test_problem_is_an_error_in_every_report() -> None:
     assert 'message="no response"' in junit(judged)
     assert "no response" in page(judged)
     jsonschema.validate(as_plain(judged), SCHEMA)
+
+
+def test_failures_of_one_cause_share_a_card() -> None:
+    same = failed()
+    same.requirement_id = "ATT-004"
+    other = failed()
+    other.requirement_id, other.observed = "ATT-005", "status 500"
+    judged = result(failed(), same, other)
+    causes = judged.causes(Outcome.FAILED)
+    ids = [[verdict.requirement_id for verdict in cause] for cause in causes]
+    assert ids == [["ATT-003", "ATT-004"], ["ATT-005"]]
+    html = page(judged)
+    assert html.count('<article class="card') == 2
+    assert html.count('<a href="#card-ATT-003">') == 2
+    assert "ATT-004" in "\n".join(card(causes[0][0], judged, causes[0][1:]))
+
+
+def test_failures_without_a_word_share_none() -> None:
+    verdicts = [Verdict(f"ATT-00{n}", Outcome.FAILED) for n in (3, 4)]
+    assert len(result(*verdicts).causes(Outcome.FAILED)) == 2
+
+
+def test_each_profile_and_what_is_not_green_are_named(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    judged = result(failed(), Verdict("ATT-004", Outcome.INCONCLUSIVE, "slow"), only="")
+    judged.settings.only = []
+    rules = [rule for rule in judged.rows if ledger.load_ledger()[rule].level == "MUST"]
+    core = [rule for rule in rules if ledger.load_ledger()[rule].profile == "core"]
+    passed = sum(judged.rows[rule].outcome == Outcome.PASSED for rule in core)
+    profiles = judged.profiles()
+    assert profiles["core"] == f"{passed}/{len(core)}"
+    packed = sum(ledger.load_ledger()[rule].profile == "msgpack" for rule in rules)
+    assert profiles["msgpack"] == f"{packed}/{packed}"
+    assert profiles["events"] == "not announced"
+    whys = list(judged.open_rules().items())
+    assert whys[:2] == [("violated", ["ATT-003"]), ("inconclusive, slow", ["ATT-004"])]
+    Terminal().report(judged)
+    end = capsys.readouterr().out.partition("violated: ATT-003\n")[2]
+    assert end.startswith("inconclusive, slow: ATT-004\n")
+    assert f"msgpack {packed}/{packed}" in end
+    assert all(len(line) <= 80 for line in end.splitlines())
 
 
 def test_card_says_everything() -> None:

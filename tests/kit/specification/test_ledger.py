@@ -15,12 +15,12 @@ import jsonschema
 import pytest
 
 from conformance.specification.document import SPEC_DIRECTORY, load_spec
-from conformance.specification.ledger import load_ledger
+from conformance.specification.ledger import load_areas, load_ledger
 from tests.support.paths import ROOT
 
 CHECKS = ROOT / "conformance" / "checks"
 COMMANDS = re.compile(r"\b(MUST|SHALL|SHOULD|MAY|REQUIRED|RECOMMENDED)\b")
-EXTENSIONS = ("x-requirements", "x-lifecycle", "x-problems")
+EXTENSIONS = ("x-areas", "x-requirements", "x-lifecycle", "x-problems")
 LONGEST_CHECK = 45
 
 
@@ -47,7 +47,7 @@ def checks() -> list[list[str]]:
 
 
 def functions() -> Iterator[ast.FunctionDef]:
-    for path in sorted(CHECKS.glob("test_*.py")):
+    for path in sorted(CHECKS.rglob("test_*.py")):
         for node in ast.parse(path.read_text(encoding="utf-8")).body:
             if isinstance(node, ast.FunctionDef) and node.name.startswith("test_"):
                 yield node
@@ -79,8 +79,14 @@ def test_every_check_says_what_it_expects(checks: list[list[str]]) -> None:
         assert "xpect" in docstring, name
 
 
+def test_every_area_has_a_name() -> None:
+    assert load_areas().keys() == {row.area for row in load_ledger().values()}
+
+
 def test_every_check_is_short() -> None:
-    for check in functions():
+    checks = list(functions())
+    assert len(checks) > 300
+    for check in checks:
         lines = (check.end_lineno or 0) - check.lineno + 1
         assert lines <= LONGEST_CHECK, f"{check.name} has {lines} lines"
 
