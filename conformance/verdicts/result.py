@@ -132,10 +132,10 @@ class Result:
             key=lambda row: WORST_FIRST.index(row.outcome),
         ):
             said = (verdict.expected, verdict.observed, verdict.reason)
-            is_told = bool(verdict.observed or verdict.reason)
-            known = str(verdict.is_known_failure)
-            alone = "" if is_told else verdict.requirement_id
-            key = (verdict.outcome.value, known, alone, *said)
+            is_known = bool(verdict.observed or verdict.reason)
+            excused = str(verdict.is_known_failure)
+            alone = "" if is_known else verdict.requirement_id
+            key = (verdict.outcome.value, excused, alone, *said)
             found.setdefault(key, []).append(verdict)
         return list(found.values())
 

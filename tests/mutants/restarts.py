@@ -27,7 +27,7 @@ def forgets_idempotency_keys_on_restart() -> None:
 
 @mutant("CRASH-001", "CRASH-002", "CRASH-003", "CRASH-004")
 def cannot_read_its_own_data() -> None:
-    """After a crash a host has no server any more, and nobody a score."""
+    """After a crash a host has no server any more, and submitters have no scores."""
     right = RunRegistry.open
 
     async def wrong(self: RunRegistry) -> None:
