@@ -106,5 +106,5 @@ bench: setup .venv-bench/ready ## Measure beside the alternatives, rewrite their
 	@$(python) -m benchmarks $(ARGS) && $(python) -m benchmarks.storage_growth
 
 clean: ## Remove environments, caches, reports; not data in var/
-	rm -rf .venv .venv-* .cache .hypothesis .*_cache .schemathesis .coverage* build dist report *.egg-info
+	rm -rf .venv .venv-* .cache .hypothesis .*_cache .coverage* build dist report *.egg-info
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

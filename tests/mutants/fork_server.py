@@ -28,7 +28,6 @@ ROOT = Path(__file__).parents[2]
 CLIENT = Path(__file__).with_name("forked.py")
 START_S = 120.0
 REQUEST_BYTES_MAX = 1 << 20
-SCHEMATHESIS = "schemathesis.specs.openapi.schemas"
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +101,6 @@ def _prepare_kit() -> Callable[[list[str]], int]:
         "conformance.runner.execution",
         "httpcore",
         "stringprep",
-        SCHEMATHESIS,
     ):
         importlib.import_module(late)  # otherwise imported when first needed
     folder = conformance.checks
