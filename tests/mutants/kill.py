@@ -111,13 +111,14 @@ def run_mutant(mutant: Mutant, rows: Rows, commands: Commands = PLAIN) -> Kill:
     it was meant to. The seed of the result says how many seeds that took.
     """
     for seed in range(1, mutant.tries):
-        kill = _run_kit(mutant, rows, seed, commands)
+        kill = run_once(mutant, rows, seed, commands)
         if kill.is_exact:
             return kill
-    return _run_kit(mutant, rows, mutant.tries, commands)
+    return run_once(mutant, rows, mutant.tries, commands)
 
 
-def _run_kit(mutant: Mutant, rows: Rows, seed: int, commands: Commands) -> Kill:
+def run_once(mutant: Mutant, rows: Rows, seed: int, commands: Commands) -> Kill:
+    """Run the kit against one mutant with one seed."""
     with contextlib.suppress(RenderingUnavailable):
         find_backend()  # once for all servers: they inherit what was found
     with tempfile.TemporaryDirectory() as report:
@@ -214,21 +215,35 @@ def main() -> int:
     arguments.add_argument("-j", type=int, default=2, help="kits at once")
     arguments.add_argument("--rows", choices=["own", "all"], default="all")
     arguments.add_argument("--write", action="store_true", help="rewrite the page")
+    arguments.add_argument(
+        "--seeds", type=int, metavar="N", help="each of 1 to N, and no second chance"
+    )
     options = arguments.parse_args()
-    if options.write and (options.names or options.rows != "all"):
+    if options.write and (options.names or options.rows != "all" or options.seeds):
         arguments.error("the page is written from all rows of all mutants")
     mutants = load()
     chosen = [mutants[name] for name in options.names or mutants]
     kills = []
     with fork_servers() as commands, ThreadPoolExecutor(options.j) as executor:
-        run = functools.partial(run_mutant, rows=options.rows, commands=commands)
-        for kill in executor.map(run, chosen):
+        if options.seeds:
+            runs = [
+                executor.submit(run_once, mutant, options.rows, seed, commands)
+                for mutant in chosen
+                for seed in range(1, options.seeds + 1)
+            ]
+        else:
+            runs = [
+                executor.submit(run_mutant, mutant, options.rows, commands)
+                for mutant in chosen
+            ]
+        for kill in (run.result() for run in runs):
             kills.append(kill)
             print(kill, flush=True)
     if options.write:
         PAGE.write_text(matrix(kills, _version()))
     exact = sum(kill.is_exact for kill in kills)
-    print(f"{exact} of {len(kills)} mutants killed exactly")
+    what = "mutants with a seed" if options.seeds else "mutants"
+    print(f"{exact} of {len(kills)} {what} killed exactly")
     return 0 if exact == len(kills) else 1
 
 
