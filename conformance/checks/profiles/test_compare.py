@@ -367,15 +367,18 @@ def test_cmp_009_cannot_compare_runs_of_different_manifests(
 
 @requirement("CMP-010")
 def test_cmp_010_cannot_compare_runs_of_another_account(context: CheckContext) -> None:
-    """Runs of another account and an unknown id, as baseline and among the runs.
+    """Runs of another account and unknown ids, as baseline and among the runs.
 
-    Expect `not_found` for each, and success for the owner.
+    The unknown ones are as short and as long as ids may be. Expect `not_found` for each, and success for the owner.
     """
     other = context.second_account
     ours = context.submit("score", wait_ready=False)
     theirs = context.submit("score", wait_ready=False, http_client=other)
     named = [(ours.id, ours.id), (theirs.id, ours.id), (theirs.id, f"{theirs.id},none")]
     named += [(ours.id, theirs.id), ("none", theirs.id)]
+    for unknown in ("z", "_" * 64):
+        named += [(unknown, theirs.id), (theirs.id, unknown)]
+        named += [(theirs.id, f"{theirs.id},{unknown}")]
     for baseline, runs in named:
         params = {"baseline": baseline, "runs": runs}
         answer = context.call("compare_runs", params=params, http_client=other)
