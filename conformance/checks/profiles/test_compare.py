@@ -369,7 +369,8 @@ def test_cmp_009_cannot_compare_runs_of_different_manifests(
 def test_cmp_010_cannot_compare_runs_of_another_account(context: CheckContext) -> None:
     """Runs of another account and unknown ids, as baseline and among the runs.
 
-    The unknown ones are as short and as long as ids may be. Expect `not_found` for each, and success for the owner.
+    The unknown ones are as short and as long as ids may be. Expect `not_found` for
+    each, and success for the owner.
     """
     other = context.second_account
     ours = context.submit("score", wait_ready=False)
