@@ -366,14 +366,14 @@ def test_enc_011_cannot_send_a_key_that_is_no_string(context: CheckContext) -> N
 
 @requirement("ENC-012")
 def test_enc_012_every_format_of_messagepack_is_read(context: CheckContext) -> None:
-    """Bodies with long forms of lengths and integers, and floats of four bytes.
+    """Bodies with short and long forms of lengths and integers, floats of four bytes.
 
     Expect the same values to be executed each time.
     """
-    worker = echo(context)
-    numbers = [0.5, -0.25, 1.0, 127.0, 0.0, 3.0, 2.0**-100, 1.5]
-    for width in WIDTHS:
-        for is_signed in (False, True):
+    numbers = [0.5, -0.25, 1.0, 127.0, 0.0, -1.0, 2.0**-100, -32.0]
+    for is_signed in (False, True):
+        worker = echo(context)
+        for width in WIDTHS:
             body = pack(next_body(worker, vector=numbers), width, is_signed)
             turn = expect.ok(send_predict(worker, body, "application/msgpack"))
             expect.equal(turn["observation"]["state"]["vector"], numbers, "vector")
