@@ -65,6 +65,11 @@ def test_err_014_cannot_send_parameters_that_break_their_schema(
     expect.ok(run.call("get_run", headers={"If-None-Match": tags[:200]}))
     for right in ("wait=0", "wait=9999"):
         expect.ok(run.call("get_run", headers={"Prefer": right}))
+    for version in ("1", "1.0.0", "v1.0", "1.0-draft", "1.00000", "00001.0", "1,0"):
+        answer = context.call("list_runs", headers={"Proctor-Version": version})
+        is_known = answer.code == "unsupported_version"
+        code = "unsupported_version" if is_known else "invalid_request"
+        expect.refused(answer, code)
     longest = uuid.uuid4().hex * 4
     for key in (f"{longest}x", "two words"):
         wrong_key = {"Idempotency-Key": key}
