@@ -9,13 +9,14 @@ used.
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Literal
+from typing import Literal, Self
 
-from pydantic import Field, field_validator
+from pydantic import Field, field_validator, model_validator
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
 from reference_server.allowed_networks import AllowedNetworks
-from reference_server.http.allowed_hosts import AllowedHosts
+from reference_server.flageval_modes import ModeTable
+from reference_server.http.allowed_hosts import AllowedHosts, is_loopback
 
 
 class Settings(BaseSettings):
@@ -66,6 +67,19 @@ class Settings(BaseSettings):
         pattern=r"^((ebench|flageval)(,(ebench|flageval))*)?$",
         description="Third-party API profiles to enable, comma-separated: ebench, "
         "flageval.",
+    )
+    flageval_modes: str = Field(
+        "",
+        description="Benchmarks for the modes of FlagEval's scripts, comma-separated, "
+        "each DOMAIN:MODE=BENCHMARK_ID with the domain NLP or MM and * for any other "
+        "mode, for example NLP:Qnext=arithmetic,MM:*=question_answering.",
+    )
+    flageval_account: str = Field(
+        "",
+        pattern=r"^[A-Za-z0-9_.-]{0,64}$",
+        description="Account of requests of the profile flageval that come from this "
+        "machine without a token. If empty, there is none. Needs a loopback host and "
+        "no public_url; everybody on this machine can then use the account.",
     )
     allow_private_policies: str = Field(
         "",
@@ -145,11 +159,32 @@ class Settings(BaseSettings):
         chosen = self.profiles.split(",")
         return [name for name in known if name in chosen]
 
+    @property
+    def mode_table(self) -> ModeTable:
+        """`flageval_modes`, parsed."""
+        return ModeTable.parse(self.flageval_modes)
+
     @field_validator("allowed_hosts")
     @classmethod
     def _check_hosts(cls, text: str) -> str:
         AllowedHosts.parse(text)  # raises ValueError
         return text
+
+    @field_validator("flageval_modes")
+    @classmethod
+    def _check_modes(cls, text: str) -> str:
+        ModeTable.parse(text)  # raises ValueError
+        return text
+
+    @model_validator(mode="after")
+    def _check_account(self) -> Self:
+        """FLE-024: nobody but this machine reaches the account without a token."""
+        if self.flageval_account and (self.public_url or not is_loopback(self.host)):
+            raise ValueError(
+                "flageval_account needs a loopback host and no public_url: requests "
+                "without a token are of that account"
+            )
+        return self
 
     @field_validator("allow_private_policies")
     @classmethod

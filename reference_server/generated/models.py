@@ -510,9 +510,9 @@ class PolicyInfo(BaseModel):
 PolicyProtocol = TypeAliasType(
     "PolicyProtocol",
     Annotated[
-        Literal["proctor", "openai_chat"],
+        Literal["proctor", "openai_chat", "openai_completions"],
         Field(
-            description="`proctor` is policy.yaml. `openai_chat` asks for a chat completion at `chat/completions` below the URL, for benchmarks that are answered in words."
+            description="`proctor` is policy.yaml. `openai_chat` asks for a chat completion at `chat/completions` below the URL, for benchmarks that are answered in words. `openai_completions` asks for the completion of a text at `completions` below the URL, for such benchmarks without images."
         ),
     ],
 )
@@ -588,7 +588,7 @@ class PolicyServer(BaseModel):
     generation: Annotated[
         dict[str, float] | MISSING,
         Field(
-            description="Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` alone.",
+            description="Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` and `openai_completions` alone.",
             max_length=32,
         ),
     ] = MISSING

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from reference_server.push.backoff import Backoff
-from reference_server.push.chat_calls import ChatPolicy
+from reference_server.push.chat_calls import ChatPolicy, CompletionPolicy
 from reference_server.push.egress import EgressPolicy
 from reference_server.push.http_calls import CallLimits, HttpCalls, PolicyFault
 from reference_server.push.key_encryption import DecryptionFailed, KeyEncryption
@@ -49,6 +49,7 @@ log = logging.getLogger("proctor.push")
 PROTOCOLS: dict[str, Callable[[Run, PolicyServerConfig, HttpCalls], PolicyAdapter]] = {
     "proctor": ProctorPolicy,
     "openai_chat": ChatPolicy,
+    "openai_completions": CompletionPolicy,
 }
 # How often in a row this server may refuse its own worker before that is taken for a
 # defect. Refusals for lack of capacity do not count: a simulator becomes free in time.
