@@ -54,7 +54,8 @@ class Settings(BaseSettings):
     benchmarks: str = Field(
         "",
         description="Additional benchmarks, comma-separated: gymnasium:ID, a TOML "
-        "file, a folder of TOML files, FILE.py:CLASS, or metaworld_mt50.",
+        "file, a folder of TOML files, FILE.py:CLASS, a question file FILE.jsonl, or "
+        "metaworld_mt50.",
     )
     tokens: str = Field(
         "",

@@ -13,7 +13,7 @@ from typing import Any
 import httpx
 import pytest
 
-from conformance.policy.scripted_chat import ScriptedChat
+from conformance.policy.scripted_chat import ChatRequest, ScriptedChat
 from reference_server.flageval_modes import ModeTable
 from reference_server.rules.refusal import Refused
 from tests.support.paths import ROOT
@@ -31,7 +31,11 @@ from tests.support.push_runs import start_push_server
 from tests.support.servers import ReferenceServer
 
 pytestmark = pytest.mark.slow("starts servers")
-MODES = "NLP:*=calibration,MM:FlagRelease=calibration,MM:XLC=missing"
+MODES = (
+    "NLP:*=calibration,NLP:XLC_infer=small_quiz,"
+    "MM:FlagRelease=calibration,MM:XLC=missing"
+)
+QUIZ = ROOT / "examples" / "benchmarks" / "small_quiz.jsonl"
 BODIES = json.loads(
     (ROOT / "spec" / "vectors" / "flageval" / "bodies.json").read_text()
 )
@@ -44,6 +48,7 @@ def host(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
         tmp_path_factory.mktemp("host"),
         PROCTOR_PROFILES="flageval",
         PROCTOR_FLAGEVAL_MODES=MODES,
+        PROCTOR_BENCHMARKS=str(QUIZ),
         PROCTOR_FLAGEVAL_ACCOUNT="local",
     )
 
@@ -155,6 +160,29 @@ def test_a_mode_of_the_host_hides_no_benchmark(
     assert is_refused(answer, "/mode is mapped to missing, which is missing")
     answer = post_evaluation(script, info, mode="RoboTrain")
     assert is_refused(answer, "maps the mode RoboTrain of the domain MM to nothing")
+
+
+def test_a_question_file_is_a_dataset_of_nlp(
+    script: httpx.Client, chat: ScriptedChat
+) -> None:
+    """A model that knows the numbers and says A to the rest, at both kinds of URL."""
+    lines = [json.loads(line) for line in QUIZ.read_text().splitlines()]
+    right = {line["question"]: line["answer"] for line in lines}
+
+    def reply(request: ChatRequest) -> str:
+        answer = right[request.question.partition("\n")[0]]
+        return f"The answer is **{'A' if isinstance(answer, str) else answer}**."
+
+    chat.reply = reply
+    for url in (chat.completions_url, chat.text_completions_url):
+        name = f"v-{url.rpartition('v1/')[2]}"
+        info = model_info(chat, name, eval_url=url, num_concurrent=8)
+        begun = post_evaluation(script, info, domain="NLP", mode="XLC_infer")
+        assert begun["eval_tasks"][0]["datasets"] == ["arithmetic", "units", "space"]
+        assert wait_until_finished(script, begun["request_id"])["status"] == "S"
+        results = get_evaldiffs(script, begun["request_id"])["eval_results"]
+        found = [d["accuracy"] for d in results[name]["details"]]
+        assert found == [1.0, 0.25, 0.25]
 
 
 # --- no token ---
