@@ -80,7 +80,7 @@ class Settings(BaseSettings):
         pattern=r"^[A-Za-z0-9_.-]{0,64}$",
         description="Account of requests of the profile flageval that come from this "
         "machine without a token. If empty, there is none. Needs a loopback host and "
-        "no public_url; everybody on this machine can then use the account.",
+        "no public_url; every user of this machine can then use the account.",
     )
     allow_private_policies: str = Field(
         "",
@@ -179,7 +179,7 @@ class Settings(BaseSettings):
 
     @model_validator(mode="after")
     def _check_account(self) -> Self:
-        """FLE-024: nobody but this machine reaches the account without a token."""
+        """FLE-024: no other machine uses the account without a token."""
         if self.flageval_account and (self.public_url or not is_loopback(self.host)):
             raise ValueError(
                 "flageval_account needs a loopback host and no public_url: requests "

@@ -230,7 +230,7 @@ def keeps_the_reason_of_a_failure() -> None:
 
 @mutant("FLE-021")
 def releases_what_is_as_bad_as_nothing() -> None:
-    """Two models whose answers nobody can read are released as equal."""
+    """Two models without a readable answer are released as equal."""
 
     def wrong(compared: Json | None) -> Json:
         return {"release": compared is not None and compared["release"]}
