@@ -18,7 +18,10 @@ from reference_server.rules.refusal import Refused
 
 SCOPES = frozenset({"read", "run"})
 # Headers of a request that a proxy passed on, or that a page in a browser sends.
-_NOT_A_SCRIPT = ("forwarded", "x-forwarded-for", "x-real-ip", "via", "origin")
+_NOT_A_SCRIPT = (
+    *("forwarded", "x-forwarded-for", "x-real-ip", "via"),
+    *("origin", "sec-fetch-site"),
+)
 _PORT = re.compile(r":[0-9]{1,5}$")
 
 

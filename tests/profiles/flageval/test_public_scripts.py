@@ -198,6 +198,7 @@ def test_a_question_file_is_a_dataset_of_nlp(
         {"Via": "1.1 proxy"},
         {"X-Real-IP": "10.0.0.1"},
         {"Origin": "http://localhost"},
+        {"Sec-Fetch-Site": "cross-site"},
     ],
     ids=str,
 )
