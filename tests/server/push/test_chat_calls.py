@@ -267,3 +267,40 @@ def test_raw_images_are_refused_for_chat_models(
     run = wait_for_state(client, client.post("/v1/runs", json=body).json()["run_id"])
     assert run["state"] == "failed"
     assert "png or jpeg" in run["reason"]
+
+
+# --- completions ---
+
+
+@pytest.mark.parametrize(
+    ("body", "reason"),
+    [
+        (None, "accepts no images"),
+        ({"choices": [{"message": {}}]}, "it has no /choices/0/text"),
+        ({"choices": []}, "it has no /choices/0/text"),
+    ],
+)
+def test_what_is_no_completion_is_a_fault(
+    client: httpx.Client, chat: ScriptedChat, body: Any, reason: str
+) -> None:
+    """A turn with an image, which cannot be sent, and answers without a text."""
+    chat.body = body
+    task = "echo" if body is None else "score"
+    images = {"codec": "png", "width": 16, "height": 12}
+    submission = push_submission(chat.url, task, protocol="openai_completions")
+    answer = client.post("/v1/runs", json=submission | {"images": images})
+    run = wait_for_state(client, answer.json()["run_id"])
+    assert run["state"] == "failed"
+    assert reason in run["reason"]
+    assert all(not request.is_chat for request in chat.requests)
+
+
+def test_a_completion_without_text_is_no_answer(
+    client: httpx.Client, chat: ScriptedChat
+) -> None:
+    chat.body = {"choices": [{"text": None}]}
+    submission = push_submission(chat.url, protocol="openai_completions")
+    run_id = client.post("/v1/runs", json=submission).json()["run_id"]
+    assert wait_for_state(client, run_id)["state"] == "completed"
+    (episode,) = episodes(client, run_id)
+    assert episode["result"]["score"] == 0.0
