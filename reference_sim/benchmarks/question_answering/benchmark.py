@@ -60,7 +60,7 @@ def _describe(options: Mapping[str, Any], max_chunk: int) -> Json:  # noqa: ARG0
     episodes = _episodes()
     return {
         "benchmark_id": "question_answering",
-        "version": "1",
+        "version": "2",  # 1 read an answer alone, 2 reads one inside a text, too
         "title": "Questions about a tabletop",
         "description": "A picture of an arm and things on its table, and a question "
         "with one right answer: how many, which colour, left or right, what is "
