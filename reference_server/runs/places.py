@@ -109,13 +109,14 @@ class Places:
         return min((hold for hold in holds if hold > 0), default=None)
 
     def next_overdue(self, now: float) -> float | None:
-        """In how many seconds a run that waits may get an unplayed place, if one does.
+        """In how many seconds a run that waits may get an unplayed place.
 
-        None for never.
+        None for never, and when that was so already: then none waits that is due.
         """
         if not self._waiting or not self._unplayed:
             return None
-        return max(0.0, self._overdue_at() - now)
+        left_s = self._overdue_at() - now
+        return left_s if left_s > 0 else None
 
     @property
     def _free(self) -> int:

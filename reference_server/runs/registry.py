@@ -480,7 +480,10 @@ class RunRegistry:
         return loaded
 
     def _cache(self, run: Run) -> None:
+        """Keep a run that is used; one that waits is not, however many there are."""
         self._in_memory[run.run_id] = run
+        if run.state in WAITING_STATES:
+            return
         self._recent[run.run_id] = run
         self._recent.move_to_end(run.run_id)
         if len(self._recent) > CACHED_RUNS_MAX:

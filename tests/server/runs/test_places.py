@@ -102,6 +102,19 @@ def test_a_queue_time_is_waited_for() -> None:
     assert places.next_due(WALL) is None
 
 
+def test_an_overdue_place_is_not_looked_at_again_while_none_is_due() -> None:
+    places = places_of(1)
+    queue(places, 1)
+    share(places)
+    queue(places, 2, until=WALL + 2 * UNUSED_S)
+    assert places.next_overdue(NOW) == UNUSED_S
+    late = NOW + UNUSED_S + 1
+    assert share(places, late) == []
+    assert places.next_overdue(late) is None
+    assert not places.can_change(late + 1)
+    assert "alice_1" in places
+
+
 def test_a_place_without_a_run_is_given_back_once() -> None:
     places = places_of(1)
     places.leave("unknown")
