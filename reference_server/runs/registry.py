@@ -127,6 +127,10 @@ class RunRegistry:
     async def get(self, run_id: str, account: str | None = None) -> Run:
         """The run, if the account may see it (AUTH-003, RUN-010)."""
         run = self._in_memory.get(run_id) or await self._load(run_id)
+        if run is not None and run.lost:  # a write that its loading began has failed
+            run = self._in_memory.get(run_id) or await self._load(run_id)
+            if run is not None and run.lost:
+                raise StoreFailed("the run could not be stored")
         if run is None or not (account is None or may_see_run(account, run.account)):
             raise _no_run(run_id)
         self._cache(run)
@@ -393,7 +397,8 @@ class RunRegistry:
         if new is not None:
             effects.admit(new, time.time())
         elif (run := self._in_memory.get(run_id)) is not None:
-            self._apply_admission(run)
+            if not self._apply_admission(run):
+                self._index_by_state(run, run.state)
         else:
             self._admitted.append(run_id)
             if len(self._admitted) == 1:
@@ -504,7 +509,7 @@ class RunRegistry:
 
     def _reload_later(self, run_id: str) -> None:
         """Load it again: a queued run is admitted without a request for it."""
-        if not self._closed:
+        if not self._closed and run_id not in self._reload_timers:
             loop = asyncio.get_running_loop()
             timer = loop.call_later(RELOAD_S, self._reload, run_id)
             self._reload_timers[run_id] = timer
