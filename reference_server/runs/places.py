@@ -2,7 +2,7 @@
 
 It holds ids, not runs: thousands may wait, and a run that is not played need not be in
 memory. Who gets a place is decided in `rules/capacity.py`. A run without a worker keeps
-its place while nobody waits; when somebody does, it gives it back after `unused_s`, or
+its place while no other run waits; when one does, it gives it back after `unused_s`, or
 at once if its account has more than its share. It stays `ready` and gets a place again
 when a worker attaches.
 """

@@ -93,7 +93,7 @@ def test_a_timer_ends_the_wait_for_an_unplayed_place(tmp_path: Path) -> None:
 
 
 def test_unplayed_runs_hold_nothing_after_a_restart(tmp_path: Path) -> None:
-    """What was played has its place again; what nobody played has none."""
+    """What was played has its place again; what no worker played has none."""
 
     async def before(parts: ServerParts) -> None:
         await insert(parts, "ready", "unplayed_1", "unplayed_2")

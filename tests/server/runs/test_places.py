@@ -1,4 +1,4 @@
-"""Places of runs: who keeps one, and when somebody else gets it. No clock, no run."""
+"""Places of runs: who keeps one, and when another run gets it. No clock, no run."""
 
 from __future__ import annotations
 
