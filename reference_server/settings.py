@@ -100,7 +100,13 @@ class Settings(BaseSettings):
     max_active_runs: int = Field(
         1000,
         ge=1,
-        description="Maximum runs ready or running; others are queued.",
+        description="Maximum runs that are played or about to be; others are queued.",
+    )
+    max_open_runs: int = Field(
+        10_000,
+        ge=1,
+        description="Maximum runs of one account that are queued, ready, running or "
+        "stopping.",
     )
     max_simulators: int = Field(
         64, ge=1, description="Maximum simulator processes, over all runs."
@@ -119,6 +125,20 @@ class Settings(BaseSettings):
         ge=1,
         allow_inf_nan=False,
         description="Maximum lease of a session, and the default.",
+    )
+    heartbeat_s_max: float = Field(
+        3600.0,
+        ge=1,
+        allow_inf_nan=False,
+        description="Maximum time that a session lives on heartbeats without a turn.",
+    )
+    unused_s_max: float = Field(
+        120.0,
+        ge=1,
+        allow_inf_nan=False,
+        description="When others wait: time after which a run without a worker may "
+        "lose its place, and a session without a turn its simulator to an account that "
+        "has fewer.",
     )
     wait_s_max: int = Field(
         30, ge=0, le=600, description="Maximum wait of a long-poll, in seconds."

@@ -440,6 +440,27 @@ class Limits(BaseModel):
             ge=0.0,
         ),
     ] = MISSING
+    heartbeat_s_max: Annotated[
+        float | MISSING,
+        Field(
+            description="Longest time that a session lives without a new turn, whatever its `idle_timeout_s`; for the profile `limits`.",
+            ge=1.0,
+        ),
+    ] = MISSING
+    unused_s_max: Annotated[
+        float | MISSING,
+        Field(
+            description="When others wait: the time after which a run without a worker, or a session without a turn, may have to make room; for the profile `limits`.",
+            ge=0.0,
+        ),
+    ] = MISSING
+    max_open_runs: Annotated[
+        int | MISSING,
+        Field(
+            description="Most runs of one account that are queued, ready, running or stopping; for the profile `limits`.",
+            ge=1,
+        ),
+    ] = MISSING
 
 
 class Observation(BaseModel):

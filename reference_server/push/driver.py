@@ -108,8 +108,19 @@ class Driver:
 
     def open(self) -> None:
         """PUSH-017: continue the runs that the last process left unfinished."""
-        for run_id in self._registry.active():
-            self._registry.run_in_background(self._check_run(run_id))
+        self._registry.run_in_background(self._check_all_runs())
+
+    async def _check_all_runs(self) -> None:
+        try:
+            for run_id in await self._registry.push_runs():
+                self._schedule_check(run_id)
+        except StoreFailed:
+            log.exception("the push runs could not be found")
+            asyncio.get_running_loop().call_later(RELOAD_S, self._reopen)
+
+    def _reopen(self) -> None:
+        if not self._closed:
+            self.open()
 
     async def close(self) -> None:
         """Cancel every call; the runs are continued at the next start."""

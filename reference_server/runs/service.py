@@ -136,6 +136,7 @@ class RunService:
         """The run, in the queue again; unchanged when it goes on already."""
         run = await self._run_accepting(account, run_id, Resume())
         if changes_state(run, "resume_run"):
+            self.registry.check_quota(account)
             effects.resume(run, time.time() + queue_s(run.submission))
             await self.registry.commit(run)
         return run
