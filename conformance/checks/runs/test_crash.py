@@ -245,6 +245,9 @@ def test_crash_004_commands_survive_a_crash(context: CheckContext) -> None:
         faulty.detach()
         faulty.attach()
         faulty.predict(context.action(fault=1))
+        counted = submit_and_attach(context, "count")
+        counted.predict(context.action())
+        counted.detach()
         for run in (stopped, resumed, requeued):
             run.stop()
             run.resume()
@@ -259,3 +262,6 @@ def test_crash_004_commands_survive_a_crash(context: CheckContext) -> None:
         for run in (submitted, resumed, requeued):
             expect_state_soon(run, "ready")
         expect_attempt_and_fault(faulty)
+        expect.ok(counted.run.call("get_run"))
+        (episode,) = counted.run.episodes()
+        expect.equal(episode["attempt"], 2, "attempt of an episode in the queue")

@@ -23,7 +23,8 @@ from conformance.verdicts.expect import SetUpFailed
 _CHANGES_BY_ITSELF = ("state", "queue_position", "updated_at")
 _CLOCK_TOLERANCE = timedelta(seconds=1)
 _PAGES_MAX = 10
-_NAME = "r\u00e9gie re\u0301gie \u673a\u5668\u4eba \U0001f916 "
+# Every short escape of JSON, a control character, and letters of every length in UTF-8.
+_NAME = '\b\f\n\r\t/\\"\x01 r\u00e9gie re\u0301gie \u673a\u5668\u4eba \U0001f916 '
 
 
 def time_of(text: object) -> datetime:

@@ -378,3 +378,8 @@ def test_enc_012_every_format_of_messagepack_is_read(context: CheckContext) -> N
             turn = expect.ok(send_predict(worker, body, "application/msgpack"))
             expect.equal(turn["observation"]["state"]["vector"], numbers, "vector")
             worker.seq += 1
+    large = [2.0**63, 2.0**64 - 2**11, 2.0**53, 2.0**62] * 2
+    worker = echo(context)
+    body = pack(next_body(worker, vector=large), 8, is_signed=False)
+    turn = expect.ok(send_predict(worker, body, "application/msgpack"))
+    expect.equal(turn["observation"]["state"]["vector"], large, "large integers")

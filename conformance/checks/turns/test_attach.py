@@ -185,6 +185,11 @@ def test_att_008_race_for_one_worker(context: CheckContext) -> None:
 
 WRONG: list[tuple[dict[str, Any], str]] = [
     ({"control_rate_hz": 20}, "/assumes/control_rate_hz"),
+    ({"control_rate_hz": 10.4}, "/assumes/control_rate_hz"),
+    ({"control_rate_hz": 9.99}, "/assumes/control_rate_hz"),
+    # An action that is no state, and a state that is no action.
+    ({"state": {"score": {"size": 1}}}, "/assumes/state/score"),
+    ({"action": {"count": {"size": 1}}}, "/assumes/action/count"),
     ({"action": {"vector": {"size": 7}}}, "/assumes/action/vector"),
     ({"action": {"delay_s": {"unit": "ms"}}}, "/assumes/action/delay_s"),
     ({"action": {"vector": {"rotation": "euler_xyz"}}}, "/assumes/action/vector"),
@@ -268,12 +273,13 @@ def test_att_012_attach_without_an_episode_left(context: CheckContext) -> None:
 
 @requirement("ATT-013")
 def test_att_013_cannot_attach_with_a_bad_worker_id(context: CheckContext) -> None:
-    """Worker ids with a space, a dot, another alphabet, and one character too many.
+    """Worker ids with a space, a dot, an end of line, another alphabet, and one with a
+    character too many.
 
     Expect `invalid_request`; the longest valid id is accepted.
     """
     run = context.submit("score")
-    for worker_id in ("a b", "a.b", "ä", "a:b", "w" * 65):
+    for worker_id in ("a b", "a.b", "ä", "a:b", "a\n", "w" * 65):
         expect.refused(run.worker(worker_id).try_attach(), "invalid_request")
     run.worker("-_A0z" + "w" * 59).attach()
 
