@@ -19,6 +19,7 @@ import msgspec
 import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncConnection, AsyncEngine, create_async_engine
 
+from reference_server import private_files
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, Run, RunHead, State
 from reference_server.storage import rows
@@ -143,14 +144,18 @@ class Store:
 
     async def open(self) -> None:
         """Create the tables and the columns that are missing."""
-        if self._url.get_backend_name() == "sqlite" and self._url.database:
+        path = _database_file(self._url)
+        if path is not None:
             try:
-                Path(self._url.database).parent.mkdir(parents=True, exist_ok=True)
+                private_files.create_empty(path)
             except OSError as error:
                 raise StoreFailed(_one_line(error)) from error
         async with self._transaction() as connection:
             await connection.run_sync(_tables.create_all)
             await connection.run_sync(_add_missing_columns)
+        if path is not None:  # only now it is known to be a database
+            for suffix in ("", "-wal", "-shm"):
+                private_files.restrict(path.with_name(path.name + suffix))
 
     async def close(self) -> None:
         await self._engine.dispose()
@@ -352,6 +357,14 @@ def _add_missing_columns(connection: sa.Connection) -> None:
                 kind = column.type.compile(connection.dialect)
                 add = f"ALTER TABLE {table.name} ADD {column.name} {kind}"
                 connection.execute(sa.text(add))
+
+
+def _database_file(url: sa.URL) -> Path | None:
+    """The file of an SQLite database; None if it is in memory, or another database."""
+    name = url.database or ":memory:"
+    if url.get_backend_name() != "sqlite" or name.startswith((":memory:", "file:")):
+        return None
+    return Path(name)
 
 
 def _one_line(error: Exception) -> str:
