@@ -24,10 +24,11 @@ from reference_server.http import codec
 from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.auth import Caller, Tokens
 from reference_server.http.problems import problem_response
+from reference_server.repeated_failures import RepeatedFailures
 from reference_server.rules.refusal import Refused
 from reference_server.storage.store import StoreFailed
 
-log = logging.getLogger("proctor.http")
+_failures = RepeatedFailures(logging.getLogger("proctor.http"))
 
 ANY_HOST = AllowedHosts()
 
@@ -131,7 +132,7 @@ async def perform(
     except Refused as error:
         refused = error
     except StoreFailed as error:
-        log.error("the store failed: %s", error)  # noqa: TRY400 - it says all
+        _failures.report("a request could not use the database", str(error))
         refused = Refused("unavailable", "The database is not available.")
     except asyncio.CancelledError:
         # By the server alone, which shuts down and has waited long enough.
