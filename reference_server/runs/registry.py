@@ -23,6 +23,7 @@ from functools import partial
 from typing import TypeVar
 from weakref import WeakValueDictionary
 
+from reference_server.repeated_failures import RepeatedFailures
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import (
     ACTIVE_STATES,
@@ -33,7 +34,13 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run, RunHead, State
-from reference_server.rules.submission import KeyUse, key_conflict, may_see_run
+from reference_server.rules.submission import (
+    KeyUse,
+    key_conflict,
+    may_see_run,
+    queue_until,
+)
+from reference_server.runs import steady_clock
 from reference_server.storage.store import Store, StoreFailed
 
 log = logging.getLogger("proctor.runs")
@@ -78,6 +85,7 @@ class RunRegistry:
         self._reload_timers: dict[str, asyncio.TimerHandle] = {}
         self._tasks: set[asyncio.Future[object]] = set()
         self._ending = self._closed = False
+        self._failures = RepeatedFailures(log)
 
     async def open(self) -> None:
         """Apply what a restart does, then load what waits for capacity."""
@@ -314,7 +322,7 @@ class RunRegistry:
             queued.append(new)
         if not queued:
             return
-        now = time.time()
+        now = steady_clock.now_wall()
         admitted = effects.admit(queued, len(self._active), self._active_max, now)
         for run in admitted:
             if run is new:
@@ -345,8 +353,11 @@ class RunRegistry:
     async def _save(self, run: Run) -> bool:
         try:
             await self._store.save(run)
-        except Exception:  # whatever it was: memory is ahead of the disk now
-            log.exception("run %s could not be stored", run.run_id)
+        except Exception as error:  # whatever it was: memory is ahead of the disk now
+            if isinstance(error, StoreFailed):
+                self._failures.report("a run could not be stored", str(error))
+            else:
+                log.exception("run %s could not be stored", run.run_id)
             self._evict(run)
             return False
         else:
@@ -374,6 +385,9 @@ class RunRegistry:
         """A run just loaded was not in memory, so no session of it is live."""
         if loaded is not None:
             effects.lose_sessions(loaded)
+            loaded.queue_until_wall = queue_until(
+                loaded.submission, loaded.queue_until_wall, steady_clock.now_wall()
+            )
             self._in_memory[loaded.run_id] = loaded
             self._index_by_state(loaded, loaded.state)
             self._admit()
@@ -401,7 +415,8 @@ class RunRegistry:
 
     def _reload_later(self, run_id: str) -> None:
         """Load it again: a queued run is admitted without a request for it."""
-        if not self._closed:
+        # A request may have loaded it meanwhile, and its next write have failed, too.
+        if not self._closed and run_id not in self._reload_timers:
             loop = asyncio.get_running_loop()
             timer = loop.call_later(RELOAD_S, self._reload, run_id)
             self._reload_timers[run_id] = timer
@@ -413,8 +428,8 @@ class RunRegistry:
     async def _retry_load(self, run_id: str) -> None:
         try:
             await self.get(run_id)
-        except StoreFailed:
-            log.exception("run %s could not be loaded", run_id)
+        except StoreFailed as error:
+            self._failures.report("a run could not be loaded", str(error))
             self._reload_later(run_id)
 
 
