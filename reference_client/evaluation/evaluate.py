@@ -6,7 +6,6 @@ its own worker pool and messages. rounds.py plays the run once it is submitted.
 
 from __future__ import annotations
 
-import os
 import sys
 import threading
 from collections.abc import Callable, Mapping
@@ -35,6 +34,7 @@ from reference_client.evaluation.worker_pool import (
 from reference_client.policies.policy_server_client import PolicyServerClient
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
+from reference_client.protocol.local_token import find_token
 from reference_client.protocol.retry_policy import RetryPolicy
 
 
@@ -59,7 +59,8 @@ def evaluate(
     """Evaluate a policy on a benchmark of the server at `url`; returns its score.
 
     policy: makes a policy, usually its class; called once per worker, in this thread.
-    token: a bearer token of the server; PROCTOR_TOKEN of the environment when absent.
+    token: a bearer token of the server. When absent, PROCTOR_TOKEN of the environment,
+        or the token that a server on this machine made for itself.
     benchmark: id of the benchmark, for a new run.
     run_id: continue this run instead. It is resumed if it is stopped or failed.
     workers: number of episodes played at a time, each in a thread.
@@ -80,7 +81,7 @@ def evaluate(
     """
     plan = EvaluationPlan(
         url=url,
-        token=token or os.environ.get("PROCTOR_TOKEN"),
+        token=find_token(url, token),
         worker_ids=tuple(f"{worker_prefix}-{i}" for i in range(workers)),
         submission=None
         if benchmark is None or run_id is not None
