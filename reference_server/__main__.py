@@ -20,14 +20,15 @@ import uvicorn
 from pydantic import ValidationError
 from pydantic_settings import CliSettingsSource, SettingsError
 
-from reference_server import local_token, open_files
 from reference_server.app import build
+from reference_server.http import made_token
 from reference_server.http.auth import BadTokens, Tokens
 from reference_server.http.bounded_connection import connection_factory
 from reference_server.http.connection_limits import ConnectionLimiter, ConnectionLimits
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.settings import Settings
 from reference_server.storage.store import Store, StoreFailed
+from reference_server.system import open_files
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
 
@@ -117,12 +118,12 @@ def _serve(
         return 2
     try:
         _check_database_and_key(settings)
-        made = None if configured else local_token.read_or_make(settings.token_path)
-    except (_CannotUse, local_token.BadTokenFile) as error:
+        made = None if configured else made_token.read_or_make(settings.token_path)
+    except (_CannotUse, made_token.BadTokenFile) as error:
         _print_line(str(error))
         return 2
     port = listener.getsockname()[1]
-    local_token.publish(port, None if made is None else settings.token_path)
+    made_token.publish(port, None if made is None else settings.token_path)
     tokens = configured or Tokens.of_local_account(str(made))
     app = build(settings, tokens)
     config = uvicorn.Config(

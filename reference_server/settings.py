@@ -160,7 +160,7 @@ class Settings(BaseSettings):
 
     @property
     def token_path(self) -> Path | None:
-        """The file of the token that is made if there are none; None: it is not kept."""
+        """The file of the token that is made if none is set; None: it is not kept."""
         if "://" in self.database or ":memory:" in self.database:
             return None
         return Path(f"{self.database}.token")

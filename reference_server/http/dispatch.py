@@ -24,9 +24,9 @@ from reference_server.http import codec
 from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.auth import Caller, Tokens
 from reference_server.http.problems import problem_response
-from reference_server.repeated_failures import RepeatedFailures
 from reference_server.rules.refusal import Refused
 from reference_server.storage.store import StoreFailed
+from reference_server.system.repeated_failures import RepeatedFailures
 
 _failures = RepeatedFailures(logging.getLogger("proctor.http"))
 

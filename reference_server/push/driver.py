@@ -30,7 +30,6 @@ from reference_server.push.policy_calls import (
     ProctorPolicy,
     answer_fault,
 )
-from reference_server.repeated_failures import RepeatedFailures
 from reference_server.rules.lifecycle import (
     ACTIVE_STATES,
     PLAYABLE_STATES,
@@ -43,6 +42,7 @@ from reference_server.rules.run import Run
 from reference_server.runs.registry import RELOAD_S
 from reference_server.runs.service import RunService
 from reference_server.storage.store import StoreFailed
+from reference_server.system.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.push")
 

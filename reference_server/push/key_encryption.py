@@ -13,7 +13,7 @@ from pathlib import Path
 
 from cryptography.fernet import Fernet, InvalidToken
 
-from reference_server.private_files import read_or_create
+from reference_server.system.private_files import read_or_create
 
 
 class DecryptionFailed(Exception):
@@ -42,7 +42,7 @@ class KeyEncryption:
         return self._fernet.encrypt(secret.encode()).decode()
 
     def digest(self, secret: str) -> str:
-        """Equal for equal texts; tells nothing about them without the key."""
+        """Equal for equal texts; shows nothing of them without the key."""
         return hmac.digest(self._key, secret.encode(), "sha256").hex()
 
     def decrypt(self, encrypted: str) -> str:

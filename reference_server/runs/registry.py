@@ -23,7 +23,6 @@ from functools import partial
 from typing import TypeVar
 from weakref import WeakValueDictionary
 
-from reference_server.repeated_failures import RepeatedFailures
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import (
     ACTIVE_STATES,
@@ -42,6 +41,7 @@ from reference_server.rules.submission import (
 )
 from reference_server.runs import steady_clock
 from reference_server.storage.store import Store, StoreFailed
+from reference_server.system.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.runs")
 

@@ -19,10 +19,10 @@ import msgspec
 import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncConnection, AsyncEngine, create_async_engine
 
-from reference_server import private_files
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, Run, RunHead, State
 from reference_server.storage import rows
+from reference_server.system import private_files
 
 Found = TypeVar("Found")
 

@@ -276,7 +276,7 @@ def test_names_that_resolve_slowly_delay_only_their_account(
                 found = await policy.resolve("policy.example", 80, "bob")
             assert found == ["1.1.1.1"]
             assert began == ["slow0.example", "slow1.example", "policy.example"]
-            slow[0].cancel()  # whoever waits goes away; the thread is still taken
+            slow[0].cancel()  # the request goes away; the thread is still taken
             await asyncio.sleep(0.05)
             assert len(began) == 3
         finally:

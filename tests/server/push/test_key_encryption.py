@@ -47,7 +47,7 @@ def test_the_key_file_has_mode_0600(tmp_path: Path) -> None:
 
 
 def test_no_digest_of_an_api_key_is_stored(tmp_path: Path) -> None:
-    """Whoever has the database alone could try likely keys, one after another."""
+    """A reader of the database alone could try likely keys, one after another."""
     submission = push_submission("http://127.0.0.1:1", api_key="sesame")
     encryption = KeyEncryption()
     validator = PolicyServerValidator(EgressPolicy("all"), encryption, ("proctor",))

@@ -35,7 +35,7 @@ def modes(folder: Path) -> dict[str, int]:
 
 
 def test_the_files_are_their_owners_alone(tmp_path: Path) -> None:
-    """Also those that an older server left for everybody to read."""
+    """Also those that an older server left readable for all."""
 
     async def scenario(parts: ServerParts) -> None:
         await parts.store.insert(calibration_run(), None, "")

@@ -40,7 +40,7 @@ def create_empty(path: Path) -> None:
 
 
 def restrict(path: Path) -> None:
-    """Take the access of everybody but the owner from a file, if it exists."""
+    """Take the access of all but the owner from a file, if it exists."""
     with contextlib.suppress(FileNotFoundError, PermissionError):
         mode = path.stat().st_mode
         if mode & 0o077:
