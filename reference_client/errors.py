@@ -11,6 +11,8 @@ from collections.abc import Sequence
 import urllib3.exceptions
 from proctor_client import ApiException, Problem, Run
 
+from reference_client.printable_text import printable
+
 # Two codes of this client beside those of x-problems: no response, and a response that
 # violates the protocol.
 UNREACHABLE = "unreachable"
@@ -34,7 +36,7 @@ class ProctorError(Exception):
 
     code: one of x-problems; or `unreachable` (no response), `bad_answer` (a response
         that violates the protocol), or the code of a subclass.
-    detail: what happened and what to do about it.
+    detail: what happened and what to do about it; without control characters.
     retryable: whether the same request can succeed later.
     side_effects: `none`, or `possible` when the request may have been carried out.
     errors: (JSON pointer into the request, text) pairs.
@@ -53,14 +55,14 @@ class ProctorError(Exception):
         problem: Problem | None = None,
         retry_after_s: float | None = None,
     ) -> None:
-        self.code = code
-        self.detail = detail
+        self.code = printable(code)
+        self.detail = printable(detail)
         self.retryable = retryable
         self.side_effects = side_effects
-        self.errors = tuple(errors)
+        self.errors = tuple((printable(at), printable(text)) for at, text in errors)
         self.problem = problem
         self.retry_after_s = retry_after_s
-        lines = [f"{detail} [{code}]"]
+        lines = [f"{self.detail} [{self.code}]"]
         lines += [f"  {pointer}: {text}" for pointer, text in self.errors]
         super().__init__("\n".join(lines))
 

@@ -89,7 +89,7 @@ def _run_command(args: argparse.Namespace, printer: Printer) -> int:
         return COMMANDS[args.command](args, printer)
     except ProctorError as error:
         if args.debug:
-            traceback.print_exc()
+            printer.say(traceback.format_exc().rstrip())
         _print_error(error.code, message_of(error), as_json=args.json)
         return exit_code_of(error, has_run=False)
     except UsageError:

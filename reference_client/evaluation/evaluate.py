@@ -32,6 +32,7 @@ from reference_client.evaluation.worker_pool import (
     WorkerPool,
 )
 from reference_client.policies.policy_server_client import PolicyServerClient
+from reference_client.printable_text import printable
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.local_token import find_token
@@ -118,13 +119,13 @@ def _evaluate_plan(
         )
     except KeyboardInterrupt:
         if runs:
-            sys.stderr.write(f"\n{_how_to_continue(runs[0])}\n")
+            sys.stderr.write(f"\n{printable(_how_to_continue(runs[0]))}\n")
         raise
     except (RunFailed, RunStopped):
         raise
     except BaseException as error:
         if runs:
-            error.add_note(_how_to_continue(runs[0]))
+            error.add_note(printable(_how_to_continue(runs[0])))
         raise
     finally:
         if line is not None and runs:
