@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Iterator
 from typing import Any
 
@@ -81,6 +82,7 @@ def acts(text: str) -> bool:
 
 
 @pytest.fixture(
+    scope="module",
     params=[spoiling(*FREE), spoiling(), refusing, not_http],
     ids=["free texts", "all texts", "problems", "no problem"],
 )
@@ -116,8 +118,6 @@ def test_no_text_of_a_server_acts_on_the_terminal(
 def test_exceptions_and_progress_hold_no_control_characters(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    import sys
-
     error = ProctorError("not_found", ATTACK, errors=[(ATTACK, ATTACK)])
     assert not acts(f"{error} {error.detail} {error.errors}")
     ProgressLine(sys.stderr)(Progress(f"run{ATTACK}", 1, 0, None, ATTACK))
