@@ -6,6 +6,7 @@ members of the specification's schema Problem. This module sends nothing.
 
 from __future__ import annotations
 
+import ssl
 from collections.abc import Sequence
 
 import urllib3.exceptions
@@ -13,10 +14,11 @@ from proctor_client import ApiException, Problem, Run
 
 from reference_client.printable_text import printable
 
-# Two codes of this client beside those of x-problems: no response, and a response that
-# violates the protocol.
+# Three codes of this client beside those of x-problems: no response, a response that
+# violates the protocol, and a server that does not prove to be the one of the URL.
 UNREACHABLE = "unreachable"
 BAD_ANSWER = "bad_answer"
+NOT_TRUSTED = "not_trusted"
 # Two more, of workers in their own processes: the process exited, or the policy raised.
 WORKER_DIED = "worker_died"
 POLICY_FAILED = "policy_failed"
@@ -35,7 +37,8 @@ class ProctorError(Exception):
     """A request was refused, could not be sent, or would be refused if it were sent.
 
     code: one of x-problems; or `unreachable` (no response), `bad_answer` (a response
-        that violates the protocol), or the code of a subclass.
+        that violates the protocol), `not_trusted` (its certificate is not accepted, or
+        it has none), or the code of a subclass.
     detail: what happened and what to do about it; without control characters.
     retryable: whether the same request can succeed later.
     side_effects: `none`, or `possible` when the request may have been carried out.
@@ -115,6 +118,8 @@ def from_failure(error: Exception, url: str) -> ProctorError:
     """The ProctorError for what a request to the server at `url` raised."""
     if isinstance(error, ApiException) and error.status:
         return _from_answer(error, url)
+    if (tls := _tls_error(error)) is not None and _is_final(tls):
+        return _not_trusted(tls, url)
     if _is_no_answer(error):
         return ProctorError(
             UNREACHABLE,
@@ -130,6 +135,35 @@ def from_failure(error: Exception, url: str) -> ProctorError:
         "Check that the URL is that of a Proctor server.",
         side_effects="possible",
     )
+
+
+def _tls_error(error: BaseException) -> ssl.SSLError | None:
+    """What TLS reported, however deep the libraries have wrapped it."""
+    inner: BaseException | None = error
+    while inner is not None and not isinstance(inner, ssl.SSLError):
+        inner = inner.__cause__ or inner.__context__
+    return inner
+
+
+def _is_final(error: ssl.SSLError) -> bool:
+    """Whether the same happens again: a connection may also be lost in a handshake."""
+    lost = (ssl.SSLEOFError, ssl.SSLZeroReturnError, ssl.SSLSyscallError)
+    return not isinstance(error, lost)
+
+
+def _not_trusted(error: ssl.SSLError, url: str) -> ProctorError:
+    if isinstance(error, ssl.SSLCertVerificationError):
+        detail = (
+            f"The certificate of {url} is not accepted: {error.verify_message}. "
+            "Correct the name in the URL, or name the file with the certificate of its "
+            "authority: PROCTOR_CA, SSL_CERT_FILE or REQUESTS_CA_BUNDLE."
+        )
+    else:
+        detail = (
+            f"{url} does not speak TLS as this client does ({error.reason or error}). "
+            "Check the port, and whether the URL begins with http:// instead."
+        )
+    return ProctorError(NOT_TRUSTED, detail)
 
 
 def _is_no_answer(error: Exception) -> bool:

@@ -103,6 +103,8 @@ def _run_command(args: argparse.Namespace, printer: Printer) -> int:
 def _complete(args: argparse.Namespace) -> None:
     if args.host is not None or args.port is not None:
         args.url = f"http://{args.host or '127.0.0.1'}:{args.port or 8460}"
+    if args.ca:  # also for the processes of workers
+        os.environ["PROCTOR_CA"] = args.ca
     args.token = find_token(args.url, args.token)
 
 

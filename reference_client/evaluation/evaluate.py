@@ -14,7 +14,7 @@ from typing import Any
 from proctor_client import Assumptions, PolicyInfo, Run, Score
 
 from reference_client.api.policy import Policy
-from reference_client.errors import RunFailed, RunStopped, how_to_resume
+from reference_client.errors import ProctorError, RunFailed, RunStopped, how_to_resume
 from reference_client.evaluation.parameters import (
     EvaluationPlan,
     parse_strictly,
@@ -26,6 +26,7 @@ from reference_client.evaluation.status_board import (
     StatusBoard,
     terminal_progress_line,
 )
+from reference_client.evaluation.uncaught_errors import shorten_report
 from reference_client.evaluation.worker_pool import (
     EvaluationContext,
     ThreadWorkerPool,
@@ -79,6 +80,8 @@ def evaluate(
     Raises ProctorError (RunFailed and RunStopped when the run ends without a score),
     ValueError for invalid arguments, and whatever the policy raises. Workers detach
     first, also on Ctrl-C; the run remains on the server, and `run_id` continues it.
+    A ProctorError that a program does not catch ends it with its text alone; with
+    PROCTOR_DEBUG=1 the traceback is printed.
     """
     plan = EvaluationPlan(
         url=url,
@@ -122,8 +125,11 @@ def _evaluate_plan(
             sys.stderr.write(f"\n{printable(_how_to_continue(runs[0]))}\n")
         raise
     except (RunFailed, RunStopped):
+        shorten_report()
         raise
     except BaseException as error:
+        if isinstance(error, ProctorError):
+            shorten_report()
         if runs:
             error.add_note(printable(_how_to_continue(runs[0])))
         raise
