@@ -1,7 +1,6 @@
 """Which certificates a server with TLS is checked against: one place for both planes.
 
-Without any of the variables, and with OpenSSL's own SSL_CERT_FILE and SSL_CERT_DIR,
-OpenSSL decides. This module sends nothing.
+Without any of the variables OpenSSL decides. This module sends nothing.
 """
 
 from __future__ import annotations
@@ -11,13 +10,13 @@ import ssl
 from pathlib import Path
 
 # The first one that is set names a file of certificates, or a folder of them.
-VARIABLES = ("PROCTOR_CA", "REQUESTS_CA_BUNDLE", "CURL_CA_BUNDLE")
+VARIABLES = ("PROCTOR_CA", "SSL_CERT_FILE", "REQUESTS_CA_BUNDLE", "CURL_CA_BUNDLE")
 
 
 def client_context() -> ssl.SSLContext:
     """Checks certificates and names. Raises ValueError for what is no certificate."""
     named = next((name for name in VARIABLES if os.environ.get(name)), None)
-    if named is None:
+    if named in (None, "SSL_CERT_FILE"):  # OpenSSL's own, beside SSL_CERT_DIR
         return ssl.create_default_context()
     path = os.environ[named]
     try:

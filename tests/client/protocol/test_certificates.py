@@ -22,7 +22,7 @@ from tests.support.server.certificates import create_certificate
 
 @pytest.fixture(autouse=True)
 def no_variables(monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in (*VARIABLES, "SSL_CERT_FILE", "SSL_CERT_DIR"):
+    for name in (*VARIABLES, "SSL_CERT_DIR"):
         # Set first: what a test or the command sets is then taken back.
         monkeypatch.setenv(name, "")
         monkeypatch.delenv(name)
@@ -110,7 +110,7 @@ def test_the_flag_names_certificates(
     assert json.loads(written)[0]["benchmark_id"] == "calibration"
 
 
-@pytest.mark.parametrize("name", [*VARIABLES, "SSL_CERT_FILE"])
+@pytest.mark.parametrize("name", VARIABLES)
 def test_the_usual_variables_name_certificates(
     tls_server: tuple[str, Path],
     name: str,
