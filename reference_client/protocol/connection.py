@@ -11,8 +11,8 @@ from proctor_client import ApiClient, Configuration, ControlApi
 
 from reference_client.errors import BAD_ANSWER, ProctorError
 from reference_client.generated.protocol_version import PROTOCOL_VERSION
-from reference_client.protocol.certificates import client_context
 from reference_client.protocol.data_plane import DataPlane
+from reference_client.protocol.tls_context import client_context
 
 USER_AGENT = f"proctor-reference-client/{importlib.metadata.version('proctor-eval')}"
 # (connect, read). A turn may take longer: the repeated request waits for it (PRED-005).

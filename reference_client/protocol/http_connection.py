@@ -21,7 +21,7 @@ from urllib.parse import urlsplit
 import httptools
 from urllib3.util.wait import wait_for_read
 
-from reference_client.protocol.certificates import client_context
+from reference_client.protocol.tls_context import client_context
 
 # Received at once until the size of a response is known: most responses fit.
 _PIECE_BYTES = 2**16

@@ -1,8 +1,7 @@
 """Documents hold together: no dead link, no dead anchor, no page that nothing links to.
 
-Read are README.md, SECURITY.md, examples/README.md and docs/, as GitHub shows them.
-Paths of docs/ in the text of other files are checked as well, for they are read by
-people.
+Read are README.md, examples/README.md and docs/, as GitHub shows them. Paths of docs/
+in the text of other files are checked as well, for they are read by people.
 """
 
 from __future__ import annotations
@@ -18,10 +17,7 @@ import pytest
 from tests.support.paths import ROOT
 
 DOCS = ROOT / "docs"
-PAGES = [
-    *(ROOT / "README.md", ROOT / "SECURITY.md", ROOT / "examples" / "README.md"),
-    *DOCS.rglob("*.md"),
-]
+PAGES = [ROOT / "README.md", ROOT / "examples" / "README.md", *DOCS.rglob("*.md")]
 LINK = re.compile(r"\]\(<?([^)>\s]+)>?(?: \"[^\"]*\")?\)")
 FENCE = re.compile(r"^(```|~~~).*?^\1", re.MULTILINE | re.DOTALL)
 CODE = re.compile(r"`[^`\n]*`")

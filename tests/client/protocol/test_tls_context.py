@@ -13,8 +13,8 @@ import pytest
 
 from reference_client import ProctorError, evaluate
 from reference_client.command.main import main
-from reference_client.protocol.certificates import VARIABLES, client_context
 from reference_client.protocol.http_connection import HttpConnection
+from reference_client.protocol.tls_context import VARIABLES, client_context
 from tests.support.client.policies import GradedPolicy
 from tests.support.kit.null_servers import Request, canned_answers
 from tests.support.server.certificates import create_certificate
