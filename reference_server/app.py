@@ -56,8 +56,17 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     def on_change(run: Run) -> None:
         driver.on_run_changed(run)
 
-    registry = RunRegistry(store, settings.max_active_runs, on_run_lost, on_change)
-    executor = SessionExecutor(registry, pool)
+    registry = RunRegistry(
+        store,
+        settings.max_active_runs,
+        on_run_lost,
+        on_change,
+        unused_s=settings.unused_s_max,
+        open_max=settings.max_open_runs,
+    )
+    executor = SessionExecutor(
+        registry, pool, settings.unused_s_max, settings.heartbeat_s_max
+    )
     egress = EgressPolicy(settings.allow_private_policies)
     key_encryption = KeyEncryption(settings.sealing_key_path)
     policy_server_validator = PolicyServerValidator(

@@ -9,13 +9,14 @@ used.
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Literal
+from typing import Literal, Self
 
-from pydantic import Field, field_validator
+from pydantic import Field, field_validator, model_validator
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
 from reference_server.allowed_networks import AllowedNetworks
-from reference_server.http.allowed_hosts import AllowedHosts
+from reference_server.flageval_modes import ModeTable
+from reference_server.http.allowed_hosts import AllowedHosts, is_loopback
 
 
 class Settings(BaseSettings):
@@ -53,7 +54,8 @@ class Settings(BaseSettings):
     benchmarks: str = Field(
         "",
         description="Additional benchmarks, comma-separated: gymnasium:ID, a TOML "
-        "file, a folder of TOML files, FILE.py:CLASS, or metaworld_mt50.",
+        "file, a folder of TOML files, FILE.py:CLASS, a question file FILE.jsonl, or "
+        "metaworld_mt50.",
     )
     tokens: str = Field(
         "",
@@ -67,6 +69,19 @@ class Settings(BaseSettings):
         pattern=r"^((ebench|flageval)(,(ebench|flageval))*)?$",
         description="Third-party API profiles to enable, comma-separated: ebench, "
         "flageval.",
+    )
+    flageval_modes: str = Field(
+        "",
+        description="Benchmarks for the modes of FlagEval's scripts, comma-separated, "
+        "each DOMAIN:MODE=BENCHMARK_ID with the domain NLP or MM and * for any other "
+        "mode, for example NLP:Qnext=arithmetic,MM:*=question_answering.",
+    )
+    flageval_account: str = Field(
+        "",
+        pattern=r"^[A-Za-z0-9_.-]{0,64}$",
+        description="Account of requests of the profile flageval that come from this "
+        "machine without a token. If empty, there is none. Needs a loopback host and "
+        "no public_url; every user of this machine can then use the account.",
     )
     allow_private_policies: str = Field(
         "",
@@ -86,7 +101,13 @@ class Settings(BaseSettings):
     max_active_runs: int = Field(
         1000,
         ge=1,
-        description="Maximum runs ready or running; others are queued.",
+        description="Maximum runs that are played or about to be; others are queued.",
+    )
+    max_open_runs: int = Field(
+        10_000,
+        ge=1,
+        description="Maximum runs of one account that are queued, ready, running or "
+        "stopping.",
     )
     max_simulators: int = Field(
         64, ge=1, description="Maximum simulator processes, over all runs."
@@ -105,6 +126,20 @@ class Settings(BaseSettings):
         ge=1,
         allow_inf_nan=False,
         description="Maximum lease of a session, and the default.",
+    )
+    heartbeat_s_max: float = Field(
+        3600.0,
+        ge=1,
+        allow_inf_nan=False,
+        description="Maximum time that a session lives on heartbeats without a turn.",
+    )
+    unused_s_max: float = Field(
+        120.0,
+        ge=1,
+        allow_inf_nan=False,
+        description="When others wait: time after which a run without a worker may "
+        "lose its place, and a session without a turn its simulator to an account that "
+        "has fewer.",
     )
     wait_s_max: int = Field(
         30, ge=0, le=600, description="Maximum wait of a long-poll, in seconds."
@@ -146,11 +181,32 @@ class Settings(BaseSettings):
         chosen = self.profiles.split(",")
         return [name for name in known if name in chosen]
 
+    @property
+    def mode_table(self) -> ModeTable:
+        """`flageval_modes`, parsed."""
+        return ModeTable.parse(self.flageval_modes)
+
     @field_validator("allowed_hosts")
     @classmethod
     def _check_hosts(cls, text: str) -> str:
         AllowedHosts.parse(text)  # raises ValueError
         return text
+
+    @field_validator("flageval_modes")
+    @classmethod
+    def _check_modes(cls, text: str) -> str:
+        ModeTable.parse(text)  # raises ValueError
+        return text
+
+    @model_validator(mode="after")
+    def _check_account(self) -> Self:
+        """FLE-024: no other machine uses the account without a token."""
+        if self.flageval_account and (self.public_url or not is_loopback(self.host)):
+            raise ValueError(
+                "flageval_account needs a loopback host and no public_url: requests "
+                "without a token are of that account"
+            )
+        return self
 
     @field_validator("allow_private_policies")
     @classmethod

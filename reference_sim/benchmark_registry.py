@@ -8,7 +8,7 @@ registry, without them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -16,6 +16,7 @@ from typing import Any
 from reference_sim.benchmarks import calibration
 from reference_sim.benchmarks.mobile_bimanual import benchmark as mobile_bimanual
 from reference_sim.benchmarks.question_answering import benchmark as question_answering
+from reference_sim.benchmarks.question_file import benchmark as question_file
 from reference_sim.benchmarks.tabletop import benchmark as tabletop
 from reference_sim.definition import BenchmarkDefinition, Json
 from reference_sim.gymnasium import BadBenchmark
@@ -85,16 +86,24 @@ def add(references: str, say: Callable[[str], None]) -> None:
     messages. Blocks for seconds. Raises BadBenchmark; earlier references are then
     already added.
     """
-    from reference_sim.gymnasium import registration
-
     for reference in filter(None, map(str.strip, references.split(","))):
-        for benchmark_id, definition in registration.benchmarks(reference, say):
+        for benchmark_id, definition in _benchmarks_of(reference, say):
             if benchmark_id in _BENCHMARKS:
                 raise BadBenchmark(
                     f"{reference}: benchmark_id {benchmark_id} is already in use; "
                     "change it in the file"
                 )
             _BENCHMARKS[benchmark_id] = definition
+
+
+def _benchmarks_of(
+    reference: str, say: Callable[[str], None]
+) -> Iterable[tuple[str, BenchmarkDefinition]]:
+    if reference.endswith(question_file.ENDING):
+        return [question_file.benchmark(reference)]
+    from reference_sim.gymnasium import registration
+
+    return registration.benchmarks(reference, say)
 
 
 def benchmark_ids() -> tuple[str, ...]:
@@ -137,6 +146,8 @@ def make(world: SimulatorConfig) -> Simulator:
         from reference_sim.gymnasium import simulator
 
         return simulator.make(world.settings)
+    if world.settings.get("adapter") == question_file.ADAPTER:
+        return question_file.make(world.settings)
     return _definition(world.benchmark_id).make(world.settings)
 
 

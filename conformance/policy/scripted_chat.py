@@ -1,7 +1,7 @@
 """A chat model with scripted replies, which records the requests it receives.
 
-It offers one path, `/v1/chat/completions`, as OpenAI and vLLM do. Only the standard
-library: it runs in the kit's process, for one check.
+It offers `/v1/chat/completions` and `/v1/completions`, as OpenAI and vLLM do. Only the
+standard library: it runs in the kit's process, for one check.
 """
 
 import contextlib
@@ -32,7 +32,14 @@ class ChatRequest:
     @property
     def question(self) -> str:
         """The text of the question."""
+        if "prompt" in self.body:
+            return str(self.body["prompt"])
         return "".join(p["text"] for p in self._content if p["type"] == "text")
+
+    @property
+    def is_chat(self) -> bool:
+        """Whether it asks for a chat completion, not for the completion of a text."""
+        return self.path.endswith("/chat/completions")
 
     @property
     def image_urls(self) -> list[str]:
@@ -65,6 +72,11 @@ class ScriptedChat:
         """The URL of the endpoint."""
         return f"{self.url}/chat/completions"
 
+    @property
+    def text_completions_url(self) -> str:
+        """The URL of the endpoint that continues a text."""
+        return f"{self.url}/completions"
+
     def __enter__(self) -> Self:
         """Serve, in a thread."""
         threading.Thread(target=self._server.serve_forever, args=(0.05,)).start()
@@ -89,7 +101,8 @@ class ScriptedChat:
             time.sleep(0.005)
         reply: Any = self.reply(request) if callable(self.reply) else self.reply
         message = {"role": "assistant", "content": reply}
-        body = {"object": "chat.completion", "choices": [{"message": message}]}
+        choice = {"message": message} if request.is_chat else {"text": reply}
+        body = {"object": "chat.completion", "choices": [choice]}
         return self.status, json.dumps(
             body if self.body is None else self.body
         ).encode()
@@ -118,7 +131,7 @@ def _handler_of(chat: ScriptedChat) -> type[BaseHTTPRequestHandler]:
             raw = self.rfile.read(int(self.headers.get("content-length", 0)))
             headers = {name.lower(): value for name, value in self.headers.items()}
             status, body = 404, b"{}"
-            if self.path.endswith("/v1/chat/completions"):
+            if self.path.endswith(("/v1/chat/completions", "/v1/completions")):
                 request = ChatRequest(self.path, headers, json.loads(raw), raw)
                 status, body = chat.answer_request(request)
             self.send_response(status)

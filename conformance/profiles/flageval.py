@@ -19,6 +19,19 @@ from conformance.verdicts.expect import SetUpFailed, Violation
 END_TIMEOUT_S = 15.0
 # Of `calibration`, as profiles/flageval.yaml has it.
 DATASETS = {"score": 4, "count": 2}
+# Some of vectors/answers: the reply of a model → the number that it answers (FLE-022).
+ANSWERS_IN_TEXT = {
+    "The answer is 0.25": 0.25,
+    "First 1, then 0.5.\nSo the answer is **0.5**.": 0.5,
+    "I get \\boxed{0.75} metres": 0.75,
+    "\\boxed{1}\nNo: \\boxed{0.25}, as I said.": 0.25,
+    "<answer>0.5</answer>": 0.5,
+    "0.75 </answer>": 0.75,
+    "Half of 0.5 is a quarter.\n#### 0.25 of it": 0.0,
+    "Half of 1.\n#### 0.5": 0.5,
+    "The answer is not 1": 0.0,
+    "I think that it is 1 or 0": 0.0,
+}
 _POLL_S = 0.02
 
 

@@ -20,6 +20,12 @@ type Limits struct {
 	HeaderTimeoutS *float64 `json:"header_timeout_s,omitzero"`
 	// Time in which a part of a body arrives after the headers of its request; for the profile `limits`.
 	BodyTimeoutS *float64 `json:"body_timeout_s,omitzero"`
+	// Longest time that a session lives without a new turn, whatever its `idle_timeout_s`; for the profile `limits`.
+	HeartbeatSMax *float64 `json:"heartbeat_s_max,omitzero"`
+	// When others wait: the time after which a run without a worker, or a session without a turn, may have to make room; for the profile `limits`.
+	UnusedSMax *float64 `json:"unused_s_max,omitzero"`
+	// Most runs of one account that are queued, ready, running or stopping; for the profile `limits`.
+	MaxOpenRuns *int32 `json:"max_open_runs,omitzero"`
 }
 
 // GetMaxHeaderBytes returns max_header_bytes, or the zero value when it is absent.
@@ -59,4 +65,43 @@ func (o *Limits) GetBodyTimeoutS() (v float64) {
 // SetBodyTimeoutS sets body_timeout_s.
 func (o *Limits) SetBodyTimeoutS(v float64) {
 	o.BodyTimeoutS = &v
+}
+
+// GetHeartbeatSMax returns heartbeat_s_max, or the zero value when it is absent.
+func (o *Limits) GetHeartbeatSMax() (v float64) {
+	if o != nil && o.HeartbeatSMax != nil {
+		v = *o.HeartbeatSMax
+	}
+	return v
+}
+
+// SetHeartbeatSMax sets heartbeat_s_max.
+func (o *Limits) SetHeartbeatSMax(v float64) {
+	o.HeartbeatSMax = &v
+}
+
+// GetUnusedSMax returns unused_s_max, or the zero value when it is absent.
+func (o *Limits) GetUnusedSMax() (v float64) {
+	if o != nil && o.UnusedSMax != nil {
+		v = *o.UnusedSMax
+	}
+	return v
+}
+
+// SetUnusedSMax sets unused_s_max.
+func (o *Limits) SetUnusedSMax(v float64) {
+	o.UnusedSMax = &v
+}
+
+// GetMaxOpenRuns returns max_open_runs, or the zero value when it is absent.
+func (o *Limits) GetMaxOpenRuns() (v int32) {
+	if o != nil && o.MaxOpenRuns != nil {
+		v = *o.MaxOpenRuns
+	}
+	return v
+}
+
+// SetMaxOpenRuns sets max_open_runs.
+func (o *Limits) SetMaxOpenRuns(v int32) {
+	o.MaxOpenRuns = &v
 }

@@ -17,7 +17,7 @@ type PolicyServer struct {
 	MaxConcurrent *int32 `json:"max_concurrent,omitzero"`
 	// How often a call that was not answered is repeated; 3 when absent.
 	MaxRetries *int32 `json:"max_retries,omitzero"`
-	// Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` alone.
+	// Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` and `openai_completions` alone.
 	Generation map[string]float64 `json:"generation,omitzero"`
 }
 

@@ -440,6 +440,27 @@ class Limits(BaseModel):
             ge=0.0,
         ),
     ] = MISSING
+    heartbeat_s_max: Annotated[
+        float | MISSING,
+        Field(
+            description="Longest time that a session lives without a new turn, whatever its `idle_timeout_s`; for the profile `limits`.",
+            ge=1.0,
+        ),
+    ] = MISSING
+    unused_s_max: Annotated[
+        float | MISSING,
+        Field(
+            description="When others wait: the time after which a run without a worker, or a session without a turn, may have to make room; for the profile `limits`.",
+            ge=0.0,
+        ),
+    ] = MISSING
+    max_open_runs: Annotated[
+        int | MISSING,
+        Field(
+            description="Most runs of one account that are queued, ready, running or stopping; for the profile `limits`.",
+            ge=1,
+        ),
+    ] = MISSING
 
 
 class Observation(BaseModel):
@@ -510,9 +531,9 @@ class PolicyInfo(BaseModel):
 PolicyProtocol = TypeAliasType(
     "PolicyProtocol",
     Annotated[
-        Literal["proctor", "openai_chat"],
+        Literal["proctor", "openai_chat", "openai_completions"],
         Field(
-            description="`proctor` is policy.yaml. `openai_chat` asks for a chat completion at `chat/completions` below the URL, for benchmarks that are answered in words."
+            description="`proctor` is policy.yaml. `openai_chat` asks for a chat completion at `chat/completions` below the URL, for benchmarks that are answered in words. `openai_completions` asks for the completion of a text at `completions` below the URL, for such benchmarks without images."
         ),
     ],
 )
@@ -588,7 +609,7 @@ class PolicyServer(BaseModel):
     generation: Annotated[
         dict[str, float] | MISSING,
         Field(
-            description="Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` alone.",
+            description="Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` and `openai_completions` alone.",
             max_length=32,
         ),
     ] = MISSING

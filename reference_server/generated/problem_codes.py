@@ -162,6 +162,13 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "title": "The run has all the live workers it may have",
         "act": "Wait for Retry-After, or detach a worker.",
     },
+    "quota_exceeded": {
+        "status": 429,
+        "retryable": True,
+        "side_effects": "none",
+        "title": "The account has all that it may have",
+        "act": "Wait for Retry-After; let a run end, or stop one that is not needed.",
+    },
     "internal_error": {
         "status": 500,
         "retryable": True,

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from ipaddress import ip_address
 
 from reference_server.rules.refusal import Refused
 
@@ -44,6 +45,16 @@ class AllowedHosts:
         name = match[1].lower()
         if self and name not in self.names and not name.endswith(self.suffixes):
             raise _refused("is not a name of this server")
+
+
+def is_loopback(host: str) -> bool:
+    """Whether an address, or a name, without a port is this machine's own."""
+    if host == "localhost":
+        return True
+    try:
+        return ip_address(host).is_loopback
+    except ValueError:
+        return False
 
 
 def _refused(detail: str) -> Refused:

@@ -11,9 +11,18 @@ import secrets
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from starlette.requests import Request
+
+from reference_server.http.allowed_hosts import is_loopback
 from reference_server.rules.refusal import Refused
 
 SCOPES = frozenset({"read", "run"})
+# Headers of a request that a proxy passed on, or that a page in a browser sends.
+_NOT_A_SCRIPT = (
+    *("forwarded", "x-forwarded-for", "x-real-ip", "via"),
+    *("origin", "sec-fetch-site"),
+)
+_PORT = re.compile(r":[0-9]{1,5}$")
 
 
 class BadTokens(ValueError):
@@ -76,6 +85,17 @@ class Tokens:
 
 def new_secret() -> str:
     return f"proctor_{secrets.token_urlsafe(24)}"
+
+
+def is_local(request: Request) -> bool:
+    """FLE-024: sent by a program on this machine, to an address of this machine.
+
+    The header Host excludes pages whose name was rebound to this machine.
+    """
+    host = _PORT.sub("", request.headers.get("host", "")).strip("[]")
+    peer = request.client.host if request.client else ""
+    is_passed_on = any(name in request.headers for name in _NOT_A_SCRIPT)
+    return is_loopback(peer) and is_loopback(host) and not is_passed_on
 
 
 def _hash(secret: str) -> str:

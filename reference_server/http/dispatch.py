@@ -22,7 +22,7 @@ from starlette.responses import Response
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http import codec
 from reference_server.http.allowed_hosts import AllowedHosts
-from reference_server.http.auth import Caller, Tokens
+from reference_server.http.auth import SCOPES, Caller, Tokens, is_local
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.storage.store import StoreFailed
@@ -77,7 +77,8 @@ class Operation:
     scope: what the token needs; None for a request without credentials (SVC-001).
     body: the model of the body. reads, writes: media types, best first; empty without a
     body. query, headers: names that it takes. refusal_response: makes the response of a
-    refusal; a problem by default.
+    refusal; a problem by default. local_account: that of requests of this machine
+    without a token; they are refused if it is empty.
     """
 
     handler: Callable[[OperationCall], Awaitable[Response]]
@@ -89,6 +90,7 @@ class Operation:
     required_query: tuple[str, ...] = ()
     headers: tuple[str, ...] = ()
     refusal_response: Callable[[Refused], Response] | None = None
+    local_account: str = ""
 
 
 @dataclass(slots=True)
@@ -146,8 +148,7 @@ async def _check_request(
     check_version(request)
     caller = None
     if operation.scope is not None:
-        authorization = request.headers.get("authorization")
-        caller = tokens.authenticate(authorization, operation.scope)
+        caller = _caller(request, operation.scope, operation.local_account, tokens)
     call = OperationCall(
         request,
         _path(request),
@@ -164,6 +165,14 @@ async def _check_request(
         structure = codec.decode(call.raw, media_type)
         call.body = codec.validate(operation.body, structure)
     return call
+
+
+def _caller(request: Request, scope: str, local_account: str, tokens: Tokens) -> Caller:
+    """Whom the token names; without one, FLE-024."""
+    authorization = request.headers.get("authorization")
+    if authorization is None and local_account and is_local(request):
+        return Caller(local_account, SCOPES)
+    return tokens.authenticate(authorization, scope)
 
 
 def check_version(request: Request) -> None:

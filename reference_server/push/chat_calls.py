@@ -1,6 +1,7 @@
 """A policy that is a chat model: an instruction and images in, an answer as text out.
 
 Uses the chat completions API that OpenAI, vLLM and most other servers offer, for
+or the older completions API, for
 benchmarks whose actions are answers (`choice`, `number` and `point`, -1 for those that
 are not given) and for `calibration`, as calibration.md says. How a text becomes an
 answer is in docs/evaluate/question-answering.md; a text that cannot be read is "no
@@ -26,6 +27,7 @@ MEDIA_TYPES = {"png": "image/png", "jpeg": "image/jpeg"}
 _UNSUPPORTED_CODEC = (
     "Chat models accept png or jpeg images only; set images.codec to one of these."
 )
+_NO_IMAGES = "A completions server accepts no images; use openai_chat."
 
 _REASONING_END = "</think>"
 _LABEL = re.compile(r"answer\s*:\s*", re.IGNORECASE)
@@ -33,6 +35,12 @@ _DECORATION = "*` \t"
 _CHOICE = re.compile(r"\(([A-Za-z])\)|([A-Za-z])\)?")
 _DECIMAL = r"[0-9]{1,6}(?:\.[0-9]{1,9})?"
 _NUMBER = re.compile(_DECIMAL)
+# Marks of an answer inside of a text (FLE-022).
+_ANSWER_BEGIN, _ANSWER_END = "<answer>", "</answer>"
+_BOX = re.compile(r"\\boxed\{(?:\\text\{([^{}]{0,100})\}|([^{}]{0,100}))\}")
+_HASHES = re.compile(r"^####(.{0,200})$", re.MULTILINE)
+_ANSWER_IS = re.compile(r"\banswer is:?(?: option)?[ \t]([^\n]{0,200})", re.IGNORECASE)
+_NAMED_CHOICE = re.compile(r"\(?([A-Z])(?:\)|[.:](?=\s))")  # before its text: `B) left`
 _POINT = re.compile(rf"[(\[]?\s*({_DECIMAL})(?:\s*,\s*|\s+)({_DECIMAL})\s*[)\]]?")
 
 
@@ -63,14 +71,17 @@ class ChatPolicy:
         """A chat model has no state to reset."""
 
     async def predict(self, turn: Turn) -> models.Predict:
-        """CHAT-001: one POST for each turn."""
-        answer = await self._calls.post("/chat/completions", self._question(turn))
-        values = self._values(read_answer(_content(answer)))
+        values = self._values(read_answer(await self._ask(turn)))
         return models.Predict(
             session_id=turn["session_id"],
             seq=turn["seq"] + 1,
             actions=[models.Action(values=values)],
         )
+
+    async def _ask(self, turn: Turn) -> str:
+        """CHAT-001: one POST for each turn; the text of the answer."""
+        body = self._generation() | {"messages": [_message(turn)]}
+        return _content(await self._calls.post("/chat/completions", body))
 
     def _values(self, answer: dict[str, list[float]]) -> dict[str, list[float]]:
         """The answer as an action; a value above its maximum counts as no answer."""
@@ -85,12 +96,8 @@ class ChatPolicy:
                 answer[name] = [NO_ANSWER] * len(vector)
         return answer
 
-    def _question(self, turn: Turn) -> dict[str, Any]:
-        """The body of a request (CHAT-001); `generation` never replaces `messages`."""
-        images = [
-            _image_part(image) for image in turn["observation"]["images"].values()
-        ]
-        text = {"type": "text", "text": turn["episode"]["instruction"]}
+    def _generation(self) -> dict[str, Any]:
+        """What a request contains beside the question (CHAT-001)."""
         body: dict[str, Any] = {
             # A number of tokens is an integer and must be written as one.
             name: int(value) if value == int(value) else value
@@ -98,7 +105,25 @@ class ChatPolicy:
         }
         if self._config.model is not None:
             body["model"] = self._config.model
-        return body | {"messages": [{"role": "user", "content": [*images, text]}]}
+        return body
+
+
+class CompletionPolicy(ChatPolicy):
+    """A model behind the completions API, which continues a text and sees no image."""
+
+    async def describe(self) -> Description:
+        """CHAT-005: no image can be sent. Raises PolicyFault."""
+        space: Mapping[str, Any] = self._run.manifest["observation_space"]
+        if space.get("images") and not self._is_calibration:
+            raise PolicyFault(_NO_IMAGES)
+        return await super().describe()
+
+    async def _ask(self, turn: Turn) -> str:
+        """CHAT-005: one POST for each turn; the text of the answer."""
+        if turn["observation"]["images"]:
+            raise PolicyFault(_NO_IMAGES)
+        body = self._generation() | {"prompt": turn["episode"]["instruction"]}
+        return _text(await self._calls.post("/completions", body))
 
 
 def is_playable_by_chat(manifest: Mapping[str, Any]) -> bool:
@@ -111,26 +136,56 @@ def is_playable_by_chat(manifest: Mapping[str, Any]) -> bool:
 def read_answer(text: str) -> dict[str, list[float]]:
     """The text of a model as an action, in which at most one entry is an answer.
 
-    CHAT-002: reads the last line that is not blank after the last `</think>`.
+    CHAT-002: reads the last line that is not blank after the last `</think>`; what is
+    no answer there, as FLE-022 has it. CHAT-003: what neither recognises stays "no
+    answer".
     """
-    # CHAT-003: what is not recognised below stays "no answer".
-    values = {name: [NO_ANSWER] * size for name, size in ANSWER_SIZES.items()}
     answer_text = text.rpartition(_REASONING_END)[2].strip()
-    line = (
-        answer_text.splitlines()[-1].strip().strip(_DECORATION) if answer_text else ""
-    )
+    line = answer_text.splitlines()[-1] if answer_text else ""
+    line = line.strip().strip(_DECORATION)
     line = _LABEL.sub("", line, count=1) if _LABEL.match(line) else line
+    values = _read_words(line) or _read_words(_marked(answer_text))
+    none = {name: [NO_ANSWER] * size for name, size in ANSWER_SIZES.items()}
+    return none | values
+
+
+def _read_words(line: str) -> dict[str, list[float]]:
+    """The entry of an action that the words are, and nothing beside it; or nothing."""
     # The full stop may be inside or after the decoration of the answer.
     line = line.strip(_DECORATION).removesuffix(".").strip(_DECORATION)
     if choice := _CHOICE.fullmatch(line):
         letter = (choice[1] or choice[2]).upper()
-        values["choice"] = [float(ord(letter) - ord("A"))]
-        return values
+        return {"choice": [float(ord(letter) - ord("A"))]}
     if _NUMBER.fullmatch(line):
-        values["number"] = [float(line)]
-    elif point := _POINT.fullmatch(line):
-        values["point"] = [float(point[1]), float(point[2])]
-    return values
+        return {"number": [float(line)]}
+    if point := _POINT.fullmatch(line):
+        return {"point": [float(point[1]), float(point[2])]}
+    return {}
+
+
+def _marked(text: str) -> str:
+    """FLE-022: the words that a text marks as its answer; empty if it marks none.
+
+    The first kind of mark that there is decides, and of it the last.
+    """
+    before, end, _ = text.rpartition(_ANSWER_END)
+    if end:
+        return before.rpartition(_ANSWER_BEGIN)[2].strip()
+    if boxes := _BOX.findall(text):
+        return str(boxes[-1][0] or boxes[-1][1])
+    for mark in (_HASHES, _ANSWER_IS):
+        if found := mark.findall(text):
+            words = str(found[-1]).strip(_DECORATION)
+            named = _NAMED_CHOICE.match(words)
+            return named[1] if named else words
+    return ""
+
+
+def _message(turn: Turn) -> dict[str, Any]:
+    """The question of a turn (CHAT-001)."""
+    images = [_image_part(image) for image in turn["observation"]["images"].values()]
+    text = {"type": "text", "text": turn["episode"]["instruction"]}
+    return {"role": "user", "content": [*images, text]}
 
 
 def _image_part(image: Mapping[str, Any]) -> dict[str, Any]:
@@ -154,3 +209,14 @@ def _content(answer: Any) -> str:
             "/choices/0/message/content."
         ) from error
     return content if isinstance(content, str) else ""
+
+
+def _text(answer: Any) -> str:
+    """CHAT-005: the text of a completion. Raises PolicyFault if it is none."""
+    try:
+        text = answer["choices"][0]["text"]
+    except (LookupError, TypeError) as error:
+        raise PolicyFault(
+            "The model's answer is not a completion: it has no /choices/0/text."
+        ) from error
+    return text if isinstance(text, str) else ""

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from reference_server.push.backoff import Backoff
-from reference_server.push.chat_calls import ChatPolicy
+from reference_server.push.chat_calls import ChatPolicy, CompletionPolicy
 from reference_server.push.egress import EgressPolicy
 from reference_server.push.http_calls import CallLimits, HttpCalls, PolicyFault
 from reference_server.push.key_encryption import DecryptionFailed, KeyEncryption
@@ -50,6 +50,7 @@ log = logging.getLogger("proctor.push")
 PROTOCOLS: dict[str, Callable[[Run, PolicyServerConfig, HttpCalls], PolicyAdapter]] = {
     "proctor": ProctorPolicy,
     "openai_chat": ChatPolicy,
+    "openai_completions": CompletionPolicy,
 }
 # How often in a row this server may refuse its own worker before that is taken for a
 # defect. Refusals for lack of capacity do not count: a simulator becomes free in time.
@@ -109,8 +110,19 @@ class Driver:
 
     def open(self) -> None:
         """PUSH-017: continue the runs that the last process left unfinished."""
-        for run_id in self._registry.active():
-            self._registry.run_in_background(self._check_run(run_id))
+        self._registry.run_in_background(self._check_all_runs())
+
+    async def _check_all_runs(self) -> None:
+        try:
+            for run_id in await self._registry.push_runs():
+                self._schedule_check(run_id)
+        except StoreFailed:
+            log.exception("the push runs could not be found")
+            asyncio.get_running_loop().call_later(RELOAD_S, self._reopen)
+
+    def _reopen(self) -> None:
+        if not self._closed:
+            self.open()
 
     async def close(self) -> None:
         """Cancel every call; the runs are continued at the next start."""

@@ -23,6 +23,7 @@ from reference_server.push.key_encryption import KeyEncryption
 from reference_server.rules.refusal import Refused
 
 _RESOLVE_TIMEOUT_S = 2.0
+_MODELS = ("openai_chat", "openai_completions")  # protocols of language models
 
 
 class PolicyServerValidator:
@@ -108,8 +109,7 @@ def _errors(submission: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
     elif requested is not None and not is_push:
         yield "/policy_server", "is allowed only with mode push"
     elif (
-        requested
-        and requested["protocol"] != "openai_chat"
-        and "generation" in requested
+        requested and requested["protocol"] not in _MODELS and "generation" in requested
     ):
-        yield "/policy_server/generation", "is allowed only with protocol openai_chat"
+        text = f"is allowed only with protocol {' or '.join(_MODELS)}"
+        yield "/policy_server/generation", text

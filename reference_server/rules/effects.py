@@ -158,8 +158,18 @@ def store_answer(session: Session, turn: dict[str, Any], now: float) -> None:
 
 
 def extend_lease(session: Session, now: float) -> None:
-    """LEASE-003, LEASE-004: an answered request extends the lease."""
+    """LEASE-004: an answered turn extends the lease."""
     session.expires_at = now + session.idle_timeout_s
+
+
+def extend_without_turn(session: Session, now: float, heartbeat_s_max: float) -> None:
+    """LEASE-003, LEASE-010; LIM-006: no further than so long after the last turn.
+
+    Never back: what an earlier answer has promised holds (LEASE-002).
+    """
+    turn_at = now if session.busy else session.answered_at
+    until = min(now + session.idle_timeout_s, turn_at + heartbeat_s_max)
+    session.expires_at = max(session.expires_at, until)
 
 
 def close_session(
@@ -288,22 +298,15 @@ def record_fault(
     return sessions
 
 
-def admit(
-    queued: Sequence[Run], active: int, active_max: int, now_wall: float
-) -> list[Run]:
-    """LIFE-801: which queued runs, oldest first, become ready now; they are moved.
+def admit(run: Run, now_wall: float) -> bool:
+    """LIFE-801: a queued run that got a place becomes ready; whether it did.
 
-    LIFE-810: none before its time. LIFE-811: one that was stopped is not queued.
-    A run without a number is not stored yet: it is the youngest.
+    LIFE-810: not before its time. LIFE-811: one that was stopped is not queued.
     """
-    admitted: list[Run] = []
-    for run in sorted(queued, key=lambda r: (r.number == 0, r.number)):
-        if active + len(admitted) >= active_max:
-            break
-        if run.queue_until_wall <= now_wall:
-            apply_event(run, "capacity")
-            admitted.append(run)
-    return admitted
+    if run.queue_until_wall > now_wall or not legal(run, "capacity"):
+        return False
+    apply_event(run, "capacity")
+    return True
 
 
 def _episode_of(session: Session) -> Episode:

@@ -56,9 +56,12 @@ class Benchmarks:
             )
         return found
 
+    def offers(self, benchmark_id: str) -> bool:
+        return benchmark_id in benchmark_registry.benchmark_ids()
+
     async def view(self, benchmark_id: str) -> dict[str, Any]:
         """Schema Benchmark (BEN-002, BEN-003)."""
-        if benchmark_id not in benchmark_registry.benchmark_ids():
+        if not self.offers(benchmark_id):
             raise Refused("not_found", f"There is no benchmark {benchmark_id}.")
         resolved = self._resolved(benchmark_id, None, None)
         members = {k: v for k, v in resolved.manifest.items() if k != "episodes"}

@@ -17,15 +17,17 @@ import asyncio
 import logging
 import time
 from bisect import bisect_left, insort
-from collections import OrderedDict
+from collections import OrderedDict, deque
 from collections.abc import Awaitable, Callable, Sequence
 from functools import partial
 from typing import TypeVar
 from weakref import WeakValueDictionary
 
 from reference_server.rules import effects
+from reference_server.rules.capacity import WaitingRun, below_quota
 from reference_server.rules.lifecycle import (
     ACTIVE_STATES,
+    PLAYABLE_STATES,
     RESTART_REASON,
     RESTING_STATES,
     STATES_AFTER_RESTART,
@@ -40,6 +42,7 @@ from reference_server.rules.submission import (
     queue_until,
 )
 from reference_server.runs import steady_clock
+from reference_server.runs.places import Places
 from reference_server.storage.store import Store, StoreFailed
 from reference_server.system.repeated_failures import RepeatedFailures
 
@@ -49,6 +52,8 @@ log = logging.getLogger("proctor.runs")
 CACHED_RUNS_MAX = 256
 # How long after a failed write its run is loaded again without a request for it.
 RELOAD_S = 1.0
+# Read at once of the runs that may be played after a restart.
+HEADS_PER_READ = 200
 
 Rendered = TypeVar("Rendered")
 
@@ -56,8 +61,10 @@ Rendered = TypeVar("Rendered")
 class RunRegistry:
     """All runs of this server, by id.
 
-    on_run_lost: ends the sessions of a run whose write failed.
-    on_change: is called with a run whose state may have changed.
+    active_max: places of runs that are played or about to be. unused_s: when others
+    wait, how long a run without a worker keeps its place. open_max: open runs of one
+    account. on_run_lost: ends the sessions of a run whose write failed. on_change: is
+    called with a run whose state may have changed.
     """
 
     def __init__(
@@ -66,15 +73,20 @@ class RunRegistry:
         active_max: int,
         on_run_lost: Callable[[Run], None],
         on_change: Callable[[Run], None],
+        *,
+        unused_s: float = 120.0,
+        open_max: int = 10_000,
     ) -> None:
         self._store = store
         self._on_run_lost, self._on_change = on_run_lost, on_change
-        self._active_max = active_max
+        self._places = Places(active_max, unused_s)
+        self._open_max = open_max
+        self._open: dict[str, set[str]] = {}  # ids of the open runs of each account
         self._in_memory: WeakValueDictionary[str, Run] = WeakValueDictionary()
         self._recent: OrderedDict[str, Run] = OrderedDict()
-        self._queued: dict[str, Run] = {}
-        self._queue: list[int] = []  # their numbers, the next one first
-        self._active: set[str] = set()
+        self._queued: dict[str, int] = {}  # their numbers, by id
+        self._queue: list[int] = []  # the same numbers, the next one first
+        self._admitted: deque[str] = deque()  # ids of what is to be loaded for that
         self._loading: dict[str, asyncio.Task[Run | None]] = {}
         self._saving: dict[str, asyncio.Task[bool]] = {}  # the last one of each run
         # Referenced only by the requests that wait for a change.
@@ -88,11 +100,25 @@ class RunRegistry:
         self._failures = RepeatedFailures(log)
 
     async def open(self) -> None:
-        """Apply what a restart does, then load what waits for capacity."""
+        """Apply what a restart does, then admit what waits for capacity.
+
+        What was played has a place, for its workers come back; what was only ready gets
+        one when a worker attaches. No run is loaded for that.
+        """
+        now = time.monotonic()
+        for run in await self._store.waiting_runs(*STATES_AFTER_RESTART):
+            self._places.play(run.run_id, run.account)
+            self._places.rest(run.run_id, now)
         await self._store.replace_states(STATES_AFTER_RESTART, RESTART_REASON)
-        self._active = set(await self._store.in_states(*ACTIVE_STATES))
-        for run_id in await self._store.in_states(*WAITING_STATES):
-            await self.get(run_id)
+        for run in await self._store.waiting_runs(*ACTIVE_STATES):
+            self._note_open(run.account, run.run_id, is_open=True)
+        for run in await self._store.waiting_runs(*WAITING_STATES):
+            self._note_open(run.account, run.run_id, is_open=True)
+            if run.queue_until_wall <= steady_clock.now_wall():
+                self._note_queued(run, is_queued=True)
+            else:  # seldom, and for seconds: `_adopt` checks it by what was asked for
+                await self.get(run.run_id)
+        self._admit()
 
     def release_waiters(self) -> None:
         """The server will shut down: end every wait for a change."""
@@ -112,6 +138,10 @@ class RunRegistry:
     async def get(self, run_id: str, account: str | None = None) -> Run:
         """The run, if the account may see it (AUTH-003, RUN-010)."""
         run = self._in_memory.get(run_id) or await self._load(run_id)
+        if run is not None and run.lost:  # a write that its loading began has failed
+            run = self._in_memory.get(run_id) or await self._load(run_id)
+            if run is not None and run.lost:
+                raise StoreFailed("the run could not be stored")
         if run is None or not (account is None or may_see_run(account, run.account)):
             raise _no_run(run_id)
         self._cache(run)
@@ -145,7 +175,9 @@ class RunRegistry:
 
     def _is_current(self, head: RunHead) -> bool:
         """Whether the run is as it was just read: it was not loaded meanwhile."""
-        return head.state in RESTING_STATES and head.run_id not in self._in_memory
+        # What is known to be in the queue leaves it only in memory.
+        is_stable = head.state in RESTING_STATES or head.run_id in self._queued
+        return is_stable and head.run_id not in self._in_memory
 
     async def add(self, run: Run, key: str | None, body_sha256: str) -> Run:
         """Store a new run; or the run that this Idempotency-Key made (RUN-003).
@@ -153,6 +185,7 @@ class RunRegistry:
         RUN-027: only a run that is stored uses up its key. RUN-029: without a key
         nothing is looked up.
         """
+        await self._check_quota(run.account, key)
         # A request that finds it in the store, even before this one, finds this object.
         self._in_memory[run.run_id] = run
         self._admit(run)  # before it is stored: one submit is one transaction
@@ -162,7 +195,7 @@ class RunRegistry:
         finally:
             if not is_stored:
                 self._in_memory.pop(run.run_id, None)
-                self._active.discard(run.run_id)
+                self._places.leave(run.run_id)
                 self._admit()
         if is_stored:
             self._cache(run)
@@ -265,9 +298,41 @@ class RunRegistry:
         self._wake(run.run_id)
         self._admit()
 
-    def active(self) -> list[str]:
-        """Ids of the runs that hold capacity."""
-        return list(self._active)
+    def check_quota(self, account: str) -> None:
+        """LIM-007: refuse when the account has as many open runs as it may have."""
+        refused = below_quota(len(self._open.get(account, ())), self._open_max)
+        if refused is not None:
+            raise Refused.from_verdict(refused)
+
+    async def _check_quota(self, account: str, key: str | None) -> None:
+        """A key that is used makes no run (RUN-003)."""
+        try:
+            self.check_quota(account)
+        except Refused:
+            if key is None or await self.find_by_key(account, key) is None:
+                raise
+
+    def take_place(self, run: Run) -> None:
+        """A worker attaches: the run has a place, or is refused and waits for one.
+
+        What waits gets the next place that is its own in turn, so that a repeat finds
+        it. LIM-004: others give back what they do not use.
+        """
+        if run.run_id in self._places:
+            return
+        self._places.wait(WaitingRun(run.run_id, run.number, run.account, 0.0))
+        self._admit()
+        if run.run_id not in self._places:
+            raise Refused("no_capacity", "As many runs are played as may be at once.")
+
+    async def push_runs(self) -> list[str]:
+        """Ids of the push runs that may be played; none is loaded for that."""
+        found: list[str] = []
+        ids = await self._store.in_states(*ACTIVE_STATES)
+        for start in range(0, len(ids), HEADS_PER_READ):
+            heads = await self._store.heads(ids[start : start + HEADS_PER_READ])
+            found += [run_id for run_id, head in heads.items() if head.is_push]
+        return found
 
     def queue_position(self, run: RunHead) -> int | None:
         """RUN-008: 1 is next; None unless queued."""
@@ -276,31 +341,43 @@ class RunRegistry:
         return 1 + bisect_left(self._queue, run.number)
 
     def _index_by_state(self, run: Run, state: State | None) -> None:
-        """Among the active, in the queue, or nowhere, as the state says."""
-        if state in ACTIVE_STATES:
-            self._active.add(run.run_id)
-        else:
-            self._active.discard(run.run_id)
-        was_queued = self._queued.pop(run.run_id, None) is not None
+        """With a place, in the queue, or nowhere, as the state says; None: unknown."""
         is_queued = state in WAITING_STATES
-        if is_queued:
-            self._queued[run.run_id] = run
-        if was_queued != is_queued:
-            self._update_queue(run.number, was_queued)
+        if state in STATES_AFTER_RESTART:
+            self._places.stop_waiting(run.run_id)
+            self._places.play(run.run_id, run.account)
+        elif state in PLAYABLE_STATES:
+            self._places.rest(run.run_id, time.monotonic())
+        else:
+            self._places.leave(run.run_id)
+        self._note_queued(WaitingRun.of(run), is_queued=is_queued)
         if state is not None:
+            is_open = is_queued or state in ACTIVE_STATES
+            self._note_open(run.account, run.run_id, is_open=is_open)
             self._on_change(run)
 
-    def _update_queue(self, number: int, has_left: bool) -> None:
-        """A run has left or entered the queue: those behind it have moved (RUN-008)."""
-        if has_left:
-            del self._queue[bisect_left(self._queue, number)]
+    def _note_open(self, account: str, run_id: str, *, is_open: bool) -> None:
+        ids = self._open.setdefault(account, set())
+        if is_open:
+            ids.add(run_id)
         else:
-            insort(self._queue, number)
-        for run_id in list(
-            self._change_events
-        ):  # rarely as many as there are in the queue
-            waiting = self._queued.get(run_id)
-            if waiting is not None and waiting.number > number:
+            ids.discard(run_id)
+
+    def _note_queued(self, run: WaitingRun, *, is_queued: bool) -> None:
+        """In the queue or not; those behind it have moved (RUN-008)."""
+        if is_queued:
+            self._places.wait(run)
+        if is_queued == (run.run_id in self._queued):
+            return
+        if is_queued:
+            self._queued[run.run_id] = run.number
+            insort(self._queue, run.number)
+        else:
+            number = self._queued.pop(run.run_id)
+            del self._queue[bisect_left(self._queue, number)]
+        # Rarely as many wait for a change as there are in the queue.
+        for run_id in list(self._change_events):
+            if self._queued.get(run_id, 0) > run.number:
                 self._wake(run_id)
 
     def _wake(self, run_id: str) -> None:
@@ -314,35 +391,64 @@ class RunRegistry:
         new: one that is not stored yet; its place is taken, and storing it is left to
         the caller.
         """
-        # The length of a queue that cannot move costs nothing.
-        if self._closed or len(self._active) >= self._active_max:
+        if self._closed:
             return
-        queued = [r for r in self._queued.values() if r.state in WAITING_STATES]
-        if new is not None and new.state in WAITING_STATES:
-            queued.append(new)
-        if not queued:
-            return
-        now = steady_clock.now_wall()
-        admitted = effects.admit(queued, len(self._active), self._active_max, now)
-        for run in admitted:
-            if run is new:
-                self._active.add(run.run_id)
-            else:
-                self._index_by_state(run, run.state)
-                self.commit_later(run)
-        self._schedule_admission(now)
+        now, now_wall = time.monotonic(), steady_clock.now_wall()
+        is_new = new is not None and new.state in WAITING_STATES
+        unstored = WaitingRun.of(new) if new is not None and is_new else None
+        if self._places.can_change(now, unstored):
+            for waiting in self._places.share(now, now_wall, unstored):
+                run = new if waiting is unstored else None
+                self._let_in(waiting.run_id, run)
+            self._check_capacity_in(self._places.next_due(now_wall))
+        self._check_capacity_in(self._places.next_overdue(now))
 
-    def _schedule_admission(self, now: float) -> None:
-        """Admit again when the next hold in the queue ends."""
-        holds = [r.queue_until_wall for r in self._queued.values()]
-        later = [until for until in holds if until > now]
-        if self._admission_timer is not None:
-            self._admission_timer.cancel()
-            self._admission_timer = None
-        if later:
-            loop = asyncio.get_running_loop()
-            wait_s = max(0.001, min(later) - now)
-            self._admission_timer = loop.call_later(wait_s, self._admit)
+    def _let_in(self, run_id: str, new: Run | None) -> None:
+        """A run got a place; one that is not in memory is loaded for that."""
+        if new is not None:
+            effects.admit(new, steady_clock.now_wall())
+        elif (run := self._in_memory.get(run_id)) is not None:
+            if not self._apply_admission(run):
+                self._index_by_state(run, run.state)
+        else:
+            self._admitted.append(run_id)
+            if len(self._admitted) == 1:
+                self.run_in_background(self._load_admitted())
+
+    def _apply_admission(self, run: Run) -> bool:
+        """Whether the run was queued; else it was ready, and a worker attaches."""
+        if not effects.admit(run, steady_clock.now_wall()):
+            return False
+        self._index_by_state(run, run.state)
+        self.commit_later(run)
+        return True
+
+    async def _load_admitted(self) -> None:
+        """One after another: each is stored and out of memory before the next."""
+        while self._admitted and not self._closed:
+            run_id = self._admitted[0]
+            try:
+                run = self._in_memory.get(run_id) or await self._load(run_id)
+                if run is not None:
+                    await self.is_stored(run)
+            except StoreFailed as error:
+                self._failures.report("a run could not be loaded", str(error))
+                self._reload_later(run_id)
+            finally:
+                self._admitted.popleft()
+
+    def _check_capacity_in(self, wait_s: float | None) -> None:
+        """Admit again then: when a hold in the queue ends, or a place is unused."""
+        if wait_s is None:
+            return
+        loop = asyncio.get_running_loop()
+        at = loop.time() + max(0.001, wait_s)
+        timer = self._admission_timer
+        if timer is not None and not timer.cancelled():
+            if loop.time() < timer.when() <= at:
+                return
+            timer.cancel()
+        self._admission_timer = loop.call_at(at, self._admit)
 
     def run_in_background(self, work: Awaitable[object]) -> None:
         """Start work that no request waits for; it ends before the server does."""
@@ -389,12 +495,17 @@ class RunRegistry:
                 loaded.submission, loaded.queue_until_wall, steady_clock.now_wall()
             )
             self._in_memory[loaded.run_id] = loaded
-            self._index_by_state(loaded, loaded.state)
+            has_place = loaded.run_id in self._places
+            if not (has_place and self._apply_admission(loaded)):
+                self._index_by_state(loaded, loaded.state)
             self._admit()
         return loaded
 
     def _cache(self, run: Run) -> None:
+        """Keep a run that is used; one that waits is not, however many there are."""
         self._in_memory[run.run_id] = run
+        if run.state in WAITING_STATES:
+            return
         self._recent[run.run_id] = run
         self._recent.move_to_end(run.run_id)
         if len(self._recent) > CACHED_RUNS_MAX:
@@ -409,7 +520,7 @@ class RunRegistry:
         self._recent.pop(run.run_id, None)
         self._index_by_state(run, None)
         # Until it is known what the store has, the run may be active and keeps a place.
-        self._active.add(run.run_id)
+        self._places.play(run.run_id, run.account)
         self._on_run_lost(run)
         self._reload_later(run.run_id)
 

@@ -48,11 +48,24 @@ log = logging.getLogger("proctor.sessions")
 
 
 class SessionExecutor:
-    """Every session of this process."""
+    """Every session of this process.
 
-    def __init__(self, registry: RunRegistry, pool: SimulatorPool) -> None:
+    unused_s: how long a session keeps its simulator without a turn, when it has to be
+    shared. heartbeat_s_max: how long heartbeats alone extend a lease.
+    """
+
+    def __init__(
+        self,
+        registry: RunRegistry,
+        pool: SimulatorPool,
+        unused_s: float = 120.0,
+        heartbeat_s_max: float = 3600.0,
+    ) -> None:
         self._registry = registry
-        self._resources = ResourceManager(pool, registry.run_in_background, self.sweep)
+        self._heartbeat_s_max = heartbeat_s_max
+        self._resources = ResourceManager(
+            pool, registry.run_in_background, self.sweep, self._abort, unused_s
+        )
 
     # --- operations of the data plane ---
 
@@ -61,6 +74,7 @@ class SessionExecutor:
         run, again = await self._decide_or_replay(run, command)
         if again is not None:
             return again
+        self._registry.take_place(run)
         old = run.workers.get(command.worker_id)
         session_id = secrets.token_urlsafe(24)  # ATT-009
         session = effects.open_session(run, command, session_id, time.monotonic())
@@ -85,7 +99,7 @@ class SessionExecutor:
         if isinstance(verdict, Refuse):
             raise Refused.from_verdict(verdict)
         session = run.workers[command.worker_id]
-        effects.extend_lease(session, time.monotonic())
+        self._extend_lease(session)
         return session
 
     async def detach(self, run: Run, command: Detach) -> None:
@@ -340,9 +354,13 @@ class SessionExecutor:
 
         LEASE-010: a repeat is an answered request.
         """
-        effects.extend_lease(session, time.monotonic())
+        self._extend_lease(session)
         assert session.turn is not None, "a session that is not busy has its turn"
         return session.turn
+
+    def _extend_lease(self, session: Session) -> None:
+        now = time.monotonic()
+        effects.extend_without_turn(session, now, self._heartbeat_s_max)
 
     def _answer(
         self, resources: SessionResources, turn: dict[str, Any], started: float

@@ -12,6 +12,7 @@ from collections.abc import Awaitable, Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from reference_server.rules.capacity import LentSimulator, session_to_end
 from reference_server.rules.lifecycle import lease_over
 from reference_server.rules.run import Run, Session
 from reference_server.runs.benchmarks import SimulatorConfigs
@@ -22,13 +23,15 @@ from reference_sim.process.pool import SimulatorHandle, SimulatorPool
 class SessionResources:
     """What one session holds; keeps its run in memory.
 
-    handle: its simulator, while it plays an episode. task: the work in execution, or
+    handle: its simulator, while it plays an episode. acquiring: it is about to get one.
+    task: the work in execution, or
     the last one. fault: what broke in the turn in execution, schema Fault.
     """
 
     run: Run
     session: Session
     handle: SimulatorHandle | None = None
+    acquiring: bool = False
     task: asyncio.Task[dict[str, Any]] | None = None
     timer: asyncio.TimerHandle | None = None
     fault: dict[str, Any] | None = None
@@ -39,6 +42,8 @@ class ResourceManager:
 
     run_in_background: starts work that no request waits for.
     on_lease_over: is called with the run of a session whose lease is over.
+    on_unused: is called with a session that has to end for another account.
+    unused_s: how long it may be without a turn while that one waits.
     """
 
     def __init__(
@@ -46,10 +51,13 @@ class ResourceManager:
         pool: SimulatorPool,
         run_in_background: Callable[[Awaitable[None]], object],
         on_lease_over: Callable[[Run], object],
+        on_unused: Callable[[SessionResources], object],
+        unused_s: float,
     ) -> None:
         self._pool = pool
         self._run_in_background = run_in_background
-        self._on_lease_over = on_lease_over
+        self._on_lease_over, self._on_unused = on_lease_over, on_unused
+        self._unused_s = unused_s
         self._by_session: dict[Session, SessionResources] = {}
         self._configs = SimulatorConfigs()
 
@@ -98,10 +106,29 @@ class ResourceManager:
         if resources.handle is not None:
             return 0.0
         started = time.perf_counter()
-        resources.handle = await self._pool.acquire(self._configs.find(resources.run))
+        config = self._configs.find(resources.run)
+        if self._pool.is_full:
+            self._take_from_others(resources)
+        resources.acquiring = True
+        try:
+            resources.handle = await self._pool.acquire(config)
+        finally:
+            resources.acquiring = False
         if resources.session.ended_by is not None:
             self.return_simulator(resources, kill=False)
         return time.perf_counter() - started
+
+    def _take_from_others(self, resources: SessionResources) -> None:
+        """LIM-005: end a session of another account that does not use its own."""
+        lent = [
+            LentSimulator(one.run.account, one.session)
+            for one in self._by_session.values()
+            if one.handle is not None or one.acquiring
+        ]
+        waiting, now = resources.run.account, time.monotonic()
+        unused = session_to_end(lent, waiting, now, self._unused_s)
+        if unused is not None:
+            self._on_unused(self._by_session[unused])
 
     def return_simulator(self, resources: SessionResources, *, kill: bool) -> None:
         """Take back the simulator, if there is one: for others, or to end it."""

@@ -19,6 +19,7 @@ import msgspec
 import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncConnection, AsyncEngine, create_async_engine
 
+from reference_server.rules.capacity import WaitingRun
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, Run, RunHead, State
 from reference_server.storage import rows
@@ -338,6 +339,14 @@ class Store:
         query = sa.select(_runs.c.run_id).where(_runs.c.state.in_(states))
         async with self._transaction() as connection:
             return list(await connection.scalars(query.order_by(_runs.c.number)))
+
+    async def waiting_runs(self, *states: str) -> list[WaitingRun]:
+        """All runs in these states as admission reads them, oldest first."""
+        columns = (_runs.c[name] for name in WaitingRun.__dataclass_fields__)
+        query = sa.select(*columns).where(_runs.c.state.in_(states))
+        async with self._transaction() as connection:
+            found = await connection.execute(query.order_by(_runs.c.number))
+            return [WaitingRun(*row) for row in found]
 
 
 def _run_in_connection(

@@ -239,7 +239,7 @@ def read(reference: str) -> Iterator[tuple[Benchmark, Path]]:
         raise BadBenchmark(
             f"{reference}: unknown benchmark reference; expected gymnasium:ID, "
             "FILE.toml, a folder of such "
-            f"files, FILE.py:CLASS or {', '.join(BUNDLED_BENCHMARKS)}"
+            f"files, FILE.py:CLASS, FILE.jsonl or {', '.join(BUNDLED_BENCHMARKS)}"
         )
 
 

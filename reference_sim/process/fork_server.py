@@ -22,6 +22,7 @@ import socket
 import sys
 from typing import Never
 
+from reference_sim.picture_store import PICTURES
 from reference_sim.process import simulator_main
 
 _PR_SET_PDEATHSIG = 1
@@ -41,6 +42,7 @@ class ForkServer:
         """Returns when the parent and all children have ended."""
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         signal.signal(signal.SIGCHLD, self._reap)
+        PICTURES.open()  # inherited by every child
         gc.collect()
         gc.freeze()  # so that a child's garbage collection copies no shared pages
         while True:

@@ -155,6 +155,10 @@ class SimulatorPool:
         return len(self._lent) + self._acquiring
 
     @property
+    def is_full(self) -> bool:
+        return self.busy >= self._size_max
+
+    @property
     def idle(self) -> int:
         return len(self._idle)
 
@@ -175,7 +179,7 @@ class SimulatorPool:
 
     async def acquire(self, world: SimulatorConfig) -> SimulatorHandle:
         """Raises NoCapacity, or SimulatorFault if the simulator cannot be built."""
-        if self.busy >= self._size_max:
+        if self.is_full:
             raise NoCapacity(f"all {self._size_max} simulators are in use")
         self._acquiring += 1
         try:

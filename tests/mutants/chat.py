@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from reference_server.push import chat_calls
-from reference_server.push.chat_calls import ChatPolicy
+from reference_server.push.chat_calls import ChatPolicy, CompletionPolicy
 from reference_server.push.http_calls import PolicyFault
 from tests.mutants import mutant, put
 
@@ -13,18 +13,17 @@ from tests.mutants import mutant, put
 @mutant("CHAT-001")
 def sends_no_picture() -> None:
     """A model is scored for a question without its picture."""
-    right = ChatPolicy._question
+    right = chat_calls._message
 
-    def wrong(self: ChatPolicy, turn: Any) -> dict[str, Any]:
-        body = right(self, turn)
-        (message,) = body["messages"]
+    def wrong(turn: Any) -> dict[str, Any]:
+        message = right(turn)
         texts = [part for part in message["content"] if part["type"] == "text"]
-        return body | {"messages": [message | {"content": texts}]}
+        return message | {"content": texts}
 
-    put(ChatPolicy, "_question", wrong)
+    put(chat_calls, "_message", wrong)
 
 
-@mutant("CHAT-002")
+@mutant("CHAT-002", "FLE-022")
 def takes_the_first_line_for_the_answer() -> None:
     """A model that reasons first is scored for its first thought."""
     right = chat_calls.read_answer
@@ -35,7 +34,7 @@ def takes_the_first_line_for_the_answer() -> None:
     put(chat_calls, "read_answer", wrong)
 
 
-@mutant("CHAT-003")
+@mutant("CHAT-003", "FLE-021", "FLE-022")
 def counts_an_unreadable_answer_as_a_fault() -> None:
     """A model that cannot answer three questions ends its whole evaluation."""
     right = chat_calls.read_answer
@@ -61,3 +60,9 @@ def takes_an_error_for_an_answer() -> None:
             return ""
 
     put(chat_calls, "_content", wrong)
+
+
+@mutant("CHAT-005", "FLE-019")
+def asks_a_completions_server_for_a_chat() -> None:
+    """A base model without a chat template answers every question with an error."""
+    put(CompletionPolicy, "_ask", ChatPolicy._ask)

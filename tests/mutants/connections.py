@@ -1,4 +1,4 @@
-"""Mutants of the HTTP layer: what one connection may send, and for how long."""
+"""Mutants of limits: what one connection may send, and one account may hold."""
 
 from __future__ import annotations
 
@@ -6,7 +6,13 @@ from dataclasses import replace
 from typing import Any
 
 from reference_server import __main__ as server_main
+from reference_server import app
+from reference_server.app import Application
+from reference_server.http.auth import Tokens
 from reference_server.http.connection_limits import ConnectionLimits
+from reference_server.rules import effects
+from reference_server.rules.run import Session
+from reference_server.runs import registry
 from reference_server.settings import Settings
 from tests.mutants import mutant, put
 
@@ -38,3 +44,31 @@ def waits_for_headers_for_ever() -> None:
 def waits_for_bodies_for_ever() -> None:
     """A client that breaks off its request holds a connection and its memory."""
     change_limits(body_grace_s=1e9)
+
+
+def announce(**limits: Any) -> None:
+    """Run the server with other settings; what it announces follows from them."""
+    right = app.build
+
+    def wrong(settings: Settings, tokens: Tokens) -> Application:
+        return right(settings.model_copy(update=limits), tokens)
+
+    put(server_main, "build", wrong)
+
+
+@mutant("LIM-006")
+def lets_a_session_live_on_heartbeats() -> None:
+    """A policy that hangs holds a simulator that others need."""
+    announce(heartbeat_s_max=5.0)
+
+    def wrong(session: Session, now: float, _heartbeat_s_max: float) -> None:
+        effects.extend_lease(session, now)
+
+    put(effects, "extend_without_turn", wrong)
+
+
+@mutant("LIM-007")
+def opens_any_number_of_runs() -> None:
+    """One account fills the database, and the others wait behind its runs."""
+    announce(max_open_runs=20)
+    put(registry, "below_quota", lambda _open_runs, _open_runs_max: None)

@@ -458,11 +458,9 @@ def forgets_runs_that_were_held_in_the_queue() -> None:
     """A queued run never starts."""
     right = effects.admit
 
-    def wrong(queued: list[Run], *rest: Any) -> list[Run]:
-        options = [run.submission.get("options", {}) for run in queued]
-        held = [bool(option.get("queue_s")) for option in options]
-        free = [run for run, is_held in zip(queued, held, strict=True) if not is_held]
-        return right(free, *rest)
+    def wrong(run: Run, now_wall: float) -> bool:
+        is_held = bool(run.submission.get("options", {}).get("queue_s"))
+        return not is_held and right(run, now_wall)
 
     put(effects, "admit", wrong)
 

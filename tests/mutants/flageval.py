@@ -23,6 +23,7 @@ from reference_server.profiles.flageval.evaluation_requests import (
     RequestReference,
 )
 from reference_server.profiles.flageval.evaluation_responses import EvaluationView
+from reference_server.push import chat_calls
 from reference_server.rules.refusal import Refused
 from tests.mutants import mutant, put
 
@@ -101,7 +102,7 @@ def returns_api_keys() -> None:
     change_body("evaluation", wrong)
 
 
-@mutant("FLE-007")
+@mutant("FLE-007", "FLE-022")
 def calls_the_success_rate_accuracy() -> None:
     """A model with partial scores everywhere has an accuracy of 0."""
     change_result(
@@ -206,3 +207,38 @@ def shows_results_to_every_account() -> None:
         return await right(self, run.account, request_id)
 
     put(FlagevalHandlers, "_evaluated", wrong)
+
+
+@mutant("FLE-018")
+def requires_a_tokenizer() -> None:
+    """A script that was written for FlagEval's server is refused."""
+    right = EvaluationRequest.check
+
+    def wrong(self: EvaluationRequest) -> None:
+        right(self)
+        if not all(info.tokenizer for info in self.eval_infos):
+            raise Refused("invalid_request", "There is no tokenizer.")
+
+    put(EvaluationRequest, "check", wrong)
+
+
+@mutant("FLE-020")
+def keeps_the_reason_of_a_failure() -> None:
+    """A person with a wrong key sees OOR, and looks for the fault in the model."""
+    put(evaluation_handlers, "failures_of", lambda _evaluations: "success")
+
+
+@mutant("FLE-021")
+def releases_what_is_as_bad_as_nothing() -> None:
+    """Two models without a readable answer are released as equal."""
+
+    def wrong(compared: Json | None) -> Json:
+        return {"release": compared is not None and compared["release"]}
+
+    put(evaluation_responses, "_gate", wrong)
+
+
+@mutant("FLE-022")
+def reads_the_last_line_alone() -> None:
+    """A model that answers in a sentence scores nothing."""
+    put(chat_calls, "_marked", lambda _text: "")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from reference_server.rules.lifecycle import STATES_AFTER_RESTART
+from reference_server.rules.lifecycle import ACTIVE_STATES, STATES_AFTER_RESTART
 from reference_server.rules.run import Run
 from reference_server.runs import registry
 from reference_server.runs.registry import RunRegistry
@@ -32,7 +32,7 @@ def cannot_read_its_own_data() -> None:
 
     async def wrong(self: RunRegistry) -> None:
         await right(self)
-        if self._active:
+        if await self._store.in_states(*ACTIVE_STATES):
             raise ValueError("runs that cannot be read")
 
     put(RunRegistry, "open", wrong)

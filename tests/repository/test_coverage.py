@@ -21,6 +21,7 @@ ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.slow("measures the unit tests of the rules")
 
 OWN_TESTS = {
+    "reference_server/rules/capacity.py": ("test_capacity.py",),
     "reference_server/rules/comparison.py": ("test_comparison.py",),
     "reference_server/rules/events.py": ("test_events.py",),
     "reference_server/http/problems.py": ("test_problems.py",),

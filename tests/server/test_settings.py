@@ -96,6 +96,7 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         "log_level": ("info", "debug"),
         "allow_private_policies": ("127.0.0.1", "10.0.0.0/8,fd00::/8"),
         "profiles": ("ebench", "flageval,ebench"),
+        "flageval_modes": ("NLP:Qnext=quiz", "MM:*=quiz,NLP:XLC_train=calibration"),
     }
     numbers = ("5", "6") if field.annotation in (int, float) else ("some", "other")
     by_variable, by_flag = examples.get(name, numbers)
@@ -133,12 +134,30 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         ("public_url", "example.org"),
         ("allow_private_policies", "10.0.0.1/8"),
         ("profiles", "ebench,"),
+        ("flageval_modes", "Qnext=quiz"),
+        ("flageval_modes", "Audio:Qnext=quiz"),
+        ("flageval_modes", "NLP:Qnext=Quiz"),
+        ("flageval_modes", "NLP:Qnext=quiz,NLP:Qnext=other"),
+        ("flageval_account", "a b"),
     ],
 )
 def test_a_setting_has_bounds(name: str, bad: Any) -> None:
     with pytest.raises(ValidationError) as caught:
         Settings(**{name: bad})
     assert [fault["loc"] for fault in caught.value.errors()] == [(name,)]
+
+
+@pytest.mark.parametrize(
+    "other",
+    [{"host": "0.0.0.0"}, {"host": "eval.example"}, {"public_url": "http://a"}],  # noqa: S104
+)
+def test_an_account_without_token_is_for_this_machine_alone(
+    other: dict[str, str],
+) -> None:
+    for host in ("127.0.0.1", "::1", "localhost"):
+        assert Settings(host=host, flageval_account="local").flageval_account
+    with pytest.raises(ValidationError, match="needs a loopback host"):
+        Settings(flageval_account="local", **other)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(

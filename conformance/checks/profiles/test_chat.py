@@ -27,14 +27,16 @@ def submit_chat_run(
 ) -> RunClient:
     """Submit a run with the chat model as its policy."""
     images = config.pop("images", None)
-    body = push_body(chat.url, *tasks, protocol="openai_chat", **config)
+    config = {"protocol": "openai_chat"} | config
+    body = push_body(chat.url, *tasks, **config)
     if images is not None:
         body["images"] = images
     answer = context.call("submit_run", json=body)
     if "/policy_server/protocol" in pointers_of(answer):
-        raise NotApplicable("server does not support protocol openai_chat")
+        raise NotApplicable(f"server does not support protocol {config['protocol']}")
     require_permitted(answer, chat.url)
-    return context.adopt(expect.require(answer, 201, "`submit_run` with openai_chat"))
+    text = f"`submit_run` with {config['protocol']}"
+    return context.adopt(expect.require(answer, 201, text))
 
 
 def expect_scores(run: RunClient) -> list[float]:
@@ -121,3 +123,24 @@ def test_chat_004_invalid_completion_is_a_fault(context: CheckContext) -> None:
         with chat_server(context) as chat:
             chat.body = body
             expect_policy_fault(submit_chat_run(context, chat, "score"))
+
+
+@requirement("CHAT-005")
+def test_chat_005_a_completion_continues_the_instruction(context: CheckContext) -> None:
+    """A model that continues a text, and one whose answer has no text.
+
+    Expect a prompt with model and parameters, the score of the answer, and a fault.
+    """
+    config = {"protocol": "openai_completions", "model": "m-1"}
+    with chat_server(context, SCORE) as chat:
+        run = submit_chat_run(
+            context, chat, "score", generation={"temperature": 0.5}, **config
+        )
+        expect.equal(expect_scores(run), [float(SCORE)], "scores")
+        (request,) = chat.requests
+        expect.equal(request.is_chat, False, "a request to chat/completions")
+        due = {"prompt": "Calibration task score.", "model": "m-1", "temperature": 0.5}
+        sent = {name: request.body.get(name) for name in due}
+        expect.equal(sent, due, "members of the request")
+        chat.body = {"choices": [{"message": {"content": SCORE}}]}
+        expect_policy_fault(submit_chat_run(context, chat, "score", **config))

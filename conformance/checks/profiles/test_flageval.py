@@ -12,6 +12,7 @@ from conformance.oracle.expected_score import is_close
 from conformance.policy.push_run import chat_server
 from conformance.policy.scripted_chat import ChatRequest, ScriptedChat
 from conformance.profiles.flageval import (
+    ANSWERS_IN_TEXT,
     DATASETS,
     END_TIMEOUT_S,
     begin,
@@ -414,3 +415,97 @@ def test_fle_016_cannot_use_requests_of_another_account(context: CheckContext) -
         )
         expect.equal(ours.progress()["status"], "R", "status of ours")
         released.set()
+
+
+@requirement("FLE-018")
+def test_fle_018_members_that_are_null_have_defaults(context: CheckContext) -> None:
+    """Only required members; others are null; numbers of -1.
+
+    Expect evaluations that complete, also without a mode and a region.
+    """
+    optional = ["tokenizer", "api_key", "batch_size", "num_concurrent", "gen_kwargs"]
+    optional += ["thinking", "retry_time", "max_gen_toks", "chip", "base_model_name"]
+    with chat_server(context) as chat:
+        bare = info(chat, unique_name("bare"))
+        del bare["tokenizer"]
+        nulls = info(chat, unique_name("nulls")) | dict.fromkeys(optional)
+        numbers = info(chat, unique_name("numbers"), retry_time=-1, max_gen_toks=-1)
+        top = {"region": None, "special_event": None, "user_id": None}
+        expect_success(try_begin(context, bare))
+        done = begin(context, nulls, numbers, **top)
+        expect.equal(done.finished()["status"], "S", "status at the end")
+        limits = {request.body.get("max_tokens") for request in chat.requests}
+        expect.equal(limits, {None}, "max_tokens")
+
+
+@requirement("FLE-019")
+def test_fle_019_a_completions_url_is_asked_with_a_prompt(
+    context: CheckContext,
+) -> None:
+    """Two models, one with a URL of completions. Expect a prompt there alone."""
+    with chat_server(context) as chat:
+        names = [unique_name("text"), unique_name("chat")]
+        text = info(chat, names[0], eval_url=chat.text_completions_url)
+        done = evaluate(context, text, info(chat, names[1]))
+        expect.equal(done.progress()["status"], "S", "status at the end")
+        for request in chat.requests:
+            expect.equal(
+                "prompt" in request.body,
+                request.body.get("model") == names[0],
+                "a prompt",
+            )
+            expect.equal(
+                request.is_chat, request.body.get("model") == names[1], "path of a chat"
+            )
+
+
+@requirement("FLE-020")
+def test_fle_020_a_failure_says_why(context: CheckContext) -> None:
+    """Models that answer 401 and 500, beside one that answers.
+
+    Expect name and status of both in the messages, and success for the other.
+    """
+    with chat_server(context) as chat:
+        for status in (401, 500):
+            chat.status = status
+            name = unique_name("failed")
+            failed = begin(context, info(chat, name))
+            message = failed.finished()["err_msg"]
+            body = {"request_id": failed.request_id}
+            answer = call_flageval(context, "/evaldiffs", body, method="GET")
+            for said in (message, answer.get("err_msg")):
+                holds = name in str(said) and str(status) in str(said)
+                expect.true(holds, f"name and {status} in err_msg", said)
+
+
+@requirement("FLE-021")
+def test_fle_021_a_baseline_of_nothing_releases_nothing(context: CheckContext) -> None:
+    """Baseline and model score 0; then a baseline that scores.
+
+    Expect no release with a warning, then release without one.
+    """
+    with chat_server(context) as chat:
+        for reply, releases in (("no idea", False), ("1", True)):
+            chat.reply = reply
+            base = unique_name("base")
+            names = [f"{base}-nvidia-origin", f"{base}-twin"]
+            done = evaluate(context, *(info(chat, name) for name in names))
+            for result in done.results().values():
+                expect.equal(result["release"], releases, "release")
+                expect.equal("warning" in result, not releases, "a warning")
+
+
+@requirement("FLE-022")
+def test_fle_022_answers_are_read_from_sentences(context: CheckContext) -> None:
+    """Replies with an answer inside of text, one model for each.
+
+    Expect each answer as the score.
+    """
+    names = {unique_name("reader"): text for text in ANSWERS_IN_TEXT}
+    with chat_server(context, reply=lambda ask: names[ask.body["model"]]) as chat:
+        results = evaluate(context, *(info(chat, name) for name in names)).results()
+        for name, text in names.items():
+            found = {d["dataset"]: d["accuracy"] for d in results[name]["details"]}
+            due = ANSWERS_IN_TEXT[text]
+            message = f"{due} read from {text!r}"
+            expect.true(is_close(found.get("score"), due), message, found)

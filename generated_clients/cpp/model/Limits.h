@@ -22,6 +22,9 @@ struct Limits {
     std::optional<std::int32_t> max_header_bytes{}; // Longest request line with its headers that is read; for the profile `limits`.
     std::optional<double> header_timeout_s{}; // Time in which the headers of a request are complete, from its first byte; for the profile `limits`.
     std::optional<double> body_timeout_s{}; // Time in which a part of a body arrives after the headers of its request; for the profile `limits`.
+    std::optional<double> heartbeat_s_max{}; // Longest time that a session lives without a new turn, whatever its `idle_timeout_s`; for the profile `limits`.
+    std::optional<double> unused_s_max{}; // When others wait: the time after which a run without a worker, or a session without a turn, may have to make room; for the profile `limits`.
+    std::optional<std::int32_t> max_open_runs{}; // Most runs of one account that are queued, ready, running or stopping; for the profile `limits`.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("max_body_bytes", self.max_body_bytes);
@@ -33,6 +36,9 @@ struct Limits {
         visitor.optional("max_header_bytes", self.max_header_bytes);
         visitor.optional("header_timeout_s", self.header_timeout_s);
         visitor.optional("body_timeout_s", self.body_timeout_s);
+        visitor.optional("heartbeat_s_max", self.heartbeat_s_max);
+        visitor.optional("unused_s_max", self.unused_s_max);
+        visitor.optional("max_open_runs", self.max_open_runs);
     }
 };
 

@@ -6,7 +6,7 @@
 
 namespace proctor {
 
-/// One of proctor, openai_chat.
+/// One of proctor, openai_chat, openai_completions.
 using PolicyProtocol = std::string;
 
 } // namespace proctor

@@ -22,7 +22,7 @@ struct PolicyServer {
     std::optional<double> call_timeout_s{}; // Time for one call, from connecting to the last byte of its answer; 30 when absent.
     std::optional<std::int32_t> max_concurrent{}; // Most episodes played and calls made at a time; as many as the policy, the run and the server allow when absent.
     std::optional<std::int32_t> max_retries{}; // How often a call that was not answered is repeated; 3 when absent.
-    std::optional<std::map<std::string, double>> generation{}; // Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` alone.
+    std::optional<std::map<std::string, double>> generation{}; // Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` and `openai_completions` alone.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("url", self.url);

@@ -33,6 +33,7 @@ from reference_server.profiles.flageval.evaluation_responses import (
     BASELINE,
     TOLERANCE,
     EvaluationView,
+    failures_of,
     progress,
     refusal_response,
     success_response,
@@ -58,7 +59,11 @@ class FlagevalHandlers:
 
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation."""
-        operation = partial(Operation, refusal_response=refusal_response)
+        operation = partial(
+            Operation,
+            refusal_response=refusal_response,
+            local_account=self.handlers.settings.flageval_account,
+        )
         diffs = partial(operation, query=("request_ids",))
         return {
             "/evaluation": {
@@ -82,10 +87,11 @@ class FlagevalHandlers:
         """FLE-001, FLE-003: a run for each model, all checked before one is stored."""
         requested: EvaluationRequest = call.body
         requested.check()
-        images = await self._images(requested)
+        benchmark_id = self._benchmark_id(requested)
+        images = await self._images(benchmark_id)
         runs: list[Run] = []
         for number in range(len(requested.eval_infos)):
-            submission = requested.submission(number, images)
+            submission = requested.submission(number, benchmark_id, images)
             try:
                 runs.append(await self.service.prepare_run(call.account, submission))
             except Refused as refused:
@@ -106,6 +112,7 @@ class FlagevalHandlers:
                 "run_id": run.run_id,
                 "model": info.model,
                 "chip": info.chip,
+                "benchmark_id": benchmark_id,
                 "datasets": list(dict.fromkeys(e.task for e in run.episodes)),
             }
             for run, info in zip(created, requested.eval_infos, strict=True)
@@ -122,7 +129,8 @@ class FlagevalHandlers:
             one.eval_model: one.result(await self._baseline(call.account, one, ones))
             for one in ones
         }
-        return success_response(eval_results=results, tolerance=TOLERANCE)
+        members = {"eval_results": results, "tolerance": TOLERANCE}
+        return success_response(failures_of(ones), **members)
 
     async def stop(self, call: OperationCall) -> Response:
         """FLE-012."""
@@ -135,9 +143,8 @@ class FlagevalHandlers:
         return success_response()
 
     async def progress(self, call: OperationCall) -> Response:
-        return success_response(
-            **progress(await self._evaluated(call.account, call.body.request_id))
-        )
+        ones = await self._evaluated(call.account, call.body.request_id)
+        return success_response(failures_of(ones), **progress(ones))
 
     async def diffs_by_id(self, call: OperationCall) -> Response:
         """FLE-015: with GET a map, as FlagEval's server answers."""
@@ -161,24 +168,32 @@ class FlagevalHandlers:
             for name in others
         }
 
-    async def _images(self, requested: EvaluationRequest) -> Mapping[str, Any] | None:
+    def _benchmark_id(self, requested: EvaluationRequest) -> str:
+        """FLE-023: what the host maps the mode to, or the benchmark that it names."""
+        modes = self.handlers.settings.mode_table
+        mapped = modes.find(requested.domain, requested.mode)
+        if mapped is None and self.service.benchmarks.offers(requested.mode):
+            return requested.mode
+        return mapped or modes.find_any(requested.domain, requested.mode)
+
+    async def _images(self, benchmark_id: str) -> Mapping[str, Any] | None:
         """Image options that a chat model accepts; None for the benchmark's default."""
         try:
-            benchmark = await self.service.benchmarks.view(requested.benchmark_id)
+            benchmark = await self.service.benchmarks.view(benchmark_id)
         except Refused as refused:
             raise Refused(
                 "invalid_request",
                 refused.detail,
-                errors=[("/mode", "is not a known benchmark")],
+                errors=[("/mode", f"is mapped to {benchmark_id}, which is missing")],
             ) from refused
         if not is_playable_by_chat(benchmark):
             raise Refused(
                 "invalid_request",
-                f"A chat model cannot play {requested.benchmark_id}.",
+                f"A chat model cannot play {benchmark_id}.",
                 errors=[("/mode", "must name a question-answering benchmark")],
             )
-        codecs, size = benchmark["image_codecs"], benchmark["image_sizes"][0]
-        return {"codec": "png", **size} if "png" in codecs else None
+        codecs, size = benchmark["image_codecs"], benchmark["image_sizes"]
+        return {"codec": "png", **size[0]} if "png" in codecs else None
 
     async def _check_name(
         self, account: str, requested: EvaluationRequest, number: int

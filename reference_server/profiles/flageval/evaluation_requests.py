@@ -13,15 +13,19 @@ from collections.abc import Mapping
 from typing import Annotated, Any, Literal, TypeAlias
 
 import msgspec
-from pydantic import BaseModel, Field
+from pydantic import BaseModel, Field, model_validator
 
 from reference_server.generated import models
 from reference_server.http import codec
 from reference_server.rules.refusal import Refused
 
 NO_KEY = "EMPTY"
-QUESTIONS = "question_answering"
-COMPLETIONS = "/chat/completions"
+# End of an `eval_url` → the policy protocol that asks there (FLE-019).
+PROTOCOLS: dict[str, models.PolicyProtocol] = {
+    "/chat/completions": "openai_chat",
+    "/completions": "openai_completions",
+}
+RETRY_TIME_S, DEFAULT = 3600, -1  # FLE-018: -1 is the default
 CALL_TIMEOUT_S_MOST, RETRIES_MOST = 600, 10  # of schema PolicyServer
 EVALUATIONS_MOST = 16
 # Two datasets of `calibration`, so that a kit can judge this profile without images.
@@ -44,25 +48,37 @@ _MEMBERS = {
 }
 
 
-class EvalInfo(BaseModel):
+class _Defaults(BaseModel):
+    """FLE-018: a member that is null is absent, as FlagEval's server has it."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _drop_nulls(cls, members: Any) -> Any:
+        if not isinstance(members, dict):
+            return members
+        return {name: value for name, value in members.items() if value is not None}
+
+
+class EvalInfo(_Defaults):
     """One model to evaluate; unknown members are ignored."""
 
     eval_model: str = Field(min_length=1, max_length=200)
     model: str
     eval_url: str
-    tokenizer: str = Field(max_length=200)
+    tokenizer: str = Field("", max_length=200)
     api_key: str = NO_KEY
     batch_size: int = Field(1, ge=1)
     num_concurrent: int = Field(1, ge=1, le=1024)
     num_retry: int = Field(10, ge=0)
     gen_kwargs: str = Field("", max_length=2000)
     thinking: bool = False
-    retry_time: int = Field(3600, ge=1)
+    max_gen_toks: int = Field(DEFAULT, ge=DEFAULT, le=999_999_999)
+    retry_time: Literal[-1] | Annotated[int, Field(ge=1)] = DEFAULT
     chip: str = Field("Nvidia-H100", max_length=200)
     base_model_name: str = Field("", max_length=200)
 
 
-class EvaluationRequest(BaseModel):
+class EvaluationRequest(_Defaults):
     eval_infos: list[EvalInfo] = Field(min_length=1, max_length=EVALUATIONS_MOST)
     domain: Literal["NLP", "MM"]
     mode: str = ""
@@ -70,45 +86,40 @@ class EvaluationRequest(BaseModel):
     special_event: str = Field("yes", max_length=200)
     user_id: int | None = None
 
-    @property
-    def benchmark_id(self) -> str:
-        return self.mode or QUESTIONS
-
     def check(self) -> None:
         """What no schema expresses (FLE-003). Raises Refused."""
-        if self.domain == "NLP" and not self.mode:
-            raise _invalid("/domain", "NLP needs `mode`: only MM has default datasets")
         names = [info.eval_model for info in self.eval_infos]
         for number, name in enumerate(names):
             if name in names[:number]:
                 raise _invalid(f"/eval_infos/{number}/eval_model", "must be unique")
 
-    def submission(self, number: int, images: Mapping[str, Any] | None) -> Any:
+    def submission(
+        self, number: int, benchmark_id: str, images: Mapping[str, Any] | None
+    ) -> Any:
         """Schema SubmitRun of one evaluation (FLE-005), with its labels."""
         info, at = self.eval_infos[number], f"/eval_infos/{number}"
-        url = info.eval_url.removesuffix("/")
-        if not url.endswith(COMPLETIONS):
-            raise _invalid(f"{at}/eval_url", f"must end with {COMPLETIONS}")
+        url, protocol = _endpoint(info.eval_url, f"{at}/eval_url")
+        timeout_s = RETRY_TIME_S if info.retry_time == DEFAULT else info.retry_time
         server: dict[str, Any] = {
-            "url": url.removesuffix(COMPLETIONS),
-            "protocol": "openai_chat",
+            "url": url,
+            "protocol": protocol,
             "model": info.model,
-            "call_timeout_s": float(min(info.retry_time, CALL_TIMEOUT_S_MOST)),
+            "call_timeout_s": float(min(timeout_s, CALL_TIMEOUT_S_MOST)),
             "max_concurrent": info.num_concurrent,
             "max_retries": min(info.num_retry, RETRIES_MOST),
-            "generation": _generation(info.gen_kwargs, f"{at}/gen_kwargs"),
+            "generation": _generation(info, f"{at}/gen_kwargs"),
         }
         if info.api_key != NO_KEY:
             server["api_key"] = info.api_key
         submission = {
-            "benchmark_id": self.benchmark_id,
+            "benchmark_id": benchmark_id,
             "policy": {"name": info.eval_model},
             "mode": "push",
             "policy_server": server,
         }
         if images is not None:
             submission["images"] = images
-        if self.benchmark_id == "calibration":
+        if benchmark_id == "calibration":
             submission["options"] = {"tasks": CALIBRATION_TASKS}
         try:
             checked = codec.validate(models.SubmitRun, submission).model_dump()
@@ -156,10 +167,24 @@ def translate_refusal(refused: Refused, number: int) -> Refused:
     return Refused(refused.code, refused.detail, errors=errors)
 
 
-def _generation(text: str, at: str) -> dict[str, float]:
-    """FLE-005: `temperature=0.6,max_gen_toks=16000` as numbers by name."""
+def _endpoint(eval_url: str, at: str) -> tuple[str, models.PolicyProtocol]:
+    """FLE-019: the base URL of a model and how it is asked."""
+    url = eval_url.removesuffix("/")
+    for end, protocol in PROTOCOLS.items():  # the longer end first
+        if url.endswith(end):
+            return url.removesuffix(end), protocol
+    raise _invalid(at, f"must end with {' or '.join(PROTOCOLS)}")
+
+
+def _generation(info: EvalInfo, at: str) -> dict[str, float]:
+    """FLE-005: `temperature=0.6,max_gen_toks=16000` as numbers by name.
+
+    FLE-018: the member `max_gen_toks`, if it is above 0, unless `gen_kwargs` has it.
+    """
     found: dict[str, float] = {}
-    for part in filter(str.strip, text.split(",")):
+    if info.max_gen_toks > 0:
+        found[_RENAMED["max_gen_toks"]] = info.max_gen_toks
+    for part in filter(str.strip, info.gen_kwargs.split(",")):
         pair = _PAIR.fullmatch(part)
         if pair is None:
             raise _invalid(at, "must be name=number, separated by commas")

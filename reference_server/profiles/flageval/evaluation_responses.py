@@ -25,13 +25,17 @@ from reference_server.views import run_views
 Status = Literal["S", "F", "C", "OOR", "R"]
 BASELINE = "-nvidia-origin"
 TOLERANCE = comparison.TOLERANCE
+BASELINE_OF_NOTHING = (
+    "The baseline has scored nothing, which is no measure of another model: nothing is "
+    "released. See whether the baseline's model answers as its questions ask."
+)
 # The status of several evaluations together: the first of these that one has.
 _STATUS_PRIORITY: tuple[Status, ...] = ("R", "F", "OOR", "C", "S")
 
 
-def success_response(**members: Any) -> Response:
+def success_response(text: str = "success", /, **members: Any) -> Response:
     """Success; the message has both names that FlagEval's documents give it."""
-    envelope = {"err_code": 0, "err_msg": "success", "err_message": "success"}
+    envelope = {"err_code": 0, "err_msg": text, "err_message": text}
     return Response(msgspec.json.encode(envelope | members), media_type=JSON)
 
 
@@ -54,6 +58,7 @@ class EvaluationView:
     status: Status
     manifest_sha256: str
     episodes: Sequence[ScoredEpisode]
+    reason: str | None = None
 
     @classmethod
     def from_run(cls, run: RunHead, episodes: Sequence[Episode]) -> EvaluationView:
@@ -64,11 +69,16 @@ class EvaluationView:
             status_of(run, episodes),
             run.manifest_sha256,
             run_views.scored_episodes(episodes),
+            run.reason,
         )
 
     @property
     def is_baseline(self) -> bool:
         return self.eval_model.endswith(BASELINE)
+
+    @property
+    def has_failed(self) -> bool:
+        return self.status in ("F", "OOR")
 
     @property
     def datasets(self) -> dict[str, dict[str, Any]]:
@@ -94,8 +104,8 @@ class EvaluationView:
             }
             for task, group in self.datasets.items()
         ]
-        release = compared is not None and compared["release"]
-        return {"status": self.status, "details": details, "release": release}
+        result = {"status": self.status, "details": details, **_gate(compared)}
+        return result | ({"reason": self.reason} if self.has_failed else {})
 
     def diff(self, base: EvaluationView) -> dict[str, Any]:
         """For evaluation_diffs (FLE-015). Raises Refused."""
@@ -111,7 +121,23 @@ class EvaluationView:
             }
             for task, group in compared["by_task"].items()
         ]
-        return {"details": details, "release": compared["release"]}
+        return {"details": details, **_gate(compared)}
+
+
+def _gate(compared: dict[str, Any] | None) -> dict[str, Any]:
+    """FLE-011, FLE-021: `release`, and a warning if the baseline says nothing."""
+    if compared is None:
+        return {"release": False}
+    if compared["baseline_mean"] == 0:
+        return {"release": False, "warning": BASELINE_OF_NOTHING}
+    return {"release": compared["release"]}
+
+
+def failures_of(evaluations: Sequence[EvaluationView]) -> str:
+    """FLE-020: why evaluations have failed; `success` if none has."""
+    failed = [one for one in evaluations if one.has_failed]
+    texts = [f"{one.eval_model}: {one.status}: {one.reason}" for one in failed]
+    return " ".join(texts) or "success"
 
 
 def status_of(run: RunHead, episodes: Sequence[Episode]) -> Status:

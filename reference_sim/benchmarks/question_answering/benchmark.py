@@ -40,10 +40,12 @@ def _episodes() -> list[Json]:
     ]
 
 
-def _answers() -> Json:
-    """The action space: every action has all entries; a task uses one of them."""
+def answer_space(last: int = len(LETTERS) - 1) -> Json:
+    """The action space: every action has all entries; a task uses one of them.
+
+    last: the place of the last choice, from 0.
+    """
     none = "-1 where that is not the answer"
-    last = len(LETTERS) - 1
     return {
         "choice": bounded(1, NO_ANSWER, last, out_of_range="refuse")
         | {"description": f"0 for A, 1 for B and so on; {none}"},
@@ -58,7 +60,7 @@ def _describe(options: Mapping[str, Any], max_chunk: int) -> Json:  # noqa: ARG0
     episodes = _episodes()
     return {
         "benchmark_id": "question_answering",
-        "version": "1",
+        "version": "2",  # 1 read an answer alone, 2 reads one inside a text, too
         "title": "Questions about a tabletop",
         "description": "A picture of an arm and things on its table, and a question "
         "with one right answer: how many, which colour, left or right, what is "
@@ -73,7 +75,7 @@ def _describe(options: Mapping[str, Any], max_chunk: int) -> Json:  # noqa: ARG0
         "max_attempts": 3,
         "max_faults": 3,
         "success_rule": "any_step",
-        "action_space": _answers(),
+        "action_space": answer_space(),
         "observation_space": {
             "state": {},
             "images": {

@@ -1,16 +1,27 @@
 """The simulator of `question_answering`: an item is an episode of one step.
 
 The image is the observation, the answer is the action. It must not know how an answer
-is made: texts, parsers and models are the policy's.
+is made: texts, parsers and models are the policy's. The picture of an item is the same
+in every evaluation: it is drawn once, and then taken from the picture store.
 """
 
 from __future__ import annotations
 
+import numpy as np
+from numpy.typing import NDArray
+
 from reference_sim.benchmarks.question_answering.arrangement import Arrangement
-from reference_sim.benchmarks.question_answering.items import CAMERA, QUALITY, TASKS
+from reference_sim.benchmarks.question_answering.items import (
+    BLOCK,
+    CAMERA,
+    FIRST_SEEDS,
+    QUALITY,
+    TASKS,
+)
 from reference_sim.benchmarks.question_answering.questions import Question, draw
 from reference_sim.benchmarks.tabletop.scene import TabletopScene
 from reference_sim.interface import Action, Observation, StepOutcome, TaskUnplayable
+from reference_sim.picture_store import PICTURES
 
 
 class QuestionSimulator:
@@ -19,7 +30,9 @@ class QuestionSimulator:
     def __init__(self, size: tuple[int, int], quality: str = QUALITY) -> None:
         """size: width and height of the image, 4 to 3."""
         self._scene = TabletopScene(quality)
+        self._quality = quality
         self._size = size
+        self._plan = ("", 0, "")
         self._item: tuple[Question, Arrangement] | None = None
 
     def reset(self, task: str, seed: int, split: str = "") -> str:
@@ -27,6 +40,7 @@ class QuestionSimulator:
         if task not in TASKS:
             raise TaskUnplayable(f"there is no task {task}")
         self._item = draw(self._scene, task, seed, split)
+        self._plan = (task, seed, split)
         return self._item[0].text
 
     def step(self, action: Action) -> StepOutcome:
@@ -36,7 +50,20 @@ class QuestionSimulator:
 
     def observe(self) -> Observation:
         _, arrangement = self._require_item()
-        return Observation(state={}, images={CAMERA: arrangement.picture(*self._size)})
+        return Observation(state={}, images={CAMERA: self._picture(arrangement)})
+
+    def _picture(self, arrangement: Arrangement) -> NDArray[np.uint8]:
+        """The picture of the item, drawn if it is not stored."""
+        slot = _slot(*self._plan)
+        if slot is None:
+            return arrangement.picture(*self._size)
+        width, height = self._size
+        key = f"{self._quality} {self._plan} {width} {height}"
+        picture = PICTURES.find(slot, key, (height, width, 3))
+        if picture is None:
+            picture = arrangement.picture(width, height)
+            PICTURES.put(slot, key, picture)
+        return picture
 
     def truth(self) -> Action:
         """The right answer, for tests; not part of the Simulator interface."""
@@ -49,3 +76,12 @@ class QuestionSimulator:
         if self._item is None:
             raise RuntimeError("reset comes before step, observe and truth")
         return self._item
+
+
+def _slot(task: str, seed: int, split: str) -> int | None:
+    """The place of an item among those of the manifest; None for any other item."""
+    place = seed - FIRST_SEEDS.get(split, seed + 1)
+    if not 0 <= place < BLOCK:
+        return None
+    block = list(FIRST_SEEDS).index(split) * BLOCK
+    return (block + place) * len(TASKS) + TASKS.index(task)

@@ -2,6 +2,7 @@
 
 import base64
 import io
+import json
 import threading
 from collections.abc import Iterator
 from typing import Any, cast
@@ -11,10 +12,12 @@ import pytest
 from PIL import Image
 
 from conformance.policy.scripted_chat import ScriptedChat
+from conformance.profiles.flageval import ANSWERS_IN_TEXT
 from reference_server.push.chat_calls import ChatPolicy, read_answer
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.question_answering.questions import action, draw
 from reference_sim.benchmarks.tabletop.scene import TabletopScene
+from tests.support.paths import ROOT
 from tests.support.push_runs import (
     episodes,
     push_submission,
@@ -27,6 +30,9 @@ from tests.support.servers import ReferenceServer
 pytestmark = pytest.mark.slow("starts servers or kits")
 
 NONE = action()
+MARKED = json.loads(
+    (ROOT / "spec" / "vectors" / "answers" / "marked.json").read_text()
+)["vectors"]
 
 
 @pytest.mark.parametrize(
@@ -73,6 +79,21 @@ def test_answers_are_parsed_from_text(said: str, answer: Any) -> None:
 )
 def test_unreadable_text_is_no_answer(said: str) -> None:
     assert read_answer(said) == NONE
+
+
+@pytest.mark.parametrize("vector", MARKED, ids=lambda vector: vector["description"])
+def test_answers_inside_of_text_are_read_as_the_vectors_have_it(vector: Any) -> None:
+    assert read_answer(vector["text"]) == {**NONE, **(vector["answer"] or {})}
+
+
+def test_the_kit_uses_answers_of_the_vectors() -> None:
+    scores = {v["text"]: (v["answer"] or {}).get("number", [0.0])[0] for v in MARKED}
+    assert {text: scores[text] for text in ANSWERS_IN_TEXT} == ANSWERS_IN_TEXT
+
+
+def test_a_long_text_without_an_answer_is_read_quickly() -> None:
+    for text in ("answer is " * 20_000, "\\boxed{" * 20_000, "#" * 200_000):
+        assert read_answer(text) == NONE
 
 
 @pytest.mark.parametrize(
@@ -246,3 +267,40 @@ def test_raw_images_are_refused_for_chat_models(
     run = wait_for_state(client, client.post("/v1/runs", json=body).json()["run_id"])
     assert run["state"] == "failed"
     assert "png or jpeg" in run["reason"]
+
+
+# --- completions ---
+
+
+@pytest.mark.parametrize(
+    ("body", "reason"),
+    [
+        (None, "accepts no images"),
+        ({"choices": [{"message": {}}]}, "it has no /choices/0/text"),
+        ({"choices": []}, "it has no /choices/0/text"),
+    ],
+)
+def test_what_is_no_completion_is_a_fault(
+    client: httpx.Client, chat: ScriptedChat, body: Any, reason: str
+) -> None:
+    """A turn with an image, which cannot be sent, and answers without a text."""
+    chat.body = body
+    task = "echo" if body is None else "score"
+    images = {"codec": "png", "width": 16, "height": 12}
+    submission = push_submission(chat.url, task, protocol="openai_completions")
+    answer = client.post("/v1/runs", json=submission | {"images": images})
+    run = wait_for_state(client, answer.json()["run_id"])
+    assert run["state"] == "failed"
+    assert reason in run["reason"]
+    assert all(not request.is_chat for request in chat.requests)
+
+
+def test_a_completion_without_text_is_no_answer(
+    client: httpx.Client, chat: ScriptedChat
+) -> None:
+    chat.body = {"choices": [{"text": None}]}
+    submission = push_submission(chat.url, protocol="openai_completions")
+    run_id = client.post("/v1/runs", json=submission).json()["run_id"]
+    assert wait_for_state(client, run_id)["state"] == "completed"
+    (episode,) = episodes(client, run_id)
+    assert episode["result"]["score"] == 0.0

@@ -326,13 +326,41 @@ def test_forgiven_faults_do_not_fail_the_run_again() -> None:
 # --- the queue ---
 
 
-def test_the_oldest_are_admitted_first_while_there_is_room() -> None:
-    runs = [make_run(number=number, state="queued") for number in (3, 1, 4, 2)]
-    runs[1].queue_until_wall = WALL + 1
-    assert [r.number for r in effects.admit(runs, 1, 3, WALL)] == [2, 3]
-    assert [r.state for r in runs] == ["ready", "queued", "queued", "ready"]
-    assert effects.admit(runs[1:2], 3, 3, WALL + 1) == []
-    assert effects.admit(runs[1:2], 2, 3, WALL + 1) == [runs[1]]
+def test_a_queued_run_is_admitted_when_its_time_has_come() -> None:
+    run = make_run(state="queued", queue_until_wall=WALL + 1)
+    states = [(effects.admit(run, WALL + s), run.state) for s in (0, 1)]
+    assert states == [(False, "queued"), (True, "ready")]
+
+
+@pytest.mark.parametrize("state", ["ready", "running", "stopped", "completed"])
+def test_only_a_queued_run_is_admitted(state: State) -> None:
+    run = make_run(state=state)
+    assert not effects.admit(run, WALL)
+    assert run.state == state
+
+
+# --- a lease without turns ---
+
+
+def test_what_is_no_turn_extends_a_lease_for_a_time_only() -> None:
+    session = start_session(make_run())
+    play_turn(make_run(), session, chunk_result())
+    session.answered_at = NOW
+    session.expires_at = NOW + 10
+    effects.extend_without_turn(session, NOW + 9, 60)
+    assert session.expires_at == NOW + 19
+    effects.extend_without_turn(session, NOW + 55, 60)
+    assert session.expires_at == NOW + 60
+    session.expires_at = NOW + 70  # what was promised holds
+    effects.extend_without_turn(session, NOW + 65, 60)
+    assert session.expires_at == NOW + 70
+
+
+def test_a_turn_in_execution_is_one() -> None:
+    session = start_session(make_run())
+    session.busy, session.answered_at = "playing", NOW - 100
+    effects.extend_without_turn(session, NOW, 60)
+    assert session.expires_at == NOW + session.idle_timeout_s
 
 
 def test_an_event_without_a_row_changes_nothing() -> None:
@@ -379,9 +407,3 @@ def test_an_aborted_session_of_a_stopping_run_needs_a_write() -> None:
     effects.stop(run, "drain", WALL)
     assert effects.abort_session(run, session, WALL)
     assert (run.state, run.reason) == ("stopped", "Drained.")
-
-
-def test_a_run_without_a_number_is_admitted_last() -> None:
-    runs = [make_run(state="queued", number=number) for number in (0, 2, 1)]
-    admitted = effects.admit(runs, 0, 2, WALL)
-    assert [run.number for run in admitted] == [1, 2]

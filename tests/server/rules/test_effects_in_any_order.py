@@ -208,8 +208,8 @@ class AnyOrder(RuleBasedStateMachine):
     def resume(self, _draw: Draw | None) -> None:
         if self.decide_checked(Resume()) == Accept():
             effects.resume(self.run, WALL)
-        queued = [self.run] if self.run.state == "queued" else []
-        assert effects.admit(queued, 0, 1, WALL) == queued
+        is_queued = self.run.state == "queued"
+        assert effects.admit(self.run, WALL) == is_queued
 
     def wait(self, draw: Draw) -> None:
         self.now += draw(st.sampled_from([1.0, 9.0, 11.0]))

@@ -8,10 +8,11 @@ from typing import Any
 
 import pytest
 
-from reference_server.rules import effects
+from reference_server.rules import capacity, effects
+from reference_server.rules.capacity import Shares, WaitingRun
 from reference_server.rules.lifecycle import RESTING_STATES, Attach, Detach
 from reference_server.rules.run import Episode, Run, RunHead
-from reference_server.runs import registry
+from reference_server.runs import places, registry
 from reference_server.storage.store import StoreFailed
 from reference_server.views import run_views
 from tests.support.server.server_parts import (
@@ -352,13 +353,13 @@ def test_admission_is_computed_only_when_capacity_changes(
     async def scenario(parts: ServerParts) -> None:
         first = await parts.registry.add(calibration_run(), None, "")
         second = await parts.registry.add(calibration_run(run_id="run_2"), None, "")
-        asked, admit = [], effects.admit
+        asked, share = [], capacity.share_places
 
-        def counted(queued: Sequence[Run], *rest: Any) -> list[Run]:
+        def counted(queued: Sequence[WaitingRun], *rest: Any) -> Shares:
             asked.append(len(queued))
-            return admit(queued, *rest)
+            return share(queued, *rest)
 
-        monkeypatch.setattr(effects, "admit", counted)
+        monkeypatch.setattr(places, "share_places", counted)
         parts.registry.notify(first)
         assert asked == []
         effects.stop(first, "abort", 0.0)

@@ -11,7 +11,7 @@ from typing_extensions import Self
 
 class PolicyProtocol(str, Enum):
     """
-    `proctor` is policy.yaml. `openai_chat` asks for a chat completion at `chat/completions` below the URL, for benchmarks that are answered in words.
+    `proctor` is policy.yaml. `openai_chat` asks for a chat completion at `chat/completions` below the URL, for benchmarks that are answered in words. `openai_completions` asks for the completion of a text at `completions` below the URL, for such benchmarks without images.
     """
 
     """
@@ -19,6 +19,7 @@ class PolicyProtocol(str, Enum):
     """
     PROCTOR = 'proctor'
     OPENAI_CHAT = 'openai_chat'
+    OPENAI_COMPLETIONS = 'openai_completions'
 
     @classmethod
     def from_json(cls, json_str: str) -> Self:

@@ -27,7 +27,7 @@ class PolicyServer(BaseModel):
     call_timeout_s: Optional[Union[Annotated[float, Field(le=600, strict=True, ge=0.1)], Annotated[int, Field(le=600, strict=True, ge=1)]]] = Field(default=None, description="Time for one call, from connecting to the last byte of its answer; 30 when absent.")
     max_concurrent: Optional[Annotated[int, Field(le=1024, strict=True, ge=1)]] = Field(default=None, description="Most episodes played and calls made at a time; as many as the policy, the run and the server allow when absent.")
     max_retries: Optional[Annotated[int, Field(le=10, strict=True, ge=0)]] = Field(default=None, description="How often a call that was not answered is repeated; 3 when absent.")
-    generation: Optional[Dict[str, Union[StrictFloat, StrictInt]]] = Field(default=None, description="Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` alone.")
+    generation: Optional[Dict[str, Union[StrictFloat, StrictInt]]] = Field(default=None, description="Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` and `openai_completions` alone.")
     __properties: ClassVar[List[str]] = ["url", "protocol", "api_key", "model", "call_timeout_s", "max_concurrent", "max_retries", "generation"]
 
     @field_validator('url', mode="before")

@@ -30,6 +30,15 @@ pub struct Limits {
     /// Time in which a part of a body arrives after the headers of its request; for the profile `limits`.
     #[serde(rename = "body_timeout_s", skip_serializing_if = "Option::is_none")]
     pub body_timeout_s: Option<f64>,
+    /// Longest time that a session lives without a new turn, whatever its `idle_timeout_s`; for the profile `limits`.
+    #[serde(rename = "heartbeat_s_max", skip_serializing_if = "Option::is_none")]
+    pub heartbeat_s_max: Option<f64>,
+    /// When others wait: the time after which a run without a worker, or a session without a turn, may have to make room; for the profile `limits`.
+    #[serde(rename = "unused_s_max", skip_serializing_if = "Option::is_none")]
+    pub unused_s_max: Option<f64>,
+    /// Most runs of one account that are queued, ready, running or stopping; for the profile `limits`.
+    #[serde(rename = "max_open_runs", skip_serializing_if = "Option::is_none")]
+    pub max_open_runs: Option<i32>,
 }
 
 impl Limits {
@@ -44,6 +53,9 @@ impl Limits {
             max_header_bytes: None,
             header_timeout_s: None,
             body_timeout_s: None,
+            heartbeat_s_max: None,
+            unused_s_max: None,
+            max_open_runs: None,
         }
     }
 }

@@ -3,14 +3,16 @@
 use crate::models;
 use serde::{Deserialize, Serialize};
 
-/// PolicyProtocol : `proctor` is policy.yaml. `openai_chat` asks for a chat completion at `chat/completions` below the URL, for benchmarks that are answered in words.
-/// `proctor` is policy.yaml. `openai_chat` asks for a chat completion at `chat/completions` below the URL, for benchmarks that are answered in words.
+/// PolicyProtocol : `proctor` is policy.yaml. `openai_chat` asks for a chat completion at `chat/completions` below the URL, for benchmarks that are answered in words. `openai_completions` asks for the completion of a text at `completions` below the URL, for such benchmarks without images.
+/// `proctor` is policy.yaml. `openai_chat` asks for a chat completion at `chat/completions` below the URL, for benchmarks that are answered in words. `openai_completions` asks for the completion of a text at `completions` below the URL, for such benchmarks without images.
 #[derive(Clone, Copy, Debug, Eq, PartialEq, Ord, PartialOrd, Hash, Serialize, Deserialize)]
 pub enum PolicyProtocol {
     #[serde(rename = "proctor")]
     Proctor,
     #[serde(rename = "openai_chat")]
     OpenaiChat,
+    #[serde(rename = "openai_completions")]
+    OpenaiCompletions,
 
 }
 
@@ -19,6 +21,7 @@ impl std::fmt::Display for PolicyProtocol {
         match self {
             Self::Proctor => write!(f, "proctor"),
             Self::OpenaiChat => write!(f, "openai_chat"),
+            Self::OpenaiCompletions => write!(f, "openai_completions"),
         }
     }
 }

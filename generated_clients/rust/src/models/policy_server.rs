@@ -26,7 +26,7 @@ pub struct PolicyServer {
     /// How often a call that was not answered is repeated; 3 when absent.
     #[serde(rename = "max_retries", skip_serializing_if = "Option::is_none")]
     pub max_retries: Option<i32>,
-    /// Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` alone.
+    /// Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` and `openai_completions` alone.
     #[serde(rename = "generation", skip_serializing_if = "Option::is_none")]
     pub generation: Option<std::collections::HashMap<String, f64>>,
 }

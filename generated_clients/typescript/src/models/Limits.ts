@@ -48,6 +48,18 @@ export interface Limits {
      * Time in which a part of a body arrives after the headers of its request; for the profile `limits`.
      */
     body_timeout_s?: number;
+    /**
+     * Longest time that a session lives without a new turn, whatever its `idle_timeout_s`; for the profile `limits`.
+     */
+    heartbeat_s_max?: number;
+    /**
+     * When others wait: the time after which a run without a worker, or a session without a turn, may have to make room; for the profile `limits`.
+     */
+    unused_s_max?: number;
+    /**
+     * Most runs of one account that are queued, ready, running or stopping; for the profile `limits`.
+     */
+    max_open_runs?: number;
 }
 
 /**
@@ -83,6 +95,9 @@ export function LimitsFromJSONTyped(json: any, ignoreDiscriminator: boolean): Li
         'max_header_bytes': json['max_header_bytes'] == null ? undefined : json['max_header_bytes'],
         'header_timeout_s': json['header_timeout_s'] == null ? undefined : json['header_timeout_s'],
         'body_timeout_s': json['body_timeout_s'] == null ? undefined : json['body_timeout_s'],
+        'heartbeat_s_max': json['heartbeat_s_max'] == null ? undefined : json['heartbeat_s_max'],
+        'unused_s_max': json['unused_s_max'] == null ? undefined : json['unused_s_max'],
+        'max_open_runs': json['max_open_runs'] == null ? undefined : json['max_open_runs'],
     };
 }
 
@@ -107,5 +122,8 @@ export function LimitsToJSONTyped(value?: Limits | null, ignoreDiscriminator: bo
         'max_header_bytes': value['max_header_bytes'],
         'header_timeout_s': value['header_timeout_s'],
         'body_timeout_s': value['body_timeout_s'],
+        'heartbeat_s_max': value['heartbeat_s_max'],
+        'unused_s_max': value['unused_s_max'],
+        'max_open_runs': value['max_open_runs'],
     };
 }

@@ -6,12 +6,13 @@
 
 
 /**
- * `proctor` is policy.yaml. `openai_chat` asks for a chat completion at `chat/completions` below the URL, for benchmarks that are answered in words.
+ * `proctor` is policy.yaml. `openai_chat` asks for a chat completion at `chat/completions` below the URL, for benchmarks that are answered in words. `openai_completions` asks for the completion of a text at `completions` below the URL, for such benchmarks without images.
  * @export
  */
 export const PolicyProtocol = {
     Proctor: 'proctor',
     OpenaiChat: 'openai_chat',
+    OpenaiCompletions: 'openai_completions',
 } as const;
 export type PolicyProtocol = typeof PolicyProtocol[keyof typeof PolicyProtocol];
 

@@ -48,7 +48,7 @@ export interface PolicyServer {
      */
     max_retries?: number;
     /**
-     * Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` alone.
+     * Numbers that a chat completion is asked with, such as `temperature` and `max_tokens`; for `openai_chat` and `openai_completions` alone.
      */
     generation?: { [key: string]: number; };
 }

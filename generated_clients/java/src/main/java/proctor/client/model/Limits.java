@@ -45,6 +45,15 @@ public class Limits {
   @SerializedName("body_timeout_s")
   private Double bodyTimeoutS;
 
+  @SerializedName("heartbeat_s_max")
+  private Double heartbeatSMax;
+
+  @SerializedName("unused_s_max")
+  private Double unusedSMax;
+
+  @SerializedName("max_open_runs")
+  private Integer maxOpenRuns;
+
   /** Longest request body that is read. */
   public Long getMaxBodyBytes() {
     return maxBodyBytes;
@@ -167,6 +176,48 @@ public class Limits {
 
   public void setBodyTimeoutS(Double bodyTimeoutS) {
     this.bodyTimeoutS = bodyTimeoutS;
+  }
+
+  /** Longest time that a session lives without a new turn, whatever its &#x60;idle_timeout_s&#x60;; for the profile &#x60;limits&#x60;. */
+  public Double getHeartbeatSMax() {
+    return heartbeatSMax;
+  }
+
+  public Limits heartbeatSMax(Double heartbeatSMax) {
+    this.heartbeatSMax = heartbeatSMax;
+    return this;
+  }
+
+  public void setHeartbeatSMax(Double heartbeatSMax) {
+    this.heartbeatSMax = heartbeatSMax;
+  }
+
+  /** When others wait: the time after which a run without a worker, or a session without a turn, may have to make room; for the profile &#x60;limits&#x60;. */
+  public Double getUnusedSMax() {
+    return unusedSMax;
+  }
+
+  public Limits unusedSMax(Double unusedSMax) {
+    this.unusedSMax = unusedSMax;
+    return this;
+  }
+
+  public void setUnusedSMax(Double unusedSMax) {
+    this.unusedSMax = unusedSMax;
+  }
+
+  /** Most runs of one account that are queued, ready, running or stopping; for the profile &#x60;limits&#x60;. */
+  public Integer getMaxOpenRuns() {
+    return maxOpenRuns;
+  }
+
+  public Limits maxOpenRuns(Integer maxOpenRuns) {
+    this.maxOpenRuns = maxOpenRuns;
+    return this;
+  }
+
+  public void setMaxOpenRuns(Integer maxOpenRuns) {
+    this.maxOpenRuns = maxOpenRuns;
   }
 
   public static Limits fromJson(String text) {

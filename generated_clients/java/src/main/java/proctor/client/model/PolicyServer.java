@@ -136,7 +136,7 @@ public class PolicyServer {
     this.maxRetries = maxRetries;
   }
 
-  /** Numbers that a chat completion is asked with, such as &#x60;temperature&#x60; and &#x60;max_tokens&#x60;; for &#x60;openai_chat&#x60; alone. */
+  /** Numbers that a chat completion is asked with, such as &#x60;temperature&#x60; and &#x60;max_tokens&#x60;; for &#x60;openai_chat&#x60; and &#x60;openai_completions&#x60; alone. */
   public Map<String, Double> getGeneration() {
     return generation;
   }

@@ -1,0 +1,147 @@
+"""Who is served when there is less capacity than runs and sessions. Pure.
+
+Two things are shared: places among the runs that may be played, and simulators. A place
+goes to the account that has the fewest, and of its runs to the oldest. An account that
+has more than another one that waits gives back what it does not use (LIM-004, LIM-005):
+the place of a run that no worker plays, the simulator of a session that plays no turn.
+"""
+
+from __future__ import annotations
+
+import heapq
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.run import RunHead, Session
+
+# An account gives back until it has one more than the one that waits: then what is
+# taken would only go to and fro.
+DIFFERENCE_MIN = 2
+
+
+@dataclass(frozen=True, slots=True)
+class WaitingRun:
+    """All that admission reads of a run: thousands may wait, and none is in memory.
+
+    number: 0 for one that is not stored yet.
+    """
+
+    run_id: str
+    number: int
+    account: str
+    queue_until_wall: float
+
+    @classmethod
+    def of(cls, run: RunHead) -> WaitingRun:
+        return cls(run.run_id, run.number, run.account, run.queue_until_wall)
+
+
+class Shares(NamedTuple):
+    """admitted: what gets a place, in this order. given_back: an account per place."""
+
+    admitted: list[WaitingRun]
+    given_back: list[str]
+
+
+def share_places(
+    waiting: Iterable[WaitingRun],
+    places: Mapping[str, int],
+    unplayed: Mapping[str, int],
+    free: int,
+    now_wall: float,
+) -> Shares:
+    """LIFE-801: which runs get the free places, and those that others give back.
+
+    places: how many each account has; unplayed: how many of them no worker plays.
+    LIFE-810: no run gets one before its time. A run without a number is not stored yet:
+    it is the youngest.
+    """
+    queues: dict[str, list[WaitingRun]] = {}
+    youngest_first = sorted(waiting, key=_age, reverse=True)
+    for run in youngest_first:
+        if run.queue_until_wall <= now_wall:
+            queues.setdefault(run.account, []).append(run)
+    has, may_give = Counter(places), Counter(unplayed)
+    shares = Shares([], [])
+    heap = [
+        (has[account], _age(queue[-1]), account) for account, queue in queues.items()
+    ]
+    heapq.heapify(heap)
+    while heap:
+        _, _, account = heap[0]
+        if free <= 0:
+            giver = _giver(has, may_give, account)
+            if giver is None:
+                break
+            has[giver] -= 1
+            may_give[giver] -= 1
+            shares.given_back.append(giver)
+            free += 1
+        heapq.heappop(heap)
+        shares.admitted.append(queues[account].pop())
+        has[account] += 1
+        free -= 1
+        if queues[account]:
+            heapq.heappush(heap, (has[account], _age(queues[account][-1]), account))
+    return shares
+
+
+def _age(run: WaitingRun) -> tuple[bool, int]:
+    return run.number == 0, run.number
+
+
+def _giver(has: Counter[str], may_give: Counter[str], waiting: str) -> str | None:
+    """The account that has the most and gives one of its unplayed places back."""
+    givers = [
+        account
+        for account, unplayed in may_give.items()
+        if unplayed > 0 and gives_back(has, account, waiting)
+    ]
+    return max(givers, key=lambda account: has[account], default=None)
+
+
+def gives_back(shares: Mapping[str, int], account: str, waiting: str) -> bool:
+    """Whether the account has more than its share while another one waits."""
+    return shares.get(account, 0) - shares.get(waiting, 0) >= DIFFERENCE_MIN
+
+
+class LentSimulator(NamedTuple):
+    """A session that has a simulator, or is about to, and its account."""
+
+    account: str
+    session: Session
+
+
+def session_to_end(
+    lent: Iterable[LentSimulator], waiting: str, now: float, unused_s: float
+) -> Session | None:
+    """LIM-005: the session that gives its simulator back to an account that waits.
+
+    Of the accounts that have more than their share, the one that has gone longest
+    without a turn, and for more than `unused_s`; None if there is none. Heartbeats are
+    no turns.
+    """
+    lent = list(lent)
+    simulators = Counter(account for account, _ in lent)
+    unused = (
+        session
+        for account, session in lent
+        if gives_back(simulators, account, waiting)
+        and not session.busy
+        and now - session.answered_at > unused_s
+    )
+    return min(unused, key=lambda session: session.answered_at, default=None)
+
+
+def below_quota(open_runs: int, open_runs_max: int) -> Refuse | None:
+    """LIM-007: one more run of an account may be open."""
+    if open_runs < open_runs_max:
+        return None
+    return Refuse(
+        "quota_exceeded",
+        f"The account has {open_runs} open runs, which is its maximum.",
+        "LIM-007",
+    )

@@ -1,0 +1,297 @@
+"""What one account may hold of the server while others wait, and for how long."""
+
+from __future__ import annotations
+
+import asyncio
+import gc
+import time
+from pathlib import Path
+
+import pytest
+
+from reference_server.rules import effects
+from reference_server.rules.lifecycle import Attach, Heartbeat
+from reference_server.rules.run import Run, RunHead
+from reference_server.runs import places, registry
+from reference_server.storage.store import Store, StoreFailed
+from tests.support.server.server_parts import (
+    ServerParts,
+    assert_no_simulator_lent,
+    calibration_run,
+    expect_refusal,
+    predict_command,
+    run_scenarios,
+)
+
+
+async def submit(parts: ServerParts, run_id: str, account: str = "alice") -> Run:
+    run = calibration_run(run_id=run_id, account=account)
+    return await parts.registry.add(run, None, "")
+
+
+async def insert(parts: ServerParts, state: str, *run_ids: str) -> None:
+    for run_id in run_ids:
+        await parts.store.insert(calibration_run(run_id=run_id, state=state), None, "")
+
+
+async def until(parts: ServerParts, run_id: str, state: str) -> Run:
+    """The run, when it is in that state; no request loads it before."""
+    while True:
+        change = parts.registry.change_event(run_id)
+        if (await parts.store.heads([run_id]))[run_id].state == state:
+            return await parts.registry.get(run_id)
+        await change.wait()
+
+
+def let_unused_time_pass(parts: ServerParts) -> None:
+    parts.registry._places._unused_s = 0.0
+    parts.registry._places._settled_until = 0.0
+    parts.registry._admit()
+
+
+# --- places ---
+
+
+def test_unplayed_runs_of_one_account_do_not_keep_out_another(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        runs = [await submit(parts, f"run_{n}") for n in range(6)]
+        assert [run.state for run in runs] == ["ready"] * 4 + ["queued"] * 2
+        other = await submit(parts, "other", "bob")
+        assert other.state == "ready"
+        # What lost its place can still be attached to, when there is one for it.
+        assert runs[0].state == "ready"
+        with expect_refusal("no_capacity"):
+            await parts.executor.attach(runs[0], Attach("w", "key"))
+        effects.stop(runs[1], "abort", 0.0)
+        await parts.registry.commit(runs[1])
+        turn = await parts.executor.attach(runs[0], Attach("w", "key"))
+        await parts.executor.predict(runs[0], predict_command(turn, score=1))
+        assert [run.state for run in runs[4:]] == ["queued"] * 2
+
+    run_scenarios(tmp_path, scenario, active_max=4)
+
+
+def test_unplayed_runs_give_their_places_to_later_ones(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        runs = [await submit(parts, f"run_{n}") for n in range(3)]
+        await parts.executor.attach(runs[0], Attach("w", "key"))
+        assert runs[2].state == "queued"
+        let_unused_time_pass(parts)
+        assert [run.state for run in runs] == ["running", "ready", "ready"]
+
+    run_scenarios(tmp_path, scenario, active_max=2)
+
+
+def test_a_timer_ends_the_wait_for_an_unplayed_place(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        parts.registry._places = places.Places(1, 0.05)
+        await submit(parts, "run_1")
+        await submit(parts, "run_2")
+        await until(parts, "run_2", "ready")
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_unplayed_runs_hold_nothing_after_a_restart(tmp_path: Path) -> None:
+    """What was played has its place again; what no worker played has none."""
+
+    async def before(parts: ServerParts) -> None:
+        await insert(parts, "ready", "unplayed_1", "unplayed_2")
+        await insert(parts, "running", "played")
+        await insert(parts, "queued", "queued_1", "queued_2")
+
+    async def after(parts: ServerParts) -> None:
+        await until(parts, "queued_1", "ready")
+        second = await parts.registry.get("queued_2")
+        assert second.state == "queued"
+        played = await parts.registry.get("played")
+        await parts.executor.attach(played, Attach("w", "key"))
+        unplayed = await parts.registry.get("unplayed_1")
+        with expect_refusal("no_capacity"):
+            await parts.executor.attach(unplayed, Attach("w", "key"))
+        let_unused_time_pass(parts)
+        await parts.executor.attach(unplayed, Attach("w", "key"))
+        assert second.state == "queued"
+
+    run_scenarios(tmp_path, before, after, active_max=2)
+
+
+def test_a_stopped_run_waits_for_no_place(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        await submit(parts, "run_1")
+        second = await submit(parts, "run_2")
+        effects.stop(second, "abort", 0.0)
+        await parts.registry.commit(second)
+        let_unused_time_pass(parts)
+        assert second.state == "stopped"
+        assert "run_1" in parts.registry._places
+
+    run_scenarios(tmp_path, scenario, active_max=1)
+
+
+# --- a long queue ---
+
+
+def test_a_restart_loads_no_run_of_the_queue(tmp_path: Path) -> None:
+    names = [f"run_{number:02}" for number in range(20)]
+
+    async def before(parts: ServerParts) -> None:
+        await insert(parts, "queued", *names)
+
+    async def after(parts: ServerParts) -> None:
+        for run_id in names[:2]:
+            await until(parts, run_id, "ready")
+        while parts.registry._tasks:
+            await asyncio.wait(parts.registry._tasks)
+        gc.collect()
+        loaded = set(parts.registry._in_memory)
+        assert loaded <= set(names[:2])
+
+        def view(run: RunHead) -> tuple[str, str, int | None]:
+            position = parts.registry.queue_position(run)
+            return run.run_id, run.state, position
+
+        shown = await parts.registry.page("alice", None, 99, view)
+        queued = [(name, "queued", n) for n, name in enumerate(names[2:], 1)]
+        ready = [(name, "ready", None) for name in names[:2]]
+        assert shown == (ready + queued)[::-1]
+        gc.collect()
+        assert set(parts.registry._in_memory) == loaded
+        assert (await parts.registry.get("run_19")).state == "queued"
+
+    run_scenarios(tmp_path, before, after, active_max=2)
+
+
+def test_a_queued_run_that_cannot_be_loaded_is_admitted_later(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def before(parts: ServerParts) -> None:
+        await insert(parts, "queued", "run_1", "run_2", "run_3")
+        load, unread = Store.load, [StoreFailed("gone")]
+
+        async def load_at_last(store: Store, run_id: str) -> Run | None:
+            if unread:
+                raise unread.pop()
+            return await load(store, run_id)
+
+        monkeypatch.setattr(Store, "load", load_at_last)
+        monkeypatch.setattr(registry, "RELOAD_S", 0.001)
+
+    async def after(parts: ServerParts) -> None:
+        await until(parts, "run_2", "ready")
+        await until(parts, "run_1", "ready")
+        assert (await parts.registry.get("run_3")).state == "queued"
+
+    run_scenarios(tmp_path, before, after, active_max=2)
+
+
+# --- simulators ---
+
+
+async def hold_all_simulators(parts: ServerParts, account: str) -> list[Run]:
+    runs = []
+    for number in range(4):
+        run = await submit(parts, f"{account}_{number}", account)
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        await parts.executor.predict(run, predict_command(turn, score=0.5))
+        runs.append(run)
+    return runs
+
+
+def test_heartbeats_do_not_hold_all_simulators(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        runs = await hold_all_simulators(parts, "alice")
+        ids = [run.workers["w"].session_id for run in runs]
+        waiting = [await submit(parts, f"bob_{n}", "bob") for n in range(3)]
+        with expect_refusal("no_capacity"):
+            await parts.executor.attach(waiting[0], Attach("w", "key"))
+        parts.executor._resources._unused_s = 0.0
+        for run, session_id in zip(runs, ids, strict=True):
+            parts.executor.heartbeat(run, Heartbeat("w", session_id))
+        for run in waiting[:2]:
+            await parts.executor.attach(run, Attach("w", "key"))
+        with expect_refusal("no_capacity"):  # each account has its share
+            await parts.executor.attach(waiting[2], Attach("w", "key"))
+        # Those that were longest without a turn; no attempt is counted.
+        assert [len(run.live_sessions) for run in runs] == [0, 0, 1, 1]
+        assert [run.state for run in runs] == ["ready", "ready", "running", "running"]
+        assert [run.episodes[0].attempt for run in runs] == [1, 1, 1, 1]
+        with expect_refusal("session_ended", ended_by="unknown"):
+            parts.executor.heartbeat(runs[0], Heartbeat("w", ids[0]))
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_an_account_takes_no_simulator_of_its_own(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        runs = await hold_all_simulators(parts, "alice")
+        parts.executor._resources._unused_s = 0.0
+        with expect_refusal("no_capacity"):
+            await parts.executor.attach(await submit(parts, "more"), Attach("w", "key"))
+        assert [len(run.live_sessions) for run in runs] == [1, 1, 1, 1]
+        await parts.executor.close()
+        await assert_no_simulator_lent(parts)
+
+    run_scenarios(tmp_path, scenario)
+
+
+@pytest.mark.parametrize("how", ["heartbeat", "attach", "predict"])
+def test_a_session_without_a_turn_ends(tmp_path: Path, how: str) -> None:
+    """LIM-006: heartbeats and repeats extend its lease for a time only."""
+
+    async def scenario(parts: ServerParts) -> None:
+        parts.executor._heartbeat_s_max = 0.2
+        run = calibration_run(idle_timeout_s=0.1)
+        run = await parts.registry.add(run, None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        command = predict_command(turn, score=0.5)
+        await parts.executor.predict(run, command)
+        session, began = run.workers["w"], time.monotonic()
+        with expect_refusal("session_ended", ended_by="lease_ended"):
+            while how != "attach" or run.workers.get("w") is session:
+                if how == "predict":
+                    await parts.executor.predict(run, command)
+                elif how == "attach":
+                    await parts.executor.attach(run, Attach("w", "key"))
+                else:
+                    heartbeat = Heartbeat("w", session.session_id)
+                    parts.executor.heartbeat(run, heartbeat)
+                await asyncio.sleep(0.02)
+            parts.executor.heartbeat(run, Heartbeat("w", session.session_id))
+        assert time.monotonic() - began > 0.15
+        assert run.episodes[0].attempt == 2  # LEASE-012
+
+    run_scenarios(tmp_path, scenario)
+
+
+# --- quotas ---
+
+
+def test_an_account_may_have_so_many_open_runs(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        parts.registry._open_max = 2
+        first = await parts.registry.add(calibration_run(), "key", "body")
+        second = await submit(parts, "run_2")
+        with expect_refusal("quota_exceeded"):
+            await submit(parts, "run_3")
+        again = calibration_run(run_id="again")
+        assert await parts.registry.add(again, "key", "body") is first
+        with expect_refusal("quota_exceeded"):
+            await parts.registry.add(calibration_run(run_id="run_3"), "new", "body")
+        assert await parts.registry.find_by_key("alice", "new") is None  # RUN-027
+        await submit(parts, "other", "bob")
+        await parts.service.stop_run("alice", "run_2")
+        await submit(parts, "run_3")
+        with expect_refusal("quota_exceeded"):
+            await parts.service.resume_run("alice", "run_2")
+        assert [run.state for run in (first, second)] == ["ready", "stopped"]
+        await parts.service.stop_run("alice", "run_3")
+        await parts.service.resume_run("alice", "run_2")
+        assert [run.state for run in (first, second)] == ["ready", "ready"]
+
+    async def after_a_restart(parts: ServerParts) -> None:
+        parts.registry._open_max = 2
+        with expect_refusal("quota_exceeded"):
+            await submit(parts, "run_4")
+
+    run_scenarios(tmp_path, scenario, after_a_restart)

@@ -1,0 +1,124 @@
+"""Places of runs: who keeps one, and when another run gets it. No clock, no run."""
+
+from __future__ import annotations
+
+from reference_server.rules.capacity import WaitingRun
+from reference_server.runs.places import Places
+
+NOW, WALL, UNUSED_S = 1000.0, 5000.0, 60.0
+
+
+def places_of(size: int) -> Places:
+    return Places(size, UNUSED_S)
+
+
+def queue(places: Places, number: int, account: str = "alice", until: float = 0) -> str:
+    run = WaitingRun(f"{account}_{number}", number, account, until)
+    places.wait(run)
+    return run.run_id
+
+
+def share(places: Places, now: float = NOW) -> list[str]:
+    if not places.can_change(now):
+        return []
+    return [run.run_id for run in places.share(now, WALL)]
+
+
+def test_places_go_to_what_waits_until_they_are_taken() -> None:
+    places = places_of(2)
+    assert not places.can_change(NOW)
+    for number in (1, 2, 3):
+        queue(places, number)
+    assert share(places) == ["alice_1", "alice_2"]
+    assert "alice_1" in places
+    assert "alice_3" not in places
+    assert share(places) == []
+    places.leave("alice_1")
+    assert share(places) == ["alice_3"]
+
+
+def test_an_unplayed_run_loses_its_place_after_a_time_if_one_waits() -> None:
+    places = places_of(2)
+    for number in (1, 2):
+        queue(places, number)
+    share(places)
+    assert places.next_overdue(NOW) is None
+    assert share(places, NOW + 10 * UNUSED_S) == []
+    assert "alice_1" in places
+    queue(places, 3)
+    assert places.next_overdue(NOW + 1) == UNUSED_S - 1
+    assert share(places, NOW + UNUSED_S - 1) == []
+    assert share(places, NOW + UNUSED_S) == ["alice_3"]
+    assert "alice_1" not in places
+    assert "alice_2" in places
+
+
+def test_a_played_run_keeps_its_place() -> None:
+    places = places_of(1)
+    queue(places, 1)
+    share(places)
+    places.play("alice_1", "alice")
+    queue(places, 2)
+    assert places.next_overdue(NOW) is None
+    assert share(places, NOW + 10 * UNUSED_S) == []
+    places.rest("alice_1", NOW + 5)
+    assert share(places, NOW + UNUSED_S) == []
+    assert share(places, NOW + UNUSED_S + 5) == ["alice_2"]
+
+
+def test_another_account_gets_its_share_at_once() -> None:
+    places = places_of(4)
+    for number in range(1, 5):
+        queue(places, number)
+    share(places)
+    places.play("alice_1", "alice")
+    queue(places, 5)
+    for number in (6, 7, 8):
+        queue(places, number, "bob")
+    assert share(places) == ["bob_6", "bob_7"]
+    assert [f"alice_{n}" in places for n in (1, 2, 3, 4)] == [True, False, False, True]
+
+
+def test_what_cannot_move_costs_nothing() -> None:
+    places = places_of(1)
+    places.play("alice_1", "alice")
+    for number in range(2, 50):
+        queue(places, number)
+    assert not places.can_change(NOW)
+    places.rest("alice_1", NOW)
+    assert not places.can_change(NOW)
+    assert places.can_change(NOW, WaitingRun("bob_1", 0, "bob", 0.0)) is False
+    assert places.can_change(NOW + UNUSED_S)
+
+
+def test_a_queue_time_is_waited_for() -> None:
+    places = places_of(1)
+    queue(places, 1, until=WALL + 7)
+    assert share(places) == []
+    assert places.next_due(WALL) == 7
+    assert not places.can_change(NOW + 6.9)
+    assert places.can_change(NOW + 7)
+    places.stop_waiting("alice_1")
+    assert places.next_due(WALL) is None
+
+
+def test_an_overdue_place_is_not_looked_at_again_while_none_is_due() -> None:
+    places = places_of(1)
+    queue(places, 1)
+    share(places)
+    queue(places, 2, until=WALL + 2 * UNUSED_S)
+    assert places.next_overdue(NOW) == UNUSED_S
+    late = NOW + UNUSED_S + 1
+    assert share(places, late) == []
+    assert places.next_overdue(late) is None
+    assert not places.can_change(late + 1)
+    assert "alice_1" in places
+
+
+def test_a_place_without_a_run_is_given_back_once() -> None:
+    places = places_of(1)
+    places.leave("unknown")
+    places.rest("unknown", NOW)
+    assert "unknown" not in places
+    queue(places, 1)
+    assert share(places) == ["alice_1"]
