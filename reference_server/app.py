@@ -78,6 +78,7 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         registry,
         executor,
         policy_server_validator.validate_and_encrypt,
+        policy_server_validator.digest_key,
     )
     handlers = Handlers(settings, service)
     driver = Driver(service, egress, key_encryption, settings.max_body_bytes)

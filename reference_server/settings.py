@@ -61,7 +61,8 @@ class Settings(BaseSettings):
         "",
         description="Bearer tokens, comma-separated, each account:scopes:token. scopes "
         "is read, run or read+run; token is the secret or sha256=<its hex digest>. If "
-        "empty, one token is generated and printed.",
+        "empty, one is made and printed. It is kept in a file next to the SQLite file, "
+        "and stays the same; with another database it lasts until the server stops.",
     )
     profiles: str = Field(
         "",
@@ -212,6 +213,13 @@ class Settings(BaseSettings):
     def _check_networks(cls, text: str) -> str:
         AllowedNetworks.parse(text)  # raises ValueError
         return text
+
+    @property
+    def token_path(self) -> Path | None:
+        """The file of the token that is made if none is set; None: it is not kept."""
+        if "://" in self.database or ":memory:" in self.database:
+            return None
+        return Path(f"{self.database}.token")
 
     @property
     def sealing_key_path(self) -> Path | None:

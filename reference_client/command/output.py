@@ -1,5 +1,7 @@
 """The output of the command: tables at 80 columns, or one JSON value for scripts.
 
+Texts of a server pass `printable` here, and JSON has escapes of its own.
+
 Results go to stdout; progress, notes and errors go to stderr.
 """
 
@@ -29,6 +31,7 @@ from rich.table import Table
 
 from reference_client.command.exit_codes import with_flag_names
 from reference_client.evaluation.status_board import Progress
+from reference_client.printable_text import printable
 
 LOG_S = 10.0  # between two lines of progress where stderr is no terminal
 
@@ -47,7 +50,7 @@ class Printer:
 
     def say(self, line: str) -> None:
         """Print a message to stderr."""
-        self.err.print(line, soft_wrap=True)
+        self.err.print(printable(line), soft_wrap=True)
 
     def answer(self, value: Any, *tables: Table | str) -> None:
         """Print the result to stdout: `value` as JSON, or the tables."""
@@ -58,7 +61,10 @@ class Printer:
         for number, table in enumerate(tables):
             if number:
                 self._out.print()
-            self._out.print(table, soft_wrap=isinstance(table, str))
+            if isinstance(table, str):
+                self._out.print(printable(table), soft_wrap=True)
+            else:
+                self._out.print(table)
 
 
 class ProgressDisplay:
@@ -134,9 +140,16 @@ def mean_of(progress: Progress) -> str:
     return "no score yet" if progress.mean is None else f"mean {progress.mean:.3f}"
 
 
+class PrintableTable(Table):
+    """A table whose cells are texts of a server."""
+
+    def add_row(self, *cells: Any, **options: Any) -> None:
+        super().add_row(*(printable(str(cell)) for cell in cells), **options)
+
+
 def fact_table(rows: Mapping[str, object]) -> Table:
     """A table of names and values, without borders; None values are omitted."""
-    table = Table(box=None, show_header=False, pad_edge=False)
+    table = PrintableTable(box=None, show_header=False, pad_edge=False)
     table.add_column(no_wrap=True)
     table.add_column(overflow="fold")
     for name, value in rows.items():
@@ -325,7 +338,7 @@ def benchmark_tables(benchmark: Benchmark) -> list[Table]:
 
 def _table(*columns: str) -> Table:
     """A table; columns whose name begins with > are right-aligned."""
-    table = Table(box=None, pad_edge=False)
+    table = PrintableTable(box=None, pad_edge=False)
     for number, name in enumerate(columns):
         table.add_column(
             name.lstrip(">"),

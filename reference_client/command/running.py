@@ -72,6 +72,7 @@ def resume_command(args: argparse.Namespace, run_id: str) -> str:
         ("--worker-ids", args.worker_ids, None),
         ("--worker-prefix", args.worker_prefix, "worker"),
         ("--retry-timeout-s", args.retry_timeout_s, None),
+        ("--ca", args.ca, None),
         ("--url", args.url, os.environ.get("PROCTOR_URL") or DEFAULT_URL),
     ]
     for flag, value, default in flags:

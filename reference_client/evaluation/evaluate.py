@@ -6,7 +6,6 @@ its own worker pool and messages. rounds.py plays the run once it is submitted.
 
 from __future__ import annotations
 
-import os
 import sys
 import threading
 from collections.abc import Callable, Mapping
@@ -15,7 +14,7 @@ from typing import Any
 from proctor_client import Assumptions, PolicyInfo, Run, Score
 
 from reference_client.api.policy import Policy
-from reference_client.errors import RunFailed, RunStopped, how_to_resume
+from reference_client.errors import ProctorError, RunFailed, RunStopped, how_to_resume
 from reference_client.evaluation.parameters import (
     EvaluationPlan,
     parse_strictly,
@@ -27,14 +26,17 @@ from reference_client.evaluation.status_board import (
     StatusBoard,
     terminal_progress_line,
 )
+from reference_client.evaluation.uncaught_errors import shorten_report
 from reference_client.evaluation.worker_pool import (
     EvaluationContext,
     ThreadWorkerPool,
     WorkerPool,
 )
 from reference_client.policies.policy_server_client import PolicyServerClient
+from reference_client.printable_text import printable
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
+from reference_client.protocol.local_token import find_token
 from reference_client.protocol.retry_policy import RetryPolicy
 
 
@@ -59,7 +61,8 @@ def evaluate(
     """Evaluate a policy on a benchmark of the server at `url`; returns its score.
 
     policy: makes a policy, usually its class; called once per worker, in this thread.
-    token: a bearer token of the server; PROCTOR_TOKEN of the environment when absent.
+    token: a bearer token of the server. When absent, PROCTOR_TOKEN of the environment,
+        or the token that a server on this machine made for itself.
     benchmark: id of the benchmark, for a new run.
     run_id: continue this run instead. It is resumed if it is stopped or failed.
     workers: number of episodes played at a time, each in a thread.
@@ -77,10 +80,12 @@ def evaluate(
     Raises ProctorError (RunFailed and RunStopped when the run ends without a score),
     ValueError for invalid arguments, and whatever the policy raises. Workers detach
     first, also on Ctrl-C; the run remains on the server, and `run_id` continues it.
+    A ProctorError that a program does not catch ends it with its text alone; with
+    PROCTOR_DEBUG=1 the traceback is printed.
     """
     plan = EvaluationPlan(
         url=url,
-        token=token or os.environ.get("PROCTOR_TOKEN"),
+        token=find_token(url, token),
         worker_ids=tuple(f"{worker_prefix}-{i}" for i in range(workers)),
         submission=None
         if benchmark is None or run_id is not None
@@ -117,13 +122,16 @@ def _evaluate_plan(
         )
     except KeyboardInterrupt:
         if runs:
-            sys.stderr.write(f"\n{_how_to_continue(runs[0])}\n")
+            sys.stderr.write(f"\n{printable(_how_to_continue(runs[0]))}\n")
         raise
     except (RunFailed, RunStopped):
+        shorten_report()
         raise
     except BaseException as error:
+        if isinstance(error, ProctorError):
+            shorten_report()
         if runs:
-            error.add_note(_how_to_continue(runs[0]))
+            error.add_note(printable(_how_to_continue(runs[0])))
         raise
     finally:
         if line is not None and runs:

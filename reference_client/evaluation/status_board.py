@@ -12,6 +12,7 @@ from typing import TextIO
 
 from reference_client.api.observation import Observation
 from reference_client.generated.messages import Turn
+from reference_client.printable_text import printable
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,7 +123,7 @@ class ProgressLine:
         if progress.waiting:
             parts.append(progress.waiting)
         columns = shutil.get_terminal_size().columns
-        line = "  ".join(parts)[: columns - 1]
+        line = printable("  ".join(parts))[: columns - 1]
         self._stream.write(f"\r\x1b[2K{line}")
         self._stream.flush()
 

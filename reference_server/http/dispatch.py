@@ -26,8 +26,9 @@ from reference_server.http.auth import SCOPES, Caller, Tokens, is_local
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.storage.store import StoreFailed
+from reference_server.system.repeated_failures import RepeatedFailures
 
-log = logging.getLogger("proctor.http")
+_failures = RepeatedFailures(logging.getLogger("proctor.http"))
 
 ANY_HOST = AllowedHosts()
 
@@ -133,7 +134,7 @@ async def perform(
     except Refused as error:
         refused = error
     except StoreFailed as error:
-        log.error("the store failed: %s", error)  # noqa: TRY400 - it says all
+        _failures.report("a request could not use the database", str(error))
         refused = Refused("unavailable", "The database is not available.")
     except asyncio.CancelledError:
         # By the server alone, which shuts down and has waited long enough.

@@ -22,9 +22,11 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, RunHead
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.store import StoreFailed
+from reference_server.system.repeated_failures import RepeatedFailures
 from reference_server.views.run_views import episode_view
 
 log = logging.getLogger("proctor.events")
+_failures = RepeatedFailures(log)
 
 EVENT_STREAM = "text/event-stream"
 # Read and sent at a time.
@@ -112,7 +114,7 @@ class EventStream:
         except Refused as refused:
             log.debug("a stream of %s ends: %s", self.run_id, refused)
         except StoreFailed as error:
-            log.warning("a stream of %s ends, the store failed: %s", self.run_id, error)
+            _failures.report("an event stream could not use the database", str(error))
 
 
 def _left_s(since: float, seconds: float) -> float:

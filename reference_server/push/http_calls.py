@@ -60,7 +60,12 @@ class HttpCalls:
     """Calls to the server at `url`, over connections that are reused."""
 
     def __init__(
-        self, url: str, egress: EgressPolicy, limits: CallLimits, key: str | None
+        self,
+        url: str,
+        egress: EgressPolicy,
+        limits: CallLimits,
+        key: str | None,
+        account: str = "",
     ) -> None:
         self._url = url
         self._limits = limits
@@ -68,7 +73,7 @@ class HttpCalls:
         self._slots = asyncio.Semaphore(limits.max_concurrent)  # PUSH-007
         self._pool = httpcore.AsyncConnectionPool(
             max_connections=limits.max_concurrent,
-            network_backend=CheckedBackend(egress),
+            network_backend=CheckedBackend(egress, account),
         )
 
     async def __aenter__(self) -> Self:
