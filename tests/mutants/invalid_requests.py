@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 from pydantic import ValidationError
@@ -33,15 +35,19 @@ def accepts_any_worker_id() -> None:
 @mutant("ERR-002", "ERR-006", "ERR-013", "ENC-008")
 def calls_a_malformed_body_an_invalid_request() -> None:
     """A user looks for a wrong member where a comma is missing."""
-    right = codec.decode
+    right = codec.refuse_malformed
 
-    def wrong(body: bytes, media_type: str) -> Any:
+    @contextmanager
+    def wrong() -> Iterator[None]:
         try:
-            return right(body, media_type)
+            with right():
+                yield
         except Refused as refused:
+            if refused.code != "malformed_body":
+                raise
             raise Refused("invalid_request", refused.detail) from refused
 
-    put(codec, "decode", wrong)
+    put(codec, "refuse_malformed", wrong)
 
 
 @mutant("ERR-002", "ERR-013")

@@ -46,7 +46,7 @@ MODELS = {
 }
 PREDICT: dict[str, Any] = {"session_id": "s", "seq": 1, "actions": []}
 # Where a flood may stand: a path of names and positions from the root.
-INNER_PLACES = {
+INNER_PLACES: dict[str, list[tuple[str | int, ...]]] = {
     "Predict": [
         ("actions", 0),
         ("actions", 0, "values"),
@@ -82,7 +82,7 @@ PLACES = [
     for place in (
         (),
         ("unknown",),
-        *((field,) for field in model.model_fields),
+        *[(field,) for field in model.model_fields],
         *INNER_PLACES.get(name, []),
     )
 ]
