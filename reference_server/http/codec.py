@@ -133,7 +133,7 @@ def validate(model: type[Model], data: Any) -> Model:
         raise Refused(
             "invalid_request",
             "The body does not match its schema.",
-            errors=((pointer(f["loc"]), f["msg"]) for f in faults),
+            errors=((pointer(_place(data, f["loc"])), f["msg"]) for f in faults),
         ) from error
 
 
@@ -310,6 +310,21 @@ def _contains_timestamp(data: Any) -> bool:
     return False
 
 
+def _place(data: Any, loc: Sequence[int | str]) -> Sequence[int | str]:
+    """The path of a fault, without what pydantic adds: the name of a type in a union.
+
+    The last step may be a member that is missing.
+    """
+    for index, step in enumerate(loc):
+        if isinstance(data, dict):
+            data = data.get(step)
+        elif isinstance(data, list) and isinstance(step, int) and step < len(data):
+            data = data[step]
+        else:
+            return loc[:index]
+    return loc
+
+
 def _accept_whole_numbers(data: Any, faults: Sequence[Any]) -> bool:
     """JSON Schema calls 630.0 an integer; strict models do not. Mend those, in place.
 
@@ -319,9 +334,10 @@ def _accept_whole_numbers(data: Any, faults: Sequence[Any]) -> bool:
     for fault in faults:
         number = fault["input"]
         whole = isinstance(number, float) and number.is_integer()
-        if fault["type"] != "int_type" or not whole or not fault["loc"]:
+        place = _place(data, fault["loc"])
+        if fault["type"] != "int_type" or not whole or not place:
             continue
-        *path, last = fault["loc"]
+        *path, last = place
         container = data
         for step in path:
             container = container[step]

@@ -25,6 +25,7 @@ from reference_server.http.large_bodies import (
     read_structure,
 )
 from reference_server.profiles.ebench.task_handlers import EbenchHandlers
+from reference_server.profiles.ebench.task_requests import Workers
 from reference_server.profiles.flageval.evaluation_handlers import FlagevalHandlers
 from reference_server.rules.refusal import ERROR_CHARS_MAX, ERRORS_MAX, Refused
 from reference_server.settings import Settings
@@ -259,6 +260,43 @@ def test_an_open_answer_is_read_without_its_unknown_members() -> None:
         models.PolicyReset, msgspec.json.encode(large), JSON, closed=False
     )
     assert found == ready
+
+
+# --- small bodies ---
+
+ODD: list[Any] = [2.0, -2.0, 1e300, 0.5, True, None, "a", [2.0], {"a": 2.0}, [[]], {}]
+ODD += [10**30, b"a"]
+
+
+@pytest.mark.parametrize(("name", "place"), PLACES, ids=str)
+def test_an_odd_value_anywhere_is_read_or_refused(
+    name: str, place: tuple[str | int, ...]
+) -> None:
+    """Every union and every number of every message."""
+    for value in ODD:
+        structure = put_at(place, value)
+        try:
+            codec.validate(MODELS[name], structure)
+        except Refused as refused:
+            for at, _ in refused.errors:
+                assert is_place(structure, at), (value, at)
+
+
+def is_place(structure: Any, at: str) -> bool:
+    """Whether a pointer leads to something, or to a member that an object lacks."""
+    for step in at.split("/")[1:]:
+        if isinstance(structure, list):
+            structure = structure[int(step)]
+        elif isinstance(structure, dict):
+            structure = structure.get(step)
+        else:
+            return False
+    return True
+
+
+def test_a_whole_number_in_a_union_is_an_integer() -> None:
+    read_ids = codec.validate(Workers, {"data": {"worker_ids": [2.0, "a", 3]}})
+    assert read_ids.data.worker_ids == [2, "a", 3]
 
 
 # --- what a schema permits passes ---
