@@ -14,7 +14,7 @@ from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
 from reference_server import app
-from reference_server.http import codec, dispatch, problems
+from reference_server.http import codec, dispatch, large_bodies, problems
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.runs.benchmarks import Benchmarks
@@ -106,14 +106,14 @@ def reads_bodies_of_any_size() -> None:
 @mutant("ERR-006")
 def fails_on_deep_nesting() -> None:
     """A short body makes the server fail."""
-    right = codec.decode
+    right = large_bodies.read_structure
 
-    def wrong(body: bytes, media_type: str) -> Any:
+    def wrong(model: Any, body: bytes, media_type: str, **how: Any) -> Any:
         if body[:1000].count(b"[") > 500:
             raise Refused("unavailable", "Too deep.")
-        return right(body, media_type)
+        return right(model, body, media_type, **how)
 
-    put(codec, "decode", wrong)
+    put(large_bodies, "read_structure", wrong)
 
 
 @mutant("ERR-007")
