@@ -160,6 +160,12 @@ class Settings(BaseSettings):
         "network), at most three quarters of all. Behind a proxy all clients have its "
         "address.",
     )
+    max_event_streams: int = Field(
+        100,
+        ge=1,
+        description="Maximum open streams of events of one run; one account may have "
+        "four times as many.",
+    )
     request_timeout_s: float = Field(
         10.0,
         ge=0.1,

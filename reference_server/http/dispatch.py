@@ -20,7 +20,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
-from reference_server.http import codec
+from reference_server.http import codec, large_bodies
 from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.auth import SCOPES, Caller, Tokens, is_local
 from reference_server.http.problems import problem_response
@@ -162,8 +162,9 @@ async def _check_request(
     if operation.body is not None:
         media_type = codec.media_type_of(request, operation.reads)
         call.raw = await codec.read_body(request, max_body_bytes)
-        structure = codec.decode(call.raw, media_type)
-        call.body = codec.validate(operation.body, structure)
+        call.body = await large_bodies.read_message(
+            operation.body, call.raw, media_type
+        )
     return call
 
 

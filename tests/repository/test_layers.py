@@ -88,7 +88,8 @@ ONLY: dict[tuple[str, str], set[str]] = {
     ("http", "storage"): {"StoreFailed"},
     ("push", "storage"): {"StoreFailed"},
     ("push", "http"): {"JSON", "PROBLEM_JSON"}
-    | {"codec", "decode", "pointer", "validate"},
+    | {"codec", "decode", "pointer", "validate"}
+    | {"large_bodies", "read_structure", "INLINE_BYTES_MAX", "WHOLE_BYTES_MAX"},
 }
 
 

@@ -65,7 +65,7 @@ PAGE_HEADERS = {
     "Content-Security-Policy": "default-src 'none'; frame-ancestors 'none'",
     "X-Content-Type-Options": "nosniff",
 }
-PICKLE_INLINE_BYTES = 2**16  # larger ones are read in a thread
+PICKLE_INLINE_BYTES = 2**13  # larger ones are read in a thread
 
 Turn: TypeAlias = Mapping[str, Any]
 Work: TypeAlias = Callable[[], Awaitable[Turn]]

@@ -20,6 +20,8 @@ from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 
+STEPS_MAX = 4096  # of all workers; no setting allows a longer chunk
+
 
 class CreateTask(BaseModel):
     """The body of createTask; empty members are absent, unknown ones are ignored."""
@@ -94,6 +96,8 @@ def _plain(value: Any) -> Any:
 def read_chunks(body: Any, run: Run) -> dict[str, Chunk]:
     """EBE-008: each worker's actions in order, from one step or a list of steps."""
     steps = body if isinstance(body, list) else [body]
+    if len(steps) > STEPS_MAX:
+        raise schema_error("", f"must have at most {STEPS_MAX} steps")
     actions: dict[str, list[Any]] = {}
     at: dict[str, list[str]] = {}
     for number, step in enumerate(steps):
