@@ -165,6 +165,7 @@ def test_a_worker_plays_a_run_to_its_end(http: httpx.Client) -> None:
         "episode_id": obs["episode_id"],
         "task_name": "count",
         "seed": 1000,
+        "score": 1.0,
         "sr": 1.0,
     }
 
