@@ -170,5 +170,5 @@ def status_of(run: Run) -> dict[str, Any]:
         "in_progress_episodes": sum(s.episode is not None for s in run.live_sessions),
         "active_workers": sorted(live_sessions),
         "repeated_attempts": sum(e.attempt - 1 for e in run.episodes),  # EBE-030
-        "results": run_metric(task_scores(run), current=False),
+        "results": {task: s.score for task, s in task_scores(run).items()},
     }
