@@ -20,6 +20,7 @@ from reference_server.profiles.ebench import (
     task_responses,
 )
 from reference_server.profiles.ebench.lost_answers import LostAnswers
+from reference_server.profiles.ebench.owed_results import OwedResults
 from reference_server.profiles.ebench.task_handlers import EbenchHandlers
 from reference_server.rules.lifecycle import Detach, Predict
 from reference_server.rules.refusal import Refused
@@ -273,6 +274,12 @@ def shows_tasks_without_their_progress() -> None:
 def takes_half_a_score_for_half_a_success() -> None:
     """The rate of successes is higher than what succeeded."""
     put(message_conversion, "success_rate", lambda score: score)
+
+
+@mutant("EBE-031")
+def gives_each_result_once_whether_received_or_not() -> None:
+    """The folder of results has no file for an episode whose answer was lost."""
+    put(OwedResults, "add", lambda _self, _run, _indices: None)
 
 
 @mutant("EBE-028")

@@ -546,3 +546,26 @@ def test_ebe_030_a_killed_worker_costs_no_episode(context: CheckContext) -> None
     [episode] = ebench_run.run.episodes()
     seen = [episode["result"]["attempt"], episode["result"]["score"]]
     expect.equal(seen, [3, 1.0], "attempt and score of the result")
+
+
+@requirement("EBE-031")
+def test_ebe_031_a_lost_result_is_given_later(context: CheckContext) -> None:
+    """The client disconnects from the step that ends an episode, and comes back.
+
+    Expect its `episode_result` in the answer to the next step or the one after it.
+    """
+    ebench_run = submit_ebench_run(context, "delay", "count")
+    lost = ebench_run.reset("0")["0"]["obs"]["episode_id"]
+    try:
+        ebench_run.try_step({"0": action(delay_s=1, end=1)}, timeout_s=0.4)
+    except NoAnswer:
+        pass
+    else:
+        raise SetUpFailed("a step with a delay of 1 s took less", breaks="CAL-004")
+    ebench_run.reset("0")  # waits for the end of the step
+    given = []
+    for number in range(2):
+        one = {"0": action(vector=[float(number)] * 8)}
+        shown = expect_workers(ebench_run.try_step(one))["0"]
+        given.append((shown["episode_result"] or {}).get("episode_id"))
+    expect.true(lost in given, f"the result of {lost}", given)

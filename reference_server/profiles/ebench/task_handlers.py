@@ -30,6 +30,7 @@ from reference_server.profiles.ebench import (
 )
 from reference_server.profiles.ebench.long_chunks import LongChunk, LongChunks
 from reference_server.profiles.ebench.lost_answers import LostAnswers
+from reference_server.profiles.ebench.owed_results import OwedResults
 from reference_server.profiles.ebench.task_requests import (
     Chunk,
     CreateTask,
@@ -53,6 +54,7 @@ from reference_server.rules.lifecycle import Attach, Detach, Predict, Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
 from reference_server.runs.service import RunService
+from reference_server.views import run_views
 
 CONTROL = "/api/v1/benchmark/onlineEvaluation"
 RUN_PATH = "/eval-server/{run_id}"
@@ -91,6 +93,7 @@ class EbenchHandlers:
     handlers: Handlers
     lost_answers: LostAnswers = field(default_factory=LostAnswers)
     long_chunks: LongChunks = field(default_factory=LongChunks)
+    owed_results: OwedResults = field(default_factory=OwedResults)
 
     @property
     def service(self) -> RunService:
@@ -237,27 +240,27 @@ class EbenchHandlers:
 
     async def step(self, call: OperationCall) -> Response:
         """EBE-008: one turn of each worker."""
-        run, turns, confirmed = await self._step_all(call)
+        run, turns, on_sent = await self._step_all(call)
         views = await self._worker_views(run, turns, current=_is_current(call))
-        return ConfirmedResponse(views, call, confirmed)
+        return ConfirmedResponse(views, call, on_sent)
 
     async def step_chunk(self, call: OperationCall) -> Response:
         """EBE-023: `step` with a list, and how much of it was executed."""
-        run, turns, confirmed = await self._step_all(call)
+        run, turns, on_sent = await self._step_all(call)
         body = {
             # EBE-025: only the current client sends lists this way.
             "obs": await self._worker_views(run, turns, current=True),
             "executed_steps": max(t.get("executed_steps", 0) for t in turns.values()),
             "stopped_early": any(map(_is_stopped_early, turns.values())),
         }
-        return ConfirmedResponse(body, call, confirmed)
+        return ConfirmedResponse(body, call, on_sent)
 
     async def _step_all(
         self, call: OperationCall
-    ) -> tuple[Run, dict[str, Turn], Callable[[], None]]:
+    ) -> tuple[Run, dict[str, Turn], Callable[[bool], None]]:
         """One step of each worker: all are checked before any is executed (EBE-012).
 
-        Returns also what to call once the answer was sent to a connected client.
+        Returns also what to call when the answer was sent, or lost.
         """
         run = await self._run(call)
         body = await self._pickle(call)
@@ -269,10 +272,35 @@ class EbenchHandlers:
         if found is not None:
             command, verdict = found
             raise chunks[command.worker_id].translate_refusal(verdict)
-        turns = await _gather({i: step.work for i, step in steps.items()})
+        scored = run.scored
+        try:
+            turns = await _gather({i: step.work for i, step in steps.items()})
+        except Refused:  # by one worker: the answers of the others are lost
+            self.owed_results.add(run, run.scored_order[scored:])
+            raise
         # EBE-029: a repetition of the others is a repetition for ever.
         known = [i for i in turns if not self._is_answered_again(chunks[i])]
-        return run, turns, self._on_delivered(run, {i: turns[i] for i in known})
+        on_delivered = self._on_delivered(run, {i: turns[i] for i in known})
+        turns = {i: self._add_owed_result(run, turn) for i, turn in turns.items()}
+        ended = [turn.get("episode_result") for turn in turns.values()]
+        results = [result["index"] for result in ended if result is not None]
+
+        def on_sent(is_connected: bool) -> None:
+            if is_connected:
+                on_delivered()
+            else:
+                self.owed_results.add(run, results)
+
+        return run, turns, on_sent
+
+    def _add_owed_result(self, run: Run, turn: Turn) -> Turn:
+        """EBE-031: where the client reads a result and the turn has none of its own."""
+        if "episode_result" in turn or not turn.get("executed_steps"):
+            return turn
+        episode = self.owed_results.take(run)
+        if episode is None:
+            return turn
+        return {**turn, "episode_result": run_views.result_view(episode), "owed": True}
 
     # --- what a worker does ---
 
@@ -367,6 +395,7 @@ class EbenchHandlers:
         run = await self.service.get_run(call.account, _run_id(call))
         if run.manifest["benchmark_id"] != call.path["benchmark_id"]:
             raise Refused("not_found", "The run does not belong to this endpoint.")
+        self.owed_results.notice(run)
         return run
 
     async def _pickle(self, call: OperationCall) -> Any:
@@ -426,7 +455,8 @@ def _is_current(call: OperationCall) -> bool:
 
 def _is_stopped_early(turn: Turn) -> bool:
     """Whether an episode ended, or the chunk was cut, before its last action."""
-    return "episode_result" in turn or bool(turn["done"] or turn.get("stopped_early"))
+    ended = "episode_result" in turn and "owed" not in turn
+    return ended or bool(turn["done"] or turn.get("stopped_early"))
 
 
 async def _gather(works: Mapping[str, Work]) -> dict[str, Turn]:

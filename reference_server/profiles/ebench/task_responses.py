@@ -43,32 +43,34 @@ def refusal_response(refused: Refused) -> Response:
 
 
 class ConfirmedResponse(Response):
-    """A response that reports when it was sent to a client that was connected.
+    """A response that reports whether it was sent to a client that was connected.
 
-    EBE-013, EBE-014: an answer counts as lost unless `on_delivered` is called.
+    EBE-013, EBE-014, EBE-031: `on_sent` is called once, with False when it was lost.
     """
 
     def __init__(
-        self, value: Any, call: OperationCall, on_delivered: Callable[[], None]
+        self, value: Any, call: OperationCall, on_sent: Callable[[bool], None]
     ) -> None:
         super().__init__(pickle_writer.write(value), media_type=PICKLE)
         self._request = call.request
-        self._on_delivered = on_delivered
+        self._on_sent = on_sent
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """ASGI: checks the connection before the last byte.
 
         Not after it: many clients disconnect as soon as they have the last byte.
         """
+        is_connected = False
         start = {"status": self.status_code, "headers": self.raw_headers}
-        await send({"type": "http.response.start", **start})
         whole = memoryview(self.body)
         rest, last = whole[:-1], whole[-1:]
-        await send({"type": "http.response.body", "body": rest, "more_body": True})
-        is_connected = not await self._request.is_disconnected()
-        await send({"type": "http.response.body", "body": last, "more_body": False})
-        if is_connected:
-            self._on_delivered()
+        try:
+            await send({"type": "http.response.start", **start})
+            await send({"type": "http.response.body", "body": rest, "more_body": True})
+            is_connected = not await self._request.is_disconnected()
+            await send({"type": "http.response.body", "body": last, "more_body": False})
+        finally:
+            self._on_sent(is_connected)
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +104,7 @@ def worker_view(
     metric: dict[str, Any] | None = None
     if turn["done"]:
         metric = run_metric(scores, current=current)
-    elif ended:
+    elif ended and "owed" not in turn:
         metric = episode_metric(scores, ended, current=current)
     return {
         "obs": None if turn["done"] else message_conversion.observation_view(turn, *of),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import socket
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,6 +12,7 @@ from urllib.parse import urlsplit
 import httpx
 import pytest
 
+from reference_server.profiles.ebench.owed_results import OwedResults
 from tests.support.profiles.ebench_client import (
     PICKLED,
     EbenchClient,
@@ -23,6 +25,7 @@ from tests.support.profiles.ebench_client import (
     open_client,
     submit_native_run,
 )
+from tests.support.server.runs import make_run
 from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.slow("starts servers with other settings")
@@ -188,6 +191,50 @@ def test_a_long_list_whose_client_left_is_executed_once(http: httpx.Client) -> N
     # That answer was received: the same list again is another step.
     answer = send_chunk(client, steps)
     assert count(answer["obs"]) == 140
+
+
+# --- lost results ---
+
+
+def test_results_of_before_a_restart_are_given_again(tmp_path: Path) -> None:
+    """EBE-031: one with each executed step that ends no episode, and no step twice."""
+    server = ReferenceServer(tmp_path, PROCTOR_PROFILES="ebench")
+    try:
+        with server.client() as http:
+            client = open_client(http, "score", "score", "count")
+            ids = []
+            for score in (0.5, 1):
+                seen, _ = client.step({"0": action(score=score, end=1)})
+                ids.append(seen["0"]["episode_result"]["episode_id"])
+        server.end(signal.SIGKILL)
+        server.start()
+        with server.client() as http:
+            client = EbenchClient(http, client.task_id)
+            client.find()
+            assert client.reset()["0"]["episode_result"] is None
+            again = []
+            for number in range(3):
+                body = action(vector=[float(number)] * 8)
+                seen, _ = client.step({"0": body})
+                assert (seen["0"]["metric"], count(seen)) == (None, number + 1)
+                again.append(seen["0"]["episode_result"])
+            assert [result and result["episode_id"] for result in again] == [*ids, None]
+            assert [result["score"] for result in again[:2]] == [0.5, 1.0]
+            seen, done = client.step({"0": action(end=1)})
+            assert done
+            assert seen["0"]["episode_result"]["task_name"] == "count"
+    finally:
+        server.end(signal.SIGKILL)
+
+
+def test_a_result_is_owed_once_in_the_order_of_the_manifest() -> None:
+    """EBE-031: however often its answer was lost."""
+    owed = OwedResults()
+    run = make_run(2)
+    owed.notice(run)
+    assert owed.take(run) is None
+    owed.add(run, [1, 0, 1])
+    assert [owed.take(run), owed.take(run), owed.take(run)] == [*run.episodes, None]
 
 
 # --- equal steps ---

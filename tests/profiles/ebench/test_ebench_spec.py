@@ -72,7 +72,7 @@ def test_the_rows_fit_the_schema_of_rows_and_are_in_the_ledger() -> None:
     for row in rows:
         assert (ledger[row["id"]].profile, row["profile"]) == ("ebench", "ebench")
         assert ledger[row["id"]].text == row["text"]
-    assert [row["id"] for row in rows] == [f"EBE-{n:03}" for n in range(1, 31)]
+    assert [row["id"] for row in rows] == [f"EBE-{n:03}" for n in range(1, 32)]
 
 
 def test_rows_are_cited_by_operations() -> None:
