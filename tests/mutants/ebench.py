@@ -247,7 +247,7 @@ def never_reports_a_chunk_as_stopped_early() -> None:
     put(task_handlers, "_is_stopped_early", lambda _turn: False)
 
 
-@mutant("EBE-009", "EBE-026")
+@mutant("EBE-009", "EBE-026", "EBE-031")
 def omits_the_result_of_an_episode() -> None:
     """The client's folder of results stays empty."""
     right = task_responses.worker_view
