@@ -409,12 +409,6 @@ def test_an_aborted_session_of_a_stopping_run_needs_a_write() -> None:
     assert (run.state, run.reason) == ("stopped", "Drained.")
 
 
-def test_a_run_without_a_number_is_admitted_last() -> None:
-    runs = [make_run(state="queued", number=number) for number in (0, 2, 1)]
-    admitted = effects.admit(runs, 0, 2, WALL)
-    assert [run.number for run in admitted] == [1, 2]
-
-
 @pytest.mark.parametrize(("limit", "outcome"), [(3, "abandoned"), (4, None)])
 def test_a_session_may_have_a_limit_of_attempts_of_its_own(
     limit: int, outcome: str | None
