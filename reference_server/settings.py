@@ -83,6 +83,32 @@ class Settings(BaseSettings):
         "machine without a token. If empty, there is none. Needs a loopback host and "
         "no public_url; every user of this machine can then use the account.",
     )
+    ebench_prefixes: str = Field(
+        "/eval",
+        pattern=r"^((/[A-Za-z0-9_.-]+)+(,(/[A-Za-z0-9_.-]+)+)*)?$",
+        description="Profile ebench: paths under which it answers besides the root, "
+        "comma-separated.",
+    )
+    ebench_max_chunk: int = Field(
+        1024,
+        ge=1,
+        le=4096,
+        description="Profile ebench: maximum steps in one list of steps.",
+    )
+    ebench_max_attempts: int = Field(
+        0,
+        ge=0,
+        le=1_000_000,
+        description="Profile ebench: maximum attempts of an episode; if the last one "
+        "ends without a result, the episode is abandoned. 0 for no limit.",
+    )
+    ebench_equal_steps: Literal["execute", "answer_chunks", "answer"] = Field(
+        "execute",
+        description="Profile ebench: what a step is that equals the last one of its "
+        "worker, whose answer was sent. execute: a new step. answer: a repetition, "
+        "answered and not executed. answer_chunks: a repetition if it is a list of "
+        "steps that are not all equal.",
+    )
     allow_private_policies: str = Field(
         "",
         description="Non-public networks in which this server may call policy servers, "

@@ -97,6 +97,8 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         "allow_private_policies": ("127.0.0.1", "10.0.0.0/8,fd00::/8"),
         "profiles": ("ebench", "flageval,ebench"),
         "flageval_modes": ("NLP:Qnext=quiz", "MM:*=quiz,NLP:XLC_train=calibration"),
+        "ebench_prefixes": ("/a", "/a,/b/c"),
+        "ebench_equal_steps": ("answer", "answer_chunks"),
     }
     numbers = ("5", "6") if field.annotation in (int, float) else ("some", "other")
     by_variable, by_flag = examples.get(name, numbers)
@@ -130,6 +132,11 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         ("max_body_bytes", 65535),
         ("max_chunk", 3),
         ("max_chunk", 4097),
+        ("ebench_prefixes", "eval"),
+        ("ebench_prefixes", "/eval/"),
+        ("ebench_max_chunk", 0),
+        ("ebench_max_attempts", -1),
+        ("ebench_equal_steps", "repeat"),
         ("log_level", "nonsense"),
         ("public_url", "example.org"),
         ("allow_private_policies", "10.0.0.1/8"),

@@ -44,6 +44,12 @@ class CreateTask(BaseModel):
             policy["homepage"] = self.submitter_homepage
         return policy
 
+    def repeat_submission(self, old: Run) -> dict[str, Any]:
+        """Schema SubmitRun: the run `old` again, and its id in the policy (EBE-027)."""
+        policy = self.policy() if self.model_name else dict(old.submission["policy"])
+        policy["version"] = f"re-execution of {old.run_id}"
+        return {**old.submission, "policy": policy}
+
 
 class Ready(BaseModel):
     task_id: str
@@ -69,6 +75,10 @@ class Chunk:
     def digest(self) -> str:
         """Equal for equal actions: how a repeated step is recognised (EBE-013)."""
         return hashlib.sha256(pickle_writer.write(_plain(self.actions))).hexdigest()
+
+    def is_varied(self) -> bool:
+        """Whether it has several actions that are not all equal (EBE-029)."""
+        return len({pickle_writer.write(_plain(a)) for a in self.actions}) > 1
 
     def translate_refusal(self, verdict: Refuse) -> Refused:
         """The refusal of the converted actions, with pointers into the request."""
