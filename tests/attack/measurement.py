@@ -1,0 +1,196 @@
+"""Runs attacks on servers, with watchers: before, during and after each of them.
+
+A server serves all attacks that need the same settings, one after another. One that
+broke a promise is started anew, with an empty database, so that the next is judged for
+itself.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import multiprocessing
+import os
+import signal
+import sys
+import tempfile
+import time
+from collections.abc import Iterable, Iterator
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+
+from tests.attack.attack import Attack, Report, Target
+from tests.attack.attacked_server import ATTACKER, OTHERS, WATCHER, AttackedServer
+from tests.attack.invariants import check_histories
+from tests.attack.raw_client import NoAnswer, RawClient
+from tests.attack.server_usage import PeakUsage, read_usage
+from tests.attack.verdicts import RSS_BACK_GROWTH, Latency, Result, judge
+from tests.attack.watcher import Player, Sample, ServiceWatcher, Watcher
+
+BACK_S = 30.0
+START_S = 20.0
+NICENESS = 10
+PATCHED = "tests.attack.patched_server"
+
+
+def measure_all(
+    attacks: Iterable[Attack], *, seed: int, is_long: bool = False, part: float = 1.0
+) -> Iterator[Result]:
+    """Results, in the order of the attacks. part: of the size of the short form."""
+    opened: _Measured | None = None
+    try:
+        for attack in attacks:
+            if opened is not None and not opened.is_fit_for(attack):
+                opened.close()
+                opened = None
+            opened = opened or _Measured(attack, seed, calm_s=3.0 * min(1.0, part))
+            result = opened.measure(attack, is_long=is_long, part=part)
+            yield result
+            if result.broken or attack.is_beside:
+                opened.close()
+                opened = None
+    finally:
+        if opened is not None:
+            opened.close()
+
+
+class _Measured:
+    """A server with its watchers, and how they were in calm."""
+
+    def __init__(self, attack: Attack, seed: int, calm_s: float) -> None:
+        self._stack = contextlib.ExitStack()
+        self._key = (dict(attack.settings), attack.prefix, attack.watchers)
+        self._seed = seed
+        directory = self._stack.enter_context(
+            tempfile.TemporaryDirectory(prefix="attack-", ignore_cleanup_errors=True)
+        )
+        settings = dict(attack.settings) | {"ATTACK_DIRECTORY": directory}
+        program = PATCHED if attack.is_beside else "reference_server"
+        self.server = AttackedServer(Path(directory), settings, attack.prefix, program)
+        self._stack.callback(self.server.end, signal.SIGKILL)
+        self.watchers = self._start_watchers(attack.watchers)
+        time.sleep(calm_s)
+        self.calm = Latency.of(self._samples_since(0.0))
+
+    def _start_watchers(self, players: int) -> list[Watcher]:
+        url, seed = self.server.url, self._seed
+        watchers: list[Watcher] = [ServiceWatcher(url, seed, "service")]
+        watchers += [Player(url, seed, f"player{n}") for n in range(players)]
+        watchers.append(Player(url, seed, "starter", episodes=1))
+        for watcher in watchers:
+            watcher.start()
+        deadline = time.monotonic() + START_S
+        while not all(watcher.samples for watcher in watchers):
+            assert time.monotonic() < deadline, "the watchers do not begin"
+            time.sleep(0.01)
+        return watchers
+
+    def is_fit_for(self, attack: Attack) -> bool:
+        key = (dict(attack.settings), attack.prefix, attack.watchers)
+        return key == self._key and not attack.is_beside
+
+    def _samples_since(self, time_: float) -> list[Sample]:
+        """Those that ended since then."""
+        return [
+            sample
+            for watcher in self.watchers
+            for sample in list(watcher.samples)
+            if sample.began_at + sample.took_s >= time_
+        ]
+
+    def measure(self, attack: Attack, *, is_long: bool, part: float) -> Result:
+        size = part * (attack.long_size if is_long else 1.0)
+        seconds = attack.seconds * (3.0 if is_long else min(1.0, part))
+        target = Target(
+            self.server.url, ATTACKER, OTHERS, self._seed, size, seconds
+        )
+        before = read_usage(self.server.process.pid)
+        peak = PeakUsage(self.server.process.pid)
+        began_at = time.monotonic()
+        if attack.is_beside:
+            target.server, target.watchers = self.server, self.watchers
+            report = attack.run(target)
+        else:
+            report = _run_apart(attack, target)
+        took_s = time.monotonic() - began_at
+        self._wait_for_each(began_at)
+        during = Latency.of(self._samples_since(began_at))
+        peak_usage = peak.end()
+        back_s = self._time_until_back(before.rss)
+        after = read_usage(self.server.process.pid)
+        watched = self._end_watching(attack)
+        result = Result(
+            attack, report, watched, self.calm, during, before, peak_usage, after,
+            back_s, took_s,
+        )  # fmt: skip
+        judge(result)
+        return result
+
+    def _wait_for_each(self, began_at: float) -> None:
+        """Until each watcher has an operation that began in the attack, or 20 s."""
+        deadline = time.monotonic() + START_S
+        while time.monotonic() < deadline and not all(
+            any(s.began_at >= began_at for s in list(watcher.samples))
+            for watcher in self.watchers
+        ):
+            time.sleep(0.05)
+
+    def _time_until_back(self, rss: int) -> float:
+        began_at = time.monotonic()
+        while (waited_s := time.monotonic() - began_at) < BACK_S:
+            if read_usage(self.server.process.pid).rss - rss < RSS_BACK_GROWTH:
+                return waited_s
+            time.sleep(0.1)
+        return math.nan
+
+    def _end_watching(self, attack: Attack) -> Report:
+        """Judge what they saw; then others watch."""
+        for watcher in self.watchers:
+            watcher.end()
+        watched = Report()
+        histories = []
+        for watcher in self.watchers:
+            watched.merge(watcher.report)
+            if isinstance(watcher, Player):
+                histories += watcher.histories
+        try:
+            with RawClient(self.server.url, WATCHER, timeout_s=60) as client:
+                watched.violations += check_histories(
+                    client, histories, is_fault_expected=attack.is_fault_expected
+                )
+        except (NoAnswer, OSError) as error:
+            watched.violations.append(f"the runs cannot be read: {error!r}")
+            return watched
+        if "Traceback" in self.server.log() and attack.is_timed:
+            watched.violations.append("the server logged a traceback")
+        self.watchers = []
+        if not attack.is_beside:
+            self.watchers = self._start_watchers(attack.watchers)
+        return watched
+
+    def close(self) -> None:
+        for watcher in self.watchers:
+            watcher.end()
+        self._stack.close()
+
+
+def _run_apart(attack: Attack, target: Target) -> Report:
+    """In a process of its own, which leaves the processors to the server."""
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(["tests.attack.attacks"])
+    with ProcessPoolExecutor(1, context, initializer=_be_nice) as pool:
+        return pool.submit(_run, attack.name, target).result()
+
+
+def _be_nice() -> None:
+    os.nice(NICENESS)
+
+
+def _run(name: str, target: Target) -> Report:
+    from tests.attack.attacks import ATTACKS
+
+    try:
+        return ATTACKS[name].run(target)
+    except (NoAnswer, OSError) as error:
+        print(f"{name}: {error!r}", file=sys.stderr)
+        return Report(hangs=isinstance(error, NoAnswer))
