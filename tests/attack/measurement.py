@@ -12,9 +12,9 @@ import math
 import multiprocessing
 import os
 import signal
-import sys
 import tempfile
 import time
+import traceback
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
@@ -109,7 +109,7 @@ class _Measured:
         began_at = time.monotonic()
         if attack.is_beside:
             target.server, target.watchers = self.server, self.watchers
-            report = attack.run(target)
+            report = _run(attack.name, target)
         else:
             report = _run_apart(attack, target)
         took_s = time.monotonic() - began_at
@@ -191,6 +191,8 @@ def _run(name: str, target: Target) -> Report:
 
     try:
         return ATTACKS[name].run(target)
-    except (NoAnswer, OSError) as error:
-        print(f"{name}: {error!r}", file=sys.stderr)
-        return Report(hangs=isinstance(error, NoAnswer))
+    except NoAnswer as error:
+        return Report(hangs=1, violations=[f"no answer: {error!r}"])
+    except Exception as error:  # noqa: BLE001 - the other attacks go on
+        where = traceback.extract_tb(error.__traceback__)[-1]
+        return Report(violations=[f"the attack failed: {error!r} in {where.name}"])

@@ -3,9 +3,21 @@
 from __future__ import annotations
 
 from tests.attack.attack import Attack
-from tests.attack.attacks import connection_floods
+from tests.attack.attacks import (
+    capacity_hoarding,
+    connection_floods,
+    hostile_values,
+    process_kills,
+    storage_faults,
+)
 
-MODULES = (connection_floods,)
+MODULES = (
+    connection_floods,
+    hostile_values,
+    capacity_hoarding,
+    process_kills,
+    storage_faults,
+)
 ATTACKS: dict[str, Attack] = {
     attack.name: attack for module in MODULES for attack in module.ATTACKS
 }
