@@ -28,6 +28,7 @@ from tests.attack.verdicts import RSS_BACK_GROWTH, Latency, Result, judge
 from tests.attack.watcher import Player, Sample, ServiceWatcher, Watcher
 
 BACK_S = 30.0
+WAIT_S = 12.0  # more than any bound on latency
 START_S = 20.0
 NICENESS = 10
 PATCHED = "tests.attack.patched_server"
@@ -49,6 +50,8 @@ def measure_all(
             if result.broken or attack.is_beside:
                 opened.close()
                 opened = None
+            else:
+                opened.watch_again(attack)
     finally:
         if opened is not None:
             opened.close()
@@ -90,11 +93,11 @@ class _Measured:
         return key == self._key and not attack.is_beside
 
     def _samples_since(self, time_: float) -> list[Sample]:
-        """Those that ended since then."""
+        """Those that ended since then, or are waited for."""
         return [
             sample
             for watcher in self.watchers
-            for sample in list(watcher.samples)
+            for sample in [*list(watcher.samples), *watcher.waiting()]
             if sample.began_at + sample.took_s >= time_
         ]
 
@@ -113,7 +116,7 @@ class _Measured:
         else:
             report = _run_apart(attack, target)
         took_s = time.monotonic() - began_at
-        self._wait_for_each(began_at)
+        self._wait_for_each(began_at + took_s)
         during = Latency.of(self._samples_since(began_at))
         peak_usage = peak.end()
         back_s = self._time_until_back(before.rss)
@@ -126,14 +129,15 @@ class _Measured:
         judge(result)
         return result
 
-    def _wait_for_each(self, began_at: float) -> None:
-        """Until each watcher has an operation that began in the attack, or 20 s."""
-        deadline = time.monotonic() + START_S
-        while time.monotonic() < deadline and not all(
-            any(s.began_at >= began_at for s in list(watcher.samples))
+    def _wait_for_each(self, ended_at: float) -> None:
+        """Until what was begun during the attack has succeeded, or too late."""
+        deadline = time.monotonic() + WAIT_S
+        while time.monotonic() < deadline and any(
+            sample.began_at < ended_at
             for watcher in self.watchers
+            for sample in watcher.waiting()
         ):
-            time.sleep(0.05)
+            time.sleep(0.02)
 
     def _time_until_back(self, rss: int) -> float:
         began_at = time.monotonic()
@@ -144,7 +148,7 @@ class _Measured:
         return math.nan
 
     def _end_watching(self, attack: Attack) -> Report:
-        """Judge what they saw; then others watch."""
+        """Judge what they saw."""
         for watcher in self.watchers:
             watcher.end()
         watched = Report()
@@ -163,10 +167,11 @@ class _Measured:
             return watched
         if "Traceback" in self.server.log() and attack.is_timed:
             watched.violations.append("the server logged a traceback")
-        self.watchers = []
-        if not attack.is_beside:
-            self.watchers = self._start_watchers(attack.watchers)
         return watched
+
+    def watch_again(self, attack: Attack) -> None:
+        """New watchers with runs of their own, for the next attack on this server."""
+        self.watchers = self._start_watchers(attack.watchers)
 
     def close(self) -> None:
         for watcher in self.watchers:

@@ -27,7 +27,9 @@ def console_line(result: Result) -> str:
         f"  memory {_mb(result.before.rss)} → {_mb(result.peak.rss)}"
         f" → {_mb(result.after.rss)} MB  {verdict}"
     ]
-    lines.append(f"    answers {dict(result.report.answers)}")
+    answers = (result.report.answers, result.watched.answers)
+    shown = " to others ".join(str(dict(sorted(one.items()))) for one in answers)
+    lines.append(f"    answers {shown}")
     if result.report.figures:
         lines.append(f"    {result.report.figures}")
     found = [*result.report.violations, *result.watched.violations]

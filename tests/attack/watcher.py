@@ -61,6 +61,7 @@ class Watcher:
         self.name = name
         self._random = random.Random(f"{seed} {name}")
         self._client = RawClient(url, WATCHER, timeout_s=60, source=WATCHER_ADDRESS)
+        self._unfinished: Sample | None = None
         self._is_ending = threading.Event()
         self._thread = threading.Thread(target=self._run, name=name, daemon=True)
 
@@ -86,10 +87,26 @@ class Watcher:
         """Do one thing."""
 
     def _timed(self, kind: str, *request: Any) -> Answer:
-        began_at = time.monotonic()
+        self._begin(kind)
         answer = self._until_answered(*request)
-        self.samples.append(Sample(kind, began_at, time.monotonic() - began_at))
+        self._finish()
         return answer
+
+    def _begin(self, kind: str) -> None:
+        self._unfinished = Sample(kind, time.monotonic(), 0.0)
+
+    def _finish(self) -> None:
+        begun, self._unfinished = self._unfinished, None
+        assert begun is not None
+        took_s = time.monotonic() - begun.began_at
+        self.samples.append(Sample(begun.kind, begun.began_at, took_s))
+
+    def waiting(self) -> list[Sample]:
+        """The operation that has not succeeded yet, with its time so far."""
+        begun = self._unfinished
+        if begun is None:
+            return []
+        return [Sample(begun.kind, begun.began_at, time.monotonic() - begun.began_at)]
 
     def _until_answered(self, *request: Any) -> Answer:
         while not self._is_ending.is_set():
@@ -133,11 +150,10 @@ class Player(Watcher):
         self._keys = (f"{name}-{number}" for number in itertools.count())
 
     def step(self) -> None:
-        began_at = time.monotonic()
+        self._begin("start")
         history = self._submit()
         turn = self._attach(history)
-        took_s = time.monotonic() - began_at
-        self.samples.append(Sample("start", began_at, took_s))
+        self._finish()
         self._play(history, turn)
 
     def _submit(self) -> History:
@@ -191,7 +207,8 @@ class Player(Watcher):
                 turn = self._attach(history)
                 continue
             turn = self._accept(history, answer)
-            if turn.get("fault"):
+            fault = turn.get("fault") or {"episode_id": None}
+            if fault["episode_id"] == episode["episode_id"]:
                 history.expected.pop(episode["index"], None)
             self._is_ending.wait(PAUSE_S)
         history.is_done = True
