@@ -6,6 +6,7 @@ from tests.attack.attack import Attack
 from tests.attack.attacks import (
     capacity_hoarding,
     connection_floods,
+    fuzzed_requests,
     hostile_values,
     process_kills,
     storage_faults,
@@ -17,6 +18,7 @@ MODULES = (
     capacity_hoarding,
     process_kills,
     storage_faults,
+    fuzzed_requests,
 )
 ATTACKS: dict[str, Attack] = {
     attack.name: attack for module in MODULES for attack in module.ATTACKS
