@@ -104,9 +104,7 @@ class _Measured:
     def measure(self, attack: Attack, *, is_long: bool, part: float) -> Result:
         size = part * (attack.long_size if is_long else 1.0)
         seconds = attack.seconds * (3.0 if is_long else min(1.0, part))
-        target = Target(
-            self.server.url, ATTACKER, OTHERS, self._seed, size, seconds
-        )
+        target = Target(self.server.url, ATTACKER, OTHERS, self._seed, size, seconds)
         before = read_usage(self.server.process.pid)
         peak = PeakUsage(self.server.process.pid)
         began_at = time.monotonic()

@@ -13,23 +13,27 @@ from tests.attack.verdicts import PROMISES, Latency, Promise, Result
 from tests.support.paths import DOCS, ROOT
 
 PAGE = DOCS / "reliability.md"
+COLUMNS = (
+    "attack", "what is sent", "bound", "sent", "`GET /v1`, ms", "turn, ms", "start, s",
+    "memory, MB", "descriptors", "threads", "verdict",
+)  # fmt: skip
 
 
 def console_line(result: Result) -> str:
     """One line, and one more for each finding."""
     verdict = "broken: " + ", ".join(result.broken) if result.broken else "kept"
     during, calm = result.during, result.calm
-    lines = [
+    line = (
         f"{result.attack.name:<20} {result.took_s:5.1f} s  sent {result.report.sent:<7}"
         f" /v1 {_ms(calm.service_s)} → {_ms(during.service_s)} ms"
         f"  turn {_ms(calm.turn_s)} → {_ms(during.turn_s)} ms"
         f"  start {during.start_s:.1f} s"
         f"  memory {_mb(result.before.rss)} → {_mb(result.peak.rss)}"
         f" → {_mb(result.after.rss)} MB  {verdict}"
-    ]
+    )
     answers = (result.report.answers, result.watched.answers)
     shown = " to others ".join(str(dict(sorted(one.items()))) for one in answers)
-    lines.append(f"    answers {shown}")
+    lines = [line, f"    answers {shown}"]
     if result.report.figures:
         lines.append(f"    {result.report.figures}")
     found = [*result.report.violations, *result.watched.violations]
@@ -92,8 +96,8 @@ def write(results: Sequence[Result], *, is_long: bool, seed: int) -> None:
         "What the reference server keeps while it is attacked. `make attack` runs the\n"
         "attacks on this machine alone and judges the server; `LONG=1` is the long\n"
         "form, `ONLY=` chooses attacks, `SEED=` repeats random choices.\n\n"
-        f"Written by `make attack ARGS=--write`: the {form} form on commit {commit} of\n"
-        f"{date}, seed {seed}, {os.cpu_count()} processors.\n\n"
+        f"Written by `make attack ARGS=--write`: the {form} form on commit {commit}\n"
+        f"of {date}, seed {seed}, {os.cpu_count()} processors.\n\n"
     )
     rows = [
         f"| {promise.text} | {worst} | {verdict} |"
@@ -108,13 +112,10 @@ def write(results: Sequence[Result], *, is_long: bool, seed: int) -> None:
     ]
     attacks = [
         "\n## Attacks\n",
-        "Latency is that of another account, calm → during the attack: p99 of "
-        "`GET /v1` and of turns,",
-        "and the longest start of a run. Memory, descriptors and threads are the "
-        "server's, before → highest",
-        "→ after.\n",
-        "| attack | what is sent | bound | sent | `GET /v1`, ms | turn, ms | start, s "
-        "| memory, MB | descriptors | threads | verdict |",
+        "Latency is that of another account, calm → during the attack: p99 of",
+        "`GET /v1` and of turns, and the longest start of a run. Memory, descriptors",
+        "and threads are the server's, before → highest → after.\n",
+        "| " + " | ".join(COLUMNS) + " |",
         "|---|---|---|--:|--:|--:|--:|--:|--:|--:|---|",
         *map(_row, results),
     ]

@@ -172,7 +172,10 @@ class Player(Watcher):
 
     def _attach(self, history: History) -> dict[str, Any] | None:
         """Turn 0 of a new session as soon as the run is ready; None: the run ended."""
-        path, key = f"/v1/runs/{history.run_id}/workers/w", {"attach_key": next(self._keys)}
+        path, key = (
+            f"/v1/runs/{history.run_id}/workers/w",
+            {"attach_key": next(self._keys)},
+        )
         while True:
             answer = self._until_answered("PUT", path, key)
             if answer.status == 200:

@@ -7,7 +7,10 @@ from tests.attack.attacks import (
     capacity_hoarding,
     connection_floods,
     fuzzed_requests,
+    hostile_pickles,
+    hostile_urls,
     hostile_values,
+    other_accounts,
     process_kills,
     storage_faults,
 )
@@ -18,6 +21,9 @@ MODULES = (
     capacity_hoarding,
     process_kills,
     storage_faults,
+    other_accounts,
+    hostile_urls,
+    hostile_pickles,
     fuzzed_requests,
 )
 ATTACKS: dict[str, Attack] = {

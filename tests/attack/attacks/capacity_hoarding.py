@@ -56,10 +56,11 @@ def hold_simulators(target: Target) -> Report:
     """Sessions that only send heartbeats, as many as there are simulators."""
     report = Report()
     with target.client() as client:
-        sessions = []
-        for run_id in submit_runs(client, report, 8):
-            if (turn := attach(client, report, run_id)) is not None:
-                sessions.append((run_id, turn["session_id"]))
+        sessions = [
+            (run_id, turn["session_id"])
+            for run_id in submit_runs(client, report, 8)
+            if (turn := attach(client, report, run_id)) is not None
+        ]
         report.figures["sessions"] = len(sessions)
         deadline = time.monotonic() + 2 * target.seconds
         while sessions and time.monotonic() < deadline:
@@ -119,7 +120,7 @@ def _play(
     target: Target, client: RawClient, run_id: str, turn: dict[str, Any]
 ) -> tuple[list[float], dict[str, Any]]:
     """Times of turns that each end an episode, for half of the attack's time."""
-    times = []
+    times: list[float] = []
     deadline = time.monotonic() + target.seconds / 2
     path = f"/v1/runs/{run_id}/workers/w/predict"
     while time.monotonic() < deadline and len(times) < 200:

@@ -16,24 +16,15 @@ from tests.attack.raw_client import NoAnswer, try_request
 
 GET = b"GET /v1 HTTP/1.1\r\nHost: x\r\n\r\n"
 MIB = 2**20
+CHUNKED = b"POST /v1/runs HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: chunked\r\n\r\n"
 HEADS = {
     "a long path": (b"GET /", b"a" * 4096),
     "a long header": (b"GET /v1 HTTP/1.1\r\nX: ", b"a" * 4096),
     "many headers": (b"GET /v1 HTTP/1.1\r\n", b"x-header: value\r\n" * 256),
     "empty lines": (b"", b"\r\n" * 2048),
-    "trailers": (
-        b"POST /v1/runs HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: chunked\r\n\r\n"
-        b"1\r\na\r\n0\r\n",
-        b"x-trailer: value\r\n" * 256,
-    ),
-    "a long chunk size": (
-        b"POST /v1/runs HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: chunked\r\n\r\n1;",
-        b"x" * 4096,
-    ),
-    "small chunks": (
-        b"POST /v1/runs HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: chunked\r\n\r\n",
-        b"1\r\na\r\n" * 700,
-    ),
+    "trailers": (CHUNKED + b"1\r\na\r\n0\r\n", b"x-trailer: value\r\n" * 256),
+    "a long chunk size": (CHUNKED + b"1;", b"x" * 4096),
+    "small chunks": (CHUNKED, b"1\r\na\r\n" * 700),
 }
 
 

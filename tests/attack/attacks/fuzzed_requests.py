@@ -17,7 +17,7 @@ import time
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeAlias
 from urllib.parse import quote
 
 import msgspec
@@ -29,6 +29,8 @@ from tests.attack.raw_client import JSON, Answer, NoAnswer, RawClient
 from tests.support.paths import SPEC
 from tests.support.server.http_runs import predict_body
 
+Json: TypeAlias = dict[str, Any]
+
 SHORT_REQUESTS = 100_000
 PROCESSES = 3
 APIS = ("core", "core", "ebench", "flageval")  # as often as their operations are sent
@@ -36,7 +38,19 @@ LOOKED_AT = 40  # of so many requests, one is compared before and after
 RUN_EVERY = 1500  # requests of a process for which it plays the same run
 METHODS = ("get", "put", "post", "delete")
 MSGPACK, PICKLE = "application/msgpack", "application/octet-stream"
-TEXTS = ("", "\x00", "\ud800", "é", "a" * 3000, "../..", "%00", "null", "-1", "w", "count")
+TEXTS = (
+    "",
+    "\x00",
+    "\ud800",
+    "é",
+    "a" * 3000,
+    "../..",
+    "%00",
+    "null",
+    "-1",
+    "w",
+    "count",
+)
 NUMBERS = (0, 1, -1, 2**31, 2**53, 2**63, 2**64, 10**30, 0.5, -0.0, 1e308, 5e-324)
 NASTY: tuple[Any, ...] = (*TEXTS, *NUMBERS, None, True, [], {}, [[]], {"": 0})
 RAW_VALUES = (b"NaN", b"-Infinity", b"1e400", b"01", b'"\\ud800"', b"[" * 300, b"\xff")
@@ -77,9 +91,15 @@ def load_operations(api: str) -> list[Operation]:
             content = entry.get("requestBody", {}).get("content", {})
             found.append(
                 Operation(
-                    api, entry["operationId"], method.upper(), path,
-                    tuple(places["query"]), tuple(places["header"]), content, document,
-                )  # fmt: skip
+                    api,
+                    entry["operationId"],
+                    method.upper(),
+                    path,
+                    tuple(places["query"]),
+                    tuple(places["header"]),
+                    content,
+                    document,
+                )
             )
     return found
 
@@ -101,7 +121,9 @@ class Bodies:
     def __init__(self, chance: random.Random) -> None:
         self._chance = chance
 
-    def make(self, document: dict[str, Any], schema: dict[str, Any], depth: int = 0) -> Any:
+    def make(
+        self, document: dict[str, Any], schema: dict[str, Any], depth: int = 0
+    ) -> Any:
         """A value that is mostly of the schema."""
         chance, schema = self._chance, _resolve(document, schema)
         if "enum" in schema:
@@ -123,7 +145,9 @@ class Bodies:
             "string": chance.choice(("calibration", "w", "score", "x1", "abc")),
         }.get(kind)
 
-    def _object(self, document: dict[str, Any], schema: dict[str, Any], depth: int) -> Any:
+    def _object(
+        self, document: dict[str, Any], schema: dict[str, Any], depth: int
+    ) -> Any:
         required = schema.get("required", ())
         return {
             name: self.make(document, one, depth + 1)
@@ -161,9 +185,11 @@ class Bodies:
             data = json.dumps(value).encode()
         if chance.random() < 0.15 and data:
             at = chance.randrange(len(data))
-            wrong = chance.choice((b"", chance.randbytes(1), chance.choice(RAW_VALUES)))
+            wrong = chance.choice((b"", chance.randbytes(1), *RAW_VALUES))
             data = data[:at] + wrong + data[at + chance.choice((0, 1, 8)) :]
-        return data[: chance.randrange(len(data) + 1)] if chance.random() < 0.05 else data
+        return (
+            data[: chance.randrange(len(data) + 1)] if chance.random() < 0.05 else data
+        )
 
 
 class Fuzzer:
@@ -211,7 +237,7 @@ class Fuzzer:
     def _compare(self, operation: Operation, request: bytes) -> None:
         before = self._state()
         answer = self._exchange(operation, request)
-        if answer is not None and _is_refused(answer) and self._state() != before:
+        if answer is not None and is_refusal(answer) and self._state() != before:
             self.report.violations.append(f"refused, and changed: {request[:300]!r}")
 
     def _state(self) -> list[bytes]:
@@ -302,7 +328,7 @@ def _as_header(text: str) -> str:
     return "".join(one for one in text if " " <= one <= "~")
 
 
-def _is_refused(answer: Answer) -> bool:
+def is_refusal(answer: Answer) -> bool:
     """Also in the envelopes of the other platforms, which have status 200."""
     if answer.status >= 400:
         return True

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from tests.attack.attack import Attack, Report, Target
-from tests.attack.raw_client import NoAnswer, RawClient
+from tests.attack.raw_client import Answer, NoAnswer, RawClient
 from tests.support.push_runs import HEAD, push_submission, raw_socket_server
 from tests.support.server.http_runs import predict_body
 
@@ -35,7 +35,9 @@ def map_with_colliding_keys(size: int) -> bytes:
 def map_with_colliding_numbers(size: int) -> bytes:
     """The same with whole numbers that are equal modulo 2**61 - 1."""
     numbers = (n * (2**61 - 1) for n in range(8))
-    keys = itertools.product([b"\xcf" + n.to_bytes(8, "big") for n in numbers], repeat=5)
+    keys = itertools.product(
+        [b"\xcf" + n.to_bytes(8, "big") for n in numbers], repeat=5
+    )
     entries = [b"\x95" + b"".join(key) + b"\xc0" for key in keys][: size // 47]
     return b"\xdf" + len(entries).to_bytes(4, "big") + b"".join(entries)
 
@@ -57,13 +59,10 @@ def send_colliding_keys(target: Target) -> Report:
 def _request(
     client: RawClient,
     report: Report,
-    method: str,
-    path: str,
-    body: bytes,
-    content_type: str = "application/json",
-) -> Any:
+    *request: Any,
+) -> Answer | None:
     try:
-        return client.request(method, path, body, content_type)
+        return client.request(*request)
     except NoAnswer:
         report.hangs += 1
     except OSError:
@@ -109,7 +108,9 @@ def send_wrong_values(target: Target) -> Report:
                 report.violations.append(f"{method} {path}: {body[:60]!r} was accepted")
             if answer is not None and len(answer.body) > 10**6:
                 length = len(answer.body)
-                report.violations.append(f"{method} {path}: a refusal of {length} bytes")
+                report.violations.append(
+                    f"{method} {path}: a refusal of {length} bytes"
+                )
     return report
 
 

@@ -1,4 +1,4 @@
-"""A disk that is full, a log that is torn, a clock that jumps, while runs are played."""
+"""A full disk, a torn log, a clock that jumps, while runs are played."""
 
 from __future__ import annotations
 
@@ -61,7 +61,9 @@ def shift_clock(target: Target) -> Report:
     """Let the wall clock jump by days, forth and back; runs must go on."""
     report, server, random = Report(), server_of(target), target.random("clock")
     for _ in range(target.count(6)):
-        shift = random.choice((-1, 1)) * random.choice((1.0, 3600.0, DAY_S, 400 * DAY_S))
+        shift = random.choice((-1, 1)) * random.choice(
+            (1.0, 3600.0, DAY_S, 400 * DAY_S)
+        )
         (server.directory / "clock").write_text(str(shift))
         report.sent += 1
         if not wait_for_samples(target, 60):
