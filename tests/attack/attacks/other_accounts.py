@@ -32,7 +32,7 @@ NEVER_SESSION = "0" * 32
 WITHOUT_TOKEN = {"describe_service"}
 # What differs between two answers to one request.
 _VARYING = re.compile(
-    rb'"(trace_id|instance|server_time)": ?"[^"]*"|\r\ndate: [^\r]*', re.I
+    rb'"(trace_id|instance|server_time)": ?"[^"]*"|\r\ndate: [^\r]*', re.IGNORECASE
 )
 
 
