@@ -7,10 +7,11 @@ broken. With --write, both go to docs/reliability.md.
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 import time
 
-from tests.attack import page
+from tests.attack import reliability_page
 from tests.attack.attacks import ATTACKS
 from tests.attack.measurement import measure_all
 
@@ -30,18 +31,22 @@ def main() -> int:
     names = [n.strip() for n in options.only.split(",") if n.strip()] or list(ATTACKS)
     if unknown := set(names) - set(ATTACKS):
         parser.error(f"unknown attacks: {', '.join(sorted(unknown))}")
-    began_at = time.monotonic()
+    began_at, load = time.monotonic(), os.getloadavg()[0]
     results = []
     chosen = [ATTACKS[name] for name in names]
     for result in measure_all(
         chosen, seed=options.seed, is_long=options.long, part=options.part
     ):
         results.append(result)
-        print(page.console_line(result), flush=True)
-    print(*page.promise_lines(results), sep="\n")
+        print(reliability_page.console_line(result), flush=True)
+    print(*reliability_page.promise_lines(results), sep="\n")
     print(f"{time.monotonic() - began_at:.0f} s, seed {options.seed}")
     if options.write:
-        page.write(results, is_long=options.long, seed=options.seed)
+        results.sort(key=lambda result: names.index(result.attack.name))
+        form = f"the {'long' if options.long else 'short'} form"
+        if options.part != 1:
+            form = f"a part of {options.part:g} of {form}"
+        reliability_page.write(results, form=form, seed=options.seed, load=load)
     return int(any(result.broken for result in results))
 
 

@@ -98,7 +98,8 @@ class Attack:
 
     prefix: a command that starts the server's command, to limit its resources.
     long_size: how many times more than in the short form. is_timed: whether the bounds
-    on latency hold meanwhile; they do not for a server that is killed.
+    on latency hold meanwhile; they do not for a server that is killed or as busy as
+    its own account can make it.
     is_fault_expected: whether the attack breaks simulators.
     """
 
@@ -109,7 +110,7 @@ class Attack:
     settings: Mapping[str, str] = field(default_factory=dict)
     prefix: tuple[str, ...] = ()
     long_size: float = 10.0
-    seconds: float = 3.0
+    seconds: float = 2.0
     is_beside: bool = False
     is_timed: bool = True
     is_fault_expected: bool = False

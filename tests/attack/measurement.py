@@ -1,8 +1,8 @@
 """Runs attacks on servers, with watchers: before, during and after each of them.
 
 A server serves all attacks that need the same settings, one after another. One that
-broke a promise is started anew, with an empty database, so that the next is judged for
-itself.
+broke a promise is replaced by a new one with an empty database, so that the next attack
+is judged for itself.
 """
 
 from __future__ import annotations
@@ -16,8 +16,13 @@ import tempfile
 import time
 import traceback
 from collections.abc import Iterable, Iterator
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import (
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+    as_completed,
+)
 from pathlib import Path
+from typing import TypedDict
 
 from tests.attack.attack import Attack, Report, Target
 from tests.attack.attacked_server import ATTACKER, OTHERS, WATCHER, AttackedServer
@@ -29,7 +34,9 @@ from tests.attack.watcher import Player, Sample, ServiceWatcher, Watcher
 
 BACK_S = 30.0
 WAIT_S = 12.0  # more than any bound on latency
-START_S = 20.0
+START_S = 60.0  # for the watchers to begin
+CALM_S = 2.0
+AT_A_TIME = 3  # attacks during which no latency is measured
 NICENESS = 10
 PATCHED = "tests.attack.patched_server"
 
@@ -37,33 +44,68 @@ PATCHED = "tests.attack.patched_server"
 def measure_all(
     attacks: Iterable[Attack], *, seed: int, is_long: bool = False, part: float = 1.0
 ) -> Iterator[Result]:
-    """Results, in the order of the attacks. part: of the size of the short form."""
+    """Results as they are there. part: of the size of the short form.
+
+    Attacks during which latency is measured come first, one at a time and those that
+    can share a server together; then the others, some at a time.
+    """
+    options: _Options = {"seed": seed, "is_long": is_long, "part": part}
+    timed: dict[object, list[Attack]] = {}
+    others = []
+    for attack in attacks:
+        if attack.is_timed:
+            timed.setdefault(_server_key(attack), []).append(attack)
+        else:
+            others.append(attack)
+    for group in timed.values():
+        yield from _measure_group(group, options)
+    with ThreadPoolExecutor(AT_A_TIME) as pool:
+        running = [pool.submit(_measure_one, one, options) for one in others]
+        for done in as_completed(running):
+            yield from done.result()
+
+
+def _server_key(attack: Attack) -> object:
+    """Attacks with the same key can share a server."""
+    alone = attack.name if attack.is_beside else None
+    settings = tuple(sorted(attack.settings.items()))
+    return settings, attack.prefix, attack.watchers, alone
+
+
+def _measure_group(attacks: list[Attack], options: _Options) -> Iterator[Result]:
+    """One after another on one server; one that broke a promise is started anew."""
     opened: _Measured | None = None
     try:
         for attack in attacks:
-            if opened is not None and not opened.is_fit_for(attack):
-                opened.close()
-                opened = None
-            opened = opened or _Measured(attack, seed, calm_s=3.0 * min(1.0, part))
-            result = opened.measure(attack, is_long=is_long, part=part)
+            opened = opened or _Measured(attack, options)
+            result = opened.measure(attack)
             yield result
-            if result.broken or attack.is_beside:
+            if result.broken:
                 opened.close()
                 opened = None
-            else:
+            elif attack is not attacks[-1]:
                 opened.watch_again(attack)
     finally:
         if opened is not None:
             opened.close()
 
 
+def _measure_one(attack: Attack, options: _Options) -> list[Result]:
+    return list(_measure_group([attack], options))
+
+
+class _Options(TypedDict):
+    seed: int
+    is_long: bool
+    part: float
+
+
 class _Measured:
     """A server with its watchers, and how they were in calm."""
 
-    def __init__(self, attack: Attack, seed: int, calm_s: float) -> None:
+    def __init__(self, attack: Attack, options: _Options) -> None:
         self._stack = contextlib.ExitStack()
-        self._key = (dict(attack.settings), attack.prefix, attack.watchers)
-        self._seed = seed
+        self._options = options
         directory = self._stack.enter_context(
             tempfile.TemporaryDirectory(prefix="attack-", ignore_cleanup_errors=True)
         )
@@ -72,11 +114,11 @@ class _Measured:
         self.server = AttackedServer(Path(directory), settings, attack.prefix, program)
         self._stack.callback(self.server.end, signal.SIGKILL)
         self.watchers = self._start_watchers(attack.watchers)
-        time.sleep(calm_s)
+        time.sleep(CALM_S * min(1.0, options["part"]))
         self.calm = Latency.of(self._samples_since(0.0))
 
     def _start_watchers(self, players: int) -> list[Watcher]:
-        url, seed = self.server.url, self._seed
+        url, seed = self.server.url, self._options["seed"]
         watchers: list[Watcher] = [ServiceWatcher(url, seed, "service")]
         watchers += [Player(url, seed, f"player{n}") for n in range(players)]
         watchers.append(Player(url, seed, "starter", episodes=1))
@@ -88,10 +130,6 @@ class _Measured:
             time.sleep(0.01)
         return watchers
 
-    def is_fit_for(self, attack: Attack) -> bool:
-        key = (dict(attack.settings), attack.prefix, attack.watchers)
-        return key == self._key and not attack.is_beside
-
     def _samples_since(self, time_: float) -> list[Sample]:
         """Those that ended since then, or are waited for."""
         return [
@@ -101,10 +139,12 @@ class _Measured:
             if sample.began_at + sample.took_s >= time_
         ]
 
-    def measure(self, attack: Attack, *, is_long: bool, part: float) -> Result:
+    def measure(self, attack: Attack) -> Result:
+        part, is_long = self._options["part"], self._options["is_long"]
         size = part * (attack.long_size if is_long else 1.0)
         seconds = attack.seconds * (3.0 if is_long else min(1.0, part))
-        target = Target(self.server.url, ATTACKER, OTHERS, self._seed, size, seconds)
+        seed = self._options["seed"]
+        target = Target(self.server.url, ATTACKER, OTHERS, seed, size, seconds)
         before = read_usage(self.server.process.pid)
         peak = PeakUsage(self.server.process.pid)
         began_at = time.monotonic()

@@ -10,7 +10,7 @@ from typing import Any, cast
 
 import pytest
 
-from tests.attack import page
+from tests.attack import reliability_page
 from tests.attack.attack import Attack, Report
 from tests.attack.attacks import ATTACKS
 from tests.attack.invariants import check_histories
@@ -40,8 +40,8 @@ GATE = (
 def test_a_small_part_of_the_attacks_breaks_nothing() -> None:
     chosen = [ATTACKS[name] for name in GATE]
     for result in measure_all(chosen, seed=1, part=0.1):
-        assert set(result.broken) <= TIMED, page.console_line(result)
-        assert result.report.sent, page.console_line(result)
+        assert set(result.broken) <= TIMED, reliability_page.console_line(result)
+        assert result.report.sent, reliability_page.console_line(result)
 
 
 # --- what is judged ---
@@ -155,7 +155,7 @@ def test_a_bound_that_is_passed_is_a_broken_promise(
 ) -> None:
     result = _result(**changes)
     assert result.broken == broken
-    verdicts = [line.split()[0] for line in page.promise_lines([result])]
+    verdicts = [line.split()[0] for line in reliability_page.promise_lines([result])]
     assert verdicts.count("broken") == len(broken)
     assert len(verdicts) == len(PROMISES)
 

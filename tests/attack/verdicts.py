@@ -92,6 +92,10 @@ def _is_timed(result: Result) -> bool:
     return result.attack.is_timed
 
 
+def _has_one_process(result: Result) -> bool:
+    return result.attack.is_timed or not result.attack.is_beside
+
+
 def _turn_bound_s(result: Result) -> float:
     return TURN_CALM_FACTOR * result.calm.turn_s + TURN_EXTRA_S
 
@@ -131,14 +135,14 @@ PROMISES = {
         "MB",
         lambda r: r.growth / MB,
         lambda r: r.growth >= RSS_GROWTH,
-        _is_timed,
+        _has_one_process,
     ),
     "memory back": Promise(
         "Memory is back within 30 s (to less than 50 MB more than before)",
         "s",
         lambda r: r.back_s,
         lambda r: math.isnan(r.back_s),
-        _is_timed,
+        _has_one_process,
     ),
     "errors": Promise(
         "No answer is 5xx but `unavailable` and `no_capacity`",

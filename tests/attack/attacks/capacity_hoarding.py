@@ -15,6 +15,8 @@ from tests.attack.raw_client import RawClient, try_request
 from tests.attack.verdicts import percentile
 from tests.support.server.http_runs import predict_body
 
+# With these the attacks need less time; both then share a server.
+SMALL = {"PROCTOR_MAX_ACTIVE_RUNS": "40", "PROCTOR_MAX_SIMULATORS": "6"}
 SUBMISSION = {"benchmark_id": "calibration", "policy": {"name": "p"}}
 
 
@@ -138,8 +140,7 @@ ATTACKS = (
         "runs that are ready and never played",
         "60 runs at a limit of 40",
         leave_runs_unplayed,
-        settings={"PROCTOR_MAX_ACTIVE_RUNS": "40"},
-        seconds=2.0,
+        settings=SMALL,
         long_size=1,
     ),
     Attack(
@@ -147,7 +148,7 @@ ATTACKS = (
         "sessions that only send heartbeats",
         "8 sessions at a limit of 6",
         hold_simulators,
-        settings={"PROCTOR_MAX_SIMULATORS": "6"},
+        settings=SMALL,
         long_size=1,
     ),
     Attack(

@@ -373,5 +373,6 @@ ATTACKS = (
         "100,000 requests (10⁶ in the long form), 3 processes",
         fuzz,
         long_size=10,
+        is_timed=False,
     ),
 )

@@ -76,7 +76,7 @@ ATTACKS = (
     Attack(
         "full disk",
         "submissions while every write fails",
-        "2 times 3 s",
+        "2 times 2 s",
         fill_disk,
         is_beside=True,
         is_timed=False,

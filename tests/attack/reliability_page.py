@@ -37,7 +37,7 @@ def console_line(result: Result) -> str:
     if result.report.figures:
         lines.append(f"    {result.report.figures}")
     found = [*result.report.violations, *result.watched.violations]
-    lines += [f"    {one[:300]}" for one in found[:5]]
+    lines += [f"    {one[:1000]}" for one in found[:5]]
     return "\n".join(lines)
 
 
@@ -84,20 +84,21 @@ def _mb(size: int) -> str:
     return f"{size / MB:.0f}"
 
 
-def write(results: Sequence[Result], *, is_long: bool, seed: int) -> None:
+def write(results: Sequence[Result], *, form: str, seed: int, load: float) -> None:
+    """form: what was run. load: average of running processes when it began."""
     commit = subprocess.run(
         ["git", "rev-parse", "--short", "HEAD"],
         cwd=ROOT, check=True, capture_output=True, text=True,
     ).stdout.strip()  # fmt: skip
     date = datetime.now(UTC).date().isoformat()
-    form = "long" if is_long else "short"
     head = (
         "# Reliability\n\n"
         "What the reference server keeps while it is attacked. `make attack` runs the\n"
         "attacks on this machine alone and judges the server; `LONG=1` is the long\n"
         "form, `ONLY=` chooses attacks, `SEED=` repeats random choices.\n\n"
-        f"Written by `make attack ARGS=--write`: the {form} form on commit {commit}\n"
-        f"of {date}, seed {seed}, {os.cpu_count()} processors.\n\n"
+        f"Written by `make attack ARGS=--write`: {form} on commit {commit}\n"
+        f"of {date}, seed {seed}, {os.cpu_count()} processors; their load from "
+        f"others before it was {load:.1f}.\n\n"
     )
     rows = [
         f"| {promise.text} | {worst} | {verdict} |"
