@@ -28,8 +28,14 @@ from tests.attack.attack import Attack, Report, Target
 from tests.attack.attacked_server import ATTACKER, OTHERS, WATCHER, AttackedServer
 from tests.attack.invariants import check_histories
 from tests.attack.raw_client import NoAnswer, RawClient
-from tests.attack.server_usage import PeakUsage, read_usage
-from tests.attack.verdicts import RSS_BACK_GROWTH, Latency, Result, judge
+from tests.attack.server_usage import PeakUsage, Usage, read_usage
+from tests.attack.verdicts import (
+    FILES_BACK_GROWTH,
+    RSS_BACK_GROWTH,
+    Latency,
+    Result,
+    judge,
+)
 from tests.attack.watcher import Player, Sample, ServiceWatcher, Watcher
 
 BACK_S = 30.0
@@ -106,6 +112,7 @@ class _Measured:
     def __init__(self, attack: Attack, options: _Options) -> None:
         self._stack = contextlib.ExitStack()
         self._options = options
+        self._tracebacks = 0
         directory = self._stack.enter_context(
             tempfile.TemporaryDirectory(prefix="attack-", ignore_cleanup_errors=True)
         )
@@ -157,12 +164,12 @@ class _Measured:
         self._wait_for_each(began_at + took_s)
         during = Latency.of(self._samples_since(began_at))
         peak_usage = peak.end()
-        back_s = self._time_until_back(before.rss)
+        back_s = self._time_until_back(before)
         after = read_usage(self.server.process.pid)
         watched = self._end_watching(attack)
         result = Result(
             attack, report, watched, self.calm, during, before, peak_usage, after,
-            back_s, took_s,
+            back_s, took_s, self._count_tracebacks(),
         )  # fmt: skip
         judge(result)
         return result
@@ -177,10 +184,14 @@ class _Measured:
         ):
             time.sleep(0.02)
 
-    def _time_until_back(self, rss: int) -> float:
+    def _time_until_back(self, before: Usage) -> float:
         began_at = time.monotonic()
         while (waited_s := time.monotonic() - began_at) < BACK_S:
-            if read_usage(self.server.process.pid).rss - rss < RSS_BACK_GROWTH:
+            now = read_usage(self.server.process.pid)
+            if (
+                now.rss - before.rss < RSS_BACK_GROWTH
+                and now.files - before.files < FILES_BACK_GROWTH
+            ):
                 return waited_s
             time.sleep(0.1)
         return math.nan
@@ -203,9 +214,13 @@ class _Measured:
         except (NoAnswer, OSError) as error:
             watched.violations.append(f"the runs cannot be read: {error!r}")
             return watched
-        if "Traceback" in self.server.log() and attack.is_timed:
-            watched.violations.append("the server logged a traceback")
         return watched
+
+    def _count_tracebacks(self) -> int:
+        """Those since it was asked for the last time."""
+        count = self.server.log().count("Traceback") - self._tracebacks
+        self._tracebacks += count
+        return count
 
     def watch_again(self, attack: Attack) -> None:
         """New watchers with runs of their own, for the next attack on this server."""

@@ -147,7 +147,7 @@ def _result(
         ({"turn_s": 0.13}, []),
         ({"turn_s": 0.15}, ["turns"]),
         ({"rss": 301}, ["memory"]),
-        ({"back_s": math.nan}, ["memory back"]),
+        ({"back_s": math.nan}, ["back"]),
     ],
 )
 def test_a_bound_that_is_passed_is_a_broken_promise(

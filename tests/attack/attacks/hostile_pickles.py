@@ -1,4 +1,4 @@
-"""Pickles at EBench's API: calls, expanding references, nesting, damaged bytes."""
+"""EBench's API: pickles that call, expand, nest or are damaged; numbers as names."""
 
 from __future__ import annotations
 
@@ -75,6 +75,11 @@ def send_pickles(target: Target) -> Report:
     with tempfile.TemporaryDirectory() as directory, target.client(60.0) as client:
         made = Path(directory, "made")
         path = _open_run(client)
+        for number in (1.0, -0.0, 1e308, 2.0**60, -1.0):
+            for verb in ("create_workers", "kill"):
+                named = {"data": {"worker_ids": [number, "0", 1]}}
+                answer = try_request(client, "POST", f"{path}/{verb}", named)
+                report.add_answer(answer)
         for _ in range(target.count(600)):
             verb = chance.choice(("reset", "step", "step_chunk"))
             body = chance.choice(MAKERS)(made, chance)

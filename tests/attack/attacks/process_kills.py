@@ -7,7 +7,10 @@ import time
 
 from tests.attack.attack import Attack, Report, Target
 from tests.attack.attacked_server import AttackedServer
+from tests.attack.server_usage import MB, read_usage
 from tests.attack.verdicts import percentile
+
+FLAT_RSS, FLAT_NUMBER = 20 * MB, 32
 
 
 def server_of(target: Target) -> AttackedServer:
@@ -74,6 +77,26 @@ def _signal_simulators(target: Target, number: signal.Signals, count: int) -> Re
     return report
 
 
+def play_long(target: Target) -> Report:
+    """Only watch: memory, descriptors and threads after a sixth of the time and later.
+
+    Counts seconds. The long form takes an hour.
+    """
+    report, server = Report(), server_of(target)
+    seconds = target.count(6)
+    time.sleep(seconds / 6)
+    early = read_usage(server.process.pid)
+    time.sleep(seconds * 5 / 6)
+    late = read_usage(server.process.pid)
+    report.sent = seconds
+    report.figures["growth_mb"] = (late.rss - early.rss) / MB
+    if late.rss - early.rss > FLAT_RSS:
+        report.violations.append(f"memory grew from {early} to {late}")
+    if max(late.files - early.files, late.threads - early.threads) > FLAT_NUMBER:
+        report.violations.append(f"descriptors or threads grew from {early} to {late}")
+    return report
+
+
 ATTACKS = (
     Attack(
         "server kills",
@@ -84,6 +107,16 @@ ATTACKS = (
         is_beside=True,
         is_timed=False,
         watchers=8,
+    ),
+    Attack(
+        "long play",
+        "runs of 16 players and nothing else",
+        "6 s (an hour in the long form)",
+        play_long,
+        long_size=600,
+        is_beside=True,
+        is_timed=False,
+        watchers=16,
     ),
     Attack(
         "simulator kills",
