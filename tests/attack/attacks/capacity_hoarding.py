@@ -16,7 +16,12 @@ from tests.attack.verdicts import percentile
 from tests.support.server.http_runs import predict_body
 
 # With these the attacks need less time; both then share a server.
-SMALL = {"PROCTOR_MAX_ACTIVE_RUNS": "40", "PROCTOR_MAX_SIMULATORS": "6"}
+SMALL = {
+    "PROCTOR_MAX_ACTIVE_RUNS": "40",
+    "PROCTOR_MAX_SIMULATORS": "6",
+    "PROCTOR_UNUSED_S_MAX": "2",
+}
+OPENING_S = 0.004  # between two streams: what they cost later is measured here
 SUBMISSION = {"benchmark_id": "calibration", "policy": {"name": "p"}}
 
 
@@ -98,6 +103,7 @@ def read_events(target: Target, run_id: str, count: int) -> Iterator[list[RawCli
             with contextlib.suppress(OSError):
                 client.connect().sendall(head)
                 opened.append(client)
+            time.sleep(OPENING_S)
         yield opened
 
 

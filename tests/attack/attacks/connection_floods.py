@@ -129,6 +129,18 @@ def hold_idle_connections(target: Target) -> Report:
     return report
 
 
+def burst(target: Target) -> Report:
+    """500 connections, each with a request that is sent at the same moment."""
+    report = Report()
+    deadline = target.deadline()
+    with many_connections(target, 500) as connections:
+        while time.monotonic() < deadline:
+            request = target.client().head("GET", "/v1/runs", {})
+            report.sent += send_to_all(connections, request) // len(request)
+            time.sleep(1.0)
+    return report
+
+
 def vary_long_headers(target: Target) -> Report:
     """Headers that are read, each another and 30 KiB long, up to 60 MiB together."""
     report = Report()
@@ -163,6 +175,12 @@ ATTACKS = (
         "headers of 30 KiB, each another",
         "2,000 requests",
         vary_long_headers,
+    ),
+    Attack(
+        "bursts",
+        "requests of many connections at one moment",
+        "500 connections, once a second",
+        burst,
     ),
     Attack(
         "slow connections",
