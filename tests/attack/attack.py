@@ -100,6 +100,7 @@ class Attack:
     long_size: how many times more than in the short form. is_timed: whether the bounds
     on latency hold meanwhile; they do not for a server that is killed or as busy as
     its own account can make it.
+    is_alone: whether no other attack may run beside it, as with is_timed.
     is_fault_expected: whether the attack breaks simulators.
     """
 
@@ -113,5 +114,6 @@ class Attack:
     seconds: float = 2.0
     is_beside: bool = False
     is_timed: bool = True
+    is_alone: bool = False
     is_fault_expected: bool = False
     watchers: int = 1

@@ -42,7 +42,7 @@ BACK_S = 30.0
 WAIT_S = 12.0  # more than any bound on latency
 START_S = 60.0  # for the watchers to begin
 CALM_S = 2.0
-AT_A_TIME = 3  # attacks during which no latency is measured
+AT_A_TIME = 3  # attacks during which no time is measured
 NICENESS = 10
 PATCHED = "tests.attack.patched_server"
 
@@ -52,14 +52,14 @@ def measure_all(
 ) -> Iterator[Result]:
     """Results as they are there. part: of the size of the short form.
 
-    Attacks during which latency is measured come first, one at a time and those that
+    Attacks during which times are measured come first, one at a time and those that
     can share a server together; then the others, some at a time.
     """
     options: _Options = {"seed": seed, "is_long": is_long, "part": part}
     timed: dict[object, list[Attack]] = {}
     others = []
     for attack in attacks:
-        if attack.is_timed:
+        if attack.is_timed or attack.is_alone:
             timed.setdefault(_server_key(attack), []).append(attack)
         else:
             others.append(attack)

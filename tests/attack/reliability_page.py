@@ -59,14 +59,14 @@ def _judge_promise(
     text = f"{_number(promise.measure(worst))} {promise.unit}"
     if (promise.measure(worst) or broken) and not promise.promised:
         text += f" ({worst.attack.name})"
+    sent = sum(result.report.sent for result in covered)
     if promise.promised:
-        sent = sum(result.report.sent for result in covered)
         text += f" in {sent:,} of {promise.promised:,}"
     if name == "turns":
         text += f", calm {_ms(worst.calm.turn_s)} ms"
     if broken:
         return "broken", f"{text}; by {', '.join(broken)}"
-    return "kept", text
+    return "kept in part" if sent < promise.promised else "kept", text
 
 
 def _order(value: float) -> float:

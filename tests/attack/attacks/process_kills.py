@@ -104,6 +104,7 @@ ATTACKS = (
         "6 kills, 8 players",
         kill_server,
         long_size=1000 / 6,
+        is_alone=True,
         is_beside=True,
         is_timed=False,
         watchers=8,
