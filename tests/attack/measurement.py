@@ -149,7 +149,7 @@ class _Measured:
     def measure(self, attack: Attack) -> Result:
         part, is_long = self._options["part"], self._options["is_long"]
         size = part * (attack.long_size if is_long else 1.0)
-        seconds = attack.seconds * (3.0 if is_long else min(1.0, part))
+        seconds = attack.seconds * (3.0 if is_long else max(0.5, min(1.0, part)))
         seed = self._options["seed"]
         target = Target(self.server.url, ATTACKER, OTHERS, seed, size, seconds)
         before = read_usage(self.server.process.pid)
