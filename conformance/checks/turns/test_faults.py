@@ -307,7 +307,8 @@ def test_fault_014_a_failure_ends_every_session(context: CheckContext) -> None:
         run = context.submit("fault", "score", "score", max_faults=1)
         workers = attach_beside_a_fault_task(run)
         for worker in workers:
-            worker.predict(context.action())
+            if fault == 1:  # otherwise none has sent a turn yet
+                worker.predict(context.action())
             worker.heartbeat()
         workers[0].try_predict(context.action(fault=fault))
         run.until("failed")
