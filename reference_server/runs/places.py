@@ -108,6 +108,15 @@ class Places:
         holds = (run.queue_until_wall - now_wall for run in self._waiting.values())
         return min((hold for hold in holds if hold > 0), default=None)
 
+    def next_look(self, now: float) -> float | None:
+        """In how many seconds time alone can change something; None for never.
+
+        A timer may fire a moment before its time: what found nothing to do then has to
+        come again.
+        """
+        left_s = self._settled_until - now
+        return left_s if 0 < left_s < math.inf else None
+
     def next_overdue(self, now: float) -> float | None:
         """In how many seconds a run that waits may get an unplayed place.
 

@@ -401,6 +401,7 @@ class RunRegistry:
                 run = new if waiting is unstored else None
                 self._let_in(waiting.run_id, run)
             self._check_capacity_in(self._places.next_due(now_wall))
+        self._check_capacity_in(self._places.next_look(now))
         self._check_capacity_in(self._places.next_overdue(now))
 
     def _let_in(self, run_id: str, new: Run | None) -> None:
@@ -448,7 +449,13 @@ class RunRegistry:
             if loop.time() < timer.when() <= at:
                 return
             timer.cancel()
-        self._admission_timer = loop.call_at(at, self._admit)
+        self._admission_timer = loop.call_at(at, self._admit_in_time)
+
+    def _admit_in_time(self) -> None:
+        # By the resolution of the loop's clock, a timer may fire before its `when`:
+        # what has fired must not be taken for what will.
+        self._admission_timer = None
+        self._admit()
 
     def run_in_background(self, work: Awaitable[object]) -> None:
         """Start work that no request waits for; it ends before the server does."""

@@ -37,6 +37,20 @@ def test_places_go_to_what_waits_until_they_are_taken() -> None:
     assert share(places) == ["alice_3"]
 
 
+def test_a_look_that_comes_too_early_comes_again() -> None:
+    """A timer fires a moment before the queue time is over. Expect another one."""
+    places = places_of(1)
+    queue(places, 1, until=WALL + 2)
+    assert places.share(NOW, WALL) == []
+    early = NOW + 1.9995
+    assert not places.can_change(early)
+    left_s = places.next_look(early)
+    assert left_s is not None
+    assert 0 < left_s < 0.001
+    assert [run.number for run in places.share(NOW + 2, WALL + 2)] == [1]
+    assert places.next_look(NOW + 2) is None
+
+
 def test_an_unplayed_run_loses_its_place_after_a_time_if_one_waits() -> None:
     places = places_of(2)
     for number in (1, 2):
