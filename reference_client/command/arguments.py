@@ -193,6 +193,11 @@ def _add_policy_options(parser: argparse.ArgumentParser) -> None:
         "--assumes", type=_json, metavar="JSON",
         help="conventions that the policy assumes (schema Assumptions)",
     )  # fmt: skip
+    group.add_argument(
+        "--no-dry-turn",
+        action="store_true",
+        help="submit without calling the policy once with a made-up observation",
+    )
     workers = parser.add_argument_group("workers")
     workers.add_argument(
         "--workers", type=_count, metavar="N", help="number of workers (1)"

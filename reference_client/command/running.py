@@ -292,6 +292,7 @@ def _plan(
         if args.retry_timeout_s is None
         else args.retry_timeout_s,
         check_benchmark=check_benchmark,
+        dry_turn=not args.no_dry_turn,
     )
 
 

@@ -6,6 +6,7 @@ its own worker pool and messages. rounds.py plays the run once it is submitted.
 
 from __future__ import annotations
 
+import logging
 import os
 import sys
 import threading
@@ -25,6 +26,7 @@ from reference_client.evaluation.rounds import EvaluationRounds
 from reference_client.evaluation.status_board import (
     Progress,
     StatusBoard,
+    describe_left,
     terminal_progress_line,
 )
 from reference_client.evaluation.worker_pool import (
@@ -36,6 +38,8 @@ from reference_client.policies.policy_server_client import PolicyServerClient
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import RetryPolicy
+
+_LOG = logging.getLogger("proctor")
 
 
 def evaluate(
@@ -55,6 +59,8 @@ def evaluate(
     options: Mapping[str, Any] | None = None,
     retry_timeout_s: float = 300.0,
     progress: Callable[[Progress], None] | None = None,
+    episodes: int | None = None,
+    dry_turn: bool = True,
 ) -> Score:
     """Evaluate a policy on a benchmark of the server at `url`; returns its score.
 
@@ -73,10 +79,15 @@ def evaluate(
     retry_timeout_s: how long an unreachable server is retried, seconds.
     progress: called in this thread at every change. Without it, progress is one line
         on stderr if that is a terminal.
+    episodes: play only the first ones of the benchmark; the score is then partial.
+    dry_turn: call the policy of the first worker once, with an observation made from
+        the declared spaces, before the run is created: a mistaken one leaves no run.
 
     Raises ProctorError (RunFailed and RunStopped when the run ends without a score),
-    ValueError for invalid arguments, and whatever the policy raises. Workers detach
-    first, also on Ctrl-C; the run remains on the server, and `run_id` continues it.
+    ValueError for invalid arguments, and whatever the policy raises. The run remains on
+    the server, also after Ctrl-C; `run_id` continues it. Episodes in play wait for the
+    lease of their sessions, and `takeover` continues them at their step; only a lease
+    that ends costs an attempt.
     """
     plan = EvaluationPlan(
         url=url,
@@ -99,6 +110,8 @@ def evaluate(
         check_benchmark=policy.check
         if isinstance(policy, PolicyServerClient)
         else None,
+        episodes=episodes,
+        dry_turn=dry_turn,
     )
     return _evaluate_plan(plan, ThreadWorkerPool(policy), progress)
 
@@ -111,19 +124,25 @@ def _evaluate_plan(
     """`run_evaluation` with a progress line, and a note on how to continue the run."""
     line = terminal_progress_line() if progress is None else None
     runs: list[Run] = []
+    board = StatusBoard()
     try:
         return run_evaluation(
-            plan, worker_pool, progress=progress or line, on_run=runs.append
+            plan,
+            worker_pool,
+            progress=progress or line,
+            on_run=runs.append,
+            say=_LOG.warning,
+            board=board,
         )
     except KeyboardInterrupt:
         if runs:
-            sys.stderr.write(f"\n{_how_to_continue(runs[0])}\n")
+            sys.stderr.write(f"\n{_how_to_continue(runs[0], board)}\n")
         raise
     except (RunFailed, RunStopped):
         raise
     except BaseException as error:
         if runs:
-            error.add_note(_how_to_continue(runs[0]))
+            error.add_note(_how_to_continue(runs[0], board))
         raise
     finally:
         if line is not None and runs:
@@ -154,14 +173,16 @@ def run_evaluation(
         control_client = ControlClient(connection.control, retry_policy)
         try:
             control_client.check_service(workers)
-            run = plan.open(
-                control_client, lambda: worker_pool.prepare(plan.worker_ids)
+            run, benchmark = plan.open(
+                control_client,
+                lambda: worker_pool.prepare(plan.worker_ids),
+                worker_pool.play_dry_turn,
             )
             on_run(run)
             run_workers = worker_pool.make_workers(
-                EvaluationContext(plan, run, connection, retry_policy, board)
+                EvaluationContext(plan, run, connection, retry_policy, board, benchmark)
             )
-            return EvaluationRounds(
+            score = EvaluationRounds(
                 run,
                 run_workers,
                 control_client,
@@ -170,13 +191,19 @@ def run_evaluation(
                 plan.takeover,
                 progress,
                 say,
+                plan.episodes,
             ).play_to_score()
+            if board.clips.clipped:
+                say(f"Clipped: {board.clips.describe()}.")
+            return score
         finally:
             worker_pool.close()
 
 
-def _how_to_continue(run: Run) -> str:
-    return f"Run {run.run_id} remains on the server; {how_to_resume(run.run_id)}."
+def _how_to_continue(run: Run, board: StatusBoard) -> str:
+    how = how_to_resume(run.run_id, takeover=bool(board.left))
+    waiting = [f"{describe_left(left)}." for left in board.left.values()]
+    return "\n".join([*waiting, f"Run {run.run_id} remains on the server; {how}."])
 
 
 def _name_of(policy: Callable[[], Policy]) -> str:

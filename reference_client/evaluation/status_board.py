@@ -8,10 +8,13 @@ import threading
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from datetime import datetime
 from typing import TextIO
 
+from reference_client.api.action_layout import ClipCount
 from reference_client.api.observation import Observation
 from reference_client.generated.messages import Turn
+from reference_client.protocol.worker_session import LeftEpisode
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,6 +23,7 @@ class Progress:
 
     episodes_scored: by all clients of the run, including abandoned episodes.
     mean: of their scores, in [0, 1]; None before the first score.
+    episodes_abandoned: those of the scored whose attempts were used up; they count 0.
     waiting: what a worker waits for, and what to do about it; None if none waits.
     """
 
@@ -28,6 +32,7 @@ class Progress:
     episodes_scored: int
     mean: float | None
     waiting: str | None
+    episodes_abandoned: int = 0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,6 +59,10 @@ class StatusBoard:
         self._changed = threading.Event()
         self._waiting: dict[str, str] = {}
         self._scored = False
+        self._notes: list[str] = []
+        self._is_warned = False
+        self.clips = ClipCount()
+        self.left: dict[str, LeftEpisode] = {}
 
     def waiting_reporter(self, source: str) -> Callable[[str | None], None]:
         """A function that records what `source` waits for; None when it continues."""
@@ -72,6 +81,25 @@ class StatusBoard:
         """An episode has a score."""
         self._scored = True
         self._changed.set()
+
+    def on_clips(self, count: ClipCount, warning: str | None) -> None:
+        """An episode has ended; warning: what to say when most actions were clipped."""
+        with self._lock:
+            self.clips.add(count)
+            if warning is not None and not self._is_warned:
+                self._is_warned = True
+                self._notes.append(warning)
+        self._changed.set()
+
+    def on_left(self, left: LeftEpisode) -> None:
+        """A worker has left its session to the lease."""
+        self.left[left.worker_id] = left
+
+    def pop_notes(self) -> list[str]:
+        """The warnings since the last call."""
+        with self._lock:
+            notes, self._notes = self._notes, []
+        return notes
 
     def on_attached(self, session_id: str) -> None:
         """A session has begun. A hook for subclasses."""
@@ -101,6 +129,16 @@ class StatusBoard:
             return next(
                 (f"{source}: {what}" for source, what in self._waiting.items()), None
             )
+
+
+def describe_left(left: LeftEpisode, max_attempts: int | None = None) -> str:
+    """`e0000 waits at step 41 until 14:05:00; attempt 1 of 3`, in local time."""
+    until = datetime.fromisoformat(left.until).astimezone()
+    allowed = "" if max_attempts is None else f" of {max_attempts}"
+    return (
+        f"{left.episode_id} waits at step {left.step} until {until:%H:%M:%S}; "
+        f"attempt {left.attempt}{allowed}"
+    )
 
 
 class ProgressLine:

@@ -171,8 +171,8 @@ class ControlClient:
             )
         )
 
-    def episodes(self, run_id: str) -> list[Episode]:
-        """All episodes, from all pages of the list."""
+    def episodes(self, run_id: str, first: int | None = None) -> list[Episode]:
+        """The first episodes of the manifest, or all, from the pages of the list."""
         found: list[Episode] = []
         cursor: str | None = None
         while True:
@@ -186,8 +186,8 @@ class ControlClient:
             )
             found += page.episodes
             cursor = page.next_cursor
-            if cursor is None:
-                return found
+            if cursor is None or (first is not None and len(found) >= first):
+                return found[:first]
 
     def try_score(self, run_id: str) -> Score:
         """The score, without retries and without reporting a wait."""

@@ -31,7 +31,7 @@ from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
 RESUME = re.compile(r"^  (proctor run .*)$", re.MULTILINE)
-RUN_BLOCKING_POLICY = ["run", "--policy", "policies:Held"]
+RUN_BLOCKING_POLICY = ["run", "--no-dry-turn", "--policy", "policies:Held"]
 
 
 @pytest.fixture
