@@ -20,6 +20,8 @@ Chunk: TypeAlias = Sequence[Mapping[str, Vector]]
 Actions: TypeAlias = Action | Sequence[Action]
 WireAction: TypeAlias = dict[str, dict[str, list[float]]]
 
+_NOT_NUMBERS = (str, bytes, Mapping, list, tuple)
+
 
 class Policy(Protocol):
     """Plays episodes one after another; every worker has its own instance."""
@@ -71,20 +73,20 @@ def _is_row(given: Any) -> bool:
     return (
         isinstance(given, list | tuple)
         and len(given) > 0
-        and all(np.ndim(_plain(one)) == 0 for one in given)
-        and not any(isinstance(one, str | bytes | Mapping) for one in given)
+        and not any(isinstance(one, _NOT_NUMBERS) for one in given)
+        and all(np.ndim(one) == 0 for one in given)
     )
 
 
 def _action(at: str, given: Any, layout: ActionLayout | None) -> WireAction:
     if not isinstance(given, Mapping):
         given = _row(at, _plain(given), layout)
-    if layout is not None and set(given) != layout.names:
-        raise _invalid_action(at, _name_difference(given, layout), layout)
     values = {
-        name: _numbers(f"{at}/{_escape(name)}", vector, layout)
+        name: _numbers(f"{at}/{_escape(str(name))}", vector, layout)
         for name, vector in given.items()
     }
+    if layout is not None and set(given) != layout.names:
+        raise _invalid_action(at, _name_difference(given, layout), layout)
     for vector in () if layout is None else layout.vectors:
         size = len(values[vector.name])
         if size != vector.size:

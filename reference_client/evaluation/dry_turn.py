@@ -61,7 +61,9 @@ def _observation(benchmark: dict[str, Any]) -> Observation:
     return Observation(
         state={name: _vector(one) for name, one in space["state"].items()},
         images={
-            name: np.full((size["height"], size["width"], one["channels"]), _GREY, np.uint8)
+            name: np.full(
+                (size["height"], size["width"], one["channels"]), _GREY, np.uint8
+            )
             for name, one in space["images"].items()
         },
         tensors={
