@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import itertools
 import os
 import threading
 import time
@@ -16,7 +17,7 @@ from typing import Any
 
 from proctor_client import PolicyInfo, Run, StopMode, SubmitRun
 
-from reference_client.command import output
+from reference_client.command import output, saving
 from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
@@ -26,12 +27,12 @@ from reference_client.command.exit_codes import (
 from reference_client.command.output import Printer, ProgressDisplay
 from reference_client.evaluation import parameters
 from reference_client.evaluation.status_board import Progress
+from reference_client.policies.policy_server_client import PolicyServerClient
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import RetryPolicy
 
 RETRY_TIMEOUT_S = 10.0
-LATEST = 20
 ENDED_STATES = frozenset({"completed", "failed", "stopped"})
 
 
@@ -77,9 +78,7 @@ def status(args: argparse.Namespace, printer: Printer) -> int:
     run_id = run_id_of(args)
     with open_control_client(args, printer) as control_client:
         if run_id is None:
-            runs = control_client.latest(LATEST)
-            printer.answer([run.to_dict() for run in runs], output.run_list(runs))
-            return DONE
+            return _list_runs(args, control_client, printer)
         run = (
             _watch(control_client, run_id, printer)
             if args.watch
@@ -89,6 +88,38 @@ def status(args: argparse.Namespace, printer: Printer) -> int:
     state = run.state.value
     failed = state == "failed" or (args.watch and state != "completed")
     return NOT_COMPLETE if failed else DONE
+
+
+def _list_runs(
+    args: argparse.Namespace, control_client: ControlClient, printer: Printer
+) -> int:
+    """A page of the runs that the filters select, each with its score."""
+    matching = (
+        run
+        for run in control_client.all_runs()
+        if args.benchmark in (None, run.benchmark_id)
+        and args.state in (None, run.state.value)
+        and args.name in (None, run.policy.name)
+    )
+    first = (args.page - 1) * args.limit
+    found = list(itertools.islice(matching, first, first + args.limit + 1))
+    runs = found[: args.limit]
+    scores = {
+        run.run_id: control_client.score(run.run_id)
+        for run in runs
+        if run.progress.episodes_scored
+    }
+    more = f"More: --page {args.page + 1}" if len(found) > args.limit else None
+    value = [
+        run.to_dict()
+        | {
+            "score": scores[run.run_id].score if run.run_id in scores else None,
+            "mean": scores[run.run_id].mean if run.run_id in scores else None,
+        }
+        for run in runs
+    ]
+    printer.answer(value, *output.run_list(runs, scores, more))
+    return DONE
 
 
 def stop(args: argparse.Namespace, printer: Printer) -> int:
@@ -111,12 +142,11 @@ def results(args: argparse.Namespace, printer: Printer) -> int:
     with open_control_client(args, printer) as control_client:
         score = control_client.score(run_id)
         episodes = control_client.episodes(run_id) if args.episodes else None
+        if args.save is not None:
+            saving.save_result(control_client, score, args.save)
+            printer.say(f"Saved: {args.save}")
     value: dict[str, Any] = score.to_dict()
-    tables = [
-        output.score_facts(score),
-        output.group_table("task", score.by_task),
-        output.group_table("split", score.by_split),
-    ]
+    tables = output.score_tables(score)
     if episodes is not None:
         value["episodes"] = [episode.to_dict() for episode in episodes]
         tables.append(output.episode_list(episodes))
@@ -153,7 +183,7 @@ def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRu
             "--benchmark NAME (`proctor benchmarks` lists names) or --run-id RUN is "
             "required"
         )
-    name = args.name or name or "unnamed"
+    name = args.name or name or _described_name(args) or "unnamed"
     try:
         return parameters.submission(
             args.benchmark,
@@ -171,6 +201,15 @@ def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRu
         )
     except ValueError as error:
         raise UsageError(str(error)) from error
+
+
+def _described_name(args: argparse.Namespace) -> str | None:
+    """The name that the policy server of a push run reports, if it is reachable here.
+
+    The evaluation server may reach what this machine does not: no answer is no error.
+    """
+    url = getattr(args, "push", None)
+    return None if url is None else PolicyServerClient(url).described_name()
 
 
 def _policy_server(url: str | None) -> dict[str, str] | None:

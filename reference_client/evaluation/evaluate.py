@@ -179,6 +179,7 @@ def run_evaluation(
                 worker_pool.play_dry_turn,
             )
             on_run(run)
+            board.max_attempts = plan.max_attempts(benchmark)
             run_workers = worker_pool.make_workers(
                 EvaluationContext(plan, run, connection, retry_policy, board, benchmark)
             )
@@ -202,7 +203,9 @@ def run_evaluation(
 
 def _how_to_continue(run: Run, board: StatusBoard) -> str:
     how = how_to_resume(run.run_id, takeover=bool(board.left))
-    waiting = [f"{describe_left(left)}." for left in board.left.values()]
+    waiting = [
+        f"{describe_left(left, board.max_attempts)}." for left in board.left.values()
+    ]
     return "\n".join([*waiting, f"Run {run.run_id} remains on the server; {how}."])
 
 

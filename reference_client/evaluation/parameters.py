@@ -115,6 +115,16 @@ class EvaluationPlan:
         resumed = control_client.resume_if_needed(self.run_id)
         return resumed, None if known is None else _as_json(known)
 
+    def max_attempts(self, benchmark: dict[str, Any] | None) -> int | None:
+        """Of an episode; None where it cannot be known."""
+        if benchmark is None:
+            return None
+        if benchmark["benchmark_id"] == "calibration":  # its submitter decides
+            options = None if self.submission is None else self.submission.options
+            return None if options is None else options.max_attempts
+        allowed: int = benchmark["max_attempts"]
+        return allowed
+
 
 def _benchmark_of(control_client: ControlClient, run: Run) -> Benchmark | None:
     """None if the server does not have it any more: a score can still be read."""
@@ -154,9 +164,36 @@ def submission(
             policy_server=parse_strictly(PolicyServer, "policy_server", policy_server),
         )
     except ValidationError as error:
-        faults = error.errors(include_url=False)
-        texts = [f"{'.'.join(map(str, f['loc']))}: {f['msg']}" for f in faults]
-        raise ValueError("; ".join(texts)) from error
+        raise ValueError(_fault_texts(error)) from error
+
+
+# Type of a fault → what to say in place of the library's sentence and pattern.
+_FAULT_TEXTS = {
+    "greater_than_equal": "must be at least {ge}",
+    "less_than_equal": "must be at most {le}",
+    "string_too_short": "must have at least {min_length} characters",
+    "string_too_long": "must have at most {max_length} characters",
+    "too_short": "must have at least {min_length} entries",
+    "too_long": "must have at most {max_length} entries",
+    "missing": "is missing",
+    "finite_number": "must be finite",
+}
+
+
+def _fault_texts(error: ValidationError) -> str:
+    texts = []
+    for fault in error.errors(include_url=False):
+        name = ".".join(map(str, fault["loc"]))
+        text = _FAULT_TEXTS.get(fault["type"])
+        given = fault.get("input")
+        if name == "benchmark_id":
+            what = f"cannot be {given!r}: a name has lower-case letters, digits and _"
+        elif text is not None:
+            what = f"{text.format(**fault.get('ctx', {}))}, not {given!r:.60}"
+        else:
+            what = f"cannot be {given!r:.60}"
+        texts.append(f"{name} {what}")
+    return "; ".join(texts)
 
 
 def parse_strictly(
@@ -166,7 +203,10 @@ def parse_strictly(
     if members is None:
         return None
     given = json.loads(json.dumps(members))
-    made = model.from_dict(given)
+    try:
+        made = model.from_dict(given)
+    except ValidationError as error:
+        raise ValueError(f"{name}: {_fault_texts(error)}") from error
     if made is None or made.to_dict() != given:
         raise ValueError(
             f"{name} has members that the protocol does not define: {given}"

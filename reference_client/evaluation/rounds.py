@@ -71,7 +71,11 @@ class EvaluationRounds:
     def play_to_score(self) -> Score:
         """Raises RunFailed, RunStopped, ProctorError, and the failure of a worker."""
         self._so_far = Progress(
-            self.run.run_id, self.run.progress.episodes_total, 0, None, None
+            self.run.run_id,
+            self._at_most_wanted(self.run.progress.episodes_total),
+            0,
+            None,
+            None,
         )
         self._report(scored=True)
         held = self.takeover
@@ -175,12 +179,15 @@ class EvaluationRounds:
         self._so_far = replace(self._so_far, waiting=self.board.waiting())
         self.progress(self._so_far)
 
+    def _at_most_wanted(self, episodes: int) -> int:
+        return episodes if self.episodes is None else min(episodes, self.episodes)
+
     def _show(self, score: Score) -> None:
         counts = score.counts
         self._so_far = Progress(
             run_id=score.run_id,
-            episodes_total=counts.total,
-            episodes_scored=counts.total - counts.unscored,
+            episodes_total=self._at_most_wanted(counts.total),
+            episodes_scored=self._at_most_wanted(counts.total - counts.unscored),
             mean=score.mean,
             waiting=self.board.waiting(),
             episodes_abandoned=counts.abandoned,

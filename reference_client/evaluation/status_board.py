@@ -63,6 +63,7 @@ class StatusBoard:
         self._is_warned = False
         self.clips = ClipCount()
         self.left: dict[str, LeftEpisode] = {}
+        self.max_attempts: int | None = None  # of an episode, where that is known
 
     def waiting_reporter(self, source: str) -> Callable[[str | None], None]:
         """A function that records what `source` waits for; None when it continues."""
@@ -141,12 +142,35 @@ def describe_left(left: LeftEpisode, max_attempts: int | None = None) -> str:
     )
 
 
+class Pace:
+    """Estimates the time left, from the episodes scored since the first report."""
+
+    def __init__(self) -> None:
+        self._began_at = time.monotonic()
+        self._first: int | None = None
+
+    def left(self, progress: Progress) -> str:
+        """`~3:20 left`; empty before an episode was scored, and at the end."""
+        if self._first is None:
+            self._first, self._began_at = progress.episodes_scored, time.monotonic()
+        scored = progress.episodes_scored - self._first
+        rest = progress.episodes_total - progress.episodes_scored
+        if scored < 1 or rest < 1:
+            return ""
+        left_s = (time.monotonic() - self._began_at) / scored * rest
+        minutes, seconds = divmod(round(left_s), 60)
+        hours, minutes = divmod(minutes, 60)
+        clock = f"{hours}:{minutes:02}" if hours else f"{minutes}"
+        return f"~{clock}:{seconds:02} left"
+
+
 class ProgressLine:
     """One line on a terminal, rewritten at every report."""
 
     def __init__(self, stream: TextIO) -> None:
         self._stream = stream
         self._began_at = time.monotonic()
+        self._pace = Pace()
 
     def __call__(self, progress: Progress) -> None:
         mean = "–" if progress.mean is None else f"{progress.mean:.3f}"
@@ -157,6 +181,8 @@ class ProgressLine:
             f"mean {mean}",
             f"{minutes}:{seconds:02}",
         ]
+        if left := self._pace.left(progress):
+            parts.append(left)
         if progress.waiting:
             parts.append(progress.waiting)
         columns = shutil.get_terminal_size().columns

@@ -22,7 +22,12 @@ from proctor_client import (
     SubmitRun,
 )
 
-from reference_client.errors import ProctorError, RunFailed, RunStopped
+from reference_client.errors import (
+    ProctorError,
+    RunFailed,
+    RunStopped,
+    did_you_mean,
+)
 from reference_client.protocol.connection import TIMEOUTS_S
 from reference_client.protocol.retry_policy import RetryPolicy
 
@@ -59,11 +64,23 @@ class ControlClient:
         ).benchmarks
 
     def benchmark(self, benchmark_id: str) -> Benchmark:
-        return self._retry_policy.call(
-            lambda: self._control.get_benchmark(
-                benchmark_id, _request_timeout=TIMEOUTS_S
+        """Raises `not_found` with a name that was probably meant."""
+        try:
+            return self._retry_policy.call(
+                lambda: self._control.get_benchmark(
+                    benchmark_id, _request_timeout=TIMEOUTS_S
+                )
             )
-        )
+        except ProctorError as error:
+            if error.code != "not_found":
+                raise
+            names = [one.benchmark_id for one in self.benchmarks()]
+            meant = did_you_mean(benchmark_id, names) or f"; it has {', '.join(names)}"
+            raise ProctorError(
+                error.code,
+                f"{self._retry_policy.url} has no benchmark {benchmark_id!r}{meant}",
+                problem=error.problem,
+            ) from error
 
     def check(self, benchmark_id: str) -> Benchmark:
         """The benchmark. Raises `benchmark_unavailable` if it cannot be run."""
@@ -86,11 +103,21 @@ class ControlClient:
             lambda: self._control.get_run(run_id, _request_timeout=TIMEOUTS_S)
         )
 
-    def latest(self, most: int) -> list[Run]:
-        """The newest runs of the account."""
-        return self._retry_policy.call(
-            lambda: self._control.list_runs(limit=most, _request_timeout=TIMEOUTS_S)
-        ).runs
+    def all_runs(self) -> Iterator[Run]:
+        """The runs of the account, the newest first; pages are read when needed."""
+        cursor: str | None = None
+        while True:
+            page = self._retry_policy.call(
+                partial(
+                    self._control.list_runs,
+                    cursor=cursor,
+                    _request_timeout=TIMEOUTS_S,
+                )
+            )
+            yield from page.runs
+            cursor = page.next_cursor
+            if cursor is None:
+                return
 
     def stop(self, run_id: str, mode: StopMode) -> Run:
         return self._retry_policy.call(
