@@ -60,6 +60,8 @@ class _Parser(argparse.ArgumentParser):
         if unknown := re.match(r"unrecognized arguments: (\S+)", message):
             word = unknown[1].partition("=")[0]
             what = "option" if word.startswith("-") else "argument"
+            if word in self._flags():
+                return f"{word} is an option of {', '.join(self._owners(word))} only"
             return f"unknown {what} {word}{did_you_mean(word, self._flags())}"
         if wrong := re.search(r"invalid choice: '(.*?)'", message):
             word, name = wrong[1], message.partition(":")[0]
@@ -70,6 +72,13 @@ class _Parser(argparse.ArgumentParser):
                 + (message.partition("'" + word + "'")[2])
             )
         return message
+
+    def _owners(self, flag: str) -> list[str]:
+        return [
+            parser.prog
+            for parser in self.commands
+            if re.search(rf"{flag}\b(?!-)", parser.format_help())
+        ]
 
     def _flags(self) -> set[str]:
         """Of this command, or of all where the command is not known."""

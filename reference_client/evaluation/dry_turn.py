@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from reference_client.api.action_layout import ActionLayout
-from reference_client.api.observation import DTYPES, Observation
+from reference_client.api.observation import DTYPES, Named, Observation
 from reference_client.api.policy import Policy, chunk_of
 from reference_client.errors import ProctorError
 from reference_client.policies.policy_server_client import PolicySession
@@ -25,7 +25,7 @@ _IDENTITIES = {
 }
 _GREY = 128
 _ANY_SIZE = {"width": 64, "height": 64}
-NOTE = "This was a dry turn with a made-up observation; no run was submitted."
+NOTE = "This was a dry turn; no run was submitted."
 # What `reset` raises for a wrong signature or name, in contrast to an instruction that
 # the policy does not know: the real instructions are not known before the run.
 _PROGRAM_ERRORS = (TypeError, AttributeError, NameError, ImportError)
@@ -38,6 +38,16 @@ def play_dry_turn(policy: Policy, benchmark: dict[str, Any]) -> None:
     """
     if isinstance(policy, PolicySession):
         return  # it forwards real turns
+    try:
+        _play(policy, benchmark)
+    except ProctorError as error:
+        raise error.explained(NOTE) from error
+    except Exception as error:
+        error.add_note(NOTE)
+        raise
+
+
+def _play(policy: Policy, benchmark: dict[str, Any]) -> None:
     try:
         policy.reset(benchmark["title"])
     except _PROGRAM_ERRORS:
@@ -58,19 +68,24 @@ def play_dry_turn(policy: Policy, benchmark: dict[str, Any]) -> None:
 def _observation(benchmark: dict[str, Any]) -> Observation:
     space = benchmark["observation_space"]
     size = (benchmark["image_sizes"] or [_ANY_SIZE])[0]
+    shape = (size["height"], size["width"])
     return Observation(
-        state={name: _vector(one) for name, one in space["state"].items()},
-        images={
-            name: np.full(
-                (size["height"], size["width"], one["channels"]), _GREY, np.uint8
-            )
-            for name, one in space["images"].items()
-        },
-        tensors={
-            name: np.zeros(one["shape"], one["dtype"])
-            for name, one in space["tensors"].items()
-            if one["dtype"] in DTYPES
-        },
+        state=Named("state", {n: _vector(one) for n, one in space["state"].items()}),
+        images=Named(
+            "images",
+            {
+                name: np.full((*shape, one["channels"]), _GREY, np.uint8)
+                for name, one in space["images"].items()
+            },
+        ),
+        tensors=Named(
+            "tensors",
+            {
+                name: np.zeros(one["shape"], one["dtype"])
+                for name, one in space["tensors"].items()
+                if one["dtype"] in DTYPES
+            },
+        ),
         instruction=benchmark["title"],
         episode_id="e0000",
         step=0,

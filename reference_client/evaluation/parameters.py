@@ -181,9 +181,11 @@ _FAULT_TEXTS = {
 
 
 def _fault_texts(error: ValidationError) -> str:
-    texts = []
+    texts: dict[str, str] = {}
     for fault in error.errors(include_url=False):
-        name = ".".join(map(str, fault["loc"]))
+        # A number may be of several types; each of them reports its faults.
+        parts = [str(p) for p in fault["loc"] if not str(p).startswith("constrained-")]
+        name = ".".join(parts)
         text = _FAULT_TEXTS.get(fault["type"])
         given = fault.get("input")
         if name == "benchmark_id":
@@ -192,8 +194,8 @@ def _fault_texts(error: ValidationError) -> str:
             what = f"{text.format(**fault.get('ctx', {}))}, not {given!r:.60}"
         else:
             what = f"cannot be {given!r:.60}"
-        texts.append(f"{name} {what}")
-    return "; ".join(texts)
+        texts.setdefault(name, what)
+    return "; ".join(f"{name} {what}" for name, what in texts.items())
 
 
 def parse_strictly(

@@ -181,10 +181,11 @@ class ProgressLine:
             f"mean {mean}",
             f"{minutes}:{seconds:02}",
         ]
-        if left := self._pace.left(progress):
-            parts.append(left)
+        left = self._pace.left(progress)
         if progress.waiting:
             parts.append(progress.waiting)
+        elif left:
+            parts.append(left)
         columns = shutil.get_terminal_size().columns
         line = "  ".join(parts)[: columns - 1]
         self._stream.write(f"\r\x1b[2K{line}")

@@ -202,7 +202,8 @@ class Stuck:
         print("acting", flush=True)
         threading.Event().wait()
 
-evaluate(Stuck, url=sys.argv[1], token=sys.argv[2], benchmark="calibration")
+evaluate(Stuck, url=sys.argv[1], token=sys.argv[2], benchmark="calibration",
+         dry_turn=False)
 """
 
 

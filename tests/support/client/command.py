@@ -52,6 +52,29 @@ class Held(Graded):
         return super().act(observation)
 
 
+class HeldAtStepThree:
+    """Executes three actions, then acts as Held does."""
+
+    def reset(self, instruction):
+        pathlib.Path("resets").open("a").write("reset\n")
+
+    def act(self, observation):
+        if observation.step == 3:
+            pathlib.Path(f"acting-{id(self)}-{os.getpid()}").touch()
+            while not pathlib.Path("go").exists():
+                time.sleep(0.01)
+        return action(success=1.0, end=float(observation.step == 5))
+
+
+class BreaksAtStepThree(Graded):
+    """Raises once at step 3, while there is no file `go`."""
+
+    def act(self, observation):
+        if observation.step == 3 and not pathlib.Path("go").exists():
+            raise RuntimeError("out of memory")
+        return action(success=1.0, end=float(observation.step == 5))
+
+
 class Dies(Graded):
     """Kills its process in episode 2, once."""
 
