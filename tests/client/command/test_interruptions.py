@@ -39,7 +39,6 @@ def direct_client(server: ReferenceServer) -> Iterator[DirectClient]:
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
 def test_an_interruption_costs_no_attempt(
-    server: ReferenceServer,
     direct_client: DirectClient,
     proctor: ProctorCommand,
     policy_folder: Path,
@@ -49,7 +48,7 @@ def test_an_interruption_costs_no_attempt(
     """In the middle of an episode. Expect what waits and until when, and that the
     printed command continues it in the same attempt, at its step."""
     run = ["run", "--no-dry-turn", "--policy", "policies:HeldAtStepThree", *EPISODE]
-    with start_proctor(policy_folder, server.url, *run, *processes) as process:
+    with start_proctor(policy_folder, proctor.url, *run, *processes) as process:
         wait_until(lambda: any(policy_folder.glob("acting-*")), "the worker acts")
         run_id = direct_client.latest().run_id
         process.send_signal(number)

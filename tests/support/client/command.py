@@ -56,7 +56,7 @@ class HeldAtStepThree:
     """Executes three actions, then acts as Held does."""
 
     def reset(self, instruction):
-        pathlib.Path("resets").open("a").write("reset\n")
+        pass
 
     def act(self, observation):
         if observation.step == 3:
