@@ -35,7 +35,6 @@ from reference_client.command.exit_codes import (
 )
 from reference_client.command.output import Printer, ProgressDisplay
 from reference_client.errors import PolicyFailed, ProctorError, RunFailed
-from reference_client.evaluation.dry_turn import NOTE
 from reference_client.evaluation.evaluate import run_evaluation
 from reference_client.evaluation.parameters import EvaluationPlan, parse_strictly
 from reference_client.evaluation.status_board import (
@@ -271,10 +270,7 @@ class _EvaluationCommand:
         )
 
     def _report_policy_error(self, error: Exception) -> _EvaluationEnded:
-        failure = _policy_failure(error)
-        if self._run is None:
-            failure.detail += f" {NOTE}"
-        return self._report_refusal(failure)
+        return self._report_refusal(_policy_failure(error))
 
     def _report_end(
         self, code: int, kind: str, line: str, *, can_resume: bool = True

@@ -133,7 +133,9 @@ def _latex_text(text: str) -> str:
 
 
 def _rich(table: TextTable) -> Table:
-    made = Table(box=None, pad_edge=False, show_header=table.has_header)
+    made = Table(
+        box=None, pad_edge=False, show_header=table.has_header, header_style=""
+    )
     for number, name in enumerate(table.columns):
         made.add_column(
             name.lstrip(">"),
