@@ -121,6 +121,8 @@ class EvaluationRounds:
                 self._say_notes()
         finally:
             self._stop_workers(threads)
+            if self.board.pop_scored():  # by the last turns
+                self._report(scored=True)
         self._say_notes()
         if self._failures:
             raise self._failures[0]

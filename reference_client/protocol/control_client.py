@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 import uuid
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -217,9 +218,12 @@ class ControlClient:
                 return found[:first]
 
     def try_score(self, run_id: str) -> Score:
-        """The score, without retries and without reporting a wait."""
+        """The score, without retries and without a wait; also after an interruption."""
         once = replace(
-            self._retry_policy, total_s=0.0, report_waiting=lambda _why: None
+            self._retry_policy,
+            total_s=0.0,
+            stop=threading.Event(),
+            report_waiting=lambda _why: None,
         )
         return ControlClient(self._control, once).score(run_id)
 
