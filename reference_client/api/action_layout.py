@@ -10,9 +10,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-import numpy.typing as npt
-
 # Rounding to float32 is no clipping; relative to the width of the range.
 _ROUNDING = 1e-6
 
@@ -24,8 +21,8 @@ class ActionVector:
     name: str
     size: int
     unit: str = ""
-    low: npt.NDArray[np.float64] | None = None
-    high: npt.NDArray[np.float64] | None = None
+    low: tuple[float, ...] | None = None
+    high: tuple[float, ...] | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -79,13 +76,14 @@ class ActionLayout:
         for vector in self.vectors:
             if vector.low is None or vector.high is None:
                 continue
-            numbers = np.asarray(values[vector.name], np.float64)
-            if numbers.shape != vector.low.shape:
-                continue
-            slack = _ROUNDING * (1.0 + np.abs(vector.high - vector.low))
-            outside = (numbers < vector.low - slack) | (numbers > vector.high + slack)
-            if outside.any():
-                found[vector.name] = int(outside.sum())
+            count = sum(
+                not low <= number <= high
+                for number, low, high in zip(
+                    values[vector.name], vector.low, vector.high, strict=False
+                )
+            )
+            if count:
+                found[vector.name] = count
         return found
 
     def range_of(self, name: str) -> str:
@@ -94,7 +92,7 @@ class ActionLayout:
         assert vector.low is not None
         assert vector.high is not None
         unit = "" if vector.unit in ("", "1") else f" {vector.unit}"
-        return f"[{vector.low.min():g}, {vector.high.max():g}]{unit}"
+        return f"[{min(vector.low):g}, {max(vector.high):g}]{unit}"
 
 
 def _vector(name: str, space: Mapping[str, Any]) -> ActionVector:
@@ -102,8 +100,13 @@ def _vector(name: str, space: Mapping[str, Any]) -> ActionVector:
     low, high = space.get("minimum"), space.get("maximum")
     if space.get("out_of_range") != "clip" or not low or not high:
         return ActionVector(name, size, unit)
+    slack = [_ROUNDING * (1.0 + b - a) for a, b in zip(low, high, strict=True)]
     return ActionVector(
-        name, size, unit, np.asarray(low, float), np.asarray(high, float)
+        name,
+        size,
+        unit,
+        tuple(a - s for a, s in zip(low, slack, strict=True)),
+        tuple(b + s for b, s in zip(high, slack, strict=True)),
     )
 
 
