@@ -92,7 +92,7 @@ class ActionLayout:
         assert vector.low is not None
         assert vector.high is not None
         unit = "" if vector.unit in ("", "1") else f" {vector.unit}"
-        return f"[{min(vector.low):g}, {max(vector.high):g}]{unit}"
+        return f"[{min(vector.low):.4g}, {max(vector.high):.4g}]{unit}"
 
 
 def _vector(name: str, space: Mapping[str, Any]) -> ActionVector:

@@ -348,9 +348,7 @@ def episode_list(episodes: Sequence[Episode]) -> TextTable:
 
 
 def benchmark_list(benchmarks: Sequence[BenchmarkSummary]) -> TextTable:
-    table = TextTable(
-        ("benchmark", "version", ">episodes", "title"), dispensable=("version",)
-    )
+    table = TextTable(("benchmark", "version", ">episodes", "title"))
     for one in benchmarks:
         table.add(one.benchmark_id, one.version, str(one.episodes_total), one.title)
     return table
