@@ -15,7 +15,7 @@ import time
 from collections.abc import Iterator
 from typing import Any
 
-from proctor_client import PolicyInfo, Run, StopMode, SubmitRun
+from proctor_client import PolicyInfo, Run, Score, StopMode, SubmitRun
 
 from reference_client.command import output, saving
 from reference_client.command.exit_codes import (
@@ -84,7 +84,8 @@ def status(args: argparse.Namespace, printer: Printer) -> int:
             if args.watch
             else control_client.read(run_id)
         )
-    printer.answer(run.to_dict(), output.run_facts(run))
+        score = control_client.score(run_id) if run.progress.episodes_scored else None
+    printer.answer(_with_score(run, score), output.run_facts(run, score))
     state = run.state.value
     failed = state == "failed" or (args.watch and state != "completed")
     return NOT_COMPLETE if failed else DONE
@@ -110,16 +111,17 @@ def _list_runs(
         if run.progress.episodes_scored
     }
     more = f"More: --page {args.page + 1}" if len(found) > args.limit else None
-    value = [
-        run.to_dict()
-        | {
-            "score": scores[run.run_id].score if run.run_id in scores else None,
-            "mean": scores[run.run_id].mean if run.run_id in scores else None,
-        }
-        for run in runs
-    ]
+    value = [_with_score(run, scores.get(run.run_id)) for run in runs]
     printer.answer(value, *output.run_list(runs, scores, more))
     return DONE
+
+
+def _with_score(run: Run, score: Score | None) -> dict[str, Any]:
+    """A run as JSON, with its score, and the mean of the episodes scored so far."""
+    members: dict[str, Any] = run.to_dict()
+    members["score"] = None if score is None else score.score
+    members["mean"] = None if score is None else score.mean
+    return members
 
 
 def stop(args: argparse.Namespace, printer: Printer) -> int:

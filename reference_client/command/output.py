@@ -145,7 +145,7 @@ def mean_of(progress: Progress) -> str:
     return "no score yet" if progress.mean is None else f"mean {progress.mean:.3f}"
 
 
-def run_facts(run: Run) -> TextTable:
+def run_facts(run: Run, score: Score | None = None) -> TextTable:
     progress = run.progress
     return fact_table(
         {
@@ -153,7 +153,9 @@ def run_facts(run: Run) -> TextTable:
             "state": run.state.value,
             "reason": run.reason,
             "benchmark": f"{run.benchmark_id}, version {run.benchmark_version}",
-            "policy": run.policy.name,
+            "policy": run.policy.name
+            + (f", version {run.policy.version}" if run.policy.version else ""),
+            "score": None if score is None else _headline(score),
             "episodes": f"{progress.episodes_scored} of {progress.episodes_total} "
             f"scored, {progress.episodes_in_progress} in progress",
             "workers": f"{run.live_workers} live, at most {run.max_workers}",

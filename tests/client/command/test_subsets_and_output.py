@@ -119,6 +119,9 @@ def test_runs_are_listed_with_scores_filters_and_pages(
     page = proctor.json("status", "--name", "listed", "--limit", "2", "--page", "2")
     assert [one["run_id"] for one in page] == ids[2:]
     assert "0.500" in proctor_text(proctor, "status", "--name", "listed")
+    assert "score" in proctor_text(proctor, "status", ids[0])
+    assert "0.5000" in proctor.out
+    assert proctor.json("status", ids[0])["score"] == 0.5
 
 
 def proctor_text(proctor: ProctorCommand, *arguments: str) -> str:
