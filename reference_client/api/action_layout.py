@@ -15,7 +15,7 @@ _ROUNDING = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class ActionVector:
+class VectorLayout:
     """One named vector. low, high: the range outside which the server clips, if any."""
 
     name: str
@@ -30,7 +30,7 @@ class ActionLayout:
     """The vectors of an action of `benchmark_id`, in the order of a row of numbers."""
 
     benchmark_id: str
-    vectors: tuple[ActionVector, ...]
+    vectors: tuple[VectorLayout, ...]
     names: frozenset[str] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -95,13 +95,13 @@ class ActionLayout:
         return f"[{min(vector.low):.4g}, {max(vector.high):.4g}]{unit}"
 
 
-def _vector(name: str, space: Mapping[str, Any]) -> ActionVector:
+def _vector(name: str, space: Mapping[str, Any]) -> VectorLayout:
     size, unit = space["size"], space.get("unit", "")
     low, high = space.get("minimum"), space.get("maximum")
     if space.get("out_of_range") != "clip" or not low or not high:
-        return ActionVector(name, size, unit)
+        return VectorLayout(name, size, unit)
     slack = [_ROUNDING * (1.0 + b - a) for a, b in zip(low, high, strict=True)]
-    return ActionVector(
+    return VectorLayout(
         name,
         size,
         unit,

@@ -19,7 +19,7 @@ from typing import Any, NoReturn
 
 from reference_client.command.aliases import PASS_THROUGH_COMMANDS
 from reference_client.command.exit_codes import UsageError
-from reference_client.command.tables import FORMATS
+from reference_client.command.text_tables import FORMATS
 from reference_client.errors import did_you_mean
 from reference_client.generated.protocol_version import PROTOCOL_VERSION
 

@@ -26,7 +26,7 @@ from rich.progress import BarColumn, TaskID, TextColumn, TimeElapsedColumn
 from rich.progress import Progress as Bars
 
 from reference_client.command.exit_codes import with_flag_names
-from reference_client.command.tables import TablePrinter, TextTable, fact_table
+from reference_client.command.text_tables import TablePrinter, TextTable, fact_table
 from reference_client.evaluation.status_board import Pace, Progress
 
 LOG_S = 10.0  # between two lines of progress where stderr is no terminal
@@ -35,7 +35,7 @@ LOG_S = 10.0  # between two lines of progress where stderr is no terminal
 class Printer:
     """Prints results and messages; as_json: results are one JSON value on stdout.
 
-    style: of tables, one of tables.FORMATS.
+    style: of tables, one of text_tables.FORMATS.
     """
 
     def __init__(self, *, as_json: bool, style: str = "text") -> None:

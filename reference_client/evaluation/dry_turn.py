@@ -1,8 +1,8 @@
 """One call of a policy before there is a run, with an observation that is made up.
 
 The observation has every name, size and dtype that the benchmark declares: vectors in
-the middle of their range, rotations that are the identity, grey images. It is no scene
-of the benchmark. So only what is a mistake in every scene ends the evaluation here:
+the middle of their range, rotations that are the identity, grey images. It is no state
+of the benchmark. So only what is a mistake in every state ends the evaluation here:
 names and shapes, and errors that a correct policy does not raise for valid input.
 """
 
@@ -58,7 +58,7 @@ def _play(policy: Policy, benchmark: dict[str, Any]) -> None:
     try:
         chunk_of(policy.act(_observation(benchmark)), layout)
     except (ArithmeticError, AssertionError):
-        return  # such a scene may be impossible
+        return  # such a state may be impossible
     except ProctorError as error:
         if any("not finite" in text for _, text in error.errors):
             return

@@ -10,7 +10,12 @@ from pathlib import Path
 import pytest
 
 from reference_client.command.main import main
-from reference_client.command.tables import TablePrinter, TextTable, latex, markdown
+from reference_client.command.text_tables import (
+    TablePrinter,
+    TextTable,
+    latex,
+    markdown,
+)
 from reference_client.evaluation.status_board import Pace, Progress
 from tests.support.client.command import ProctorCommand, options
 from tests.support.client.direct_client import DirectClient

@@ -87,7 +87,7 @@ def test_actions_that_do_not_fit_are_refused() -> None:
     [ZeroDivisionError(), AssertionError(), [np.nan, 0.0]],
     ids=["arithmetic", "assertion", "not finite"],
 )
-def test_what_an_impossible_scene_may_cause_proves_nothing(answer: Any) -> None:
+def test_what_an_impossible_state_may_cause_proves_nothing(answer: Any) -> None:
     play_dry_turn(Recorder(answer), BENCHMARK)
 
 
