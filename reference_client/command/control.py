@@ -10,6 +10,7 @@ import argparse
 import contextlib
 import itertools
 import os
+import re
 import threading
 import time
 from collections.abc import Iterator
@@ -33,6 +34,7 @@ from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import RetryPolicy
 
 RETRY_TIMEOUT_S = 10.0
+_RUN_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # the pattern of the parameter RunId
 ENDED_STATES = frozenset({"completed", "failed", "stopped"})
 
 
@@ -60,6 +62,7 @@ def submit(args: argparse.Namespace, printer: Printer) -> int:
     with open_control_client(args, printer) as control_client:
         control_client.check_service(args.max_workers or 1)
         if args.run_id is not None:
+            check_run_id(args.run_id)
             run = control_client.resume_if_needed(args.run_id)
         else:
             submission = submission_of(args)
@@ -157,6 +160,8 @@ def results(args: argparse.Namespace, printer: Printer) -> int:
 
 
 def compare(args: argparse.Namespace, printer: Printer) -> int:
+    for run_id in (args.baseline, *args.runs):
+        check_run_id(run_id)
     with open_control_client(args, printer) as control_client:
         found = control_client.compare(args.baseline, args.runs, args.tolerance)
     tables = [
@@ -227,7 +232,14 @@ def run_id_of(args: argparse.Namespace) -> str | None:
     if args.run and args.run_id and args.run != args.run_id:
         raise UsageError(f"conflicting run ids: {args.run} and {args.run_id}")
     run_id: str | None = args.run or args.run_id
+    check_run_id(run_id)
     return run_id
+
+
+def check_run_id(run_id: str | None) -> None:
+    """Raises UsageError for what cannot be an id; None is no id."""
+    if run_id is not None and not _RUN_ID.fullmatch(run_id):
+        raise UsageError(f"{run_id!r} is no id of a run; `proctor status` lists them")
 
 
 def _required_run_id(args: argparse.Namespace) -> str:

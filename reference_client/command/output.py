@@ -242,12 +242,11 @@ def score_tables(score: Score) -> list[TextTable]:
 
 def repeat_tables(scores: Sequence[Score]) -> list[TextTable]:
     """A row for each run, then mean and spread over the runs."""
-    table = TextTable(("run", ">score", ">success", ">episodes"))
+    table = TextTable(("run", ">score", ">success", ">scored"))
     for score in scores:
         counts = score.counts
-        table.add(
-            score.run_id, score_text(score), str(counts.success), str(counts.total)
-        )
+        scored = f"{counts.total - counts.unscored}/{counts.total}"
+        table.add(score.run_id, score_text(score), str(counts.success), scored)
     mean, spread = mean_and_spread(scores)
     over = f"over {len(scores)} runs"
     return [

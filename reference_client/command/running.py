@@ -25,7 +25,11 @@ from proctor_client import Assumptions, Benchmark, Run, Score
 from reference_client.api.policy import Policy
 from reference_client.command import output, saving
 from reference_client.command.arguments import DEFAULT_URL
-from reference_client.command.control import open_control_client, submission_of
+from reference_client.command.control import (
+    check_run_id,
+    open_control_client,
+    submission_of,
+)
 from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
@@ -62,6 +66,7 @@ def run(args: argparse.Namespace, printer: Printer) -> int:
         if args.policy is not None:
             raise UsageError("--policy and --policy-url are mutually exclusive")
         args.policy = f"proctor:{args.policy_url}"
+    check_run_id(args.run_id)
     if args.policy is None:
         raise UsageError("--policy is required, for example my_module:MyPolicy")
     try:

@@ -139,6 +139,8 @@ def test_clipping_is_reported_at_once_and_at_the_end(
         ("status --state runing", "--state cannot be runing (choose from 'queued'"),
         ("benchmarks calibratoin", "did you mean calibration?"),
         ("submit --benchmark calibratoin", "did you mean calibration?"),
+        ("results run/1", "'run/1' is no id of a run; `proctor status` lists them"),
+        ("compare run_a b!", "'b!' is no id of a run"),
         ("submit --benchmark Calibration!", "lower-case letters, digits and _"),
         ("run --benchmark calibration --policy policies:Gradd", "mean Graded?"),
         (

@@ -63,6 +63,7 @@ def test_an_interruption_costs_no_attempt(
     assert direct_client.control.get_run(run_id).live_workers == 1
     (command,) = RESUME.findall(text)
     assert command.endswith("--takeover")
+    (policy_folder / "go_on").touch()
     assert proctor(*shlex.split(command)) == 0
     assert direct_client.attempts(run_id) == [1]
     assert direct_client.control.get_score(run_id).score == 1.0

@@ -53,15 +53,16 @@ class Held(Graded):
 
 
 class HeldAtStepThree:
-    """Executes three actions, then acts as Held does."""
+    """Executes three actions, the fourth with a file `go`, the rest with `go_on`."""
 
     def reset(self, instruction):
         pass
 
     def act(self, observation):
-        if observation.step == 3:
+        if observation.step >= 3:
             pathlib.Path(f"acting-{id(self)}-{os.getpid()}").touch()
-            while not pathlib.Path("go").exists():
+            needed = "go" if observation.step == 3 else "go_on"
+            while not pathlib.Path(needed).exists():
                 time.sleep(0.01)
         return action(success=1.0, end=float(observation.step == 5))
 
