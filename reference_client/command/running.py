@@ -15,7 +15,7 @@ import signal
 import sys
 import traceback
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from types import FrameType
 from typing import Any, Self
@@ -105,6 +105,7 @@ def _repeat(
         if score is None:
             return code
         scores.append(score)
+        plan = replace(plan, dry_turn=False)
     mean, spread = output.mean_and_spread(scores)
     value = {"mean": mean, "stdev": spread, "runs": [one.to_dict() for one in scores]}
     printer.answer(value, *output.repeat_tables(scores))
