@@ -120,10 +120,7 @@ def build_parser() -> argparse.ArgumentParser:
         action="store_true",
         help="finish the episodes in progress first",
     )
-    made["results"].add_argument(
-        "--episodes", action="store_true", help="also list every episode"
-    )
-    _add_save(made["results"])
+    _add_results_options(made["results"])
     compare = made["compare"]
     compare.add_argument("baseline", metavar="BASELINE", help="id of the baseline run")
     compare.add_argument(
@@ -185,6 +182,13 @@ def _add_server_options(parser: argparse.ArgumentParser) -> None:
     shape.add_argument(
         "--debug", action="store_true", help="print the tracebacks of errors"
     )
+
+
+def _add_results_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--episodes", action="store_true", help="also list every episode"
+    )
+    _add_save(parser)
 
 
 def _add_save(parser: argparse.ArgumentParser) -> None:

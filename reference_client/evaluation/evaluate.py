@@ -80,14 +80,13 @@ def evaluate(
     progress: called in this thread at every change. Without it, progress is one line
         on stderr if that is a terminal.
     episodes: play only the first ones of the benchmark; the score is then partial.
-    dry_turn: call the policy of the first worker once, with an observation made from
-        the declared spaces, before the run is created: a mistaken one leaves no run.
+    dry_turn: call a policy once with an observation made from the declared spaces,
+        before the run is created: a mistaken one leaves no run.
 
     Raises ProctorError (RunFailed and RunStopped when the run ends without a score),
-    ValueError for invalid arguments, and whatever the policy raises. The run remains on
-    the server, also after Ctrl-C; `run_id` continues it. Episodes in play wait for the
-    lease of their sessions, and `takeover` continues them at their step; only a lease
-    that ends costs an attempt.
+    ValueError for invalid arguments, and whatever the policy raises. The run remains,
+    also after Ctrl-C; `run_id` continues it, and `takeover` the episodes in play, at
+    their step. Only a lease that ends costs an attempt.
     """
     plan = EvaluationPlan(
         url=url,
