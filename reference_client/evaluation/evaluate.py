@@ -65,12 +65,11 @@ def evaluate(
     """Evaluate a policy on a benchmark of the server at `url`; returns its score.
 
     policy: makes a policy, usually its class; called once per worker, in this thread.
-    token: a bearer token of the server; PROCTOR_TOKEN of the environment when absent.
+    token: a bearer token of the server; PROCTOR_TOKEN when absent.
     benchmark: id of the benchmark, for a new run.
     run_id: continue this run instead. It is resumed if it is stopped or failed.
     workers: number of episodes played at a time, each in a thread.
-    worker_prefix: prefix of the worker ids; must differ between programs that share a
-        run.
+    worker_prefix: of the worker ids; must differ between programs that share a run.
     takeover: take over the sessions of a crashed program's workers immediately, with
         their episodes, instead of waiting until their leases expire.
     assumes: conventions that the policy assumes, as in schema Assumptions.
