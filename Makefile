@@ -53,12 +53,9 @@ serve: $(if $(apart),metaworld,setup) ## Run the reference server
 #                   PROFILE=ebench,flageval; ARGS='...' for its options
 	@$(if $(apart),.venv-metaworld/bin/python,$(python)) -m reference_server \
 		$${BENCHMARK:+--benchmarks "$$BENCHMARK"} $${PROFILE:+--profiles "$$PROFILE"} $(ARGS)
-
 metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics apart
-
 metaworld-check: metaworld ## Run the tests that need Meta-World
 	@.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py
-
 metaworld-table: metaworld ## Play its experts both ways, rewrite their page
 	@OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python tools/metaworld_table.py $(ARGS)
 
@@ -100,6 +97,9 @@ mutation: setup ## Judge the kit on machine-made changes of a server, rewrite it
 	@$(python) -m tests.mutation "$${SERVER:-js}" --sample "$${SAMPLE:-0}" \
 		--seed "$${SEED:-1}" --jobs "$${JOBS:-2}" $(ARGS)
 	@$(python) -m tests.mutation.page
+attack: setup ## Attack the reference server while others use it, judge it
+#                   LONG=1 (hours) ONLY='fuzz,full disk' SEED=1 ARGS=--write
+	@$(python) -m tests.attack $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS)
 experts: setup ## Measure the scripted experts, rewrite their page
 	@$(python) tools/experts.py --write $(ARGS)
 bench: setup .venv-bench/ready ## Measure beside the alternatives, rewrite their page

@@ -7,15 +7,19 @@ members of the specification's schema Problem. This module sends nothing.
 from __future__ import annotations
 
 import difflib
+import ssl
 from collections.abc import Iterable, Sequence
 
 import urllib3.exceptions
 from proctor_client import ApiException, Problem, Run
 
-# Two codes of this client beside those of x-problems: no response, and a response that
-# violates the protocol.
+from reference_client.printable_text import printable
+
+# Three codes of this client beside those of x-problems: no response, a response that
+# violates the protocol, and a server that does not prove to be the one of the URL.
 UNREACHABLE = "unreachable"
 BAD_ANSWER = "bad_answer"
+NOT_TRUSTED = "not_trusted"
 # Two more, of workers in their own processes: the process exited, or the policy raised.
 WORKER_DIED = "worker_died"
 POLICY_FAILED = "policy_failed"
@@ -34,8 +38,9 @@ class ProctorError(Exception):
     """A request was refused, could not be sent, or would be refused if it were sent.
 
     code: one of x-problems; or `unreachable` (no response), `bad_answer` (a response
-        that violates the protocol), or the code of a subclass.
-    detail: what happened and what to do about it.
+        that violates the protocol), `not_trusted` (its certificate is not accepted, or
+        it has none), or the code of a subclass.
+    detail: what happened and what to do about it; without control characters.
     retryable: whether the same request can succeed later.
     side_effects: `none`, or `possible` when the request may have been carried out.
     errors: (JSON pointer into the request, text) pairs.
@@ -54,14 +59,14 @@ class ProctorError(Exception):
         problem: Problem | None = None,
         retry_after_s: float | None = None,
     ) -> None:
-        self.code = code
-        self.detail = detail
+        self.code = printable(code)
+        self.detail = printable(detail)
         self.retryable = retryable
         self.side_effects = side_effects
-        self.errors = tuple(errors)
+        self.errors = tuple((printable(at), printable(text)) for at, text in errors)
         self.problem = problem
         self.retry_after_s = retry_after_s
-        lines = [f"{detail} [{code}]"]
+        lines = [f"{self.detail} [{self.code}]"]
         lines += [f"  {pointer}: {text}" for pointer, text in self.errors]
         super().__init__("\n".join(lines))
 
@@ -133,6 +138,8 @@ def from_failure(error: Exception, url: str) -> ProctorError:
     """The ProctorError for what a request to the server at `url` raised."""
     if isinstance(error, ApiException) and error.status:
         return _from_answer(error, url)
+    if (tls := _tls_error(error)) is not None and _is_final(tls):
+        return _not_trusted(tls, url)
     if _is_no_answer(error):
         return ProctorError(
             UNREACHABLE,
@@ -148,6 +155,35 @@ def from_failure(error: Exception, url: str) -> ProctorError:
         "Check that the URL is that of a Proctor server.",
         side_effects="possible",
     )
+
+
+def _tls_error(error: BaseException) -> ssl.SSLError | None:
+    """What TLS reported, however deep the libraries have wrapped it."""
+    inner: BaseException | None = error
+    while inner is not None and not isinstance(inner, ssl.SSLError):
+        inner = inner.__cause__ or inner.__context__
+    return inner
+
+
+def _is_final(error: ssl.SSLError) -> bool:
+    """Whether the same happens again: a connection may also be lost in a handshake."""
+    lost = (ssl.SSLEOFError, ssl.SSLZeroReturnError, ssl.SSLSyscallError)
+    return not isinstance(error, lost)
+
+
+def _not_trusted(error: ssl.SSLError, url: str) -> ProctorError:
+    if isinstance(error, ssl.SSLCertVerificationError):
+        detail = (
+            f"The certificate of {url} is not accepted: {error.verify_message}. "
+            "Correct the name in the URL, or name the file with the certificate of its "
+            "authority: PROCTOR_CA, SSL_CERT_FILE or REQUESTS_CA_BUNDLE."
+        )
+    else:
+        detail = (
+            f"{url} does not speak TLS as this client does ({error.reason or error}). "
+            "Check the port, and whether the URL begins with http:// instead."
+        )
+    return ProctorError(NOT_TRUSTED, detail)
 
 
 def _is_no_answer(error: Exception) -> bool:

@@ -13,20 +13,22 @@ import contextlib
 import socket
 import sys
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import ClassVar
 
 import uvicorn
 from pydantic import ValidationError
 from pydantic_settings import CliSettingsSource, SettingsError
 
-from reference_server import open_files
 from reference_server.app import build
+from reference_server.http import made_token
 from reference_server.http.auth import BadTokens, Tokens
 from reference_server.http.bounded_connection import connection_factory
 from reference_server.http.connection_limits import ConnectionLimiter, ConnectionLimits
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.settings import Settings
 from reference_server.storage.store import Store, StoreFailed
+from reference_server.system import open_files
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
 
@@ -80,11 +82,7 @@ def main() -> int:
             Settings, cli_parse_args=sys.argv[1:], formatter_class=HelpFormatter
         )
         settings = Settings(_cli_settings_source=source)
-        secret = None
-        if settings.tokens:
-            tokens = Tokens.parse(settings.tokens)
-        else:
-            tokens, secret = Tokens.generate()
+        tokens = Tokens.parse(settings.tokens) if settings.tokens else None
     except (ValidationError, SettingsError, BadTokens) as error:
         print(f"proctor: bad settings: {_one_line(error)}", file=sys.stderr)
         return 2
@@ -99,7 +97,7 @@ def main() -> int:
     # asyncio sets TCP_NODELAY only if the protocol is given; without it each response
     # waits 40 ms for an acknowledgement.
     with socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP) as listener:
-        return _serve(listener, settings, tokens, secret)
+        return _serve(listener, settings, tokens)
 
 
 def _print_line(line: str) -> None:
@@ -107,39 +105,27 @@ def _print_line(line: str) -> None:
 
 
 def _serve(
-    listener: socket.socket, settings: Settings, tokens: Tokens, secret: str | None
+    listener: socket.socket, settings: Settings, configured: Tokens | None
 ) -> int:
     listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         listener.bind((settings.host, settings.port))
     except OSError as error:
-        print(
-            f"proctor: cannot listen on {settings.host}:{settings.port} "
-            f"({error.strerror}); choose another with --port",
-            file=sys.stderr,
+        _print_line(
+            f"cannot listen on {settings.host}:{settings.port} "
+            f"({error.strerror}); choose another with --port"
         )
         return 2
     try:
-        app = build(settings, tokens)
-        runner = asyncio.Runner()
-        runner.run(_check_store(settings.database_url))
-        runner.close()  # not on failure: a thread of the database driver may be alive
-    except StoreFailed as error:
-        print(
-            f"proctor: cannot use the database ({error}); choose another with "
-            "--database",
-            file=sys.stderr,
-        )
+        _check_database_and_key(settings)
+        made = None if configured else made_token.read_or_make(settings.token_path)
+    except (_CannotUse, made_token.BadTokenFile) as error:
+        _print_line(str(error))
         return 2
-    try:
-        KeyEncryption(settings.sealing_key_path).open()
-    except (OSError, ValueError) as error:
-        print(
-            f"proctor: cannot use the key in {settings.sealing_key_path} ({error}); "
-            "choose another with --sealing-key",
-            file=sys.stderr,
-        )
-        return 2
+    port = listener.getsockname()[1]
+    made_token.publish(port, None if made is None else settings.token_path)
+    tokens = configured or Tokens.of_local_account(str(made))
+    app = build(settings, tokens)
     config = uvicorn.Config(
         app,
         http=connection_factory(ConnectionLimiter(_connection_limits(settings))),
@@ -149,14 +135,34 @@ def _serve(
         server_header=False,
         timeout_graceful_shutdown=5,
     )
-    port = listener.getsockname()[1]
-    server = Server(
-        config, _startup_message(settings.host, port, secret), app.on_shutdown
-    )
+    message = _startup_message(settings.host, port, made, settings.token_path)
+    server = Server(config, message, app.on_shutdown)
     # uvicorn shuts down in order and then raises Ctrl-C again.
     with contextlib.suppress(KeyboardInterrupt):
         server.run(sockets=[listener])
     return 0 if server.started else 1
+
+
+class _CannotUse(Exception):
+    """The database or the key cannot be used; the text says what to do."""
+
+
+def _check_database_and_key(settings: Settings) -> None:
+    try:
+        runner = asyncio.Runner()
+        runner.run(_check_store(settings.database_url))
+        runner.close()  # not on failure: a thread of the database driver may be alive
+    except StoreFailed as error:
+        raise _CannotUse(
+            f"cannot use the database ({error}); choose another with --database"
+        ) from error
+    try:
+        KeyEncryption(settings.sealing_key_path).open()
+    except (OSError, ValueError) as error:
+        raise _CannotUse(
+            f"cannot use the key in {settings.sealing_key_path} ({error}); choose "
+            "another with --sealing-key"
+        ) from error
 
 
 def _connection_limits(settings: Settings) -> ConnectionLimits:
@@ -185,13 +191,16 @@ async def _check_store(url: str) -> None:
         await store.close()
 
 
-def _startup_message(host: str, port: int, secret: str | None) -> str:
+def _startup_message(
+    host: str, port: int, secret: str | None, token_path: Path | None
+) -> str:
     name = f"[{host}]" if ":" in host else host
     url = f"http://{name}:{port}"
     lines = [f"Proctor is listening at {url}"]
     if secret is not None:
+        kept = "" if token_path is None else f"  (kept in {token_path.absolute()})"
         lines += [
-            f"token: {secret}",
+            f"token: {secret}{kept}",
             "try:",
             f"  curl -H 'Authorization: Bearer {secret}' {url}/v1/benchmarks",
             "certify:",

@@ -19,6 +19,7 @@ from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import Operation, perform
+from reference_server.http.event_streams import SharedStreams
 from reference_server.http.handlers import Handlers
 from reference_server.http.problems import problem_response
 from reference_server.profiles import profile_tables
@@ -78,8 +79,10 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         registry,
         executor,
         policy_server_validator.validate_and_encrypt,
+        policy_server_validator.digest_key,
     )
-    handlers = Handlers(settings, service)
+    streams = SharedStreams(settings.max_event_streams)
+    handlers = Handlers(settings, service, streams)
     driver = Driver(service, egress, key_encryption, settings.max_body_bytes)
 
     @asynccontextmanager

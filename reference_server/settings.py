@@ -61,7 +61,8 @@ class Settings(BaseSettings):
         "",
         description="Bearer tokens, comma-separated, each account:scopes:token. scopes "
         "is read, run or read+run; token is the secret or sha256=<its hex digest>. If "
-        "empty, one token is generated and printed.",
+        "empty, one is made and printed. It is kept in a file next to the SQLite file, "
+        "and stays the same; with another database it lasts until the server stops.",
     )
     profiles: str = Field(
         "",
@@ -81,6 +82,32 @@ class Settings(BaseSettings):
         description="Account of requests of the profile flageval that come from this "
         "machine without a token. If empty, there is none. Needs a loopback host and "
         "no public_url; every user of this machine can then use the account.",
+    )
+    ebench_prefixes: str = Field(
+        "/eval",
+        pattern=r"^((/[A-Za-z0-9_.-]+)+(,(/[A-Za-z0-9_.-]+)+)*)?$",
+        description="Profile ebench: paths under which it answers besides the root, "
+        "comma-separated.",
+    )
+    ebench_max_chunk: int = Field(
+        1024,
+        ge=1,
+        le=4096,
+        description="Profile ebench: maximum steps in one list of steps.",
+    )
+    ebench_max_attempts: int = Field(
+        0,
+        ge=0,
+        le=1_000_000,
+        description="Profile ebench: maximum attempts of an episode; if the last one "
+        "ends without a result, the episode is abandoned. 0 for no limit.",
+    )
+    ebench_equal_steps: Literal["execute", "answer_chunks", "answer"] = Field(
+        "execute",
+        description="Profile ebench: what a step is that equals the last one of its "
+        "worker, whose answer was sent. execute: a new step. answer: a repetition, "
+        "answered and not executed. answer_chunks: a repetition if it is a list of "
+        "steps that are not all equal.",
     )
     allow_private_policies: str = Field(
         "",
@@ -159,6 +186,12 @@ class Settings(BaseSettings):
         "network), at most three quarters of all. Behind a proxy all clients have its "
         "address.",
     )
+    max_event_streams: int = Field(
+        100,
+        ge=1,
+        description="Maximum open streams of events of one run; one account may have "
+        "four times as many.",
+    )
     request_timeout_s: float = Field(
         10.0,
         ge=0.1,
@@ -212,6 +245,13 @@ class Settings(BaseSettings):
     def _check_networks(cls, text: str) -> str:
         AllowedNetworks.parse(text)  # raises ValueError
         return text
+
+    @property
+    def token_path(self) -> Path | None:
+        """The file of the token that is made if none is set; None: it is not kept."""
+        if "://" in self.database or ":memory:" in self.database:
+            return None
+        return Path(f"{self.database}.token")
 
     @property
     def sealing_key_path(self) -> Path | None:

@@ -4,6 +4,7 @@ Eighty columns, colour only on a terminal, one line per rule, one card per failu
 """
 
 import itertools
+import re
 import sys
 import textwrap
 import time
@@ -19,6 +20,12 @@ from conformance.verdicts.verdict import Outcome, Verdict
 
 _EVERY_S = 3.0
 _IDS_SHOWN = 12
+# Texts of a server that a terminal would obey: control characters but tab and line
+# feed, marks of direction, and surrogates, which cannot be written.
+_UNPRINTABLE = re.compile(
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f"
+    "\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
+)
 _STYLES = {
     Outcome.PASSED: "green",
     Outcome.FAILED: "bold red",
@@ -43,7 +50,7 @@ class Terminal:
 
     def say(self, text: str, style: str = "") -> None:
         """Write one line."""
-        self._console.print(Text(text, style=style), soft_wrap=True)
+        self._console.print(Text(_printable(text), style=style), soft_wrap=True)
 
     def progress(self, verdict: Verdict, total: int) -> None:
         """Report that a check has ended: on one line, or every few seconds in a log."""
@@ -101,7 +108,7 @@ class Terminal:
         line.append(f"{word:<13}", _STYLES[verdict.outcome])
         is_plain = verdict.outcome == Outcome.PASSED or not verdict.reason
         summary = row.text if is_plain else verdict.reason.split("\n")[0]
-        line.append(_cut(summary, CARD_WIDTH - len(line)))
+        line.append(_cut(_printable(summary), CARD_WIDTH - len(line)))
         self._console.print(line, soft_wrap=True)
 
     def _open_rules(self, result: Result) -> None:
@@ -124,3 +131,8 @@ class Terminal:
 
 def _cut(text: str, length: int) -> str:
     return text if len(text) <= length else text[: length - 1].rstrip() + "…"
+
+
+def _printable(text: str) -> str:
+    """The text with an escape, such as \\x1b, for each character that acts."""
+    return _UNPRINTABLE.sub(lambda found: ascii(found[0])[1:-1], text)

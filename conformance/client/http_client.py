@@ -154,6 +154,10 @@ def _read_first_event(response: httpx.Response) -> bytes:
     return stream.body
 
 
+# The value of a header Accept that is not sent, as by programs that name none.
+NO_ACCEPT = ""
+
+
 class HttpClient:
     """Requests of one account to one server; safe for several threads."""
 
@@ -265,6 +269,8 @@ class HttpClient:
                 params=params,
                 timeout=timeout_s,
             )
+            if (headers or {}).get("Accept") == NO_ACCEPT:
+                del request.headers["Accept"]  # of the library
         except httpx.InvalidURL as error:
             # Paths of the kit are valid; `endpoint` is the server's.
             raise Violation("a valid URL", f"{url!r}: {error}") from error

@@ -38,7 +38,7 @@ class EBenchRun:
 
     def try_send(self, verb: str, body: bytes, **how: Any) -> Answer:
         """Post a pickle to the endpoint."""
-        headers = _PICKLE_HEADERS | {"run_id": self.run.id}
+        headers = _PICKLE_HEADERS | {"run_id": self.run.id} | how.pop("headers", {})
         url = f"{self.endpoint}/{verb}"
         how.setdefault("http_client", self.http_client)
         http_client: HttpClient = how.pop("http_client")
@@ -53,17 +53,22 @@ class EBenchRun:
         body = pickles.write({"worker_ids": list(workers)})
         return self.try_send("reset", body, **how)
 
-    def try_workers(self, verb: str, *workers: str) -> Answer:
+    def try_chunk(self, steps: Any, **how: Any) -> Answer:
+        """Send a list of steps as the current client does."""
+        return self.try_send("step_chunk", pickles.write(steps), **how)
+
+    def try_workers(self, verb: str, *workers: str, **how: Any) -> Answer:
         """Post worker ids to `kill` or `create_workers`."""
         body = {"data": {"worker_ids": list(workers)}}
-        headers = {"run_id": self.run.id}
+        headers = {"run_id": self.run.id} | how.pop("headers", {})
         url = f"{self.endpoint}/{verb}"
-        return self.http_client.request("POST", url, json=body, headers=headers)
+        return self.http_client.request("POST", url, json=body, headers=headers, **how)
 
-    def try_get(self, verb: str) -> Answer:
+    def try_get(self, verb: str, **how: Any) -> Answer:
         """Get a page of the endpoint."""
-        params = {"run_id": self.run.id} if verb == "status" else None
-        return self.http_client.request("GET", f"{self.endpoint}/{verb}", params=params)
+        if verb == "status":
+            how.setdefault("params", {"run_id": self.run.id})
+        return self.http_client.request("GET", f"{self.endpoint}/{verb}", **how)
 
     def try_stop(self, at: str | None = None) -> Answer:
         """Stop the run, at the endpoint or elsewhere."""
@@ -87,6 +92,12 @@ class EBenchRun:
                 f"`status`: unexpected response: {describe_answer(answer)}"
             )
         return SetUpBody(answer.json["data"])
+
+
+def name_run(ebench_run: EBenchRun) -> dict[str, Any]:
+    """Give what the current client adds to each request: the run, in two places."""
+    run_id = ebench_run.run.id
+    return {"headers": {"run_id": run_id}, "params": {"run_id": run_id}}
 
 
 def call_control_plane(

@@ -171,6 +171,10 @@ def _add_server_options(parser: argparse.ArgumentParser) -> None:
         help="bearer token; prefer PROCTOR_TOKEN, which other users cannot read",
     )
     group.add_argument(
+        "--ca", metavar="FILE",
+        help="certificates to accept, instead of the system's [PROCTOR_CA]",
+    )  # fmt: skip
+    group.add_argument(
         "--retry-timeout-s", type=_seconds, metavar="S",
         help="retry an unreachable server for S seconds (10; run: 300)",
     )  # fmt: skip

@@ -9,7 +9,12 @@ from __future__ import annotations
 
 import re
 
-from reference_client.errors import BAD_ANSWER, UNREACHABLE, ProctorError
+from reference_client.errors import (
+    BAD_ANSWER,
+    NOT_TRUSTED,
+    UNREACHABLE,
+    ProctorError,
+)
 
 DONE, NOT_COMPLETE, WRONG_USAGE_OR_NO_SERVER, INTERRUPTED = 0, 1, 2, 130
 NOT_RELEASED = 1
@@ -19,6 +24,7 @@ _CANNOT = frozenset(
     {
         UNREACHABLE,
         BAD_ANSWER,
+        NOT_TRUSTED,
         "benchmark_unavailable",
         "convention_mismatch",
         "forbidden",
@@ -30,6 +36,7 @@ _CANNOT = frozenset(
     }
 )
 _ARGUMENTS = {
+    "authority: PROCTOR_CA,": "authority: --ca, PROCTOR_CA,",
     "the argument `token`, or PROCTOR_TOKEN": "--token, or PROCTOR_TOKEN",
     "`takeover=True` with the run's `run_id`": "--takeover with --run-id",
     "`takeover=True`": "--takeover",

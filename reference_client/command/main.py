@@ -24,6 +24,7 @@ from reference_client.command.exit_codes import (
 )
 from reference_client.command.output import Printer
 from reference_client.errors import ProctorError
+from reference_client.protocol.local_token import find_token
 
 COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
     "submit": control.submit,
@@ -88,7 +89,7 @@ def _run_command(args: argparse.Namespace, printer: Printer) -> int:
         return COMMANDS[args.command](args, printer)
     except ProctorError as error:
         if args.debug:
-            traceback.print_exc()
+            printer.say(traceback.format_exc().rstrip())
         _print_error(error.code, message_of(error), as_json=args.json)
         return exit_code_of(error, has_run=False)
     except UsageError:
@@ -102,7 +103,9 @@ def _run_command(args: argparse.Namespace, printer: Printer) -> int:
 def _complete(args: argparse.Namespace) -> None:
     if args.host is not None or args.port is not None:
         args.url = f"http://{args.host or '127.0.0.1'}:{args.port or 8460}"
-    args.token = args.token or os.environ.get("PROCTOR_TOKEN") or None
+    if args.ca:  # also for the processes of workers
+        os.environ["PROCTOR_CA"] = args.ca
+    args.token = find_token(args.url, args.token)
 
 
 def _print_error(code: str, line: str, *, as_json: bool) -> None:

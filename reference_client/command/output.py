@@ -1,5 +1,7 @@
 """The output of the command: tables for people, or one JSON value for scripts.
 
+Texts of a server pass `printable` here, and JSON has escapes of its own.
+
 Results go to stdout; progress, notes and errors go to stderr.
 """
 
@@ -28,6 +30,7 @@ from rich.progress import Progress as Bars
 from reference_client.command.exit_codes import with_flag_names
 from reference_client.command.text_tables import TablePrinter, TextTable, fact_table
 from reference_client.evaluation.status_board import Pace, Progress
+from reference_client.printable_text import printable
 
 LOG_S = 10.0  # between two lines of progress where stderr is no terminal
 
@@ -46,7 +49,7 @@ class Printer:
 
     def say(self, line: str) -> None:
         """Print a message to stderr."""
-        self.err.print(line, soft_wrap=True)
+        self.err.print(printable(line), soft_wrap=True)
 
     def answer(self, value: Any, *tables: TextTable | str) -> None:
         """Print the result to stdout: `value` as JSON, or the tables."""

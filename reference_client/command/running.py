@@ -128,6 +128,7 @@ def resume_command(
         ("--episodes", args.episodes, None),
         ("--save", args.save, None),
         ("--retry-timeout-s", args.retry_timeout_s, None),
+        ("--ca", args.ca, None),
         ("--url", args.url, os.environ.get("PROCTOR_URL") or DEFAULT_URL),
     ]
     for flag, value, default in flags:

@@ -16,6 +16,8 @@ from pydantic_core import to_jsonable_python
 from rich.console import Console
 from rich.table import Table
 
+from reference_client.printable_text import printable
+
 FORMATS = ("text", "markdown", "latex")
 _UNBOUNDED = 100_000
 _LATEX_SPECIAL = {
@@ -42,7 +44,7 @@ class TextTable:
 
     def add(self, *cells: str) -> None:
         assert len(cells) == len(self.columns)
-        self.rows.append(cells)
+        self.rows.append(tuple(map(printable, cells)))
 
     @property
     def names(self) -> list[str]:
@@ -91,7 +93,7 @@ class TablePrinter:
             if number:
                 self._stream.write("\n")
             if isinstance(part, str):
-                self._stream.write(f"{part}\n")
+                self._stream.write(f"{printable(part)}\n")
             elif self._style == "text":
                 self._print_text(part)
             else:

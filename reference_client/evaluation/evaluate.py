@@ -7,7 +7,6 @@ its own worker pool and messages. rounds.py plays the run once it is submitted.
 from __future__ import annotations
 
 import logging
-import os
 import sys
 import threading
 from collections.abc import Callable, Mapping
@@ -16,7 +15,7 @@ from typing import Any
 from proctor_client import Assumptions, PolicyInfo, Run, Score
 
 from reference_client.api.policy import Policy
-from reference_client.errors import RunFailed, RunStopped, how_to_resume
+from reference_client.errors import ProctorError, RunFailed, RunStopped, how_to_resume
 from reference_client.evaluation.parameters import (
     EvaluationPlan,
     parse_strictly,
@@ -29,14 +28,17 @@ from reference_client.evaluation.status_board import (
     describe_left,
     terminal_progress_line,
 )
+from reference_client.evaluation.uncaught_errors import shorten_report
 from reference_client.evaluation.worker_pool import (
     EvaluationContext,
     ThreadWorkerPool,
     WorkerPool,
 )
 from reference_client.policies.policy_server_client import PolicyServerClient
+from reference_client.printable_text import printable
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
+from reference_client.protocol.local_token import find_token
 from reference_client.protocol.retry_policy import RetryPolicy
 
 _LOG = logging.getLogger("proctor")
@@ -65,7 +67,8 @@ def evaluate(
     """Evaluate a policy on a benchmark of the server at `url`; returns its score.
 
     policy: makes a policy, usually its class; called once per worker, in this thread.
-    token: a bearer token of the server; PROCTOR_TOKEN when absent.
+    token: a bearer token; when absent, PROCTOR_TOKEN, or that of a server on this
+        machine.
     benchmark: id of the benchmark, for a new run.
     run_id: continue this run instead. It is resumed if it is stopped or failed.
     workers: number of episodes played at a time, each in a thread.
@@ -83,13 +86,14 @@ def evaluate(
         before the run is created: a mistaken one leaves no run.
 
     Raises ProctorError (RunFailed and RunStopped when the run ends without a score),
-    ValueError for invalid arguments, and whatever the policy raises. The run remains,
-    also after Ctrl-C; `run_id` continues it, and `takeover` the episodes in play, at
-    their step. Only a lease that ends costs an attempt.
+    ValueError for invalid arguments, and whatever the policy raises. The run remains;
+    `run_id` continues it, and `takeover` the episodes in play, at their step: only a
+    lease that ends costs an attempt. A ProctorError that a program does not catch ends
+    it with its text alone, or with PROCTOR_DEBUG=1 with the traceback.
     """
     plan = EvaluationPlan(
         url=url,
-        token=token or os.environ.get("PROCTOR_TOKEN"),
+        token=find_token(url, token),
         worker_ids=tuple(f"{worker_prefix}-{i}" for i in range(workers)),
         submission=None
         if benchmark is None or run_id is not None
@@ -134,13 +138,16 @@ def _evaluate_plan(
         )
     except KeyboardInterrupt:
         if runs:
-            sys.stderr.write(f"\n{_how_to_continue(runs[0], board)}\n")
+            sys.stderr.write(f"\n{printable(_how_to_continue(runs[0], board))}\n")
         raise
     except (RunFailed, RunStopped):
+        shorten_report()
         raise
     except BaseException as error:
+        if isinstance(error, ProctorError):
+            shorten_report()
         if runs:
-            error.add_note(_how_to_continue(runs[0], board))
+            error.add_note(printable(_how_to_continue(runs[0], board)))
         raise
     finally:
         if line is not None and runs:

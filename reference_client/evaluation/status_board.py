@@ -14,6 +14,7 @@ from typing import TextIO
 from reference_client.api.action_layout import ClipCount
 from reference_client.api.observation import Observation
 from reference_client.generated.messages import Turn
+from reference_client.printable_text import printable
 from reference_client.protocol.worker_session import LeftEpisode
 
 
@@ -187,7 +188,7 @@ class ProgressLine:
         elif left:
             parts.append(left)
         columns = shutil.get_terminal_size().columns
-        line = "  ".join(parts)[: columns - 1]
+        line = printable("  ".join(parts))[: columns - 1]
         self._stream.write(f"\r\x1b[2K{line}")
         self._stream.flush()
 

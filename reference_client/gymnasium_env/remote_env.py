@@ -36,6 +36,7 @@ from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.data_plane import DataPlane
 from reference_client.protocol.heartbeat import HeartbeatThread
+from reference_client.protocol.local_token import find_token
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_client.protocol.worker_session import (
     SESSION_END_CODES,
@@ -60,7 +61,8 @@ class RunDone(ProctorError):
 class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
     """One worker of a run.
 
-    url, token: of the server; PROCTOR_URL and PROCTOR_TOKEN when absent.
+    url, token: of the server; PROCTOR_URL and PROCTOR_TOKEN when absent, or the token
+    that a server on this machine made for itself.
     benchmark: for a new run, submitted by the first `reset`; or run_id: of a run.
     options, images, idle_timeout_s, name: of the new run, as of `evaluate`.
     worker_id: must differ between environments of one run.
@@ -106,8 +108,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         self._run: Run | None = None
         self._observation: Observation | None = None
         self._in_episode = False
-        token = token or os.environ.get("PROCTOR_TOKEN")
-        connection = Connection(url, token, requests=3)
+        connection = Connection(url, find_token(url, token), requests=3)
         self._connection = self._connection_stack.enter_context(connection)
         self._retry_policy = RetryPolicy(
             connection.url, retry_timeout_s, threading.Event(), lambda _why: None

@@ -12,6 +12,7 @@ from proctor_client import ApiClient, Configuration, ControlApi
 from reference_client.errors import BAD_ANSWER, ProctorError
 from reference_client.generated.protocol_version import PROTOCOL_VERSION
 from reference_client.protocol.data_plane import DataPlane
+from reference_client.protocol.tls_context import client_context
 
 USER_AGENT = f"proctor-reference-client/{importlib.metadata.version('proctor-eval')}"
 # (connect, read). A turn may take longer: the repeated request waits for it (PRED-005).
@@ -22,7 +23,8 @@ class Connection:
     """The control plane at `url`, and the data planes at the endpoints of runs.
 
     token: bearer token, sent to both. requests: maximum of simultaneous requests.
-    Raises ValueError if `url` is not an http or https URL. Nothing is sent yet.
+    Raises ValueError if `url` is not an http or https URL, or certificates are named
+    that cannot be read. Nothing is sent yet.
     """
 
     def __init__(self, url: str, token: str | None, *, requests: int) -> None:
@@ -82,6 +84,9 @@ class Connection:
                 retries=False,
             )
             client = ApiClient(configuration)
+            if host.startswith("https:"):
+                pool = client.rest_client.pool_manager.connection_pool_kw
+                pool["ssl_context"] = client_context()
             client.user_agent = USER_AGENT
             client.default_headers["Proctor-Version"] = PROTOCOL_VERSION
             self._clients[host] = client

@@ -21,6 +21,8 @@ from urllib.parse import urlsplit
 import httptools
 from urllib3.util.wait import wait_for_read
 
+from reference_client.protocol.tls_context import client_context
+
 # Received at once until the size of a response is known: most responses fit.
 _PIECE_BYTES = 2**16
 _HEAD_BYTES_MAX = 2**17
@@ -97,7 +99,7 @@ class HttpConnection:
         try:
             made.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
             if self._is_secure:
-                context = ssl.create_default_context()
+                context = client_context()
                 context.set_alpn_protocols(["http/1.1"])
                 made = context.wrap_socket(made, server_hostname=self._host)
             made.settimeout(self._timeouts_s[1])

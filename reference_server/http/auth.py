@@ -67,10 +67,9 @@ class Tokens:
         return cls(by_hash)
 
     @classmethod
-    def generate(cls) -> tuple[Tokens, str]:
-        """One new token with every scope for the account `local`, and its secret."""
-        secret = f"proctor_{secrets.token_urlsafe(24)}"
-        return cls({_hash(secret): Caller("local", SCOPES)}), secret
+    def of_local_account(cls, secret: str) -> Tokens:
+        """One token with every scope, for the account `local`."""
+        return cls({_hash(secret): Caller("local", SCOPES)})
 
     def authenticate(self, authorization: str | None, scope: str) -> Caller:
         """The caller that a header names (AUTH-001, AUTH-005, AUTH-007)."""
@@ -82,6 +81,10 @@ class Tokens:
         if scope not in caller.scopes:
             raise Refused("forbidden", f"The token has no scope `{scope}`.")
         return caller
+
+
+def new_secret() -> str:
+    return f"proctor_{secrets.token_urlsafe(24)}"
 
 
 def is_local(request: Request) -> bool:

@@ -9,7 +9,8 @@ from __future__ import annotations
 import json
 import re
 import secrets
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from datetime import datetime
 from functools import lru_cache
 from typing import Any, TypeVar
@@ -71,10 +72,17 @@ def decode(body: bytes, media_type: str) -> Any:
 
     ENC-012: MessagePack in every format that it has.
     """
-    try:
+    with refuse_malformed():
         if media_type == MSGPACK:
             return msgspec.msgpack.decode(body, ext_hook=_reject_extension)
         return _from_json(body)
+
+
+@contextmanager
+def refuse_malformed() -> Iterator[None]:
+    """Make a refusal of what a decoder raises."""
+    try:
+        yield
     except RecursionError as error:
         raise Refused("malformed_body", "The body is nested too deeply.") from error
     except (msgspec.MsgspecError, UnicodeDecodeError, ValueError) as error:
@@ -84,9 +92,14 @@ def decode(body: bytes, media_type: str) -> Any:
 def _from_json(body: bytes) -> Any:
     """ENC-009: of equal members the last one counts. ENC-010: 1e-999 is zero."""
     structure = msgspec.json.decode(body)
-    if _UNUSUAL_INTEGER.search(body):
+    if has_unusual_integers(body):
         return json.loads(body, parse_int=_parse_integer)
     return structure
+
+
+def has_unusual_integers(body: bytes) -> bool:
+    """Whether a JSON body may have integers that msgspec reads otherwise."""
+    return _UNUSUAL_INTEGER.search(body) is not None
 
 
 def _parse_integer(digits: str) -> float:
@@ -120,7 +133,7 @@ def validate(model: type[Model], data: Any) -> Model:
         raise Refused(
             "invalid_request",
             "The body does not match its schema.",
-            errors=[(pointer(f["loc"]), f["msg"]) for f in faults[:50]],
+            errors=((pointer(_place(data, f["loc"])), f["msg"]) for f in faults),
         ) from error
 
 
@@ -137,7 +150,7 @@ def media_type_of(request: Request, readable: Sequence[str]) -> str:
     if media_type not in readable:
         raise Refused(
             "unsupported_media_type",
-            f"Content-Type {media_type or '(none)'} is not supported; supported: "
+            f"Content-Type {media_type[:100] or '(none)'} is not supported; supported: "
             f"{', '.join(readable)}.",
         )
     return media_type
@@ -297,6 +310,21 @@ def _contains_timestamp(data: Any) -> bool:
     return False
 
 
+def _place(data: Any, loc: Sequence[int | str]) -> Sequence[int | str]:
+    """The path of a fault, without what pydantic adds: the name of a type in a union.
+
+    The last step may be a member that is missing.
+    """
+    for index, step in enumerate(loc):
+        if isinstance(data, dict):
+            data = data.get(step)
+        elif isinstance(data, list) and isinstance(step, int) and step < len(data):
+            data = data[step]
+        else:
+            return loc[:index]
+    return loc
+
+
 def _accept_whole_numbers(data: Any, faults: Sequence[Any]) -> bool:
     """JSON Schema calls 630.0 an integer; strict models do not. Mend those, in place.
 
@@ -306,9 +334,10 @@ def _accept_whole_numbers(data: Any, faults: Sequence[Any]) -> bool:
     for fault in faults:
         number = fault["input"]
         whole = isinstance(number, float) and number.is_integer()
-        if fault["type"] != "int_type" or not whole or not fault["loc"]:
+        place = _place(data, fault["loc"])
+        if fault["type"] != "int_type" or not whole or not place:
             continue
-        *path, last = fault["loc"]
+        *path, last = place
         container = data
         for step in path:
             container = container[step]

@@ -20,14 +20,15 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
-from reference_server.http import codec
+from reference_server.http import codec, large_bodies
 from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.auth import SCOPES, Caller, Tokens, is_local
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.storage.store import StoreFailed
+from reference_server.system.repeated_failures import RepeatedFailures
 
-log = logging.getLogger("proctor.http")
+_failures = RepeatedFailures(logging.getLogger("proctor.http"))
 
 ANY_HOST = AllowedHosts()
 
@@ -133,7 +134,7 @@ async def perform(
     except Refused as error:
         refused = error
     except StoreFailed as error:
-        log.error("the store failed: %s", error)  # noqa: TRY400 - it says all
+        _failures.report("a request could not use the database", str(error))
         refused = Refused("unavailable", "The database is not available.")
     except asyncio.CancelledError:
         # By the server alone, which shuts down and has waited long enough.
@@ -161,8 +162,9 @@ async def _check_request(
     if operation.body is not None:
         media_type = codec.media_type_of(request, operation.reads)
         call.raw = await codec.read_body(request, max_body_bytes)
-        structure = codec.decode(call.raw, media_type)
-        call.body = codec.validate(operation.body, structure)
+        call.body = await large_bodies.read_message(
+            operation.body, call.raw, media_type
+        )
     return call
 
 

@@ -10,21 +10,27 @@ from __future__ import annotations
 import asyncio
 import logging
 import time
-from collections.abc import AsyncIterator, Callable, Sequence
-from dataclasses import dataclass, replace
-from typing import Any
+from collections import Counter
+from collections.abc import AsyncIterator, Callable, Coroutine, Hashable, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from typing import Any, TypeAlias
+from weakref import WeakKeyDictionary
 
 import msgspec
 from starlette.responses import Response, StreamingResponse
+from starlette.types import Receive, Scope, Send
 
 from reference_server.rules.events import Cursor, EventBatch, next_batch
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, RunHead
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.store import StoreFailed
+from reference_server.system.repeated_failures import RepeatedFailures
 from reference_server.views.run_views import episode_view
 
 log = logging.getLogger("proctor.events")
+_failures = RepeatedFailures(log)
 
 EVENT_STREAM = "text/event-stream"
 # Read and sent at a time.
@@ -36,18 +42,79 @@ KEEPALIVE_S = 10.0
 # From one read to the next, so that many workers do not make many readers read for each
 # episode. A rare change is sent at once, the others within a second (EVT-004).
 PAUSE_S = 0.2
+# How long a batch is kept for other readers of the same change.
+SHARED_S = 0.5
+# An account may have as many times more streams than one run.
+STREAMS_PER_ACCOUNT = 4
 # A proxy must neither store the stream nor buffer it.
 _HEADERS = {"Cache-Control": "no-store", "X-Accel-Buffering": "no"}
 
 
+Batches: TypeAlias = dict[Hashable, asyncio.Task[EventBatch]]
+
+
+class SharedStreams:
+    """What the streams of a server have in common: their number, and batches.
+
+    Readers of a run who know the same of it receive the same bytes: the run is read and
+    encoded once for all of them, however many they are.
+    """
+
+    def __init__(self, per_run: int = 100) -> None:
+        self._per_run = per_run
+        self._open: Counter[tuple[str, str]] = Counter()
+        # Change that ends it → what was asked → the batch.
+        self._batches: WeakKeyDictionary[asyncio.Event, Batches] = WeakKeyDictionary()
+
+    def enter(self, account: str, run_id: str) -> Callable[[], None]:
+        """Count a stream; returns what to call at its end. Raises Refused."""
+        per_account = self._per_run * STREAMS_PER_ACCOUNT
+        places = {("run", run_id): self._per_run, ("account", account): per_account}
+        for place, most in places.items():
+            if self._open[place] >= most:
+                raise Refused(
+                    "unavailable", f"The {place[0]} has {most} open streams of events."
+                )
+        self._open.update(list(places))
+        return partial(self._leave, list(places))
+
+    async def batch(
+        self,
+        change: asyncio.Event,
+        key: Hashable,
+        read: Callable[[], Coroutine[Any, Any, EventBatch]],
+    ) -> EventBatch:
+        """What `read` returns, or returned shortly before for the same key.
+
+        change: the next change of the run, taken before; a batch is not shared beyond.
+        """
+        batches = self._batches.setdefault(change, {})
+        task = batches.get(key)
+        if task is None:
+            task = batches[key] = asyncio.ensure_future(read())
+            task.add_done_callback(partial(_forget_later, batches, key))
+        return await asyncio.shield(task)
+
+    def _leave(self, places: list[tuple[str, str]]) -> None:
+        for place in places:
+            self._open[place] -= 1
+            if not self._open[place]:
+                del self._open[place]
+
+
 @dataclass(frozen=True, slots=True)
 class EventStream:
-    """The stream of one reader; view: the run as get_run shows it to that reader."""
+    """The stream of one reader; view: the run as get_run shows it to that reader.
+
+    view_id: equal for readers to whom the run is shown alike.
+    """
 
     registry: RunRegistry
     run_id: str
     account: str
     view: Callable[[RunHead], dict[str, Any]]
+    view_id: str = ""
+    shared: SharedStreams = field(default_factory=SharedStreams)
 
     async def answer(self, last_id: str | None) -> Response:
         """The events behind that one (EVT-005); 204 if none will ever follow (EVT-006).
@@ -59,11 +126,16 @@ class EventStream:
         if cursor is None:
             raise _no_event()
         change = self.registry.change_event(self.run_id)  # before it is read
-        first = await self._read_batch(cursor)
+        first = await self._next_batch(cursor, change)
         if first.is_last and not first.text:
             return Response(status_code=204)
+        leave = self.shared.enter(self.account, self.run_id)
         body = self._stream_events(first, change)
-        return StreamingResponse(body, headers=_HEADERS, media_type=EVENT_STREAM)
+        return _CountedResponse(body, leave)
+
+    async def _next_batch(self, cursor: Cursor, change: asyncio.Event) -> EventBatch:
+        key = (cursor, self.account, self.view_id)
+        return await self.shared.batch(change, key, partial(self._read_batch, cursor))
 
     async def _read_batch(self, cursor: Cursor) -> EventBatch:
         def view(run: RunHead, scored: Sequence[Episode]) -> EventBatch:
@@ -105,14 +177,37 @@ class EventStream:
                     self.registry.change_event(self.run_id),
                     time.monotonic(),
                 )
-                batch = await self._read_batch(batch.cursor)
+                batch = await self._next_batch(batch.cursor, change)
                 if batch.text:
                     yield batch.text
                     last_sent_at = time.monotonic()
         except Refused as refused:
             log.debug("a stream of %s ends: %s", self.run_id, refused)
         except StoreFailed as error:
-            log.warning("a stream of %s ends, the store failed: %s", self.run_id, error)
+            _failures.report("an event stream could not use the database", str(error))
+
+
+def _forget_later(
+    batches: Batches, key: Hashable, task: asyncio.Task[EventBatch]
+) -> None:
+    if task.cancelled() or task.exception() is not None:
+        batches.pop(key, None)
+    else:
+        asyncio.get_running_loop().call_later(SHARED_S, batches.pop, key, None)
+
+
+class _CountedResponse(StreamingResponse):
+    """A stream, and what to call when it has ended, however it ended."""
+
+    def __init__(self, body: AsyncIterator[bytes], leave: Callable[[], None]) -> None:
+        super().__init__(body, headers=_HEADERS, media_type=EVENT_STREAM)
+        self._leave = leave
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        try:
+            await super().__call__(scope, receive, send)
+        finally:
+            self._leave()
 
 
 def _left_s(since: float, seconds: float) -> float:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 import importlib.metadata
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from functools import partial
 
@@ -25,7 +25,7 @@ from reference_server.http.dispatch import (
     Operation,
     OperationCall,
 )
-from reference_server.http.event_streams import EVENT_STREAM, EventStream
+from reference_server.http.event_streams import EVENT_STREAM, EventStream, SharedStreams
 from reference_server.rules import comparison
 from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
 from reference_server.rules.refusal import Refused
@@ -48,6 +48,7 @@ class Handlers:
 
     settings: Settings
     service: RunService
+    streams: SharedStreams = field(default_factory=SharedStreams)
 
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation; equal to the spec, as a test proves."""
@@ -214,9 +215,14 @@ class Handlers:
         return call.answer({"episodes": episodes, "next_cursor": next_cursor})
 
     async def stream_events(self, call: OperationCall) -> Response:
-        view = partial(self.service.current_view, self.base_url(call))
+        base_url = self.base_url(call)
         stream = EventStream(
-            self.service.registry, call.path["run_id"], call.account, view
+            self.service.registry,
+            call.path["run_id"],
+            call.account,
+            partial(self.service.current_view, base_url),
+            base_url,
+            self.streams,
         )
         return await stream.answer(call.headers.get("last-event-id"))
 

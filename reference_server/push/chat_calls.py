@@ -15,10 +15,15 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from pydantic import BaseModel
+
 from reference_server.generated import models
+from reference_server.http.codec import JSON
+from reference_server.http.large_bodies import read_structure
 from reference_server.push.http_calls import HttpCalls, PolicyFault
 from reference_server.push.policy_calls import Description, Turn
 from reference_server.rules.policy_server import PolicyServerConfig
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 
 NO_ANSWER = -1.0
@@ -28,7 +33,12 @@ _UNSUPPORTED_CODEC = (
     "Chat models accept png or jpeg images only; set images.codec to one of these."
 )
 _NO_IMAGES = "A completions server accepts no images; use openai_chat."
+_NO_TEXT = "The model's answer is not a completion: it has no /choices/0/text."
+_NO_COMPLETION = (
+    "The model's answer is not a chat completion: it has no /choices/0/message/content."
+)
 
+_LINE_CHARS_MAX = 4096  # of a text of any length; no answer is longer
 _REASONING_END = "</think>"
 _LABEL = re.compile(r"answer\s*:\s*", re.IGNORECASE)
 _DECORATION = "*` \t"
@@ -81,7 +91,7 @@ class ChatPolicy:
     async def _ask(self, turn: Turn) -> str:
         """CHAT-001: one POST for each turn; the text of the answer."""
         body = self._generation() | {"messages": [_message(turn)]}
-        return _content(await self._calls.post("/chat/completions", body))
+        return _content(await self._calls.post("/chat/completions", body, _read))
 
     def _values(self, answer: dict[str, list[float]]) -> dict[str, list[float]]:
         """The answer as an action; a value above its maximum counts as no answer."""
@@ -123,7 +133,7 @@ class CompletionPolicy(ChatPolicy):
         if turn["observation"]["images"]:
             raise PolicyFault(_NO_IMAGES)
         body = self._generation() | {"prompt": turn["episode"]["instruction"]}
-        return _text(await self._calls.post("/completions", body))
+        return _text(await self._calls.post("/completions", body, _read_text))
 
 
 def is_playable_by_chat(manifest: Mapping[str, Any]) -> bool:
@@ -141,8 +151,8 @@ def read_answer(text: str) -> dict[str, list[float]]:
     answer".
     """
     answer_text = text.rpartition(_REASONING_END)[2].strip()
-    line = answer_text.splitlines()[-1] if answer_text else ""
-    line = line.strip().strip(_DECORATION)
+    last_lines = answer_text[-_LINE_CHARS_MAX:].splitlines()
+    line = last_lines[-1].strip().strip(_DECORATION) if last_lines else ""
     line = _LABEL.sub("", line, count=1) if _LABEL.match(line) else line
     values = _read_words(line) or _read_words(_marked(answer_text))
     none = {name: [NO_ANSWER] * size for name, size in ANSWER_SIZES.items()}
@@ -196,6 +206,29 @@ def _image_part(image: Mapping[str, Any]) -> dict[str, Any]:
     return {"type": "image_url", "image_url": {"url": url}}
 
 
+class _Message(BaseModel):
+    content: Any
+
+
+class _Choice(BaseModel):
+    message: _Message
+
+
+class _Completion(BaseModel):
+    """What is read of a large chat completion."""
+
+    choices: list[_Choice]
+
+
+def _read(body: bytes) -> Any:
+    try:
+        return read_structure(_Completion, body, JSON, closed=False)
+    except Refused as refused:
+        if refused.code == "malformed_body":
+            raise
+        raise PolicyFault(_NO_COMPLETION) from refused
+
+
 def _content(answer: Any) -> str:
     """CHAT-004: the text of a chat completion. Raises PolicyFault if it is none.
 
@@ -204,11 +237,27 @@ def _content(answer: Any) -> str:
     try:
         content = answer["choices"][0]["message"]["content"]
     except (LookupError, TypeError) as error:
-        raise PolicyFault(
-            "The model's answer is not a chat completion: it has no "
-            "/choices/0/message/content."
-        ) from error
+        raise PolicyFault(_NO_COMPLETION) from error
     return content if isinstance(content, str) else ""
+
+
+class _TextChoice(BaseModel):
+    text: Any
+
+
+class _TextCompletion(BaseModel):
+    """What is read of a large completion."""
+
+    choices: list[_TextChoice]
+
+
+def _read_text(body: bytes) -> Any:
+    try:
+        return read_structure(_TextCompletion, body, JSON, closed=False)
+    except Refused as refused:
+        if refused.code == "malformed_body":
+            raise
+        raise PolicyFault(_NO_TEXT) from refused
 
 
 def _text(answer: Any) -> str:
@@ -216,7 +265,5 @@ def _text(answer: Any) -> str:
     try:
         text = answer["choices"][0]["text"]
     except (LookupError, TypeError) as error:
-        raise PolicyFault(
-            "The model's answer is not a completion: it has no /choices/0/text."
-        ) from error
+        raise PolicyFault(_NO_TEXT) from error
     return text if isinstance(text, str) else ""

@@ -42,6 +42,7 @@ from reference_server.rules.run import Run
 from reference_server.runs.registry import RELOAD_S
 from reference_server.runs.service import RunService
 from reference_server.storage.store import StoreFailed
+from reference_server.system.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.push")
 
@@ -105,6 +106,7 @@ class Driver:
         self._max_bytes = max_bytes
         self._drives: dict[str, asyncio.Task[None]] = {}
         self._closed = False
+        self._failures = RepeatedFailures(log)
 
     def open(self) -> None:
         """PUSH-017: continue the runs that the last process left unfinished."""
@@ -156,8 +158,8 @@ class Driver:
         """PUSH-017: now, or when it can be loaded; no request may ever load it."""
         try:
             self.on_run_changed(await self._registry.get(run_id))
-        except StoreFailed:
-            log.exception("run %s could not be loaded", run_id)
+        except StoreFailed as error:
+            self._failures.report("a push run could not be loaded", str(error))
             loop = asyncio.get_running_loop()
             loop.call_later(RELOAD_S, self._schedule_check, run_id)
 
@@ -168,7 +170,8 @@ class Driver:
     async def _drive(self, run: Run) -> None:
         config = PolicyServerConfig.from_run(run)
         try:
-            async with self._calls(config, self._decrypt_key(config)) as calls:
+            key = self._decrypt_key(config)
+            async with self._calls(config, key, run.account) as calls:
                 policy = PROTOCOLS[config.protocol](run, config, calls)
                 drive = _Drive(run.run_id, policy, await policy.describe(), calls)
                 await self._play_all(drive, config, len(run.pending))
@@ -194,14 +197,16 @@ class Driver:
                 permanent=True,
             ) from error
 
-    def _calls(self, config: PolicyServerConfig, key: str | None) -> HttpCalls:
+    def _calls(
+        self, config: PolicyServerConfig, key: str | None, account: str
+    ) -> HttpCalls:
         limits = CallLimits(
             config.call_timeout_s,
             config.max_concurrent,
             config.max_retries,
             self._max_bytes,
         )
-        return HttpCalls(config.url, self._egress, limits, key)
+        return HttpCalls(config.url, self._egress, limits, key, account)
 
     async def _play_all(
         self, drive: _Drive, config: PolicyServerConfig, left: int

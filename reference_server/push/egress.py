@@ -11,18 +11,36 @@ from __future__ import annotations
 import asyncio
 import socket
 from collections.abc import Iterable
-from concurrent.futures import ThreadPoolExecutor
-from ipaddress import IPv4Address, IPv6Network, ip_address
+from functools import partial
+from ipaddress import IPv4Address, IPv6Network, ip_address, ip_network
 
 import httpcore
 
-from reference_server.allowed_networks import Address, AllowedNetworks
+from reference_server.allowed_networks import Address, AllowedNetworks, Network
+from reference_server.push.account_threads import AccountThreads
 
+# Look-ups at once, of all accounts and of one. The system's resolver blocks a thread,
+# for half a minute if a name server does not answer, and cannot be cancelled.
+RESOLVER_THREADS = 16
+ACCOUNT_THREADS = 2
+RESOLVE_S = 10.0
 # NAT64: a translator forwards to the IPv4 address in the last 32 bits.
 _NAT64 = IPv6Network("64:ff9b::/96")
 # All IPv6 addresses that are assigned for public use. Outside of it are other forms of
 # IPv4 addresses (of a local translator, IPv4-compatible), which may lead anywhere.
 _PUBLIC_6 = IPv6Network("2000::/3")
+# Not for destinations anywhere, by IANA's registries of special-purpose addresses, and
+# missing in `is_global` of the one or the other release of Python.
+_SPECIAL: tuple[Network, ...] = tuple(
+    ip_network(text)
+    for text in (
+        "192.0.0.0/24",  # protocol assignments
+        "192.88.99.0/24",  # relays of 6to4, deprecated: leads to any of them
+        "2001::/23",  # protocol assignments; among them Teredo, which hides an IPv4
+        "2001:db8::/32",  # documentation
+        "3fff::/20",  # documentation
+    )
+)
 
 
 class AddressNotAllowed(Exception):
@@ -42,11 +60,10 @@ class EgressPolicy:
 
     def __init__(self, allowed: str = "") -> None:
         self._allowed = AllowedNetworks.parse(allowed)
-        # Resolving blocks and may be slow: it has threads of its own.
-        self._threads = ThreadPoolExecutor(4, thread_name_prefix="resolve")
+        self._threads = AccountThreads("resolve", RESOLVER_THREADS, ACCOUNT_THREADS)
 
     def close(self) -> None:
-        self._threads.shutdown(wait=False, cancel_futures=True)
+        self._threads.close()
 
     def allows(self, address: Address) -> bool:
         """PUSH-015: whether the address is public, or in an allowed network."""
@@ -54,14 +71,17 @@ class EgressPolicy:
         if self._allowed.contains_any({address, effective}):
             return True
         is_assigned = effective.version == 4 or effective in _PUBLIC_6
-        return is_assigned and effective.is_global and not effective.is_multicast
+        if not is_assigned or any(effective in network for network in _SPECIAL):
+            return False
+        return effective.is_global and not effective.is_multicast
 
-    async def resolve(self, host: str, port: int) -> list[str]:
+    async def resolve(self, host: str, port: int, account: str = "") -> list[str]:
         """All addresses of a host, each of them allowed.
 
+        account: whose share of the threads a look-up takes.
         Raises AddressNotAllowed when any is not, and HostNotResolved.
         """
-        found = _literal_address(host) or await self._resolved(host, port)
+        found = _literal_address(host) or await self._resolved(host, port, account)
         if not all(self.allows(address) for address in found):
             raise AddressNotAllowed(
                 f"{host} is not in a network that this server is allowed to call; its "
@@ -69,10 +89,13 @@ class EgressPolicy:
             )
         return [str(address) for address in found]
 
-    async def _resolved(self, host: str, port: int) -> list[Address]:
-        loop = asyncio.get_running_loop()
+    async def _resolved(self, host: str, port: int, account: str) -> list[Address]:
         try:
-            return await loop.run_in_executor(self._threads, _resolve, host, port)
+            async with asyncio.timeout(RESOLVE_S):
+                return await self._threads.call(account, partial(_resolve, host, port))
+        except TimeoutError as error:
+            text = f"{host} is not resolved within {RESOLVE_S:g} s"
+            raise HostNotResolved(text) from error
         except (OSError, UnicodeError) as error:
             raise HostNotResolved(f"{host} cannot be resolved") from error
 
@@ -83,8 +106,9 @@ class CheckedBackend(httpcore.AsyncNetworkBackend):
     PUSH-015: each connection resolves and checks again, whatever was checked before.
     """
 
-    def __init__(self, egress: EgressPolicy) -> None:
+    def __init__(self, egress: EgressPolicy, account: str) -> None:
         self._egress = egress
+        self._account = account
         self._backend = httpcore.AnyIOBackend()
 
     async def connect_tcp(
@@ -97,7 +121,7 @@ class CheckedBackend(httpcore.AsyncNetworkBackend):
     ) -> httpcore.AsyncNetworkStream:
         """Raises AddressNotAllowed, HostNotResolved and httpcore.ConnectError."""
         failed: Exception | None = None
-        for address in await self._egress.resolve(host, port):
+        for address in await self._egress.resolve(host, port, self._account):
             try:
                 return await self._backend.connect_tcp(
                     address, port, timeout, local_address, socket_options

@@ -10,14 +10,15 @@ are `backoff`'s). It must not know a policy protocol: it sends and returns JSON.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any, Self
+from typing import Any, Self, TypeAlias
 
 import httpcore
 import msgspec
 
 from reference_server.http.codec import JSON, decode, pointer
+from reference_server.http.large_bodies import INLINE_BYTES_MAX, WHOLE_BYTES_MAX
 from reference_server.http.problems import PROBLEM_JSON
 from reference_server.push.backoff import CALL_PAUSE_MAX_S, Backoff
 from reference_server.push.egress import (
@@ -29,6 +30,8 @@ from reference_server.push.egress import (
 from reference_server.rules.refusal import Refused
 
 _PROBLEM_TEXT_MAX = 200
+# The structure in a body; raises Refused. Large bodies are read in another thread.
+ReadAnswer: TypeAlias = Callable[[bytes], Any]
 
 
 class PolicyFault(Exception):
@@ -46,6 +49,11 @@ class PolicyFault(Exception):
         self.after_s = after_s
 
 
+def read_json(body: bytes) -> Any:
+    """Any JSON; for small answers. Raises Refused."""
+    return decode(body, JSON)
+
+
 @dataclass(frozen=True, slots=True)
 class CallLimits:
     """The bounds of a call; `max_bytes` is the maximum size of a response."""
@@ -60,7 +68,12 @@ class HttpCalls:
     """Calls to the server at `url`, over connections that are reused."""
 
     def __init__(
-        self, url: str, egress: EgressPolicy, limits: CallLimits, key: str | None
+        self,
+        url: str,
+        egress: EgressPolicy,
+        limits: CallLimits,
+        key: str | None,
+        account: str = "",
     ) -> None:
         self._url = url
         self._limits = limits
@@ -68,7 +81,7 @@ class HttpCalls:
         self._slots = asyncio.Semaphore(limits.max_concurrent)  # PUSH-007
         self._pool = httpcore.AsyncConnectionPool(
             max_connections=limits.max_concurrent,
-            network_backend=CheckedBackend(egress),
+            network_backend=CheckedBackend(egress, account),
         )
 
     async def __aenter__(self) -> Self:
@@ -77,13 +90,18 @@ class HttpCalls:
     async def __aexit__(self, *_: object) -> None:
         await self._pool.aclose()
 
-    async def get(self, path: str) -> Any:
-        """GET a path; the JSON of the response. Raises PolicyFault."""
-        return await self._call_with_retries("GET", path, None)
+    async def get(self, path: str, read: ReadAnswer = read_json) -> Any:
+        """GET a path; the JSON of the response. Raises PolicyFault, and as `read`."""
+        answer = await self._call_with_retries("GET", path, None)
+        return await self._read(path, answer, read)
 
-    async def post(self, path: str, body: Mapping[str, Any]) -> Any:
-        """POST a body; the JSON of the response. Raises PolicyFault."""
-        return await self._call_with_retries("POST", path, msgspec.json.encode(body))
+    async def post(
+        self, path: str, body: Mapping[str, Any], read: ReadAnswer = read_json
+    ) -> Any:
+        """POST a body; the JSON of the response. Raises PolicyFault, and as `read`."""
+        content = msgspec.json.encode(body)
+        answer = await self._call_with_retries("POST", path, content)
+        return await self._read(path, answer, read)
 
     def redact_key(self, text: str) -> str:
         """PUSH-005, FLE-006: a text from the policy server without the API key in it.
@@ -98,7 +116,7 @@ class HttpCalls:
 
     async def _call_with_retries(
         self, method: str, path: str, content: bytes | None
-    ) -> Any:
+    ) -> bytes:
         """PUSH-008: each attempt sends the same bytes; `content` is encoded once."""
         left = self._limits.max_retries
         backoff = Backoff.between_calls()
@@ -116,7 +134,7 @@ class HttpCalls:
 
     async def _call_with_deadline(
         self, method: str, path: str, content: bytes | None
-    ) -> Any:
+    ) -> bytes:
         timeout_s = self._limits.timeout_s
         try:
             async with asyncio.timeout(timeout_s):  # PUSH-009
@@ -134,7 +152,7 @@ class HttpCalls:
             text = "closed the connection or did not answer with HTTP"
             raise PolicyFault(text, retryable=True) from error
 
-    async def _send_once(self, method: str, path: str, content: bytes | None) -> Any:
+    async def _send_once(self, method: str, path: str, content: bytes | None) -> bytes:
         headers = [("Accept", JSON), ("Accept-Encoding", "identity")]
         if content is not None:
             headers.append(("Content-Type", JSON))
@@ -147,7 +165,9 @@ class HttpCalls:
             found = {name: value.decode("latin-1") for name, value in named.items()}
             if 300 <= answer.status < 400:  # PUSH-011
                 raise PolicyFault(f"redirects (status {answer.status})")
-            return self._read(answer.status, found, await self._body(answer))
+            body = await self._body(answer)
+            self._check(answer.status, found, body)
+            return body
 
     async def _body(self, answer: httpcore.Response) -> bytes:
         parts: list[bytes] = []
@@ -159,7 +179,7 @@ class HttpCalls:
             parts.append(part)
         return b"".join(parts)
 
-    def _read(self, status: int, headers: Mapping[str, str], body: bytes) -> Any:
+    def _check(self, status: int, headers: Mapping[str, str], body: bytes) -> None:
         if status == 429 or status >= 500:
             text = f"answered with status {status}{self._reason(headers, body)}"
             raise PolicyFault(text, retryable=True, after_s=_retry_after_s(headers))
@@ -172,17 +192,24 @@ class HttpCalls:
             reported = self.redact_key(headers.get("content-type", ""))
             printable = _printable(reported.partition(";")[0].strip()[:60])
             raise PolicyFault(f"answered with {printable or 'no media type'}")
+
+    async def _read(self, path: str, body: bytes, read: ReadAnswer) -> Any:
         try:
-            return decode(body, JSON)
+            if len(body) > INLINE_BYTES_MAX:
+                return await asyncio.to_thread(read, body)
+            return read(body)
         except Refused as error:
-            raise PolicyFault(f"answered with invalid JSON ({error.detail})") from error
+            if error.code != "malformed_body":
+                raise
+            fault = PolicyFault(f"answered with invalid JSON ({error.detail})")
+            raise _with_context(self._url, path, fault, 1) from error
 
     def _reason(self, headers: Mapping[str, str], body: bytes) -> str:
         """The code and detail of an RFC 9457 problem, if the response is one."""
-        if _media_type(headers) != PROBLEM_JSON:
+        if _media_type(headers) != PROBLEM_JSON or len(body) > WHOLE_BYTES_MAX:
             return ""
         try:
-            problem = decode(body, JSON)
+            problem = read_json(body)
         except Refused:
             return ""
         reported = (

@@ -8,10 +8,12 @@ here. It must not know runs or submissions.
 
 from __future__ import annotations
 
-import os
+import hmac
 from pathlib import Path
 
 from cryptography.fernet import Fernet, InvalidToken
+
+from reference_server.system.private_files import read_or_create
 
 
 class DecryptionFailed(Exception):
@@ -26,15 +28,22 @@ class KeyEncryption:
 
     def __init__(self, path: Path | None = None) -> None:
         self._path = path
-        self._fernet = Fernet(Fernet.generate_key())
+        self._use(Fernet.generate_key())
 
     def open(self) -> None:
         """Read or create the file. Raises OSError, and ValueError if it has no key."""
         if self._path is not None:
-            self._fernet = Fernet(_key(self._path))
+            self._use(read_or_create(self._path, Fernet.generate_key))
+
+    def _use(self, key: bytes) -> None:
+        self._fernet, self._key = Fernet(key), key
 
     def encrypt(self, secret: str) -> str:
         return self._fernet.encrypt(secret.encode()).decode()
+
+    def digest(self, secret: str) -> str:
+        """Equal for equal texts; shows nothing of them without the key."""
+        return hmac.digest(self._key, secret.encode(), "sha256").hex()
 
     def decrypt(self, encrypted: str) -> str:
         """Raises DecryptionFailed."""
@@ -42,19 +51,3 @@ class KeyEncryption:
             return self._fernet.decrypt(encrypted.encode()).decode()
         except InvalidToken as error:
             raise DecryptionFailed from error
-
-
-def _key(path: Path) -> bytes:
-    """The key in the file, created if missing; two servers that start at once agree."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f"{path.name}.{os.getpid()}")
-    temporary.touch(mode=0o600)
-    try:
-        temporary.write_bytes(Fernet.generate_key())
-        # Atomic: the file appears complete or not at all, and never replaces another.
-        os.link(temporary, path)
-    except FileExistsError:
-        pass
-    finally:
-        temporary.unlink()
-    return path.read_bytes().strip()

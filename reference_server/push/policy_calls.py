@@ -10,14 +10,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Protocol, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
 from reference_server.generated import models
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
-from reference_server.http.codec import pointer, validate
-from reference_server.push.http_calls import HttpCalls, PolicyFault
+from reference_server.http.codec import JSON, pointer, validate
+from reference_server.http.large_bodies import read_structure
+from reference_server.push.http_calls import HttpCalls, PolicyFault, ReadAnswer
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
@@ -60,7 +62,8 @@ class ProctorPolicy:
         self._calls = calls
 
     async def describe(self) -> Description:
-        answer = await self._calls.get("/v1/policy")
+        read = self._reader(models.PolicyDescription, "describe_policy")
+        answer = await self._calls.get("/v1/policy", read)
         received = self._read(models.PolicyDescription, answer, "describe_policy")
         supported = received.protocol
         ours = _number(PROTOCOL_VERSION)
@@ -84,21 +87,36 @@ class ProctorPolicy:
             | {"manifest_sha256": run.manifest_sha256, "unavailable_reason": None},
             "episode": episode,
         }
-        answer = await self._calls.post("/v1/policy/reset", body)
+        read = self._reader(models.PolicyReset, "reset")
+        answer = await self._calls.post("/v1/policy/reset", body, read)
         ready = self._read(models.PolicyReset, answer, "reset")
         received = (ready.session_id, ready.episode_id, ready.attempt)
         if received != (turn["session_id"], episode["episode_id"], episode["attempt"]):
             raise PolicyFault("The policy acknowledged a different reset.")
 
     async def predict(self, turn: Turn) -> models.Predict:
-        answer = await self._calls.post("/v1/policy/predict", turn)
+        read = partial(read_structure, models.Predict, media_type=JSON)
         try:
+            answer = await self._calls.post("/v1/policy/predict", turn, read)
             predict = validate(models.Predict, answer)
         except Refused as refused:
             raise answer_fault(refused, self._calls) from refused
         if (predict.session_id, predict.seq) != (turn["session_id"], turn["seq"] + 1):
             raise PolicyFault("The policy answered a different turn.")
         return predict
+
+    def _reader(self, model: type[BaseModel], operation: str) -> ReadAnswer:
+        """Reads the members of the schema, and no others of a large response."""
+
+        def read(body: bytes) -> Any:
+            try:
+                return read_structure(model, body, JSON, closed=False)
+            except Refused as refused:
+                if refused.code == "malformed_body":
+                    raise
+                raise self._mismatch(operation, refused.errors) from refused
+
+        return read
 
     def _read(self, model: type[Answer], answer: Any, operation: str) -> Answer:
         """The response as its schema; members that the schema lacks are ignored."""
@@ -107,11 +125,13 @@ class ProctorPolicy:
         except ValidationError as error:
             faults = error.errors(include_url=False, include_context=False)
             errors = [(pointer(f["loc"]), f["msg"]) for f in faults]
-            details = _format_errors(errors, self._calls)
-            raise PolicyFault(
-                f"The policy's answer to {operation} does not match policy.yaml: "
-                f"{details}."
-            ) from error
+            raise self._mismatch(operation, errors) from error
+
+    def _mismatch(self, operation: str, errors: Any) -> PolicyFault:
+        details = _format_errors(errors, self._calls)
+        return PolicyFault(
+            f"The policy's answer to {operation} does not match policy.yaml: {details}."
+        )
 
 
 def answer_fault(refused: Refused, calls: HttpCalls) -> PolicyFault:

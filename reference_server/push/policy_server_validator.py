@@ -42,10 +42,23 @@ class PolicyServerValidator:
         self._key_encryption = key_encryption or KeyEncryption()
         self._protocols = protocols
 
-    async def validate_and_encrypt(self, submission: dict[str, Any]) -> dict[str, Any]:
+    def digest_key(self, submission: dict[str, Any]) -> dict[str, Any]:
+        """The submission to compare others with: a digest in place of its API key.
+
+        PUSH-016: what is stored of it must not let a key be guessed.
+        """
+        requested = submission.get("policy_server")
+        if requested is None or "api_key" not in requested:
+            return submission
+        digest = self._key_encryption.digest(requested["api_key"])
+        return submission | {"policy_server": requested | {"api_key": digest}}
+
+    async def validate_and_encrypt(
+        self, submission: dict[str, Any], account: str
+    ) -> dict[str, Any]:
         """The submission as it is stored, with its key encrypted (PUSH-016, FLE-017).
 
-        Raises Refused.
+        account: whose share of name look-ups is used. Raises Refused.
         """
         requested = submission.get("policy_server")
         errors = list(_errors(submission))
@@ -54,7 +67,7 @@ class PolicyServerValidator:
             text = f"is not supported; supported protocols: {supported}"
             errors.append(("/policy_server/protocol", text))
         if requested is not None and not errors:
-            errors += await self._address_errors(requested["url"])
+            errors += await self._address_errors(requested["url"], account)
         if errors:
             raise Refused(
                 "invalid_request",
@@ -67,7 +80,7 @@ class PolicyServerValidator:
         stored["sealed_key"] = self._key_encryption.encrypt(requested["api_key"])
         return submission | {"policy_server": stored}
 
-    async def _address_errors(self, url: str) -> list[tuple[str, str]]:
+    async def _address_errors(self, url: str, account: str) -> list[tuple[str, str]]:
         """PUSH-015: a forbidden address is refused at submit, where it is known then.
 
         Every connection is checked again, see `egress.CheckedBackend`.
@@ -77,7 +90,7 @@ class PolicyServerValidator:
             target = httpcore.URL(url)
             port = target.port or (443 if target.scheme == b"https" else 80)
             async with asyncio.timeout(_RESOLVE_TIMEOUT_S):
-                await self._egress.resolve(target.host.decode(), port)
+                await self._egress.resolve(target.host.decode(), port, account)
         except AddressNotAllowed as error:
             return [(at, str(error))]
         except ValueError:

@@ -87,6 +87,7 @@ def open_session(run: Run, command: Attach, session_id: str, now: float) -> Sess
         max_steps=run.manifest["max_steps"],
         expires_at=now + idle_timeout_s,
         busy="opening",
+        max_attempts=command.max_attempts,
     )
     if old is not None and not old.done:
         session.episode, session.instruction = old.episode, old.instruction
@@ -349,7 +350,8 @@ def _close_attempt(
         run.return_to_pending(episode)
         return
     run.changed.add(episode.index)
-    if episode.attempt < run.manifest["max_attempts"]:  # EPI-003; else EPI-004
+    limit = session.max_attempts or run.manifest["max_attempts"]  # EBE-030
+    if episode.attempt < limit:  # EPI-003; else EPI-004
         episode.attempt += 1
         run.return_to_pending(episode)
         return

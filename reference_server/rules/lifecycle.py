@@ -104,6 +104,7 @@ class Attach:
     takeover: bool = False
     assumes: Mapping[str, Any] | None = None
     by_server: bool = False
+    max_attempts: int | None = None  # None for the manifest's
 
 
 @dataclass(frozen=True, slots=True)

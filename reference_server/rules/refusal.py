@@ -11,6 +11,10 @@ from typing import Any
 
 from reference_server.rules.lifecycle import Refuse
 
+# What is reported of a request with many faults, or with long names.
+ERRORS_MAX = 50
+ERROR_CHARS_MAX = 2**14
+
 
 class Refused(Exception):
     """A request that is answered with a problem.
@@ -32,7 +36,7 @@ class Refused(Exception):
         super().__init__(detail)
         self.code = code
         self.detail = detail
-        self.errors = tuple(errors)
+        self.errors = first_errors(errors)
         self.requirement = requirement
         self.members = dict(members or {})
 
@@ -46,3 +50,15 @@ class Refused(Exception):
             requirement=verdict.requirement,
             members=verdict.members,
         )
+
+
+def first_errors(errors: Iterable[tuple[str, str]]) -> tuple[tuple[str, str], ...]:
+    """The first of many, at least one: an answer is bounded, whatever was sent."""
+    first: list[tuple[str, str]] = []
+    chars_left = ERROR_CHARS_MAX
+    for at, text in errors:
+        chars_left -= len(at) + len(text)
+        if first and (chars_left < 0 or len(first) == ERRORS_MAX):
+            break
+        first.append((at, text))
+    return tuple(first)

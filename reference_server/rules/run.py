@@ -76,6 +76,7 @@ class Session:
 
     steps: actions executed in the attempt in play.
     busy: what the server is executing for it; its lease stands still meanwhile.
+    max_attempts: of an episode whose attempt ends in it; None for the manifest's.
     request, turn: the last predict and its answer, kept to be repeated.
     """
 
@@ -96,6 +97,7 @@ class Session:
     busy: Busy | None = None
     done: bool = False
     ended_by: SessionEnd | None = None
+    max_attempts: int | None = None
 
 
 @dataclass(slots=True, eq=False, weakref_slot=True)

@@ -51,6 +51,14 @@ def queue_s(submission: Submission) -> float:
     return float(submission.get("options", {}).get("queue_s", 0.0))
 
 
+def queue_until(submission: Submission, stored_wall: float, now_wall: float) -> float:
+    """LIFE-810: until when a run that a restart found waits in the queue.
+
+    Never longer than its submitter asked for, wherever the clock was set meanwhile.
+    """
+    return min(stored_wall, now_wall + queue_s(submission))
+
+
 @dataclass(frozen=True, slots=True)
 class KeyUse:
     """What an account's Idempotency-Key made (RUN-005: a key is the account's own)."""

@@ -35,9 +35,16 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run, RunHead, State
-from reference_server.rules.submission import KeyUse, key_conflict, may_see_run
+from reference_server.rules.submission import (
+    KeyUse,
+    key_conflict,
+    may_see_run,
+    queue_until,
+)
+from reference_server.runs import steady_clock
 from reference_server.runs.places import Places
 from reference_server.storage.store import Store, StoreFailed
+from reference_server.system.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.runs")
 
@@ -90,6 +97,7 @@ class RunRegistry:
         self._reload_timers: dict[str, asyncio.TimerHandle] = {}
         self._tasks: set[asyncio.Future[object]] = set()
         self._ending = self._closed = False
+        self._failures = RepeatedFailures(log)
 
     async def open(self) -> None:
         """Apply what a restart does, then admit what waits for capacity.
@@ -106,7 +114,10 @@ class RunRegistry:
             self._note_open(run.account, run.run_id, is_open=True)
         for run in await self._store.waiting_runs(*WAITING_STATES):
             self._note_open(run.account, run.run_id, is_open=True)
-            self._note_queued(run, is_queued=True)
+            if run.queue_until_wall <= steady_clock.now_wall():
+                self._note_queued(run, is_queued=True)
+            else:  # seldom, and for seconds: `_adopt` checks it by what was asked for
+                await self.get(run.run_id)
         self._admit()
 
     def release_waiters(self) -> None:
@@ -382,7 +393,7 @@ class RunRegistry:
         """
         if self._closed:
             return
-        now, now_wall = time.monotonic(), time.time()
+        now, now_wall = time.monotonic(), steady_clock.now_wall()
         is_new = new is not None and new.state in WAITING_STATES
         unstored = WaitingRun.of(new) if new is not None and is_new else None
         if self._places.can_change(now, unstored):
@@ -395,7 +406,7 @@ class RunRegistry:
     def _let_in(self, run_id: str, new: Run | None) -> None:
         """A run got a place; one that is not in memory is loaded for that."""
         if new is not None:
-            effects.admit(new, time.time())
+            effects.admit(new, steady_clock.now_wall())
         elif (run := self._in_memory.get(run_id)) is not None:
             if not self._apply_admission(run):
                 self._index_by_state(run, run.state)
@@ -406,7 +417,7 @@ class RunRegistry:
 
     def _apply_admission(self, run: Run) -> bool:
         """Whether the run was queued; else it was ready, and a worker attaches."""
-        if not effects.admit(run, time.time()):
+        if not effects.admit(run, steady_clock.now_wall()):
             return False
         self._index_by_state(run, run.state)
         self.commit_later(run)
@@ -420,8 +431,8 @@ class RunRegistry:
                 run = self._in_memory.get(run_id) or await self._load(run_id)
                 if run is not None:
                     await self.is_stored(run)
-            except StoreFailed:
-                log.exception("run %s could not be loaded", run_id)
+            except StoreFailed as error:
+                self._failures.report("a run could not be loaded", str(error))
                 self._reload_later(run_id)
             finally:
                 self._admitted.popleft()
@@ -448,8 +459,11 @@ class RunRegistry:
     async def _save(self, run: Run) -> bool:
         try:
             await self._store.save(run)
-        except Exception:  # whatever it was: memory is ahead of the disk now
-            log.exception("run %s could not be stored", run.run_id)
+        except Exception as error:  # whatever it was: memory is ahead of the disk now
+            if isinstance(error, StoreFailed):
+                self._failures.report("a run could not be stored", str(error))
+            else:
+                log.exception("run %s could not be stored", run.run_id)
             self._evict(run)
             return False
         else:
@@ -477,6 +491,9 @@ class RunRegistry:
         """A run just loaded was not in memory, so no session of it is live."""
         if loaded is not None:
             effects.lose_sessions(loaded)
+            loaded.queue_until_wall = queue_until(
+                loaded.submission, loaded.queue_until_wall, steady_clock.now_wall()
+            )
             self._in_memory[loaded.run_id] = loaded
             has_place = loaded.run_id in self._places
             if not (has_place and self._apply_admission(loaded)):
@@ -509,6 +526,7 @@ class RunRegistry:
 
     def _reload_later(self, run_id: str) -> None:
         """Load it again: a queued run is admitted without a request for it."""
+        # A request may have loaded it meanwhile, and its next write have failed, too.
         if not self._closed and run_id not in self._reload_timers:
             loop = asyncio.get_running_loop()
             timer = loop.call_later(RELOAD_S, self._reload, run_id)
@@ -521,8 +539,8 @@ class RunRegistry:
     async def _retry_load(self, run_id: str) -> None:
         try:
             await self.get(run_id)
-        except StoreFailed:
-            log.exception("run %s could not be loaded", run_id)
+        except StoreFailed as error:
+            self._failures.report("a run could not be loaded", str(error))
             self._reload_later(run_id)
 
 

@@ -42,6 +42,7 @@ from reference_server.rules.submission import (
     key_conflict,
     queue_s,
 )
+from reference_server.runs import steady_clock
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.score_cache import ScoreCache
@@ -49,8 +50,8 @@ from reference_server.runs.session_executor import SessionExecutor
 from reference_server.views import run_views, turn_view
 
 Json = dict[str, Any]
-# Completes a submission and refuses a policy server that cannot be called.
-SubmissionValidator = Callable[[Json], Awaitable[Json]]
+# Completes a submission of an account; refuses a policy server that cannot be called.
+SubmissionValidator = Callable[[Json, str], Awaitable[Json]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +63,8 @@ class RunService:
     registry: RunRegistry
     executor: SessionExecutor
     validate_submission: SubmissionValidator
+    # What of a submission others are compared with: nothing that is secret.
+    comparable_submission: Callable[[Json], Json]
     scores: ScoreCache = field(default_factory=ScoreCache)
 
     # --- control plane ---
@@ -71,12 +74,15 @@ class RunService:
     ) -> Run:
         """A new run, or the one that the key made; submission: schema SubmitRun."""
         run = await self.prepare_run(account, submission)
-        return await self.store_run(run, idempotency_key, body_digest(submission))
+        body_sha256 = body_digest(self.comparable_submission(submission))
+        return await self.store_run(run, idempotency_key, body_sha256)
 
     async def prepare_run(self, account: str, submission: Json) -> Run:
         """The run that a submission makes, checked and not stored yet."""
         # Validated by the generated models before it came here.
-        checked = cast("Submission", await self.validate_submission(submission))
+        checked = cast(
+            "Submission", await self.validate_submission(submission, account)
+        )
         resolved = await self.benchmarks.resolve(checked)
         granted = grant_limits(checked, self.limits)
         if isinstance(granted, Refuse):
@@ -97,7 +103,7 @@ class RunService:
             images=resolved.images,
             created_at_wall=now,
             updated_at_wall=now,
-            queue_until_wall=now + queue_s(checked),
+            queue_until_wall=steady_clock.now_wall() + queue_s(checked),
             episodes=[
                 Episode(index, plan["task"], plan["split"], plan["seed"])
                 for index, plan in enumerate(resolved.manifest["episodes"])
@@ -137,7 +143,8 @@ class RunService:
         run = await self._run_accepting(account, run_id, Resume())
         if changes_state(run, "resume_run"):
             self.registry.check_quota(account)
-            effects.resume(run, time.time() + queue_s(run.submission))
+            until = steady_clock.now_wall() + queue_s(run.submission)
+            effects.resume(run, until)
             await self.registry.commit(run)
         return run
 

@@ -23,6 +23,7 @@ from reference_server.rules.capacity import WaitingRun
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, Run, RunHead, State
 from reference_server.storage import rows
+from reference_server.system import private_files
 
 Found = TypeVar("Found")
 
@@ -144,14 +145,18 @@ class Store:
 
     async def open(self) -> None:
         """Create the tables and the columns that are missing."""
-        if self._url.get_backend_name() == "sqlite" and self._url.database:
+        path = _database_file(self._url)
+        if path is not None:
             try:
-                Path(self._url.database).parent.mkdir(parents=True, exist_ok=True)
+                private_files.create_empty(path)
             except OSError as error:
                 raise StoreFailed(_one_line(error)) from error
         async with self._transaction() as connection:
             await connection.run_sync(_tables.create_all)
             await connection.run_sync(_add_missing_columns)
+        if path is not None:  # only now it is known to be a database
+            for suffix in ("", "-wal", "-shm"):
+                private_files.restrict(path.with_name(path.name + suffix))
 
     async def close(self) -> None:
         await self._engine.dispose()
@@ -361,6 +366,14 @@ def _add_missing_columns(connection: sa.Connection) -> None:
                 kind = column.type.compile(connection.dialect)
                 add = f"ALTER TABLE {table.name} ADD {column.name} {kind}"
                 connection.execute(sa.text(add))
+
+
+def _database_file(url: sa.URL) -> Path | None:
+    """The file of an SQLite database; None if it is in memory, or another database."""
+    name = url.database or ":memory:"
+    if url.get_backend_name() != "sqlite" or name.startswith((":memory:", "file:")):
+        return None
+    return Path(name)
 
 
 def _one_line(error: Exception) -> str:

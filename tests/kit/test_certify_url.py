@@ -20,6 +20,7 @@ def start_server(directory: Path) -> tuple[subprocess.Popen[str], list[str]]:
     """Start a server with nothing set but its port, and give what it prints."""
     environment = {n: v for n, v in os.environ.items() if not n.startswith("PROCTOR_")}
     environment["PROCTOR_DATABASE"] = str(directory / "proctor.sqlite")
+    environment["XDG_STATE_HOME"] = str(directory)
     server = subprocess.Popen(
         [sys.executable, "-m", "reference_server", "--port", "0"],
         cwd=ROOT,

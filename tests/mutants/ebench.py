@@ -11,6 +11,7 @@ import numpy as np
 from starlette.responses import Response
 
 from reference_server.profiles.ebench import (
+    long_chunks,
     message_conversion,
     pickle_reader,
     pickle_writer,
@@ -19,6 +20,7 @@ from reference_server.profiles.ebench import (
     task_responses,
 )
 from reference_server.profiles.ebench.lost_answers import LostAnswers
+from reference_server.profiles.ebench.owed_results import OwedResults
 from reference_server.profiles.ebench.task_handlers import EbenchHandlers
 from reference_server.rules.lifecycle import Detach, Predict
 from reference_server.rules.refusal import Refused
@@ -76,6 +78,33 @@ def gives_a_resumed_task_another_id() -> None:
     put(EbenchHandlers, "create_task", wrong)
 
 
+@mutant("EBE-027")
+def executes_a_task_again_without_a_trace() -> None:
+    """The best of many runs is taken for the only one."""
+    right = task_requests.CreateTask.repeat_submission
+
+    def wrong(self: task_requests.CreateTask, old: Run) -> dict[str, Any]:
+        submission = right(self, old)
+        del submission["policy"]["version"]
+        return submission
+
+    put(task_requests.CreateTask, "repeat_submission", wrong)
+
+
+@mutant("EBE-024")
+def knows_no_run_id_in_the_query_of_docs() -> None:
+    """The current client does not start."""
+    right = EbenchHandlers._paths
+
+    def wrong(self: EbenchHandlers) -> Any:
+        table = right(self)
+        docs = table[f"{task_handlers.ENDPOINT}/docs"]
+        docs["GET"] = dataclasses.replace(docs["GET"], query=())
+        return table
+
+    put(EbenchHandlers, "_paths", wrong)
+
+
 @mutant("EBE-005")
 def has_no_docs_page() -> None:
     """The client does not start."""
@@ -89,14 +118,14 @@ def has_no_docs_page() -> None:
 @mutant("EBE-018")
 def lacks_one_of_two_stop_paths() -> None:
     """An older client cannot stop what it started."""
-    right = EbenchHandlers.table
+    right = EbenchHandlers._paths
 
     def wrong(self: EbenchHandlers) -> Any:
         table = right(self)
         del table[f"{task_handlers.RUN_PATH}/stop"]
         return table
 
-    put(EbenchHandlers, "table", wrong)
+    put(EbenchHandlers, "_paths", wrong)
 
 
 @mutant("EBE-019")
@@ -120,10 +149,12 @@ def shows_the_first_of_many_workers() -> None:
     """A client with sixteen workers cannot start."""
     right = EbenchHandlers._worker_views
 
-    async def wrong(self: EbenchHandlers, run: Run, turns: Mapping[str, Any]) -> Any:
+    async def wrong(
+        self: EbenchHandlers, run: Run, turns: Mapping[str, Any], *, current: bool
+    ) -> Any:
         if not any(turn.get("executed_steps") for turn in turns.values()):
             turns = dict(list(turns.items())[:1])
-        return await right(self, run, turns)
+        return await right(self, run, turns, current=current)
 
     put(EbenchHandlers, "_worker_views", wrong)
 
@@ -153,6 +184,12 @@ def ignores_kill_requests() -> None:
         return call.answer({"data": {"success": True}})  # type: ignore[no-any-return]
 
     put(EbenchHandlers, "kill", wrong)
+
+
+@mutant("EBE-030")
+def abandons_an_episode_whose_worker_is_killed() -> None:
+    """A client that crashes three times gets score 0 for an episode it never ended."""
+    put(task_handlers, "NO_LIMIT", None)
 
 
 @mutant("EBE-017")
@@ -210,21 +247,46 @@ def never_reports_a_chunk_as_stopped_early() -> None:
     put(task_handlers, "_is_stopped_early", lambda _turn: False)
 
 
-@mutant("EBE-009")
+@mutant("EBE-009", "EBE-026", "EBE-031")
 def omits_the_result_of_an_episode() -> None:
     """The client's folder of results stays empty."""
     right = task_responses.worker_view
 
-    def wrong(*arguments: Any) -> dict[str, Any]:
-        return right(*arguments) | {"episode_result": None}
+    def wrong(*arguments: Any, **how: Any) -> dict[str, Any]:
+        return right(*arguments, **how) | {"episode_result": None}
 
     put(task_handlers, "worker_view", wrong)
 
 
-@mutant("EBE-010")
+@mutant("EBE-010", "EBE-025")
 def ends_a_run_without_metrics() -> None:
     """The client prints an empty table at the end."""
-    put(task_handlers, "results_of", lambda _run: {})
+    put(task_responses, "run_metric", lambda _scores, **_how: {})
+
+
+@mutant("EBE-025")
+def shows_tasks_without_their_progress() -> None:
+    """A table of results shows tasks that are not complete."""
+    put(task_responses.TaskScore, "label", lambda _self, task: task)
+
+
+@mutant("EBE-025", "EBE-026")
+def takes_half_a_score_for_half_a_success() -> None:
+    """The rate of successes is higher than what succeeded."""
+    put(message_conversion, "success_rate", lambda score: score)
+
+
+@mutant("EBE-031")
+def gives_each_result_once_whether_received_or_not() -> None:
+    """The folder of results has no file for an episode whose answer was lost."""
+    put(OwedResults, "add", lambda _self, _run, _indices: None)
+
+
+@mutant("EBE-028")
+def plays_the_first_turn_of_a_long_list_alone() -> None:
+    """The robot stops in the middle of what the policy planned."""
+    right = long_chunks.split
+    put(long_chunks, "split", lambda *arguments: right(*arguments)[:1])
 
 
 @mutant("EBE-011")

@@ -127,7 +127,9 @@ def accepts_push_runs_that_nothing_plays() -> None:
     announced = tuple(name for name in handlers.PROFILES if name != "push")
     put(handlers, "PROFILES", announced)
 
-    async def wrong(_self: object, submission: dict[str, Any]) -> dict[str, Any]:
+    async def wrong(
+        _self: object, submission: dict[str, Any], _account: str
+    ) -> dict[str, Any]:
         return {
             name: value
             for name, value in submission.items()

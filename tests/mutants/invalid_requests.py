@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 from pydantic import ValidationError
@@ -12,7 +14,7 @@ from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
 from reference_server import app
-from reference_server.http import codec, dispatch, problems
+from reference_server.http import codec, dispatch, large_bodies, problems
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.runs.benchmarks import Benchmarks
@@ -33,15 +35,19 @@ def accepts_any_worker_id() -> None:
 @mutant("ERR-002", "ERR-006", "ERR-013", "ENC-008")
 def calls_a_malformed_body_an_invalid_request() -> None:
     """A user looks for a wrong member where a comma is missing."""
-    right = codec.decode
+    right = codec.refuse_malformed
 
-    def wrong(body: bytes, media_type: str) -> Any:
+    @contextmanager
+    def wrong() -> Iterator[None]:
         try:
-            return right(body, media_type)
+            with right():
+                yield
         except Refused as refused:
+            if refused.code != "malformed_body":
+                raise
             raise Refused("invalid_request", refused.detail) from refused
 
-    put(codec, "decode", wrong)
+    put(codec, "refuse_malformed", wrong)
 
 
 @mutant("ERR-002", "ERR-013")
@@ -100,14 +106,14 @@ def reads_bodies_of_any_size() -> None:
 @mutant("ERR-006")
 def fails_on_deep_nesting() -> None:
     """A short body makes the server fail."""
-    right = codec.decode
+    right = large_bodies.read_structure
 
-    def wrong(body: bytes, media_type: str) -> Any:
+    def wrong(model: Any, body: bytes, media_type: str, **how: Any) -> Any:
         if body[:1000].count(b"[") > 500:
             raise Refused("unavailable", "Too deep.")
-        return right(body, media_type)
+        return right(model, body, media_type, **how)
 
-    put(codec, "decode", wrong)
+    put(large_bodies, "read_structure", wrong)
 
 
 @mutant("ERR-007")

@@ -39,11 +39,13 @@ def accepts_a_policy_server_without_push_mode() -> None:
     right = policy_server_validator.PolicyServerValidator.validate_and_encrypt
 
     async def wrong(
-        self: policy_server_validator.PolicyServerValidator, submission: dict[str, Any]
+        self: policy_server_validator.PolicyServerValidator,
+        submission: dict[str, Any],
+        account: str,
     ) -> Any:
         if submission.get("mode") == "push" and "policy_server" not in submission:
             submission = submission | {"mode": "pull"}
-        return await right(self, submission)
+        return await right(self, submission, account)
 
     put(policy_server_validator.PolicyServerValidator, "validate_and_encrypt", wrong)
 
@@ -218,12 +220,9 @@ def continues_calling_after_a_stop() -> None:
         except asyncio.CancelledError:
             if run.state == "stopped":
                 await asyncio.sleep(0.1)
-                async with self._calls(PolicyServerConfig.from_run(run), None) as again:
-                    await policy_calls.ProctorPolicy(
-                        run,
-                        PolicyServerConfig.from_run(run),
-                        again,
-                    ).describe()
+                config = PolicyServerConfig.from_run(run)
+                async with self._calls(config, None, run.account) as again:
+                    await policy_calls.ProctorPolicy(run, config, again).describe()
             raise
 
     put(Driver, "_drive", wrong)

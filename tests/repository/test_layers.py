@@ -74,11 +74,13 @@ PURE = sorted(path.stem for path in (ROOT / "reference_server" / "rules").glob("
 MAY_IMPORT: dict[str, set[str]] = {
     "generated": set(),
     "rules": {"generated"},
-    "storage": {"rules"},
+    "storage": {"rules", "system"},
+    "system": set(),
     "views": {"generated", "reference_sim", "rules"},
-    "runs": {"generated", "reference_sim", "rules", "storage", "views"},
-    "push": {"allowed_networks", "generated", "http", "rules", "runs", "storage"},
-    "http": {"generated", "rules", "runs", "settings", "storage", "views"},
+    "runs": {"generated", "reference_sim", "rules", "storage", "system", "views"},
+    "push": {"allowed_networks", "generated", "http", "rules", "runs"}
+    | {"storage", "system"},
+    "http": {"generated", "rules", "runs", "settings", "storage", "system", "views"},
     "profiles": {"generated", "http", "push", "rules", "runs", "settings", "views"},
 }
 # Of these two, a folder above them may know only what is named here.
@@ -86,7 +88,8 @@ ONLY: dict[tuple[str, str], set[str]] = {
     ("http", "storage"): {"StoreFailed"},
     ("push", "storage"): {"StoreFailed"},
     ("push", "http"): {"JSON", "PROBLEM_JSON"}
-    | {"codec", "decode", "pointer", "validate"},
+    | {"codec", "decode", "pointer", "validate"}
+    | {"large_bodies", "read_structure", "INLINE_BYTES_MAX", "WHOLE_BYTES_MAX"},
 }
 
 

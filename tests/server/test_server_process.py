@@ -127,7 +127,10 @@ def test_the_printed_command_works(tmp_path: Path) -> None:
     with subprocess.Popen(
         [sys.executable, "-m", "reference_server", "--port", "0"],
         cwd=ROOT,
-        env=environment(PROCTOR_DATABASE=str(tmp_path / "proctor.sqlite")),
+        env=environment(
+            PROCTOR_DATABASE=str(tmp_path / "proctor.sqlite"),
+            XDG_STATE_HOME=str(tmp_path),
+        ),
         stdout=subprocess.PIPE,
         text=True,
     ) as server:
@@ -151,6 +154,76 @@ def test_the_printed_command_works(tmp_path: Path) -> None:
     assert tries == "try:\n"
     named = [one["benchmark_id"] for one in json.loads(pasted.stdout)["benchmarks"]]
     assert "calibration" in named
+
+
+@contextmanager
+def server_with_its_own_token(
+    folder: Path, port: str = "0"
+) -> Iterator[tuple[str, str, dict[str, str]]]:
+    """A started server's URL, its line about the token, and its environment."""
+    given = environment(
+        PROCTOR_DATABASE=str(folder / "proctor.sqlite"),
+        XDG_STATE_HOME=str(folder / "state"),
+    )
+    with subprocess.Popen(
+        [sys.executable, "-m", "reference_server", "--port", port],
+        cwd=ROOT,
+        env=given,
+        stdout=subprocess.PIPE,
+        text=True,
+    ) as server:
+        assert server.stdout is not None
+        url, line = server.stdout.readline().split()[-1], server.stdout.readline()
+        try:
+            yield url, line, given
+        finally:
+            server.kill()
+
+
+def test_the_made_token_survives_a_restart(tmp_path: Path) -> None:
+    """Kept beside the database, for its owner alone, and printed with its place."""
+    path = tmp_path / "proctor.sqlite.token"
+    with server_with_its_own_token(tmp_path) as (url, first, _):
+        assert first.strip().endswith(f"(kept in {path})")
+        assert first.split()[1] == path.read_text().strip()
+        assert path.stat().st_mode & 0o777 == 0o600
+    with server_with_its_own_token(tmp_path, url.rpartition(":")[2]) as (_, line, _):
+        assert line == first
+
+
+def test_the_command_finds_the_made_token(tmp_path: Path) -> None:
+    """From any folder, and nothing is exported; another server's is not sent."""
+    with server_with_its_own_token(tmp_path) as (url, _, given):
+        called = [sys.executable, "-m", "reference_client.command", "benchmarks"]
+        command = [*called, "--url", url]
+        options: dict[str, Any] = {"cwd": tmp_path, "capture_output": True}
+        found = subprocess.run(command, env=given, check=False, **options)
+        assert (found.returncode, found.stderr) == (0, b"")
+        assert b"calibration" in found.stdout
+        nowhere = given | {"XDG_STATE_HOME": str(tmp_path / "other")}
+        refused = subprocess.run(command, env=nowhere, check=False, **options)
+        assert refused.returncode == 2
+        assert b"[unauthenticated]" in refused.stderr
+    (link,) = (tmp_path / "state" / "proctor" / "tokens").iterdir()
+    assert link.name == url.rpartition(":")[2]
+    port = {"PROCTOR_PORT": link.name, "XDG_STATE_HOME": str(tmp_path / "state")}
+    with ReferenceServer(tmp_path, **port):
+        assert not os.path.lexists(link)
+
+
+def test_a_file_without_a_token_ends_the_start_with_one_line(tmp_path: Path) -> None:
+    path = tmp_path / "proctor.sqlite.token"
+    path.write_text("two words\n")
+    ended = subprocess.run(
+        [sys.executable, "-m", "reference_server", "--port", "0"],
+        cwd=ROOT,
+        env=environment(PROCTOR_DATABASE=str(tmp_path / "proctor.sqlite")),
+        capture_output=True,
+        text=True,
+        timeout=TIMEOUT_S,
+        check=False,
+    )
+    assert is_one_line(ended.returncode, ended.stderr, about=f"no token in {path}")
 
 
 def test_configured_tokens_are_not_printed(server: ReferenceServer) -> None:

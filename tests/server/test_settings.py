@@ -14,7 +14,7 @@ from pydantic import ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_settings import CliSettingsSource
 
-from reference_server.http.auth import BadTokens, Tokens
+from reference_server.http.auth import BadTokens, Tokens, new_secret
 from reference_server.rules.refusal import Refused
 from reference_server.settings import Settings
 from tests.support.paths import ROOT
@@ -97,6 +97,8 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         "allow_private_policies": ("127.0.0.1", "10.0.0.0/8,fd00::/8"),
         "profiles": ("ebench", "flageval,ebench"),
         "flageval_modes": ("NLP:Qnext=quiz", "MM:*=quiz,NLP:XLC_train=calibration"),
+        "ebench_prefixes": ("/a", "/a,/b/c"),
+        "ebench_equal_steps": ("answer", "answer_chunks"),
     }
     numbers = ("5", "6") if field.annotation in (int, float) else ("some", "other")
     by_variable, by_flag = examples.get(name, numbers)
@@ -130,6 +132,11 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         ("max_body_bytes", 65535),
         ("max_chunk", 3),
         ("max_chunk", 4097),
+        ("ebench_prefixes", "eval"),
+        ("ebench_prefixes", "/eval/"),
+        ("ebench_max_chunk", 0),
+        ("ebench_max_attempts", -1),
+        ("ebench_equal_steps", "repeat"),
         ("log_level", "nonsense"),
         ("public_url", "example.org"),
         ("allow_private_policies", "10.0.0.1/8"),
@@ -209,9 +216,10 @@ def test_a_token_may_be_given_as_its_hash() -> None:
 
 
 def test_a_fresh_token_can_do_everything_and_is_new_each_time() -> None:
-    tokens, secret = Tokens.generate()
+    secret = new_secret()
+    tokens = Tokens.of_local_account(secret)
     assert caller(tokens, f"Bearer {secret}", "run") == "local"
-    assert Tokens.generate()[1] != secret
+    assert new_secret() != secret
 
 
 def test_secrets_are_not_kept() -> None:

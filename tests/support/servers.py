@@ -7,6 +7,7 @@ import os
 import signal
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Self
 
@@ -27,8 +28,10 @@ class ReferenceServer:
 
     It runs once constructed. After `end`, `start` starts it again with the same
     database on the same port. As a context manager it is killed at the end.
-    settings: environment variables of the server.
+    settings: environment variables of the server. command: a subclass may have another.
     """
+
+    command: Sequence[str] = (sys.executable, "-m", "reference_server")
 
     def __init__(self, directory: Path, **settings: str) -> None:
         self._directory = directory
@@ -46,7 +49,7 @@ class ReferenceServer:
         } | self._settings
         with (self._directory / "log").open("ab") as log:
             self.process = subprocess.Popen(
-                [sys.executable, "-m", "reference_server"],
+                self.command,
                 cwd=ROOT,
                 env=inherited | settings,
                 stdout=subprocess.PIPE,

@@ -377,6 +377,7 @@ def test_cmp_010_cannot_compare_runs_of_another_account(context: CheckContext) -
     theirs = context.submit("score", wait_ready=False, http_client=other)
     named = [(ours.id, ours.id), (theirs.id, ours.id), (theirs.id, f"{theirs.id},none")]
     named += [(ours.id, theirs.id), ("none", theirs.id)]
+    named += [(theirs.id, f"{theirs.id},{ours.id}")]
     for unknown in ("z", "_" * 64):
         named += [(unknown, theirs.id), (theirs.id, unknown)]
         named += [(theirs.id, f"{theirs.id},{unknown}")]

@@ -1,6 +1,7 @@
 """The API of EBench: the profile `ebench` (EBE), on runs of calibration."""
 
 import time
+from functools import partial
 from urllib.parse import urlsplit
 
 from conformance.client.check_context import CheckContext
@@ -15,13 +16,14 @@ from conformance.profiles.ebench import (
     expect_refusal,
     expect_success,
     expect_workers,
+    name_run,
     numbers,
     open_endpoint,
     submit_ebench_run,
 )
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
-from conformance.verdicts.expect import SetUpFailed
+from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
 
 @requirement("EBE-001")
@@ -237,6 +239,8 @@ def test_ebe_013_a_repeated_step_is_not_executed_twice(
 def test_ebe_014_the_same_action_again_is_a_step(context: CheckContext) -> None:
     """A policy sends the same action three times. Expect three steps."""
     ebench_run = submit_ebench_run(context, "count")
+    if ebench_run.status().get("equal_steps", "execute") != "execute":
+        raise NotApplicable("the operator has chosen to answer equal steps")
     ebench_run.reset("0")
     same = {"0": action(vector=[1.0] * 8)}
     for expected in (1, 2, 3):
@@ -410,3 +414,158 @@ def test_ebe_022_the_score_is_the_run_s(context: CheckContext) -> None:
     score = run.score()
     expect.equal(score["score"], 0.4375, "the score")
     expect.equal(run.get()["state"], "completed", "the state of the run")
+
+
+@requirement("EBE-024")
+def test_ebe_024_the_run_is_named_in_header_and_query(context: CheckContext) -> None:
+    """Every operation with `run_id` in both places, and with another run's.
+
+    Expect success, and `not_found`.
+    """
+    ebench_run = submit_ebench_run(context, "count")
+    other = context.submit("count").id
+    one = pickles.write({"0": action()})
+    calls = [
+        partial(ebench_run.try_get, "docs"),
+        partial(ebench_run.try_get, "status"),
+        partial(ebench_run.try_workers, "create_workers", "0"),
+        partial(ebench_run.try_reset, "0"),
+        partial(ebench_run.try_send, "step", one),
+        partial(ebench_run.try_chunk, [{"0": action()}]),
+        partial(ebench_run.try_workers, "kill", "0"),
+    ]
+    for call in calls:
+        expect.refused(call(params={"run_id": other}), "not_found")
+        expect.refused(call(headers={"run_id": other}, params={}), "not_found")
+        answer = call(**name_run(ebench_run))
+        expect.equal(answer.status, 200, "the status with `run_id` in both places")
+
+
+@requirement("EBE-025")
+def test_ebe_025_metrics_have_labels_for_the_current_client(
+    context: CheckContext,
+) -> None:
+    """Three episodes of two tasks, by a step with a query and by `step_chunk`.
+
+    Expect labels with the progress, and `sr` 1 for a full score alone.
+    """
+    ebench_run = submit_ebench_run(context, "score", "score", "count")
+    ebench_run.reset("0")
+    ends = [action(score=1, end=1), action(score=0.5, end=1), action(end=1)]
+    first = ebench_run.try_step({"0": ends[0]}, params={"run_id": ebench_run.run.id})
+    second = ebench_run.try_chunk([{"0": ends[1]}])
+    last = ebench_run.try_chunk([{"0": ends[2]}])
+    metrics = [
+        expect_workers(first)["0"]["metric"],
+        expect_workers(second)["obs"]["0"]["metric"],
+        expect_workers(last)["obs"]["0"]["metric"],
+    ]
+    nothing = {"score": 0.0, "sr": 0.0}
+    expected = [
+        {"*(1/2)score": {"score": 1.0, "sr": 1.0}},
+        {"(2/2)score": {"score": 0.5, "sr": 0.0}},
+        {"(2/2)score": {"score": 0.75, "sr": 0.5}, "(1/1)count": nothing},
+    ]
+    expect.equal(metrics, expected, "the metrics")
+
+
+@requirement("EBE-026")
+def test_ebe_026_episode_results_are_complete(context: CheckContext) -> None:
+    """A full and a half score, by `step_chunk`. Expect all that a result file needs."""
+    ebench_run = submit_ebench_run(context, "score", "score")
+    ebench_run.reset("0")
+    reported = []
+    for score in (1.0, 0.5):
+        answer = ebench_run.try_chunk([{"0": action(score=score, end=1)}])
+        reported.append(expect_workers(answer)["obs"]["0"]["episode_result"] or {})
+    for result, (score, sr) in zip(reported, [(1.0, 1.0), (0.5, 0.0)], strict=True):
+        expect.equal([result.get("score"), result.get("sr")], [score, sr], "score, sr")
+        named = {name for name in ("episode_id", "task_name", "seed") if name in result}
+        expect.equal(len(named), 3, "the number of episode_id, task_name and seed")
+
+
+@requirement("EBE-027")
+def test_ebe_027_a_completed_task_is_executed_again(context: CheckContext) -> None:
+    """A completed run's task_id. Expect another run of its manifest that names it."""
+    ebench_run = submit_ebench_run(context, "score", "count", max_steps=3)
+    ebench_run.reset("0")
+    for _ in range(2):
+        ebench_run.step({"0": action(score=1, end=1)})
+    old = ebench_run.run.until("completed")
+    asked = {"task_id": ebench_run.run.id}
+    made = expect_success(call_control_plane(context, "createTask", asked))
+    new = expect.ok(context.call("get_run", run_id=made["task_id"]))
+    context.adopt(new)
+    expect.true(new["run_id"] != old["run_id"], "another run_id", new["run_id"])
+    hashes = [new["manifest_sha256"], old["manifest_sha256"]]
+    expect.equal(hashes[0], hashes[1], "manifest_sha256")
+    version = new["policy"].get("version", "")
+    expect.true(old["run_id"] in version, "a policy.version with the old id", version)
+    expect.equal(ebench_run.run.get()["state"], "completed", "the state of the old run")
+
+
+@requirement("EBE-028")
+def test_ebe_028_a_long_list_of_steps_is_one_step(context: CheckContext) -> None:
+    """One step more than `max_chunk` of the benchmark, and one more than announced.
+
+    Expect the first executed, and the second refused as a whole.
+    """
+    manifest = expect.ok(context.call("get_benchmark", benchmark_id="calibration"))
+    ebench_run = submit_ebench_run(context, "count", max_steps=10_000)
+    most = ebench_run.status().get("max_chunk", 0)
+    length = manifest["max_chunk"] + 1
+    if most < length:
+        raise NotApplicable("`status` announces no longer lists of steps")
+    ebench_run.reset("0")
+    shown = expect_workers(ebench_run.try_chunk([{"0": action()}] * length))
+    expect.equal(count(shown["obs"]["0"]), length, "state.count")
+    expect.equal(shown["executed_steps"], length, "executed_steps")
+    bad = [{"0": action()}] * (length - 1) + [{"0": {"action": [0.0]}}]
+    for wrong in (bad, [{"0": action()}] * (most + 1)):
+        expect.refused(ebench_run.try_chunk(wrong), "invalid_request")
+    shown = expect_workers(ebench_run.try_step({"0": action()}))["0"]
+    expect.equal(count(shown), length + 1, "state.count")
+
+
+@requirement("EBE-030")
+def test_ebe_030_a_killed_worker_costs_no_episode(context: CheckContext) -> None:
+    """An episode with one attempt is killed twice. Expect it unscored, and counted."""
+    ebench_run = submit_ebench_run(context, "score", max_attempts=1)
+    limit = ebench_run.status().get("max_attempts", 0)
+    if limit is not None and limit < 3:
+        raise NotApplicable("`status` announces fewer than three attempts")
+    for _ in range(2):
+        ebench_run.reset("0")
+        ebench_run.step({"0": action(score=0.5)})
+        ebench_run.try_workers("kill", "0")
+    [episode] = ebench_run.run.episodes()
+    expect.equal(episode["attempt"], 3, "the attempt of the episode")
+    expect.equal(episode["status"], "pending", "the status of the episode")
+    ebench_run.reset("0")
+    ebench_run.step({"0": action(score=1, end=1)})
+    [episode] = ebench_run.run.episodes()
+    seen = [episode["result"]["attempt"], episode["result"]["score"]]
+    expect.equal(seen, [3, 1.0], "attempt and score of the result")
+
+
+@requirement("EBE-031")
+def test_ebe_031_a_lost_result_is_given_later(context: CheckContext) -> None:
+    """The client disconnects from the step that ends an episode, and comes back.
+
+    Expect its `episode_result` in the answer to the next step or the one after it.
+    """
+    ebench_run = submit_ebench_run(context, "delay", "count")
+    lost = ebench_run.reset("0")["0"]["obs"]["episode_id"]
+    try:
+        ebench_run.try_step({"0": action(delay_s=1, end=1)}, timeout_s=0.4)
+    except NoAnswer:
+        pass
+    else:
+        raise SetUpFailed("a step with a delay of 1 s took less", breaks="CAL-004")
+    ebench_run.reset("0")  # waits for the end of the step
+    given = []
+    for number in range(2):
+        one = {"0": action(vector=[float(number)] * 8)}
+        shown = expect_workers(ebench_run.try_step(one))["0"]
+        given.append((shown["episode_result"] or {}).get("episode_id"))
+    expect.true(lost in given, f"the result of {lost}", given)

@@ -208,6 +208,17 @@ def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
         expect_key_in_use(server.context, key, first)
 
 
+def expect_to_leave_the_queue(run: RunClient) -> None:
+    """Expect a long-poll to end when a queued run becomes ready, without a request."""
+    wait_s = min(5, run.context.limits["wait_s_max"])
+    read = run.call("get_run")
+    if expect.ok(read)["state"] != "queued" or wait_s < 5:
+        return
+    tag = {"If-None-Match": read.headers.get("etag", "")}
+    polled = run.call("get_run", headers=tag | {"Prefer": f"wait={wait_s}"})
+    expect.equal(polled.status, 200, "status of a long-poll in the queue")
+
+
 def expect_attempt_and_fault(worker: WorkerClient) -> None:
     """Expect attempt 2 and one fault of two, and a run that goes on and can fail."""
     run, context = worker.run, worker.run.context
@@ -245,6 +256,9 @@ def test_crash_004_commands_survive_a_crash(context: CheckContext) -> None:
         faulty.detach()
         faulty.attach()
         faulty.predict(context.action(fault=1))
+        counted = submit_and_attach(context, "count")
+        counted.predict(context.action())
+        counted.detach()
         for run in (stopped, resumed, requeued):
             run.stop()
             run.resume()
@@ -256,6 +270,10 @@ def test_crash_004_commands_survive_a_crash(context: CheckContext) -> None:
         server.restart()
         for run in (draining, stopped):
             expect.equal(expect.ok(run.call("get_run"))["state"], "stopped", "state")
+        expect_to_leave_the_queue(submitted)
         for run in (submitted, resumed, requeued):
             expect_state_soon(run, "ready")
         expect_attempt_and_fault(faulty)
+        expect.ok(counted.run.call("get_run"))
+        (episode,) = counted.run.episodes()
+        expect.equal(episode["attempt"], 2, "attempt of an episode in the queue")

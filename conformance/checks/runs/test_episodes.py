@@ -380,9 +380,11 @@ def test_epi_010_result_of_an_abandoned_episode(context: CheckContext) -> None:
 @background
 def test_epi_011_think_time_is_that_between_turns(context: CheckContext) -> None:
     """A policy thinks in its first attempt, and in the second one before and after a
-    turn that takes some time; a heartbeat comes in between.
+    turn that takes some time; a heartbeat and a refused turn come in between. Another
+    one thinks before its worker is taken over, and then plays the next episode.
 
-    Expect `think_s` of the second attempt alone, without the time of its long turn.
+    Expect `think_s` of the whole second attempt alone, each time once, without the time
+    of its long turn; and none of the first episode in the next one.
     """
     pause_s, delay_s = 0.2, 0.3
     worker = submit_and_attach(context, "delay", max_attempts=2)
@@ -396,12 +398,23 @@ def test_epi_011_think_time_is_that_between_turns(context: CheckContext) -> None
     for _ in ("before the heartbeat", "after it"):
         time.sleep(pause_s)
         worker.heartbeat()
+    expect.refused(worker.try_predict({"values": {}}), "invalid_request")
     turn = worker.predict(context.action(end=1))
     most_s = time.monotonic() - began - delay_s
     think_s = turn["episode_result"]["think_s"]
     least_s = CLOCK_TOLERANCE * 3 * pause_s
     in_range = least_s <= think_s <= most_s / CLOCK_TOLERANCE
     expect.true(in_range, f"`think_s` from {least_s:g} to {most_s:.3f}", think_s)
+    worker = submit_and_attach(context, "delay", "delay")
+    time.sleep(3 * pause_s)
+    worker.predict(context.action())
+    worker.attach(takeover=True)
+    think_s = worker.predict(context.action(end=1))["episode_result"]["think_s"]
+    least_s, began = CLOCK_TOLERANCE * 3 * pause_s, time.monotonic()
+    expect.true(think_s >= least_s, f"`think_s` of {least_s:g} or more", think_s)
+    think_s = worker.predict(context.action(end=1))["episode_result"]["think_s"]
+    most_s = context.tolerance_s + time.monotonic() - began
+    expect.true(think_s <= most_s, f"`think_s` of {most_s:.3f} at most", think_s)
 
 
 @requirement("EPI-012")

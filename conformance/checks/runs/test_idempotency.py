@@ -19,6 +19,7 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
 LONGEST_KEY = 128
+_ONE_EPISODE = {"options": {"tasks": ["score"]}}
 ONES = ("1.0", "1e0", "10E-1", "0.1e+1")
 
 
@@ -32,7 +33,7 @@ def test_run_003_can_repeat_submit_with_the_same_key(context: CheckContext) -> N
     """The response was lost: the same key and body again, also concurrently.
 
     Expect the first run and its Location each time, and no other run; the same when the
-    run has been stopped.
+    run has been stopped, and when another one is completed.
     """
     body, key = uniquely_named_body(context), new_key()
     first = context.call("submit_run", json=body, headers=key)
@@ -46,6 +47,15 @@ def test_run_003_can_repeat_submit_with_the_same_key(context: CheckContext) -> N
         location = answer.headers.get("location")
         expect.equal(location, first.headers.get("location"), "Location")
     expect.equal(runs_of(context, body), [run.id], "the runs made of it")
+    body, key = uniquely_named_body(context) | _ONE_EPISODE, new_key()
+    played = context.adopt(expect.ok(submit(context, body, headers=key), 201))
+    played.until("ready")
+    worker = played.worker()
+    worker.attach()
+    worker.play()
+    played.until("completed")
+    again = expect.ok(submit(context, body, headers=key), 201)
+    expect.equal(again["run_id"], played.id, "run_id when it is completed")
     race, new = uniquely_named_body(context), new_key()
     answers = context.call_concurrently(
         *[lambda: submit(context, race, headers=new)] * 4
@@ -132,7 +142,8 @@ def test_run_026_keys_differ_in_any_character(context: CheckContext) -> None:
     """
     key = (f"aB-{uuid.uuid4().hex}!~" + "x" * LONGEST_KEY)[: LONGEST_KEY - 1]
     keys = [key, f"{key}x", f"{key}y", key[:-1], key[1:], key.swapcase()]
-    keys += [key.lower(), key[:64], key[:32]]
+    keys += [key.lower(), key[:64], key[:32], f'"{key[:32]}"', f"{key[:32]}=", "%20"]
+    keys[-1] += key[:32]
     ids = set()
     for name in keys:
         headers = {"Idempotency-Key": name}

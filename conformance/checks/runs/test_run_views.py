@@ -15,7 +15,7 @@ from conformance.checks.support.long_run import EPISODES, long_run
 from conformance.checks.support.submissions import submit
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
-from conformance.runner.requirement import on_long_run, requirement
+from conformance.runner.requirement import background, on_long_run, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
@@ -23,7 +23,8 @@ from conformance.verdicts.expect import SetUpFailed
 _CHANGES_BY_ITSELF = ("state", "queue_position", "updated_at")
 _CLOCK_TOLERANCE = timedelta(seconds=1)
 _PAGES_MAX = 10
-_NAME = "r\u00e9gie re\u0301gie \u673a\u5668\u4eba \U0001f916 "
+# Every short escape of JSON, a control character, and letters of every length in UTF-8.
+_NAME = '\b\f\n\r\t/\\"\x01 r\u00e9gie re\u0301gie \u673a\u5668\u4eba \U0001f916 '
 
 
 def time_of(text: object) -> datetime:
@@ -86,7 +87,8 @@ def test_run_018_shows_what_was_submitted(context: CheckContext) -> None:
         "images": {"codec": benchmark["image_codecs"][0]}
         | {name: first[name] for name in ("width", "height")},
     }
-    bare = context.submit_body(policy={"name": "x"})
+    defaults["policy"] = {"name": " x\t"}
+    bare = context.submit_body(policy=defaults["policy"])
     expect_shown(expect.ok(submit(context, bare), 201), defaults, "by default")
     run = context.adopt(body)
     run.until("ready")
@@ -113,7 +115,8 @@ def find_listed(context: CheckContext, ids: set[str]) -> dict[str, dict[str, Any
 
 @requirement("RUN-019")
 def test_run_019_every_operation_shows_the_same_run(context: CheckContext) -> None:
-    """Runs in every state are listed; another one is submitted, stopped and resumed.
+    """Runs in every state are listed, and one while it is played; another one is
+    submitted, stopped and resumed.
 
     Expect each time the run that `get_run` shows.
     """
@@ -122,6 +125,12 @@ def test_run_019_every_operation_shows_the_same_run(context: CheckContext) -> No
     listed = find_listed(context, {run.id for run in runs})
     for run, state in zip(runs, states, strict=True):
         expect.equal(listed[run.id], run.get(), f"a {state} run in `list_runs`")
+    worker = submit_and_attach(context, "score", "score", "score")
+    for step in (worker.play, worker.play, worker.detach):
+        step()
+        run = worker.run
+        shown = find_listed(context, {run.id})[run.id]
+        expect.equal(shown, run.get(), "a run that is played, in `list_runs`")
     answer = expect.ok(submit(context, context.submit_body()), 201)
     run = context.adopt(answer)
     expect.equal(
@@ -146,8 +155,10 @@ def expect_between(moment: str, first: datetime, last: datetime, what: str) -> N
 
 
 @requirement("RUN-020")
+@background
 def test_run_020_times_are_those_of_the_clock(context: CheckContext) -> None:
-    """A run is submitted; later an episode is played and another one abandoned.
+    """A run is submitted; later an episode is played and another one abandoned; one
+    ends with a long turn.
 
     Expect `created_at` and `finished_at` between times that the server named before and
     after, and the same ones for ever.
@@ -175,6 +186,11 @@ def test_run_020_times_are_those_of_the_clock(context: CheckContext) -> None:
             raise SetUpFailed("a result is lost; see STOP-001, RES-001")
         finished_at = before_stop["finished_at"]
         expect.equal(found["finished_at"], finished_at, "finished_at at last")
+    worker = submit_and_attach(context, "delay")
+    turn = worker.predict(context.action(delay_s=3, end=1))
+    after = now_of(context)
+    latest = after - timedelta(seconds=1 + context.tolerance_s)
+    expect_between(turn["episode_result"]["finished_at"], latest, after, "finished_at")
 
 
 @requirement("RUN-021")

@@ -225,7 +225,8 @@ def test_run_016_endpoint_serves_the_data_plane(context: CheckContext) -> None:
 def test_run_017_cannot_choose_images_that_are_not_offered(
     context: CheckContext,
 ) -> None:
-    """A size that is not offered, every codec that is not, then offered ones.
+    """Sizes that are not offered, the width of one with the height of another among
+    them, every codec that is not, then offered ones.
 
     Expect `invalid_request` pointing into `/images`, then a run that records it.
     """
@@ -233,6 +234,10 @@ def test_run_017_cannot_choose_images_that_are_not_offered(
     offered = {"codec": codecs[0], **sizes[-1]}
     wrong = [offered | {"width": offered["width"] + 1}]
     wrong += [offered | {"height": offered["height"] + 1}]
+    for one, two in itertools.permutations(sizes, 2):
+        mixed = {"width": one["width"], "height": two["height"]}
+        if mixed not in sizes:
+            wrong.append(offered | mixed)
     known = context.spec.schema("ImageCodec")["x-extensible-enum"]
     wrong += [offered | {"codec": codec} for codec in known if codec not in codecs]
     for images in wrong:

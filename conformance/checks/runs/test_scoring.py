@@ -69,13 +69,19 @@ def test_score_001_lies_between_0_and_1(context: CheckContext) -> None:
 
 @requirement("SCORE-002")
 def test_score_002_any_step(context: CheckContext) -> None:
-    """Rule `any_step`; success in the first, last or middle step, nearly, and never.
+    """Rule `any_step`; success in the first, last or middle step, nearly, and never; in
+    a step before the worker is taken over.
 
     Expect a success exactly where `success` was 1 in some step.
     """
     patterns: list[list[float]] = [[1, 0], [0, 1], [0, 1, 0], [BELOW_1, 0.5], [0, 0, 0]]
     found = play_patterns(context, "any_step", patterns)
     expect.equal(found, ["success"] * 3 + ["failure"] * 2, "outcomes")
+    worker = submit_and_attach(context, "score", success_rule="any_step")
+    worker.predict(context.action(success=1), context.action())
+    worker.attach(takeover=True)
+    result = worker.predict(context.action(end=1))["episode_result"]
+    expect.equal(result["outcome"], "success", "outcome after a takeover")
 
 
 @requirement("SCORE-003")
@@ -297,7 +303,8 @@ def test_score_013_interval_of_the_mean(context: CheckContext) -> None:
 
 @requirement("SCORE-014")
 def test_score_014_says_whose_score_it_is(context: CheckContext) -> None:
-    """A run in each of the seven states, and one with other options.
+    """A run in each of the seven states, and one with other options; a run whose score
+    is read after each of its changes.
 
     Expect the benchmark, the hash and the state of the run.
     """
@@ -306,3 +313,10 @@ def test_score_014_says_whose_score_it_is(context: CheckContext) -> None:
         score, body = expect.ExpectedBody(run.score()), run.get()
         for name in ("run_id", "benchmark_id", "manifest_sha256", "state"):
             expect.equal(score[name], body[name], f"{name} of a {body['state']} run")
+    run = context.submit("score", "score")
+    worker = run.worker()
+    for step in (worker.attach, worker.play, worker.detach, run.stop, run.resume):
+        step()
+        state, of_score = run.get()["state"], run.score()["state"]
+        if state != "queued":  # it may leave the queue between two requests
+            expect.equal(of_score, state, "state of the score, read before")

@@ -45,7 +45,8 @@ def test_stop_001_abort_keeps_results(context: CheckContext) -> None:
 
 @requirement("STOP-002")
 def test_stop_002_abort_ends_the_sessions(context: CheckContext) -> None:
-    """Two workers continue with predict and heartbeat after the run is aborted.
+    """Two workers continue with predict and heartbeat after the run is aborted; another
+    one, whose session is done, with heartbeat.
 
     Expect `session_ended` for requests that were accepted before.
     """
@@ -58,6 +59,13 @@ def test_stop_002_abort_ends_the_sessions(context: CheckContext) -> None:
     for worker in attached_workers:
         expect.refused(worker.try_predict(context.action()), "session_ended")
         expect.refused(worker.try_heartbeat(), "session_ended")
+    if len(attached_workers) > 1:
+        done, _ = attach_workers(context.submit("score", "score"), 2)
+        done.play()
+        accepted = done.try_heartbeat()
+        done.run.stop()
+        if accepted.status == 200:
+            expect.refused(done.try_heartbeat(), "session_ended")
 
 
 @requirement("STOP-003")

@@ -14,6 +14,7 @@ from PIL import Image
 
 from conformance.checks.support.bodies.msgpack_forms import WIDTHS, pack
 from conformance.client.check_context import CheckContext
+from conformance.client.http_client import NO_ACCEPT
 from conformance.client.run_client import WorkerClient
 from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import requirement
@@ -25,6 +26,7 @@ ACCEPT_BOTH = (
     "application/msgpack, application/json",
     "application/*",
     "*/*",
+    NO_ACCEPT,
 )
 # dtype → (struct format of one element, six elements), from calibration.md.
 _TINY = {"float16": 2.0**-14, "float32": 2.0**-126, "float64": 2.0**-1022}
@@ -101,7 +103,7 @@ def test_enc_001_json_is_sent_when_both_are_acceptable(context: CheckContext) ->
             )
             expect.ok(answer)
             worker.seq += 1
-            what = f"the media type for Accept: {accept}"
+            what = f"the media type for Accept: {accept or 'absent'}"
             expect.equal(answer.media_type, "application/json", what)
 
 
@@ -378,3 +380,8 @@ def test_enc_012_every_format_of_messagepack_is_read(context: CheckContext) -> N
             turn = expect.ok(send_predict(worker, body, "application/msgpack"))
             expect.equal(turn["observation"]["state"]["vector"], numbers, "vector")
             worker.seq += 1
+    large = [2.0**63, 2.0**64 - 2**11, 2.0**53, 2.0**62] * 2
+    worker = echo(context)
+    body = pack(next_body(worker, vector=large), 8, is_signed=False)
+    turn = expect.ok(send_predict(worker, body, "application/msgpack"))
+    expect.equal(turn["observation"]["state"]["vector"], large, "large integers")

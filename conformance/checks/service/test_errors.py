@@ -148,6 +148,9 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
         for name in ("constructor", "__proto__", "toString"):
             answer = send_body(worker, sample, sample[1]["json"] | {name: 1})
             expect.refused(answer, "invalid_request", pointer=f"/{name}")
+        # RFC 6901 writes these two signs otherwise.
+        answer = send_body(worker, sample, sample[1]["json"] | {"a/b~c": 1})
+        expect.refused(answer, "invalid_request", pointer="/a~1b~0c")
     body = context.submit_body(options={"surprise": 1})
     answer = submit(context, body)
     expect.refused(answer, "invalid_request", pointer="/options/surprise")

@@ -1,5 +1,6 @@
 """Sessions: attach, takeover, detach (ATT, DET)."""
 
+import time
 from collections import Counter
 from typing import Any
 
@@ -13,6 +14,7 @@ from conformance.checks.support.given_states import (
     submit_and_attach,
     without,
 )
+from conformance.checks.support.long_turns import long_turn_s
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
 from conformance.exchanges.answer import Answer
@@ -139,9 +141,10 @@ def test_att_005_cannot_use_a_superseded_session(context: CheckContext) -> None:
 
 @requirement("ATT-006")
 def test_att_006_cannot_attach_more_workers_than_allowed(context: CheckContext) -> None:
-    """One worker more than `max_workers` attaches, and again when a slot is free.
+    """One worker more than `max_workers` attaches, and again when a slot is free; one
+    more attaches while the only one executes a turn.
 
-    Expect `worker_limit` for the first attempt.
+    Expect `worker_limit` where no slot is free.
     """
     most = min(2, context.limits["max_workers"])
     run = context.submit(*["score"] * 4, max_workers=most)
@@ -150,6 +153,20 @@ def test_att_006_cannot_attach_more_workers_than_allowed(context: CheckContext) 
     expect.refused(late.try_attach(), "worker_limit")
     attached_workers[0].detach()
     late.attach()
+    run = context.submit("delay", "delay", max_workers=1)
+    busy = run.worker("busy")
+    busy.attach()
+    turn_s = long_turn_s(context)
+
+    def attach_later() -> Answer:
+        time.sleep(turn_s / 4)
+        return run.worker("late").try_attach()
+
+    turn, refused = context.call_concurrently(
+        lambda: busy.try_predict(context.action(delay_s=turn_s)), attach_later
+    )
+    expect.require(turn, 200, "a long turn")
+    expect.refused(refused, "worker_limit")
 
 
 @requirement("ATT-007")
@@ -185,6 +202,11 @@ def test_att_008_race_for_one_worker(context: CheckContext) -> None:
 
 WRONG: list[tuple[dict[str, Any], str]] = [
     ({"control_rate_hz": 20}, "/assumes/control_rate_hz"),
+    ({"control_rate_hz": 10.4}, "/assumes/control_rate_hz"),
+    ({"control_rate_hz": 9.99}, "/assumes/control_rate_hz"),
+    # An action that is no state, and a state that is no action.
+    ({"state": {"score": {"size": 1}}}, "/assumes/state/score"),
+    ({"action": {"count": {"size": 1}}}, "/assumes/action/count"),
     ({"action": {"vector": {"size": 7}}}, "/assumes/action/vector"),
     ({"action": {"delay_s": {"unit": "ms"}}}, "/assumes/action/delay_s"),
     ({"action": {"vector": {"rotation": "euler_xyz"}}}, "/assumes/action/vector"),
@@ -268,12 +290,13 @@ def test_att_012_attach_without_an_episode_left(context: CheckContext) -> None:
 
 @requirement("ATT-013")
 def test_att_013_cannot_attach_with_a_bad_worker_id(context: CheckContext) -> None:
-    """Worker ids with a space, a dot, another alphabet, and one character too many.
+    """Worker ids with a space, a dot, an end of line, another alphabet, and one with a
+    character too many.
 
     Expect `invalid_request`; the longest valid id is accepted.
     """
     run = context.submit("score")
-    for worker_id in ("a b", "a.b", "ä", "a:b", "w" * 65):
+    for worker_id in ("a b", "a.b", "ä", "a:b", "a\n", "w" * 65):
         expect.refused(run.worker(worker_id).try_attach(), "invalid_request")
     run.worker("-_A0z" + "w" * 59).attach()
 

@@ -7,6 +7,7 @@ from conformance.checks.support.given_states import (
     count,
     index_of,
     results,
+    start_drain,
     submit_and_attach,
     without,
 )
@@ -18,7 +19,8 @@ from conformance.verdicts import expect
 
 @requirement("FAULT-001")
 def test_fault_001_episode_begins_again(context: CheckContext) -> None:
-    """The simulator fails in the third step of an episode; the episode is repeated.
+    """The simulator fails in the third step of an episode; the episode is repeated. It
+    fails in a run that drains.
 
     Expect `fault` in that turn only, and the same episode and attempt at step 0.
     """
@@ -37,6 +39,12 @@ def test_fault_001_episode_begins_again(context: CheckContext) -> None:
     expect.equal(turn["episode_result"]["outcome"], "success", "outcome")
     expect.equal(turn["episode_result"]["attempt"], 1, "attempt")
     expect.equal(turn["episode_result"]["faults"], 1, "faults")
+    draining = submit_and_attach(context, "fault", "fault")
+    draining.predict(context.action())
+    start_drain(draining.run)
+    turn = expect.ok(draining.try_predict(context.action(fault=1)))
+    again = draining.turn["episode"] | {"step": 0}
+    expect.equal(turn["episode"], again, "episode of a run that drains")
 
 
 @requirement("FAULT-002")
@@ -299,7 +307,8 @@ def test_fault_014_a_failure_ends_every_session(context: CheckContext) -> None:
         run = context.submit("fault", "score", "score", max_faults=1)
         workers = attach_beside_a_fault_task(run)
         for worker in workers:
-            worker.predict(context.action())
+            if fault == 1:  # otherwise none has sent a turn yet
+                worker.predict(context.action())
             worker.heartbeat()
         workers[0].try_predict(context.action(fault=fault))
         run.until("failed")

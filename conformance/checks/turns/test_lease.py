@@ -349,6 +349,10 @@ def test_lease_010_repeats_extend(context: CheckContext) -> None:
         sleep_nearly_through(attach, context)
         again = attached.try_attach(attach_key=attached.attach_key)
         expect_inside_lease(again, attach, context)
+        session_id = expect.ok(again)["session_id"]
+        expect.equal(
+            session_id, attached.session_id, "the session of a repeated attach"
+        )
         sleep_nearly_through(turn, context)
         repeat = played.try_predict(action, seq=1)
         expect_inside_lease(repeat, turn, context)

@@ -253,9 +253,13 @@ def test_pred_023_timing_adds_up(context: CheckContext) -> None:
 
     Expect queue, simulate, render and encode never to be more than the total.
     """
-    worker = submit_and_attach(context, "echo", "delay", "score")
+    # The last size is the largest, the last codec costs most to encode.
+    images = {"codec": context.benchmark["image_codecs"][-1]}
+    images |= context.benchmark["image_sizes"][-1]
+    worker = context.submit("echo", "delay", "score", images=images).worker()
+    worker.attach()
     parts = ("queue_s", "simulate_s", "render_s", "encode_s")
-    for values in ({}, {"end": 1}, {"delay_s": 0.05}, {"end": 1}, {}):
+    for values in ({}, {}, {"end": 1}, {"delay_s": 0.05}, {"end": 1}, {}):
         turn = expect.ok(worker.try_predict(context.action(**values)))
         worker.seq += 1
         timing = turn["timing"]

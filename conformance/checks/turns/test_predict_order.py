@@ -116,7 +116,8 @@ def test_pred_005_repeat_waits_for_the_first(context: CheckContext) -> None:
 
 @requirement("PRED-010")
 def test_pred_010_can_repeat_the_last_turn(context: CheckContext) -> None:
-    """The response to the last turn of the run was lost.
+    """The response to the last turn of the run was lost, and of another worker, which
+    was done before.
 
     Expect it again when the `predict` is repeated, although the run is completed.
     """
@@ -127,6 +128,13 @@ def test_pred_010_can_repeat_the_last_turn(context: CheckContext) -> None:
     for _ in range(2):
         again = expect.ok(worker.try_predict(action, seq=worker.seq))
         expect.equal(again, turn, "the repeated turn")
+    if context.limits["max_workers"] > 1:
+        early, late = attach_workers(context.submit("score", "score"), 2)
+        turn = early.play(score=0.25)
+        late.play()
+        late.run.until("completed")
+        again = expect.ok(early.try_predict(action, seq=early.seq))
+        expect.equal(again, turn, "the repeated turn of the worker that was done first")
 
 
 @requirement("PRED-011")

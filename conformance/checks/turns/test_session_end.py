@@ -86,7 +86,8 @@ def expect_another_session(worker: WorkerClient, answer: Answer) -> None:
 @requirement("ATT-018")
 def test_att_018_key_names_one_session(context: CheckContext) -> None:
     """The longest key; keys that differ in the last character, in case, in length; the
-    key under another worker, and after the end of the session.
+    key under another worker, and after the end of the session; a worker and a key that
+    together read like others.
 
     Expect `worker_busy` for the different ones, and never the same session for the
     others.
@@ -102,6 +103,14 @@ def test_att_018_key_names_one_session(context: CheckContext) -> None:
     expect.equal(again["session_id"], worker.session_id, "session_id of the repeat")
     if context.limits["max_workers"] > 1:
         expect_another_session(worker, run.worker("two").try_attach(attach_key=key))
+        for sign in "-_":
+            first = submit_and_attach(context, "count", "count")
+            key = f"{first.id}{sign}{first.attach_key}"
+            joined = first.run.worker(f"{first.id}{sign}{first.id}")
+            joined.attach(attach_key=first.attach_key)
+            expect_another_session(
+                joined, first.try_attach(attach_key=key, takeover=True)
+            )
     worker.detach()
     expect_another_session(worker, worker.try_attach(attach_key=key))
 
@@ -209,10 +218,11 @@ SESSION_ENDS: dict[str, tuple[Callable[[WorkerClient], Any], tuple[str, ...]]] =
 
 @requirement("DET-005")
 def test_det_005_says_what_ended_a_session(context: CheckContext) -> None:
-    """Sessions end by a detach, by an abort, and by a failure of their run.
+    """Sessions end by a detach, by an abort, and by a failure of their run; then the
+    run is aborted.
 
-    Expect `session_ended` for heartbeat and predict, with what ended them; LEASE-012
-    looks at leases.
+    Expect `session_ended` for heartbeat and predict, with what ended them, each time;
+    LEASE-012 looks at leases.
     """
     for ended_by, (end, tasks) in SESSION_ENDS.items():
         if ended_by == "run_failed" and context.limits["max_workers"] < 2:
@@ -226,3 +236,6 @@ def test_det_005_says_what_ended_a_session(context: CheckContext) -> None:
             worker.try_predict(context.action(), seq=worker.seq),
         ):
             expect.refused(answer, "session_ended", ended_by=ended_by)
+        if ended_by == "detached":
+            worker.run.stop()
+            expect.refused(worker.try_heartbeat(), "session_ended", ended_by=ended_by)

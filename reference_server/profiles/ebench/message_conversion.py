@@ -22,7 +22,7 @@ Values: TypeAlias = dict[str, list[float]]
 ReadLastCommand: TypeAlias = Callable[[], Mapping[str, Sequence[float]]]
 
 NUMBERS_MAX = 4096  # in one action; no robot has more
-LIFT2 = "lift2"
+LIFT2 = "manip/lift2/R5a"  # as EBench's client finds it in its table of robots
 _JOINTS = {"joint_position": 12, "gripper": 4, "base_motion": 3}
 _POSES = {"left_ee_pose": 7, "right_ee_pose": 7, "gripper": 4, "base_motion": 3}
 _HANDS = ("left_ee_pose", "right_ee_pose")
@@ -63,13 +63,17 @@ def read_actions(
     return made
 
 
-def check_length(
-    chunk: Sequence[Any], manifest: Mapping[str, Any], at: Sequence[str]
-) -> None:
-    """Refuse a chunk that is too long, before it is converted."""
-    if len(chunk) > manifest["max_chunk"]:
-        [(_, text)] = action_space.action_errors(chunk, manifest)
-        raise _invalid_action(at[0], text)
+def check_length(chunk: Sequence[Any], max_chunk: int, at: Sequence[str]) -> None:
+    """Refuse a chunk that is too long, before it is converted (EBE-028)."""
+    if len(chunk) > max_chunk:
+        raise _invalid_action(at[0], f"a chunk holds at most {max_chunk} actions")
+
+
+def whole_chunk_errors(
+    actions: Sequence[action_space.Values], manifest: Mapping[str, Any]
+) -> action_space.SpaceErrors:
+    """What is wrong with the actions of a chunk that is played in several turns."""
+    return action_space.action_errors(actions, {**manifest, "max_chunk": len(actions)})
 
 
 def _previous_command(made: list[Values], last: ReadLastCommand) -> ReadLastCommand:
@@ -211,14 +215,21 @@ def observation_view(turn: Mapping[str, Any], run_id: str, benchmark_id: str) ->
 
 
 def episode_result_view(
-    result: Mapping[str, Any], run_id: str, benchmark_id: str
+    result: Mapping[str, Any], run_id: str, benchmark_id: str, *, current: bool
 ) -> dict[str, Any]:
+    """EBench's `episode_result`; current: for the current client (EBE-026)."""
     return {
         "episode_id": _episode_id(result, run_id, benchmark_id),
         "task_name": result["task"],
         "seed": result["seed"],
-        "sr": result["score"],
+        "score": result["score"],
+        "sr": success_rate(result["score"]) if current else result["score"],
     }
+
+
+def success_rate(score: float) -> float:
+    """EBE-025, EBE-026: a success is a full score."""
+    return 1.0 if score >= 1.0 else 0.0
 
 
 def _episode_id(episode: Mapping[str, Any], run_id: str, benchmark_id: str) -> str:

@@ -28,6 +28,9 @@ from numpy.typing import NDArray
 
 OPCODES_MAX = 400_000
 VALUES_MAX = 400_000
+# What a pickle of any length may have, and what each byte may add: actions that many
+# workers share are few bytes, but a hundred bytes never stand for a million values.
+VALUES_OF_ANY, VALUES_PER_BYTE = 2**15, 4
 TEXT_MAX = 2**22  # characters, repeated references included
 DEPTH_MAX = 16
 DIMENSIONS_MAX = 8
@@ -100,7 +103,7 @@ def read(body: bytes) -> Any:
     """
     machine = _Machine(len(body))
     try:
-        return _Tree().of(machine.run(body))
+        return _Tree(len(body)).of(machine.run(body))
     except BadPickle:
         raise
     except (LookupError, TypeError, ValueError, OverflowError) as error:
@@ -390,14 +393,15 @@ _OPCODES = dict(_opcodes())
 class _Tree:
     """The result, copied: a part that is referenced many times counts many times."""
 
-    def __init__(self) -> None:
-        self._left = VALUES_MAX
+    def __init__(self, size: int) -> None:
+        self._most = min(VALUES_MAX, VALUES_OF_ANY + VALUES_PER_BYTE * size)
+        self._left = self._most
         self._text_left = TEXT_MAX
 
     def of(self, value: Any, depth: int = 0) -> Any:
         array = value.filled if isinstance(value, _Array) else None
         self._left -= 1 if array is None else max(array.size, 1)
-        _require(self._left >= 0, f"more than {VALUES_MAX} values")
+        _require(self._left >= 0, f"more than {self._most} values")
         _require(depth <= DEPTH_MAX, "it is nested too deeply, or contains itself")
         if array is not None:
             return array

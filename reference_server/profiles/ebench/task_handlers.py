@@ -23,11 +23,14 @@ from reference_server.http import codec
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.http.handlers import Handlers
 from reference_server.profiles.ebench import (
+    long_chunks,
     message_conversion,
     pickle_reader,
     pickle_writer,
 )
+from reference_server.profiles.ebench.long_chunks import LongChunk, LongChunks
 from reference_server.profiles.ebench.lost_answers import LostAnswers
+from reference_server.profiles.ebench.owed_results import OwedResults
 from reference_server.profiles.ebench.task_requests import (
     Chunk,
     CreateTask,
@@ -40,16 +43,18 @@ from reference_server.profiles.ebench.task_requests import (
 from reference_server.profiles.ebench.task_responses import (
     PICKLE,
     ConfirmedResponse,
+    TaskScores,
     envelope,
     refusal_response,
-    results_of,
     status_of,
+    task_scores,
     worker_view,
 )
-from reference_server.rules.lifecycle import Attach, Detach, Predict
+from reference_server.rules.lifecycle import Attach, Detach, Predict, Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
 from reference_server.runs.service import RunService
+from reference_server.views import run_views
 
 CONTROL = "/api/v1/benchmark/onlineEvaluation"
 RUN_PATH = "/eval-server/{run_id}"
@@ -57,6 +62,7 @@ ENDPOINT = f"{RUN_PATH}/api/predict/{{benchmark_id}}"
 # Benchmark set of EBench → benchmark_id; a benchmark_id is accepted as well (EBE-001).
 BENCHMARK_SETS = {
     "ebench_generalist": "mobile_bimanual",
+    "EBench": "mobile_bimanual",
     "ebench_mobile_manip": "mobile_bimanual_mobile_manip",
     "ebench_table_top_manip": "mobile_bimanual_table_top_manip",
 }
@@ -65,7 +71,8 @@ PAGE_HEADERS = {
     "Content-Security-Policy": "default-src 'none'; frame-ancestors 'none'",
     "X-Content-Type-Options": "nosniff",
 }
-PICKLE_INLINE_BYTES = 2**16  # larger ones are read in a thread
+NO_LIMIT = 2**31 - 1  # of attempts: the largest that `attempt` can show
+PICKLE_INLINE_BYTES = 2**13  # larger ones are read in a thread
 
 Turn: TypeAlias = Mapping[str, Any]
 Work: TypeAlias = Callable[[], Awaitable[Turn]]
@@ -85,30 +92,46 @@ class EbenchHandlers:
 
     handlers: Handlers
     lost_answers: LostAnswers = field(default_factory=LostAnswers)
+    long_chunks: LongChunks = field(default_factory=LongChunks)
+    owed_results: OwedResults = field(default_factory=OwedResults)
 
     @property
     def service(self) -> RunService:
         return self.handlers.service
 
     def table(self) -> dict[str, dict[str, Operation]]:
-        """path → method → operation."""
-        binary = partial(Operation, scope="run", writes=(PICKLE,), headers=("run_id",))
-        plain = partial(Operation, headers=("run_id",))
+        """path → method → operation, at the root and under each prefix."""
+        prefixes = [
+            "",
+            *filter(None, self.handlers.settings.ebench_prefixes.split(",")),
+        ]
+        return {
+            prefix + path: operations
+            for prefix in prefixes
+            for path, operations in self._paths().items()
+        }
+
+    def _paths(self) -> dict[str, dict[str, Operation]]:
+        # EBE-024: the older client names the run in the header, the current one twice.
+        named = partial(Operation, headers=("run_id",))
+        binary = partial(named, scope="run", writes=(PICKLE,), query=("run_id",))
+        plain = partial(named, query=("run_id",))
         requested = partial(Operation, refusal_response=refusal_response)
         stop = requested(self.stop, "run", query=("run_id", "user_id"))
         workers = partial(plain, scope="run", body=Workers)
+        chunk_query = ("run_id", "render_mode", "subframes")
         return {
             f"{CONTROL}/createTask": {
                 "POST": requested(self.create_task, "run", CreateTask)
             },
             f"{CONTROL}/ready": {"POST": requested(self.ready, body=Ready)},
             f"{ENDPOINT}/docs": {"GET": plain(self.docs, writes=("text/html",))},
-            f"{ENDPOINT}/status": {"GET": plain(self.status, query=("run_id",))},
+            f"{ENDPOINT}/status": {"GET": plain(self.status)},
             f"{ENDPOINT}/create_workers": {"POST": workers(self.create_workers)},
             f"{ENDPOINT}/reset": {"POST": binary(self.reset)},
             f"{ENDPOINT}/step": {"POST": binary(self.step)},
             f"{ENDPOINT}/step_chunk": {
-                "POST": binary(self.step_chunk, query=("render_mode", "subframes"))
+                "POST": binary(self.step_chunk, query=chunk_query)
             },
             f"{ENDPOINT}/kill": {"POST": workers(self.kill)},
             f"{ENDPOINT}/stop": {"POST": stop},
@@ -118,10 +141,18 @@ class EbenchHandlers:
     # --- control plane ---
 
     async def create_task(self, call: OperationCall) -> Response:
-        """A new run (EBE-001); with a `task_id`, that run resumed (EBE-004)."""
+        """A new run (EBE-001); with a `task_id`, that run resumed (EBE-004).
+
+        EBE-027: a run that is completed is executed again, by a new run that names it.
+        """
         requested: CreateTask = call.body
         if requested.task_id:
-            run = await self.service.resume_run(call.account, requested.task_id)
+            old = await self.service.get_run(call.account, requested.task_id)
+            if old.state == "completed" and not old.is_push:
+                again = requested.repeat_submission(old)
+                run = await self.service.submit_run(call.account, again)
+            else:
+                run = await self.service.resume_run(call.account, old.run_id)
             return envelope({"task_id": run.run_id})
         wanted = requested.benchmark_set or "ebench_generalist"
         submission = {
@@ -147,7 +178,8 @@ class EbenchHandlers:
         path = ENDPOINT.format(
             run_id=run.run_id, benchmark_id=run.manifest["benchmark_id"]
         )
-        endpoint = self.handlers.base_url(call) + path if is_open else ""
+        prefix = call.request.scope["path"].removesuffix(f"{CONTROL}/ready")
+        endpoint = f"{self.handlers.base_url(call)}{prefix}{path}" if is_open else ""
         return envelope({"ready": is_open, "endpoint": endpoint})
 
     async def stop(self, call: OperationCall) -> Response:
@@ -165,9 +197,14 @@ class EbenchHandlers:
 
     async def status(self, call: OperationCall) -> Response:
         run = await self._run(call)
-        return call.answer(
-            {"data": await self.service.registry.render_when_stored(run, status_of)}
-        )
+        stored = await self.service.registry.render_when_stored(run, status_of)
+        settings = self.handlers.settings
+        announced = {
+            "max_attempts": settings.ebench_max_attempts or None,  # EBE-030
+            "max_chunk": settings.ebench_max_chunk,  # EBE-028
+            "equal_steps": settings.ebench_equal_steps,  # EBE-029
+        }
+        return call.answer({"data": stored | announced})
 
     async def create_workers(self, call: OperationCall) -> Response:
         run = await self._run(call)
@@ -198,28 +235,33 @@ class EbenchHandlers:
         turns = await _gather(
             {i: partial(self._open, run, i, takeover=True) for i in ids}
         )
-        body = pickle_writer.write(await self._worker_views(run, turns))
-        return Response(body, media_type=PICKLE)
+        views = await self._worker_views(run, turns, current=_is_current(call))
+        return Response(pickle_writer.write(views), media_type=PICKLE)
 
     async def step(self, call: OperationCall) -> Response:
         """EBE-008: one turn of each worker."""
-        run, turns = await self._step_all(call)
-        return ConfirmedResponse(
-            await self._worker_views(run, turns), call, self._on_delivered(run, turns)
-        )
+        run, turns, on_sent = await self._step_all(call)
+        views = await self._worker_views(run, turns, current=_is_current(call))
+        return ConfirmedResponse(views, call, on_sent)
 
     async def step_chunk(self, call: OperationCall) -> Response:
         """EBE-023: `step` with a list, and how much of it was executed."""
-        run, turns = await self._step_all(call)
+        run, turns, on_sent = await self._step_all(call)
         body = {
-            "obs": await self._worker_views(run, turns),
+            # EBE-025: only the current client sends lists this way.
+            "obs": await self._worker_views(run, turns, current=True),
             "executed_steps": max(t.get("executed_steps", 0) for t in turns.values()),
             "stopped_early": any(map(_is_stopped_early, turns.values())),
         }
-        return ConfirmedResponse(body, call, self._on_delivered(run, turns))
+        return ConfirmedResponse(body, call, on_sent)
 
-    async def _step_all(self, call: OperationCall) -> tuple[Run, dict[str, Turn]]:
-        """One turn of each worker: all are checked before any is executed (EBE-012)."""
+    async def _step_all(
+        self, call: OperationCall
+    ) -> tuple[Run, dict[str, Turn], Callable[[bool], None]]:
+        """One step of each worker: all are checked before any is executed (EBE-012).
+
+        Returns also what to call when the answer was sent, or lost.
+        """
         run = await self._run(call)
         body = await self._pickle(call)
         run = await self._run(call)  # leases may have ended while the body came
@@ -230,7 +272,35 @@ class EbenchHandlers:
         if found is not None:
             command, verdict = found
             raise chunks[command.worker_id].translate_refusal(verdict)
-        return run, await _gather({i: step.work for i, step in steps.items()})
+        scored = run.scored
+        try:
+            turns = await _gather({i: step.work for i, step in steps.items()})
+        except Refused:  # by one worker: the answers of the others are lost
+            self.owed_results.add(run, run.scored_order[scored:])
+            raise
+        # EBE-029: a repetition of the others is a repetition for ever.
+        known = [i for i in turns if not self._is_answered_again(chunks[i])]
+        on_delivered = self._on_delivered(run, {i: turns[i] for i in known})
+        turns = {i: self._add_owed_result(run, turn) for i, turn in turns.items()}
+        ended = [turn.get("episode_result") for turn in turns.values()]
+        results = [result["index"] for result in ended if result is not None]
+
+        def on_sent(is_connected: bool) -> None:
+            if is_connected:
+                on_delivered()
+            else:
+                self.owed_results.add(run, results)
+
+        return run, turns, on_sent
+
+    def _add_owed_result(self, run: Run, turn: Turn) -> Turn:
+        """EBE-031: where the client reads a result and the turn has none of its own."""
+        if "episode_result" in turn or not turn.get("executed_steps"):
+            return turn
+        episode = self.owed_results.take(run)
+        if episode is None:
+            return turn
+        return {**turn, "episode_result": run_views.result_view(episode), "owed": True}
 
     # --- what a worker does ---
 
@@ -240,8 +310,14 @@ class EbenchHandlers:
         if session is None:  # EBE-017: the actions were chosen in an ended session
             return _Step(partial(self._open, run, worker_id))
         if not session.done:  # EBE-010: else the actions are not executed, nor checked
-            message_conversion.check_length(chunk.actions, run.manifest, chunk.at)
+            limit = self.handlers.settings.ebench_max_chunk
+            message_conversion.check_length(chunk.actions, limit, chunk.at)
         digest = chunk.digest()
+        long = self.long_chunks.find_repeated(session, digest)
+        if long is not None:
+            return _Step(partial(self._repeat_long, run, session, long))
+        if self.long_chunks.is_played(session):
+            raise Refused("worker_busy", "A list of steps of the worker is executed.")
         command = self.lost_answers.find_repeated_turn(session, digest)
         if command is None and session.done and not session.busy:  # EBE-010
             return _Step(partial(self._last_turn, session))
@@ -250,7 +326,45 @@ class EbenchHandlers:
                 chunk.actions, run.manifest, partial(_last_command, session), chunk.at
             )
             command = Predict(worker_id, session.session_id, session.seq + 1, made)
+            if len(made) > run.manifest["max_chunk"]:
+                return self._prepare_long(run, session, command, chunk, digest)
         return _Step(partial(self._play, run, session, command, digest), command)
+
+    def _prepare_long(
+        self, run: Run, session: Session, command: Predict, chunk: Chunk, digest: str
+    ) -> _Step:
+        """EBE-028: a list that is longer than a turn; all of it is checked now."""
+        errors = message_conversion.whole_chunk_errors(command.actions, run.manifest)
+        if errors:
+            verdict = Refuse(
+                "invalid_request",
+                "The actions do not fit this benchmark; none was executed.",
+                errors=tuple(errors),
+            )
+            raise chunk.translate_refusal(verdict)
+        turns = long_chunks.split(command, run.manifest["max_chunk"])
+        play = partial(self.service.predict, run.account, run.run_id)
+
+        async def work() -> Turn:
+            return await self.long_chunks.start(session, digest, turns, play).result()
+
+        return _Step(work, turns[0])
+
+    async def _repeat_long(self, run: Run, session: Session, long: LongChunk) -> Turn:
+        """EBE-013: the answer again; its last turn is repeated as by any client."""
+        whole = await long.result()
+        assert session.request is not None, "the list had a turn"
+        last = Predict(
+            session.worker_id, session.session_id, session.seq, *session.request
+        )
+        turn = await self.service.predict(run.account, run.run_id, last)
+        counted = ("executed_steps", "stopped_early")
+        return {**turn, **{name: whole[name] for name in counted}}
+
+    def _is_answered_again(self, chunk: Chunk) -> bool:
+        """EBE-029: whether a step that equals the last one repeats it by setting."""
+        chosen = self.handlers.settings.ebench_equal_steps
+        return chosen == "answer" or (chosen == "answer_chunks" and chunk.is_varied())
 
     async def _play(
         self, run: Run, session: Session, command: Predict, digest: str
@@ -260,7 +374,9 @@ class EbenchHandlers:
         return await self.service.predict(run.account, run.run_id, command)
 
     async def _open(self, run: Run, worker_id: str, takeover: bool = False) -> Turn:
-        command = Attach(worker_id, secrets.token_hex(16), takeover)
+        limit = self.handlers.settings.ebench_max_attempts or NO_LIMIT  # EBE-030
+        key = secrets.token_hex(16)
+        command = Attach(worker_id, key, takeover, max_attempts=limit)
         try:
             return await self.service.attach_worker(run.account, run.run_id, command)
         except Refused as refused:
@@ -279,6 +395,7 @@ class EbenchHandlers:
         run = await self.service.get_run(call.account, _run_id(call))
         if run.manifest["benchmark_id"] != call.path["benchmark_id"]:
             raise Refused("not_found", "The run does not belong to this endpoint.")
+        self.owed_results.notice(run)
         return run
 
     async def _pickle(self, call: OperationCall) -> Any:
@@ -294,13 +411,15 @@ class EbenchHandlers:
             raise Refused("malformed_body", f"The pickle: {error}.") from error
 
     async def _worker_views(
-        self, run: Run, turns: Mapping[str, Turn]
+        self, run: Run, turns: Mapping[str, Turn], *, current: bool
     ) -> dict[str, Any]:
-        results: dict[str, float] = {}
-        if any(turn["done"] for turn in turns.values()):
-            results = await self.service.registry.render_when_stored(run, results_of)
+        """What each worker sees; current: for that generation of the client."""
+        scores: TaskScores = {}
+        if any(turn["done"] or "episode_result" in turn for turn in turns.values()):
+            scores = await self.service.registry.render_when_stored(run, task_scores)
         return {
-            worker: worker_view(run, turn, results) for worker, turn in turns.items()
+            worker: worker_view(run, turn, scores, current=current)
+            for worker, turn in turns.items()
         }
 
     def _on_delivered(self, run: Run, turns: Mapping[str, Turn]) -> Callable[[], None]:
@@ -313,6 +432,7 @@ class EbenchHandlers:
             for session, seq in sessions:
                 if session is not None:
                     self.lost_answers.confirm_delivery(session, seq)
+                    self.long_chunks.confirm_delivery(session, seq)
 
         return on_delivered
 
@@ -328,9 +448,15 @@ def _run_id(call: OperationCall) -> str:
     return run_id
 
 
+def _is_current(call: OperationCall) -> bool:
+    """EBE-025: only the current client names the run in the query."""
+    return "run_id" in call.query
+
+
 def _is_stopped_early(turn: Turn) -> bool:
     """Whether an episode ended, or the chunk was cut, before its last action."""
-    return "episode_result" in turn or bool(turn["done"] or turn.get("stopped_early"))
+    ended = "episode_result" in turn and "owed" not in turn
+    return ended or bool(turn["done"] or turn.get("stopped_early"))
 
 
 async def _gather(works: Mapping[str, Work]) -> dict[str, Turn]:

@@ -20,6 +20,8 @@ from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 
+STEPS_MAX = 4096  # of all workers; no setting allows a longer chunk
+
 
 class CreateTask(BaseModel):
     """The body of createTask; empty members are absent, unknown ones are ignored."""
@@ -41,6 +43,12 @@ class CreateTask(BaseModel):
         if self.submitter_homepage:
             policy["homepage"] = self.submitter_homepage
         return policy
+
+    def repeat_submission(self, old: Run) -> dict[str, Any]:
+        """Schema SubmitRun: the run `old` again, and its id in the policy (EBE-027)."""
+        policy = self.policy() if self.model_name else dict(old.submission["policy"])
+        policy["version"] = f"re-execution of {old.run_id}"
+        return {**old.submission, "policy": policy}
 
 
 class Ready(BaseModel):
@@ -68,6 +76,10 @@ class Chunk:
         """Equal for equal actions: how a repeated step is recognised (EBE-013)."""
         return hashlib.sha256(pickle_writer.write(_plain(self.actions))).hexdigest()
 
+    def is_varied(self) -> bool:
+        """Whether it has several actions that are not all equal (EBE-029)."""
+        return len({pickle_writer.write(_plain(a)) for a in self.actions}) > 1
+
     def translate_refusal(self, verdict: Refuse) -> Refused:
         """The refusal of the converted actions, with pointers into the request."""
         refused = Refused.from_verdict(verdict)
@@ -94,6 +106,8 @@ def _plain(value: Any) -> Any:
 def read_chunks(body: Any, run: Run) -> dict[str, Chunk]:
     """EBE-008: each worker's actions in order, from one step or a list of steps."""
     steps = body if isinstance(body, list) else [body]
+    if len(steps) > STEPS_MAX:
+        raise schema_error("", f"must have at most {STEPS_MAX} steps")
     actions: dict[str, list[Any]] = {}
     at: dict[str, list[str]] = {}
     for number, step in enumerate(steps):

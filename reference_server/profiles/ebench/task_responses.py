@@ -7,8 +7,10 @@ read requests beyond whether their client is still connected.
 from __future__ import annotations
 
 import secrets
+from collections import Counter
 from collections.abc import Callable, Mapping
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, TypeAlias
 
 import msgspec
 from starlette.responses import Response
@@ -41,53 +43,114 @@ def refusal_response(refused: Refused) -> Response:
 
 
 class ConfirmedResponse(Response):
-    """A response that reports when it was sent to a client that was connected.
+    """A response that reports whether it was sent to a client that was connected.
 
-    EBE-013, EBE-014: an answer counts as lost unless `on_delivered` is called.
+    EBE-013, EBE-014, EBE-031: `on_sent` is called once, with False when it was lost.
     """
 
     def __init__(
-        self, value: Any, call: OperationCall, on_delivered: Callable[[], None]
+        self, value: Any, call: OperationCall, on_sent: Callable[[bool], None]
     ) -> None:
         super().__init__(pickle_writer.write(value), media_type=PICKLE)
         self._request = call.request
-        self._on_delivered = on_delivered
+        self._on_sent = on_sent
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """ASGI: checks the connection before the last byte.
 
         Not after it: many clients disconnect as soon as they have the last byte.
         """
+        is_connected = False
         start = {"status": self.status_code, "headers": self.raw_headers}
-        await send({"type": "http.response.start", **start})
         whole = memoryview(self.body)
         rest, last = whole[:-1], whole[-1:]
-        await send({"type": "http.response.body", "body": rest, "more_body": True})
-        is_connected = not await self._request.is_disconnected()
-        await send({"type": "http.response.body", "body": last, "more_body": False})
-        if is_connected:
-            self._on_delivered()
+        try:
+            await send({"type": "http.response.start", **start})
+            await send({"type": "http.response.body", "body": rest, "more_body": True})
+            is_connected = not await self._request.is_disconnected()
+            await send({"type": "http.response.body", "body": last, "more_body": False})
+        finally:
+            self._on_sent(is_connected)
+
+
+@dataclass(frozen=True, slots=True)
+class TaskScore:
+    """The scored episodes of one task of a run: how many, and their means."""
+
+    scored: int
+    total: int
+    score: float
+    sr: float
+
+    def label(self, task: str) -> str:
+        """EBE-025: the task with its progress; `*` hides it until it is complete."""
+        mark = "" if self.scored == self.total else "*"
+        return f"{mark}({self.scored}/{self.total}){task}"
+
+
+TaskScores: TypeAlias = Mapping[str, TaskScore]
 
 
 def worker_view(
-    run: Run, turn: Mapping[str, Any], results: Mapping[str, float]
+    run: Run, turn: Mapping[str, Any], scores: TaskScores, *, current: bool
 ) -> dict[str, Any]:
-    """The answer of `reset` and `step` for one worker (EBE-009, EBE-010)."""
+    """The answer of `reset` and `step` for one worker (EBE-009, EBE-010).
+
+    current: for the current generation of EBench's client (EBE-025); the older one
+    reads numbers.
+    """
     of = run.run_id, run.manifest["benchmark_id"]
     ended = turn.get("episode_result")
-    metric = {ended["task"]: ended["score"]} if ended else None
+    metric: dict[str, Any] | None = None
+    if turn["done"]:
+        metric = run_metric(scores, current=current)
+    elif ended and "owed" not in turn:
+        metric = episode_metric(scores, ended, current=current)
     return {
         "obs": None if turn["done"] else message_conversion.observation_view(turn, *of),
-        "metric": results if turn["done"] else metric,
-        "episode_result": ended and message_conversion.episode_result_view(ended, *of),
+        "metric": metric,
+        "episode_result": ended
+        and message_conversion.episode_result_view(ended, *of, current=current),
     }
 
 
-def results_of(run: Run) -> dict[str, float]:
-    """Mean score of each task that has a scored episode (EBE-010, EBE-019)."""
+def episode_metric(
+    scores: TaskScores, ended: Mapping[str, Any], *, current: bool
+) -> dict[str, Any]:
+    """The score of an ended episode, by its task (EBE-009, EBE-025)."""
+    task, score = ended["task"], ended["score"]
+    if not current:
+        return {task: score}
+    sr = message_conversion.success_rate(score)
+    return {scores[task].label(task): {"score": score, "sr": sr}}
+
+
+def run_metric(scores: TaskScores, *, current: bool) -> dict[str, Any]:
+    """The mean scores of a run whose end a worker has reached (EBE-010, EBE-025)."""
+    if not current:
+        return {task: found.score for task, found in scores.items()}
+    return {
+        found.label(task): {"score": found.score, "sr": found.sr}
+        for task, found in scores.items()
+    }
+
+
+def task_scores(run: Run) -> dict[str, TaskScore]:
+    """Each task that has a scored episode."""
     by_task = run_views.score_view(run, run.episodes)["by_task"]
-    means = {task: group["mean"] for task, group in by_task.items()}
-    return {task: mean for task, mean in means.items() if mean is not None}
+    full: Counter[str] = Counter()
+    for episode in run.episodes:
+        if episode.result is not None:
+            full[episode.task] += int(
+                message_conversion.success_rate(episode.result.score)
+            )
+    found = {}
+    for task, group in by_task.items():
+        total = group["counts"]["total"]
+        scored = total - group["counts"]["unscored"]
+        if scored:
+            found[task] = TaskScore(scored, total, group["mean"], full[task] / scored)
+    return found
 
 
 def status_of(run: Run) -> dict[str, Any]:
@@ -108,5 +171,6 @@ def status_of(run: Run) -> dict[str, Any]:
         "completed_episodes": run.scored,
         "in_progress_episodes": sum(s.episode is not None for s in run.live_sessions),
         "active_workers": sorted(live_sessions),
-        "results": results_of(run),
+        "repeated_attempts": sum(e.attempt - 1 for e in run.episodes),  # EBE-030
+        "results": {task: s.score for task, s in task_scores(run).items()},
     }

@@ -21,6 +21,7 @@ from reference_server.http import codec
 from reference_server.http.codec import JSON
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.http.handlers import Handlers
+from reference_server.http.large_bodies import read_message
 from reference_server.profiles.flageval.evaluation_requests import (
     DiffsRequest,
     EvaluationRequest,
@@ -266,4 +267,4 @@ class FlagevalHandlers:
         codec.media_type_of(call.request, (JSON,))
         limit = self.handlers.settings.max_body_bytes
         body = await codec.read_body(call.request, limit)
-        return codec.validate(model, codec.decode(body, JSON))
+        return await read_message(model, body, JSON)

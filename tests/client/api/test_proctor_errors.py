@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ssl
+
 from proctor_client import ApiException
 
 from reference_client.errors import from_failure
@@ -17,9 +19,23 @@ def test_a_problem_is_reported_with_its_pointers() -> None:
     assert error.problem is not None
 
 
-def test_a_failed_certificate_counts_as_unreachable() -> None:
+def test_a_connection_lost_in_its_handshake_counts_as_unreachable() -> None:
+    failure = ApiException(status=0, reason="SSLError\nEOF occurred")
+    failure.__context__ = ssl.SSLEOFError(8, "EOF occurred in violation of protocol")
+    for one in (failure, failure.__context__):
+        error = from_failure(one, URL)
+        assert (error.code, error.retryable) == ("unreachable", True)
+
+
+def test_a_failed_certificate_is_reported_as_such() -> None:
     failure = ApiException(status=0, reason="SSLError\ncertificate verify failed")
-    assert from_failure(failure, URL).code == "unreachable"
+    inner = ssl.SSLCertVerificationError(1, "certificate verify failed")
+    inner.verify_message = "self-signed certificate"
+    failure.__context__ = inner
+    for one in (failure, inner):
+        error = from_failure(one, URL)
+        assert (error.code, error.retryable) == ("not_trusted", False)
+        assert "is not accepted: self-signed certificate" in error.detail
 
 
 def test_an_answer_that_is_not_json_is_an_error() -> None:

@@ -5,12 +5,14 @@ What it says, what it leaves behind, and how it goes on.
 
 from __future__ import annotations
 
+import os
 import re
 import signal
 import subprocess
 import sys
 from collections import deque
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any, ClassVar
 
 import pytest
@@ -23,6 +25,8 @@ from reference_client import (
     RunStopped,
     evaluate,
 )
+from reference_client.errors import PolicyFailed
+from reference_client.evaluation.uncaught_errors import _print_text
 from tests.support.client.direct_client import DirectClient
 from tests.support.client.evaluations import (
     calibration_evaluation,
@@ -325,6 +329,38 @@ def test_a_wrong_token_is_reported(
     assert (
         evaluate_and_fail(url=server.url, benchmark="calibration").code == "forbidden"
     )
+
+
+@pytest.mark.slow("starts a program")
+@pytest.mark.parametrize("debug", [False, True])
+def test_a_wrong_token_ends_a_program_with_one_line(
+    server: ReferenceServer, tmp_path: Path, debug: bool
+) -> None:
+    file = tmp_path / "program.py"
+    file.write_text(
+        "from reference_client import evaluate\n"
+        f"evaluate(object, url='{server.url}', token='x', benchmark='calibration')\n"
+    )
+    ended = subprocess.run(
+        [sys.executable, file],
+        cwd=ROOT,
+        env=os.environ | {"PROCTOR_DEBUG": "1" if debug else ""},
+        capture_output=True,
+        text=True,
+        timeout=TIMEOUT_S,
+        check=False,
+    )
+    assert (ended.returncode, ended.stdout) == (1, "")
+    assert "`token`, or PROCTOR_TOKEN. [unauthenticated]\n" in ended.stderr
+    assert ("Traceback" in ended.stderr) == debug
+    assert debug or ended.stderr.count("\n") == 1, ended.stderr
+
+
+def test_other_errors_keep_their_traceback(capsys: pytest.CaptureFixture[str]) -> None:
+    """Of the program, and of a policy, which is the program's, too."""
+    for error in (KeyError("x"), PolicyFailed("it raised", "")):
+        _print_text(type(error), error, None)
+        assert type(error).__name__ in capsys.readouterr().err
 
 
 def test_an_unreachable_server_is_reported_with_its_url() -> None:

@@ -165,6 +165,7 @@ def test_a_worker_plays_a_run_to_its_end(http: httpx.Client) -> None:
         "episode_id": obs["episode_id"],
         "task_name": "count",
         "seed": 1000,
+        "score": 1.0,
         "sr": 1.0,
     }
 
@@ -181,6 +182,10 @@ def test_a_worker_plays_a_run_to_its_end(http: httpx.Client) -> None:
         "in_progress_episodes": 0,
         "active_workers": [],
         "results": {"count": 1.0, "score": 0.25},
+        "repeated_attempts": 0,
+        "max_attempts": None,
+        "max_chunk": 1024,
+        "equal_steps": "execute",
     }
     # The run stays completed, for every worker that connects.
     assert client.step({"0": action()})[0]["0"]["obs"] is None
@@ -246,18 +251,18 @@ def test_a_chunk_over_the_limit_is_refused_before_parsing(http: httpx.Client) ->
     client = open_client(http, "count", "count")
     for rest in (action(), None):
         answer = client.send(
-            "step", dump_pickle([{"0": action()}] * 64 + [{"0": rest}])
+            "step", dump_pickle([{"0": action()}] * 1024 + [{"0": rest}])
         )
         assert (answer.status_code, answer.json()["code"]) == (422, "invalid_request")
         [error] = answer.json()["errors"]
         assert error["pointer"] == "/0/0"
-        assert "at most 64 actions" in error["detail"]
+        assert "at most 1024 actions" in error["detail"]
     # Where the actions are not for the worker's episode, nothing is asked of them.
     assert count(client.step({"0": action()})[0]) == 1
     for _ in range(2):
         _, done = client.step({"0": action(end=1)})
     assert done
-    assert client.step([{"0": action()}] * 65)[1]
+    assert client.step([{"0": action()}] * 1025)[1]
 
 
 @pytest.mark.parametrize(
@@ -270,7 +275,7 @@ def test_a_chunk_over_the_limit_is_refused_before_parsing(http: httpx.Client) ->
         ("step", dump_pickle({"no id": action()}), 422),
         ("step", dump_pickle({"0": action(), 0: action()}), 422),
         ("step", dump_pickle({str(i): action() for i in range(17)}), 422),
-        ("step", dump_pickle([{"0": action()}] * 65), 422),
+        ("step", dump_pickle([{"0": action()}] * 1025), 422),
         ("step", dump_pickle({"0": {1: None, "action": [float("nan")] * 15}}), 422),
         ("step", b"not a pickle", 400),
         ("step", b"cos\nsystem\n(Vtrue\ntR.", 400),

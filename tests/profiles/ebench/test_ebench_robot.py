@@ -33,7 +33,7 @@ def test_the_robot_is_played_by_its_own_numbers(http: httpx.Client) -> None:
     assert [[part.shape for part in hand] for hand in obs["state.ee_pose"]] == [
         [(3,), (4,)]
     ] * 2
-    assert obs["robot_id"] == "lift2"
+    assert obs["robot_id"] == "manip/lift2/R5a"
     step = {
         "action": np.array(LIFT2, dtype=np.float32),
         "base_motion": [0.02, 0.0, 3.0],

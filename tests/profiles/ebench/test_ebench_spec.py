@@ -20,7 +20,7 @@ from tests.support.paths import ROOT
 SPEC = ROOT / "spec"
 DOCUMENT: dict[str, Any] = yaml.safe_load((SPEC / "profiles/ebench.yaml").read_text())
 NOTHING: Any = None
-TABLE = EbenchHandlers(Handlers(Settings(), NOTHING)).table()
+TABLE = EbenchHandlers(Handlers(Settings(ebench_prefixes=""), NOTHING)).table()
 DESCRIBED = {
     (path, method.upper()): described
     for path, item in DOCUMENT["paths"].items()
@@ -72,7 +72,7 @@ def test_the_rows_fit_the_schema_of_rows_and_are_in_the_ledger() -> None:
     for row in rows:
         assert (ledger[row["id"]].profile, row["profile"]) == ("ebench", "ebench")
         assert ledger[row["id"]].text == row["text"]
-    assert [row["id"] for row in rows] == [f"EBE-{n:03}" for n in range(1, 24)]
+    assert [row["id"] for row in rows] == [f"EBE-{n:03}" for n in range(1, 32)]
 
 
 def test_rows_are_cited_by_operations() -> None:
@@ -89,6 +89,12 @@ def test_descriptions_state_no_requirement() -> None:
 
 def test_the_adapter_has_the_routes_that_are_described() -> None:
     assert {(path, m) for path, ms in TABLE.items() for m in ms} == set(DESCRIBED)
+
+
+def test_the_adapter_answers_under_each_prefix_as_at_the_root() -> None:
+    settings = Settings(ebench_prefixes="/eval,/a/b")
+    table = EbenchHandlers(Handlers(settings, NOTHING)).table()
+    assert list(table) == [p + path for p in ("", "/eval", "/a/b") for path in TABLE]
 
 
 @pytest.mark.parametrize("at", sorted(DESCRIBED), ids="-".join)

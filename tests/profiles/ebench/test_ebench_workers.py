@@ -158,8 +158,11 @@ def test_stop_and_resume_keep_scored_episodes(
     assert done
     assert http.get(f"/v1/runs/{task_id}/score").json()["score"] == 1 / 3
     assert client.stop()["code"] == 409
-    assert client.control("createTask", task_id=task_id)["code"] == 409
     assert client.find()["data"]["ready"]
+    again = client.control("createTask", task_id=task_id)  # EBE-027
+    assert again["code"] == 0
+    assert again["data"]["task_id"] != task_id
+    assert http.get(f"/v1/runs/{task_id}/score").json()["score"] == 1 / 3
 
 
 def test_progress_survives_a_server_restart(tmp_path: Path) -> None:

@@ -255,7 +255,7 @@ def test_the_robot_state_uses_the_names_of_ebench() -> None:
         for index, (name, space) in enumerate(spaces["state"].items())
     }
     found = convert_observation(state=state)
-    assert found["robot_id"] == "lift2"
+    assert found["robot_id"] == "manip/lift2/R5a"
     assert values(found["state.joints"]) == state["joint_position"]
     assert values(found["state.gripper"]) == state["gripper"]
     assert values(found["state.base"]) == state["base_pose"]

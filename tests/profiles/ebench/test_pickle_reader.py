@@ -27,6 +27,8 @@ from reference_server.profiles.ebench.pickle_reader import (
     DEPTH_MAX,
     OPCODES_MAX,
     VALUES_MAX,
+    VALUES_OF_ANY,
+    VALUES_PER_BYTE,
     BadPickle,
     read,
 )
@@ -364,6 +366,17 @@ BOMBS: dict[str, tuple[bytes, str]] = {
     "a memo": (b"N" + COLLIDING + b".", "memo index"),
     "bytes of one text": (LATIN + b"](" + b"h\x00h\x03R" * 1000 + b"e.", "expands"),
 }
+
+
+def test_a_short_pickle_stands_for_few_values() -> None:
+    """Shared parts count as often as they are named; bytes sent permit more."""
+    shared = [[0.5] * 8] * 4_100
+    body = dump_pickle(shared, 4)
+    assert f"more than {VALUES_OF_ANY + VALUES_PER_BYTE * 184} values" in refusal(
+        dump_pickle(nested(5, 16), 4).ljust(184, b"\0")
+    )
+    assert len(body) < VALUES_OF_ANY
+    assert read(body) == shared
 
 
 @pytest.mark.parametrize("name", sorted(BOMBS))

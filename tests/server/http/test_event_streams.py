@@ -16,8 +16,13 @@ from starlette.responses import StreamingResponse
 
 from conformance.client.event_reader import Event, EventParser
 from reference_server.http import event_streams
-from reference_server.http.event_streams import EPISODES_PER_BATCH, EventStream
+from reference_server.http.event_streams import (
+    EPISODES_PER_BATCH,
+    EventStream,
+    SharedStreams,
+)
 from reference_server.rules import effects as rules
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, RunHead
 from reference_server.storage.store import StoreFailed
 from reference_server.views import run_views
@@ -374,3 +379,72 @@ def test_results_of_older_databases_come_first(tmp_path: Path) -> None:
         assert run.scored_order == [1, 3, 4, 0]
 
     run_scenarios(tmp_path, before, after, read)
+
+
+# --- many readers ---
+
+
+def test_one_change_is_read_and_encoded_once_for_all_readers(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await add_stored_run(parts, *["score"] * 3)
+        shown: list[RunHead] = []
+
+        def counted(head: RunHead) -> dict[str, Any]:
+            shown.append(head)
+            return view(head)
+
+        shared = SharedStreams()
+        readers = [
+            EventStream(parts.registry, run.run_id, "alice", counted, "", shared)
+            for _ in range(50)
+        ]
+        clients = [await StreamClient.open(reader) for reader in readers]
+        assert len({await client.part() for client in clients}) == 1
+        assert len(shown) == 1
+        await score_episodes(parts, run, 2)
+        batches = await asyncio.gather(*(client.events() for client in clients))
+        assert len({tuple(one.id for one in batch) for batch in batches}) == 1
+        # One more for each write that ended while the readers were pausing.
+        assert len(shown) <= 4
+        other = EventStream(parts.registry, run.run_id, "alice", counted, "x", shared)
+        await (await StreamClient.open(other)).part()
+        assert len(shown) <= 5
+        await asyncio.sleep(event_streams.SHARED_S + 0.1)
+        assert not any(shared._batches.values())
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_streams_of_a_run_and_of_an_account_are_counted(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        shared = SharedStreams(1)
+        leave = [
+            shared.enter("alice", f"run_{number}")
+            for number in range(event_streams.STREAMS_PER_ACCOUNT)
+        ]
+        for account, run_id in (("bob", "run_0"), ("alice", "run_9")):
+            with pytest.raises(Refused) as caught:
+                shared.enter(account, run_id)
+            assert caught.value.code == "unavailable"
+        leave.pop()()
+        shared.enter("alice", "run_9")()
+        for one in leave:
+            one()
+        assert not shared._open
+        await add_stored_run(parts)
+        stream = EventStream(parts.registry, "run_1", "alice", view, "", shared)
+        answer = await stream.answer(None)
+        with pytest.raises(Refused):
+            await stream.answer(None)
+
+        async def disconnected() -> dict[str, str]:
+            return {"type": "http.disconnect"}
+
+        async def gone(_: Any) -> None:
+            raise OSError
+
+        with contextlib.suppress(Exception):
+            await answer({"type": "http"}, disconnected, gone)
+        assert not shared._open
+
+    run_scenarios(tmp_path, scenario)

@@ -3,7 +3,7 @@
 import asyncio
 import contextlib
 import socket
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -109,6 +109,45 @@ def test_a_huge_body_is_refused_and_not_kept(
     )
     assert_problem(answer, "body_too_large")
     assert memory_peak(live_run.server.process.pid) - before < 48 * 2**20
+
+
+def collision_keys(size: int) -> bytes:
+    """A MessagePack map whose keys are pairs of integers with few hashes."""
+    count = size // 12
+    pairs = (
+        b"\x92\xcf" + (number * (2**61 - 1) % 2**64).to_bytes(8, "big") + b"\x01\x00"
+        for number in range(count)
+    )
+    return b"\xdf" + count.to_bytes(4, "big") + b"".join(pairs)
+
+
+@pytest.mark.parametrize("kind", ["zeros", "objects", "names", "numbers", "keys"])
+def test_a_wrong_body_of_the_limit_costs_little(live_run: LiveRun, kind: str) -> None:
+    """Millions of faults or entries: memory is bounded, and others are served."""
+    size = live_run.client.get("/v1").json()["limits"]["max_body_bytes"] - 2**16
+    opening = b'{"session_id":"s","seq":1,"actions":['
+    vector = b'{"values":{"a":[' + b"0," * 4095 + b"0]}},"
+    bodies: dict[str, Callable[[], bytes]] = {
+        "zeros": lambda: opening + b"0," * (size // 2) + b"0]}",
+        "objects": lambda: opening + b"{}," * (size // 3) + b"{}]}",
+        "numbers": lambda: opening + vector * (size // len(vector)) + b"{}]}",
+        "names": lambda: (
+            opening
+            + b'{"values":{%b}}]}' % b",".join(b'"%d":0' % n for n in range(size // 11))
+        ),
+        "keys": lambda: collision_keys(size),
+    }
+    before = memory_peak(live_run.server.process.pid)
+    media_type = MSGPACK if kind == "keys" else "application/json"
+    answer = live_run.client.post(
+        f"{live_run.worker}/predict",
+        content=bodies[kind](),
+        headers={"Content-Type": media_type},
+    )
+    assert_problem(answer, "invalid_request")
+    assert len(answer.content) < 2**16
+    assert memory_peak(live_run.server.process.pid) - before < 128 * 2**20
+    assert answer.elapsed.total_seconds() < 10  # before: half a minute to an hour
 
 
 def test_a_body_of_just_the_limit_is_read(live_run: LiveRun) -> None:

@@ -8,12 +8,15 @@ from collections.abc import Iterator
 from typing import Any, cast
 
 import httpx
+import msgspec
 import pytest
 from PIL import Image
 
 from conformance.policy.scripted_chat import ScriptedChat
 from conformance.profiles.flageval import ANSWERS_IN_TEXT
-from reference_server.push.chat_calls import ChatPolicy, read_answer
+from reference_server.push import chat_calls
+from reference_server.push.chat_calls import NO_ANSWER, ChatPolicy, read_answer
+from reference_server.push.http_calls import PolicyFault
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.question_answering.questions import action, draw
 from reference_sim.benchmarks.tabletop.scene import TabletopScene
@@ -304,3 +307,35 @@ def test_a_completion_without_text_is_no_answer(
     assert wait_for_state(client, run_id)["state"] == "completed"
     (episode,) = episodes(client, run_id)
     assert episode["result"]["score"] == 0.0
+
+
+# --- large answers ---
+
+LARGE = 2**16
+
+
+@pytest.mark.parametrize(
+    ("content", "read"), [("A", "A"), (None, ""), ([{"text": "A"}], ""), (1, "")]
+)
+def test_of_a_large_completion_only_the_text_is_read(content: Any, read: str) -> None:
+    choice = {
+        "message": {"role": "assistant", "content": content},
+        "logprobs": {"content": [{"token": "a", "logprob": 0.5}] * 1000},
+    }
+    body = msgspec.json.encode({"id": "x", "choices": [choice], "usage": [0] * LARGE})
+    found = chat_calls._read(body)
+    assert set(found["choices"][0]["message"]) == {"content"}
+    assert len(found) == len(found["choices"][0]) == 1
+    assert chat_calls._content(found) == read
+
+
+@pytest.mark.parametrize("choices", [[0] * LARGE, [{}] * LARGE, {}, "a" * LARGE])
+def test_a_large_answer_that_is_no_completion_is_a_fault(choices: Any) -> None:
+    body = msgspec.json.encode({"choices": choices, "more": "a" * LARGE})
+    with pytest.raises(PolicyFault, match="not a chat completion"):
+        chat_calls._content(chat_calls._read(body))
+
+
+def test_of_a_long_text_only_its_end_is_split() -> None:
+    assert read_answer("a\n" * LARGE + "(B)\n")["choice"] == [1.0]
+    assert read_answer("B" + "a" * LARGE)["choice"] == [NO_ANSWER]

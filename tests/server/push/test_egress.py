@@ -5,6 +5,7 @@ A name that resolves to another address later, or a redirect, changes nothing.
 
 import asyncio
 import signal
+import threading
 from collections.abc import Coroutine, Iterator
 from ipaddress import ip_address
 from pathlib import Path
@@ -59,6 +60,15 @@ NOT_PUBLIC = [
     "64:ff9b:1::7f00:1",  # a translator's of one's own (RFC 8215)
     "::7f00:1",
     "::ffff:0:7f00:1",
+    "192.88.99.1",  # relays of 6to4
+    "2002:c058:6301::1",
+    "64:ff9b::c058:6301",
+    "192.0.0.9",
+    "2001::1",  # Teredo: 127.0.0.1 and others can be written so
+    "2001:0:7f00:1::",
+    "2001:2::1",
+    "2001:10::1",
+    "3fff::1",
 ]
 
 
@@ -236,6 +246,59 @@ def test_a_certificate_is_verified_against_the_name(
             with pytest.raises(PolicyFault, match="is unreachable"):
                 run(call_describe(url, EgressPolicy("all")))
     assert len(policy.calls) == reached
+
+
+# --- a slow resolver ---
+
+
+def test_names_that_resolve_slowly_delay_only_their_account(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """One account looks up many names whose name server does not answer."""
+    answers = threading.Event()
+    began: list[str] = []
+
+    def resolve(host: str, _port: int) -> list[Address]:
+        began.append(host)
+        if host.startswith("slow"):
+            assert answers.wait(20)
+        return [ip_address("1.1.1.1")]
+
+    async def scenario() -> None:
+        policy = EgressPolicy()
+        slow = [
+            asyncio.ensure_future(policy.resolve(f"slow{n}.example", 80, "alice"))
+            for n in range(20)
+        ]
+        await asyncio.sleep(0.05)
+        try:
+            async with asyncio.timeout(5):
+                found = await policy.resolve("policy.example", 80, "bob")
+            assert found == ["1.1.1.1"]
+            assert began == ["slow0.example", "slow1.example", "policy.example"]
+            slow[0].cancel()  # the request goes away; the thread is still taken
+            await asyncio.sleep(0.05)
+            assert len(began) == 3
+        finally:
+            answers.set()
+        assert await asyncio.gather(*slow[1:]) == [["1.1.1.1"]] * 19
+        policy.close()
+
+    monkeypatch.setattr(egress, "_resolve", resolve)
+    run(scenario())
+
+
+def test_a_name_that_does_not_resolve_in_time_is_unresolved(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    answers = threading.Event()
+    monkeypatch.setattr(egress, "_resolve", lambda *_: answers.wait(20) and [])
+    monkeypatch.setattr(egress, "RESOLVE_S", 0.05)
+    try:
+        with pytest.raises(HostNotResolved, match="is not resolved within"):
+            run(EgressPolicy().resolve("slow.example", 80))
+    finally:
+        answers.set()
 
 
 # --- a server with nothing allowed ---

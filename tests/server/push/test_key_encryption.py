@@ -2,11 +2,21 @@
 
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from reference_server.push.egress import EgressPolicy
 from reference_server.push.key_encryption import DecryptionFailed, KeyEncryption
+from reference_server.push.policy_server_validator import PolicyServerValidator
+from reference_server.runs.service import body_digest
+from tests.support.push_runs import push_submission
+from tests.support.server.server_parts import (
+    ServerParts,
+    expect_refusal,
+    run_scenarios,
+)
 
 
 def open_key_encryption(path: Path | None) -> KeyEncryption:
@@ -34,6 +44,31 @@ def test_the_key_file_has_mode_0600(tmp_path: Path) -> None:
     open_key_encryption(tmp_path / "x.key")
     (file,) = tmp_path.iterdir()
     assert file.stat().st_mode & 0o777 == 0o600
+
+
+def test_no_digest_of_an_api_key_is_stored(tmp_path: Path) -> None:
+    """A reader of the database alone could try likely keys, one after another."""
+    submission = push_submission("http://127.0.0.1:1", api_key="sesame")
+    encryption = KeyEncryption()
+    validator = PolicyServerValidator(EgressPolicy("all"), encryption, ("proctor",))
+
+    async def scenario(parts: ServerParts) -> None:
+        service = replace(
+            parts.service,
+            validate_submission=validator.validate_and_encrypt,
+            comparable_submission=validator.digest_key,
+        )
+        first = await service.submit_run("alice", submission, "key")
+        assert await service.submit_run("alice", submission, "key") is first
+        with expect_refusal("idempotency_conflict"):
+            other = push_submission("http://127.0.0.1:1", api_key="Sesame")
+            await service.submit_run("alice", other, "key")
+        use = await service.find_by_key("alice", "key")
+        assert use is not None
+        assert use.body_sha256 != body_digest(submission)
+
+    run_scenarios(tmp_path, scenario)
+    assert KeyEncryption().digest("sesame") != encryption.digest("sesame")
 
 
 @pytest.mark.slow("starts a server or a kit")

@@ -12,7 +12,7 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.run import Result, Session, State
 from tests.support.server.play_turns import WALL, chunk_result, play_turn, start_session
-from tests.support.server.runs import ACTION, NOW, make_run
+from tests.support.server.runs import ACTION, NOW, add_session, make_run
 
 # --- sessions ---
 
@@ -407,3 +407,18 @@ def test_an_aborted_session_of_a_stopping_run_needs_a_write() -> None:
     effects.stop(run, "drain", WALL)
     assert effects.abort_session(run, session, WALL)
     assert (run.state, run.reason) == ("stopped", "Drained.")
+
+
+@pytest.mark.parametrize(("limit", "outcome"), [(3, "abandoned"), (4, None)])
+def test_a_session_may_have_a_limit_of_attempts_of_its_own(
+    limit: int, outcome: str | None
+) -> None:
+    """EBE-030: whatever the manifest's; the attempts are counted all the same."""
+    run = make_run()
+    episode = run.take_pending()
+    assert episode is not None
+    episode.attempt = 3
+    session = add_session(run, episode=episode, steps=1, max_attempts=limit)
+    effects.close_session(run, session, "detached", NOW)
+    assert (episode.result and episode.result.outcome) == outcome
+    assert episode.attempt == (3 if outcome else 4)

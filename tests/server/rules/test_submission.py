@@ -13,6 +13,7 @@ from reference_server.rules.submission import (
     key_conflict,
     may_see_run,
     queue_s,
+    queue_until,
 )
 
 LIMITS = SubmissionLimits(4, 60.0)
@@ -73,3 +74,14 @@ def test_a_used_key_is_for_one_body() -> None:
 def test_an_account_sees_its_own_runs() -> None:
     assert may_see_run("alice", "alice")
     assert not may_see_run("alice", "bob")
+
+
+@pytest.mark.parametrize(
+    ("stored_wall", "until"),
+    [(1001.5, 1001.5), (999.0, 999.0), (1e11, 1002.0)],
+)
+def test_a_restart_holds_a_run_no_longer_than_its_submitter(
+    stored_wall: float, until: float
+) -> None:
+    held = submission(options={"queue_s": 2})
+    assert queue_until(held, stored_wall, 1000.0) == until

@@ -4,7 +4,9 @@ import asyncio
 import contextlib
 import gc
 import sqlite3
+import time
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -68,7 +70,11 @@ def test_a_restart_ends_runs_in_play(tmp_path: Path) -> None:
 
     async def before(parts: ServerParts) -> None:
         for state in states:
-            run = calibration_run(run_id=state, state=state, queue_until_wall=1e11)
+            held = {
+                "queue_until_wall": 1e11,
+                "submission": {"options": {"queue_s": 600}},
+            }
+            run = calibration_run(run_id=state, state=state, **held)
             await parts.store.insert(run, None, "")
 
     async def after(parts: ServerParts) -> None:
@@ -267,6 +273,98 @@ def test_a_run_whose_admission_failed_is_admitted_later(
         assert unread == []
 
     run_scenarios(tmp_path, scenario, active_max=1)
+
+
+def test_two_failed_writes_of_a_run_reload_it_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The second one of the object that a request loaded meanwhile."""
+
+    async def scenario(parts: ServerParts) -> None:
+        failed: list[Any] = []
+        loop = asyncio.get_running_loop()
+        loop.set_exception_handler(lambda _, context: failed.append(context))
+        run = await parts.registry.add(calibration_run(), None, "")
+        await parts.registry.is_stored(run)
+        broken = {run.run_id}
+        fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
+        monkeypatch.setattr(registry, "RELOAD_S", 0.05)
+        for _ in range(2):
+            run = await parts.registry.get(run.run_id)
+            record_score(run, 0)
+            with expect_refusal("unavailable"):
+                await parts.registry.commit(run)
+        broken.clear()
+        await asyncio.sleep(0.15)
+        assert parts.registry._reload_timers == {}
+        assert failed == []
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_failing_database_is_one_line_in_the_log(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(), None, "")
+        await parts.registry.is_stored(run)
+        fail_writes(monkeypatch, parts, {run.run_id}, StoreFailed("the disk is full"))
+        for _ in range(20):
+            run = await parts.registry.get(run.run_id)
+            record_score(run, 0)
+            with expect_refusal("unavailable"):
+                await parts.registry.commit(run)
+
+    run_scenarios(tmp_path, scenario)
+    assert [(r.getMessage(), r.exc_info) for r in caplog.records] == [
+        ("a run could not be stored: the disk is full", None)
+    ]
+
+
+# --- the clock ---
+
+
+async def wait_until_admitted(parts: ServerParts, run: Run) -> None:
+    async with asyncio.timeout(5):
+        change = parts.registry.change_event(run.run_id)
+        if run.state == "queued":
+            await parts.registry.wait_for_change(change, TIMEOUT_S)
+        assert run.state == "ready"
+
+
+@pytest.mark.parametrize("jump_s", [-1e6, 1e6])
+def test_a_set_clock_changes_no_wait_in_the_queue(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, jump_s: float
+) -> None:
+    async def submit(parts: ServerParts, queue_s: float) -> Run:
+        submission = {
+            "benchmark_id": "calibration",
+            "policy": {"name": "p"},
+            "options": {"tasks": ["score"], "queue_s": queue_s},
+        }
+        return await parts.service.submit_run("alice", submission)
+
+    async def scenario(parts: ServerParts) -> None:
+        held, now = await submit(parts, 60.0), time.time()
+        short = await submit(parts, 0.05)
+        monkeypatch.setattr(time, "time", lambda: now + jump_s)
+        await submit(parts, 0.0)
+        await wait_until_admitted(parts, short)
+        assert held.state == "queued"
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_clock_set_back_before_a_restart_holds_no_run_longer(tmp_path: Path) -> None:
+    async def before(parts: ServerParts) -> None:
+        submission = {"options": {"queue_s": 0.05}}
+        run = calibration_run(queue_until_wall=1e11, submission=submission)
+        await parts.store.insert(run, None, "")
+
+    async def after(parts: ServerParts) -> None:
+        await wait_until_admitted(parts, await parts.registry.get("run_1"))
+
+    run_scenarios(tmp_path, before, after)
 
 
 def test_a_cancelled_caller_does_not_cancel_the_write(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import os
 import sqlite3
 import threading
 from dataclasses import fields
@@ -25,6 +26,33 @@ from tests.support.server.server_parts import (
     run_scenarios,
 )
 from tests.support.servers import TIMEOUT_S
+
+# --- files ---
+
+
+def modes(folder: Path) -> dict[str, int]:
+    return {path.name: path.stat().st_mode & 0o777 for path in folder.iterdir()}
+
+
+def test_the_files_are_their_owners_alone(tmp_path: Path) -> None:
+    """Also those that an older server left readable for all."""
+
+    async def scenario(parts: ServerParts) -> None:
+        await parts.store.insert(calibration_run(), None, "")
+        files = modes(tmp_path)
+        names = ("proctor.sqlite", "proctor.sqlite-shm", "proctor.sqlite-wal")
+        assert files == dict.fromkeys(names, 0o600)
+
+    before = os.umask(0o022)
+    try:
+        run_scenarios(tmp_path, scenario)
+        (tmp_path / "proctor.sqlite").unlink()
+        sqlite3.connect(tmp_path / "proctor.sqlite").close()
+        (tmp_path / "proctor.sqlite").touch(0o644)
+        run_scenarios(tmp_path, scenario)
+    finally:
+        os.umask(before)
+
 
 # --- rows ---
 

@@ -7,6 +7,7 @@ import signal
 import sys
 import time
 from collections.abc import Callable, Coroutine
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -72,6 +73,29 @@ def exists(pid: int | None) -> bool:
     except ProcessLookupError:
         return False
     return True
+
+
+def read_environment(pid: int | None) -> str:
+    return Path(f"/proc/{pid}/environ").read_text()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="needs /proc")
+@fork_and_exec
+def test_settings_of_the_server_are_not_passed_on(
+    monkeypatch: pytest.MonkeyPatch, fork: bool
+) -> None:
+    """Code of a host's own benchmark runs in these processes."""
+    monkeypatch.setenv("PROCTOR_TOKENS", "alice:run:sesame")
+    monkeypatch.setenv("proctor_database", "postgresql://user:sesame@host/name")
+    monkeypatch.setenv("OTHER_VARIABLE", "kept")
+
+    async def scenario(pool: SimulatorPool) -> None:
+        handle = await pool.acquire(WORLD)
+        environment = read_environment(handle.pid)
+        assert "sesame" not in environment
+        assert "OTHER_VARIABLE=kept" in environment
+
+    with_pool(scenario, fork=fork, spares=0)
 
 
 @fork_and_exec

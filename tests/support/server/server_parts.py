@@ -107,6 +107,7 @@ async def open_server_parts(
     def on_change(run: Run) -> None:
         parts.on_change(run)
 
+    validator = PolicyServerValidator()
     registry = RunRegistry(store, active_max, on_run_lost, on_change)
     pool = SimulatorPool(4, 0, TIMEOUT_S)
     executor = SessionExecutor(registry, pool)
@@ -115,7 +116,8 @@ async def open_server_parts(
         Benchmarks(64),
         registry,
         executor,
-        PolicyServerValidator().validate_and_encrypt,
+        validator.validate_and_encrypt,
+        validator.digest_key,
     )
     parts = ServerParts(path, store, registry, pool, executor, service)
     await store.open()

@@ -69,6 +69,8 @@ _PLACES = {
 # What JSON cannot write, and what it can write but few programs can hold.
 _NO_TEXT: tuple[bytes, ...] = (
     rb'"\ud83d"',
+    rb'"\udd16"',
+    rb'"a\udc00b"',
     rb'"\udd16\ud83d"',
     b'"\xed\xa0\xbd"',
     b'"\xff"',

@@ -1,0 +1,46 @@
+"""Which token a request carries: the one given, the environment's, or a local server's.
+
+A server that was given no tokens makes one, keeps it in a file, and names the file by
+its port in the folder of state of the account that runs it. Only that account can read
+it; other programs on the machine find nothing. This module sends nothing.
+"""
+
+from __future__ import annotations
+
+import os
+from ipaddress import ip_address
+from pathlib import Path
+from urllib.parse import urlsplit
+
+_TOKEN_BYTES_MAX = 4096
+
+
+def find_token(url: str, given: str | None = None) -> str | None:
+    """The token given, or PROCTOR_TOKEN, or that of the server at a loopback URL."""
+    return given or os.environ.get("PROCTOR_TOKEN") or _token_of_local_server(url)
+
+
+def _token_of_local_server(url: str) -> str | None:
+    try:
+        parts = urlsplit(url)
+        port = parts.port or 80
+        if parts.scheme != "http" or not _is_loopback(parts.hostname or ""):
+            return None
+        state = os.environ.get("XDG_STATE_HOME")
+        folder = Path(state) if state else Path.home() / ".local" / "state"
+        return _read(folder / "proctor" / "tokens" / str(port))
+    except (OSError, RuntimeError, ValueError):  # no home, no file, no such URL
+        return None
+
+
+def _is_loopback(host: str) -> bool:
+    return host == "localhost" or ip_address(host).is_loopback
+
+
+def _read(path: Path) -> str | None:
+    """None if another account could have written or read it."""
+    with path.open("rb") as file:
+        status = os.fstat(file.fileno())
+        if status.st_uid != os.getuid() or status.st_mode & 0o077:
+            return None
+        return file.read(_TOKEN_BYTES_MAX).decode("ascii").strip() or None

@@ -1,0 +1,309 @@
+"""Large bodies: refused at their first fault, before anything is built of them.
+
+A wrong body of a few megabytes can hold millions of faults, and each costs hundreds of
+bytes. So a body beyond `WHOLE_BYTES_MAX` is first read level by level, by the shape of
+its message: names, kinds and numbers of entries. Below a level only those parts are
+read that the message has. What passes is validated like any other body (`codec`).
+
+A shape permits more than its message does and never less. Must not know operations.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import re
+import sys
+from collections.abc import Hashable, Iterable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from types import UnionType
+from typing import Annotated, Any, Literal, Protocol, TypeAlias, Union, get_args
+from typing import get_origin as origin_of
+
+import msgspec
+from annotated_types import MaxLen
+from pydantic import MISSING, BaseModel
+from pydantic.fields import FieldInfo
+from typing_extensions import TypeAliasType
+
+from reference_server.http import codec
+from reference_server.http.codec import MSGPACK, Model, pointer
+from reference_server.rules.refusal import Refused
+
+# All faults of a body up to this size are found, at once: it costs milliseconds.
+WHOLE_BYTES_MAX = 2**14
+# Larger ones are read beside the event loop.
+INLINE_BYTES_MAX = 2**18
+# Where a schema has no bound; no setting allows a longer chunk of actions.
+ENTRIES_MAX = 4096
+# Numbers and texts of one body; an action of a robot has dozens.
+VALUES_MAX = 2**19
+# JSON does not say how many entries follow. Before a list or map is read, each entry
+# is credited with as many marks of its kind, which its own members may have, too.
+MARKS_PER_ENTRY = 16
+
+_FINITE = msgspec.Meta(ge=-sys.float_info.max, le=sys.float_info.max)
+_SCALARS: Mapping[Any, tuple[Any, ...]] = {
+    str: (str,),
+    bool: (bool,),
+    int: (int, float),  # 2.0 is an integer, too
+    float: (int, Annotated[float, _FINITE]),
+    type(None): (None,),
+}
+_PLACE = re.compile(r" - at `(?:key` in `)?\$(?P<path>[^`]*)`$")
+_INDEX = re.compile(r"\[([0-9]+)\]")
+_UNKNOWN = "Object contains unknown field `"
+# Faults of the encoding, which msgspec reports where the value is used.
+_MALFORMED = ("got `ext`", "Number out of range")
+
+Path: TypeAlias = tuple[str | int, ...]
+
+
+async def read_message(model: type[Model], body: bytes, media_type: str) -> Model:
+    """The message in a body of any size. Raises Refused."""
+    if len(body) <= INLINE_BYTES_MAX:
+        return codec.validate(model, read_structure(model, body, media_type))
+    return await asyncio.to_thread(
+        lambda: codec.validate(model, read_structure(model, body, media_type))
+    )
+
+
+def read_structure(
+    model: type[BaseModel], body: bytes, media_type: str, *, closed: bool = True
+) -> Any:
+    """What stands in a body, to be validated (ENC-011). Raises Refused.
+
+    closed: whether members that the model forbids are refused; else those of a large
+    body are left out.
+    """
+    if len(body) <= WHOLE_BYTES_MAX:
+        return codec.decode(body, media_type)
+    with codec.refuse_malformed():
+        reader = _Reader(media_type)
+        try:
+            structure = _shape_of(model, closed).read(body, reader, ())
+        except Refused:
+            reader.decode(body, type=msgspec.Raw)  # ERR-006: a malformed body is that
+            raise
+    if media_type != MSGPACK and codec.has_unusual_integers(body) and closed:
+        return codec.decode(body, media_type)
+    return structure
+
+
+class _Reader:
+    """Reads parts of one body, and counts its values."""
+
+    def __init__(self, media_type: str) -> None:
+        self._is_json = media_type != MSGPACK
+        self.decode = msgspec.json.decode if self._is_json else msgspec.msgpack.decode
+        self._values_left = VALUES_MAX
+
+    def read(self, raw: Any, kind: Any, at: Path) -> Any:
+        """The part as its kind; at: its path. Raises Refused."""
+        try:
+            return self.decode(raw, type=kind)
+        except msgspec.ValidationError as error:
+            raise _refusal(str(error), at) from error
+
+    def spend(self, values: int) -> None:
+        self._values_left -= values
+        if self._values_left < 0:
+            raise _invalid((), f"must have at most {VALUES_MAX} values")
+
+    def check_marks(self, raw: Any, mark: bytes, most: int, at: Path) -> None:
+        """MessagePack says how many entries follow: msgspec compares that itself."""
+        if self._is_json and bytes(raw).count(mark) > most:
+            raise _invalid(at, "has too many entries")
+
+
+class _Shape(Protocol):
+    """What is permitted at one place of a message."""
+
+    def read(self, raw: Any, reader: _Reader, at: Path) -> Any:
+        """The plain structure of that place; at: its path. Raises Refused."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Scalar:
+    kind: Any
+
+    def read(self, raw: Any, reader: _Reader, at: Path) -> Any:
+        reader.spend(1)
+        return reader.read(raw, self.kind, at)
+
+
+class _Text:
+    """Anything; only text is kept, and null stands for what is none."""
+
+    def read(self, raw: Any, reader: _Reader, at: Path) -> Any:
+        reader.spend(1)
+        try:
+            return reader.read(raw, str, at)
+        except Refused:
+            return None
+
+
+@dataclass(frozen=True, slots=True)
+class _ScalarList:
+    items: Any
+    most: int
+
+    def read(self, raw: Any, reader: _Reader, at: Path) -> Any:
+        reader.check_marks(raw, b",", self.most, at)
+        kind = Annotated[list[self.items], msgspec.Meta(max_length=self.most)]  # type: ignore[name-defined]
+        found = reader.read(raw, kind, at)
+        reader.spend(len(found))
+        return found
+
+
+@dataclass(frozen=True, slots=True)
+class _Object:
+    """kind: a structure whose members are not read yet."""
+
+    kind: Any
+    members: Mapping[str, _Shape]
+
+    def read(self, raw: Any, reader: _Reader, at: Path) -> Any:
+        return self.read_members(reader.read(raw, self.kind, at), reader, at)
+
+    def read_members(self, found: Any, reader: _Reader, at: Path) -> Any:
+        reader.spend(1)
+        return {
+            name: shape.read(getattr(found, name), reader, (*at, name))
+            for name, shape in self.members.items()
+            if getattr(found, name) is not msgspec.UNSET
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class _ObjectList:
+    items: _Object
+    most: int
+
+    def read(self, raw: Any, reader: _Reader, at: Path) -> Any:
+        reader.check_marks(raw, b"{", MARKS_PER_ENTRY * self.most, at)
+        kind = Annotated[list[self.items.kind], msgspec.Meta(max_length=self.most)]  # type: ignore[name-defined]
+        return [
+            self.items.read_members(item, reader, (*at, index))
+            for index, item in enumerate(reader.read(raw, kind, at))
+        ]
+
+
+@dataclass(frozen=True, slots=True)
+class _Map:
+    """Names that the sender chooses."""
+
+    values: _Shape
+    most: int
+
+    def read(self, raw: Any, reader: _Reader, at: Path) -> Any:
+        reader.check_marks(raw, b":", MARKS_PER_ENTRY * self.most, at)
+        kind = Annotated[dict[str, msgspec.Raw], msgspec.Meta(max_length=self.most)]
+        return {
+            name: self.values.read(value, reader, (*at, name))
+            for name, value in reader.read(raw, kind, at).items()
+        }
+
+
+@cache
+def _shape_of(annotation: Hashable, closed: bool, most: int = ENTRIES_MAX) -> _Shape:
+    """The shape of a model, or of the type of one of its members."""
+    kind, most = _plain(annotation, most)
+    origin, parts = origin_of(kind), get_args(kind)
+    if _is_model(kind):
+        return _object(kind, closed)
+    if origin is dict:
+        return _Map(_shape_of(parts[1], closed), most)
+    if origin is list and _is_model(parts[0]):
+        return _ObjectList(_object(parts[0], closed), most)
+    if origin is list:
+        return _ScalarList(_scalar(parts[0]), most)
+    if kind is Any:
+        return _Text()
+    return _Scalar(_scalar(kind))
+
+
+def _plain(annotation: Any, most: int) -> tuple[Any, int]:
+    """A type without names, metadata and MISSING, and its most entries."""
+    origin, parts = origin_of(annotation), get_args(annotation)
+    if isinstance(annotation, TypeAliasType):
+        return _plain(annotation.__value__, most)
+    if origin is Annotated:
+        return _plain(parts[0], _most(parts[1:], most))
+    if origin in (Union, UnionType):
+        present = [part for part in parts if part is not MISSING]
+        if len(present) == 1:
+            return _plain(present[0], most)
+    return annotation, most
+
+
+def _object(model: type[BaseModel], closed: bool) -> _Object:
+    model.model_rebuild()  # resolves names of models that follow it in their module
+    fields = model.model_fields
+    kind = msgspec.defstruct(
+        model.__name__,
+        [
+            (name, Union[msgspec.Raw, msgspec.UnsetType], msgspec.UNSET)  # noqa: UP007
+            for name in fields
+        ],
+        forbid_unknown_fields=closed and model.model_config.get("extra") == "forbid",
+    )
+    members: dict[str, _Shape] = {}
+    for name, field in fields.items():
+        annotation: Any = field.annotation
+        members[name] = _shape_of(
+            annotation, closed, _most(field.metadata, ENTRIES_MAX)
+        )
+    return _Object(kind, members)
+
+
+def _is_model(kind: Any) -> bool:
+    return isinstance(kind, type) and issubclass(kind, BaseModel)
+
+
+def _scalar(annotation: Any) -> Any:
+    """The scalar types of an annotation, as msgspec names them."""
+    return Union[tuple(dict.fromkeys(_scalars(annotation)))]  # noqa: UP007
+
+
+def _scalars(annotation: Any) -> Iterable[Any]:
+    kind, _ = _plain(annotation, ENTRIES_MAX)
+    if origin_of(kind) is Literal:
+        return [one for part in get_args(kind) for one in _SCALARS[type(part)]]
+    if origin_of(kind) in (Union, UnionType):
+        return [one for part in get_args(kind) for one in _scalars(part)]
+    return _SCALARS[kind]
+
+
+def _most(metadata: Iterable[Any], otherwise: int) -> int:
+    for one in metadata:
+        if isinstance(one, MaxLen):
+            return one.max_length
+        if isinstance(one, FieldInfo):
+            return _most(one.metadata, otherwise)
+    return otherwise
+
+
+def _refusal(text: str, at: Path) -> Refused:
+    """The refusal that an error of msgspec stands for."""
+    found = _PLACE.search(text)
+    path = (*at, *_indices(found["path"] if found else ""))
+    what = text[: found.start()] if found else text
+    if what.startswith(_UNKNOWN):
+        name = what.removeprefix(_UNKNOWN).removesuffix("`")
+        return _invalid((*path, name), "the schema has no such member")
+    if any(fault in what for fault in _MALFORMED):
+        return Refused("malformed_body", f"The body is malformed: {what}.")
+    return _invalid(path, what)
+
+
+def _indices(path: str) -> Iterable[int]:
+    return map(int, _INDEX.findall(path))
+
+
+def _invalid(at: Iterable[str | int], text: str) -> Refused:
+    return Refused(
+        "invalid_request",
+        "The body does not match its schema; of a large body one fault is reported.",
+        errors=[(pointer(at), text)],
+    )

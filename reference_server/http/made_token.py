@@ -1,0 +1,60 @@
+"""The token of a server that was given none: made once, and the same at every start.
+
+It is kept in a file beside the database, which only its owner may read. So that the
+clients of this machine find it, a link in the owner's folder of state names the file by
+the server's port; `reference_client/protocol/local_token.py` reads it.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import tempfile
+from pathlib import Path
+
+from reference_server.http.auth import new_secret
+from reference_server.system.private_files import read_or_create, restrict
+
+
+class BadTokenFile(Exception):
+    """The file cannot be used; the text says why and what to do."""
+
+
+def read_or_make(path: Path | None) -> str:
+    """The secret in the file, made if it is missing; without a file a new one."""
+    if path is None:
+        return new_secret()
+    try:
+        secret = read_or_create(path, lambda: new_secret().encode() + b"\n").decode()
+    except (OSError, UnicodeError) as error:
+        raise BadTokenFile(f"cannot use the token in {path} ({error})") from error
+    if not re.fullmatch(r"[!-~]{16,512}", secret):
+        text = f"there is no token in {path}; remove it, and one is made"
+        raise BadTokenFile(text)
+    restrict(path)
+    return secret
+
+
+def publish(port: int, path: Path | None) -> None:
+    """Let clients of this account find the token of the server at `port`.
+
+    Without a file, let them find none: it would be that of an earlier server. What
+    cannot be written is left out, because the token is printed as well.
+    """
+    with contextlib.suppress(OSError, RuntimeError):  # or there is no home
+        link = _folder() / str(port)
+        if path is None:
+            link.unlink(missing_ok=True)
+            return
+        link.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        # Atomic: a client finds the old file or the new one.
+        with tempfile.TemporaryDirectory(dir=link.parent) as beside:
+            new = Path(beside) / link.name
+            new.symlink_to(path.absolute())
+            new.replace(link)
+
+
+def _folder() -> Path:
+    state = os.environ.get("XDG_STATE_HOME")
+    return Path(state or Path.home() / ".local" / "state") / "proctor" / "tokens"

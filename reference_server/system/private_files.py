@@ -1,0 +1,47 @@
+"""Files that only the account which runs the server may read: keys, tokens, databases.
+
+It knows paths and permissions, and nothing of what the files are for.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+_OWNER_ONLY = 0o600
+
+
+def read_or_create(path: Path, make: Callable[[], bytes]) -> bytes:
+    """What the file has, without white space around it; what `make` returns if new.
+
+    Two servers that start at once agree. Raises OSError.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    temporary = path.with_name(f"{path.name}.{os.getpid()}")
+    temporary.touch(mode=_OWNER_ONLY)
+    try:
+        temporary.write_bytes(make())
+        # Atomic: the file appears complete or not at all, and never replaces another.
+        os.link(temporary, path)
+    except FileExistsError:
+        pass
+    finally:
+        temporary.unlink()
+    return path.read_bytes().strip()
+
+
+def create_empty(path: Path) -> None:
+    """Create the file for its owner only, unless it exists. Raises OSError."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with contextlib.suppress(FileExistsError):
+        os.close(os.open(path, os.O_CREAT | os.O_EXCL | os.O_WRONLY, _OWNER_ONLY))
+
+
+def restrict(path: Path) -> None:
+    """Take the access of all but the owner from a file, if it exists."""
+    with contextlib.suppress(FileNotFoundError, PermissionError):
+        mode = path.stat().st_mode
+        if mode & 0o077:
+            path.chmod(mode & 0o700)

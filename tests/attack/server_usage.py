@@ -1,0 +1,58 @@
+"""Memory, descriptors and threads of the server's process, read from /proc."""
+
+from __future__ import annotations
+
+import contextlib
+import threading
+from dataclasses import dataclass
+from pathlib import Path
+
+SAMPLE_S = 0.05
+MB = 10**6
+
+
+@dataclass(frozen=True)
+class Usage:
+    """rss: bytes of memory in use; 0 everywhere of a process that has ended."""
+
+    rss: int = 0
+    files: int = 0
+    threads: int = 0
+
+    def max(self, other: Usage) -> Usage:
+        return Usage(
+            max(self.rss, other.rss),
+            max(self.files, other.files),
+            max(self.threads, other.threads),
+        )
+
+
+def read_usage(pid: int) -> Usage:
+    with contextlib.suppress(OSError, KeyError):
+        process = Path(f"/proc/{pid}")
+        lines = (process / "status").read_text().splitlines()
+        values = dict(line.split(":", 1) for line in lines)
+        rss = int(values["VmRSS"].split()[0]) * 1024
+        files = len(list((process / "fd").iterdir()))
+        return Usage(rss, files, int(values["Threads"]))
+    return Usage()
+
+
+class PeakUsage:
+    """Samples in a thread; `peak` is the highest of each since it began."""
+
+    def __init__(self, pid: int) -> None:
+        self.peak = read_usage(pid)
+        self._pid = pid
+        self._is_ending = threading.Event()
+        self._thread = threading.Thread(target=self._sample, daemon=True)
+        self._thread.start()
+
+    def _sample(self) -> None:
+        while not self._is_ending.wait(SAMPLE_S):
+            self.peak = self.peak.max(read_usage(self._pid))
+
+    def end(self) -> Usage:
+        self._is_ending.set()
+        self._thread.join()
+        return self.peak

@@ -1,0 +1,146 @@
+"""Certificates: which are accepted, and that one that is not is said at once."""
+
+from __future__ import annotations
+
+import json
+import ssl
+import threading
+from collections.abc import Iterator
+from http.server import BaseHTTPRequestHandler, HTTPServer
+from pathlib import Path
+
+import pytest
+
+from reference_client import ProctorError, evaluate
+from reference_client.command.main import main
+from reference_client.protocol.http_connection import HttpConnection
+from reference_client.protocol.tls_context import VARIABLES, client_context
+from tests.support.client.policies import GradedPolicy
+from tests.support.kit.null_servers import Request, canned_answers
+from tests.support.server.certificates import create_certificate
+
+
+@pytest.fixture(autouse=True)
+def no_variables(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in (*VARIABLES, "SSL_CERT_DIR"):
+        # Set first: what a test or the command sets is then taken back.
+        monkeypatch.setenv(name, "")
+        monkeypatch.delenv(name)
+
+
+class Handler(BaseHTTPRequestHandler):
+    def do_GET(self) -> None:
+        reply = canned_answers(Request("GET", self.path, b""))
+        assert reply is not None
+        status, headers, body = reply
+        self.send_response(status)
+        for name, value in (headers | {"Content-Length": str(len(body))}).items():
+            self.send_header(name, value)
+        self.end_headers()
+        self.wfile.write(body)
+
+    def log_message(self, *_: object) -> None:
+        """Write no log."""
+
+
+@pytest.fixture(scope="module")
+def tls_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path]]:
+    """A server for `localhost` that no authority knows: its URL and certificate."""
+    folder = tmp_path_factory.mktemp("tls")
+    pem, context = create_certificate(folder, "localhost")
+    server = HTTPServer(("127.0.0.1", 0), Handler)
+    server.socket = context.wrap_socket(server.socket, server_side=True)
+    thread = threading.Thread(target=server.serve_forever, args=(0.05,), daemon=True)
+    thread.start()
+    yield f"https://localhost:{server.server_port}", pem
+    server.shutdown()
+    server.server_close()
+
+
+def benchmarks(capsys: pytest.CaptureFixture[str], *flags: str) -> tuple[int, str]:
+    """The exit code and what was written, of a command that would retry for long."""
+    code = main(["benchmarks", "--retry-timeout-s", "60", "--token", "t", *flags])
+    captured = capsys.readouterr()
+    return code, captured.out + captured.err
+
+
+def test_an_unknown_certificate_is_said_at_once(
+    tls_server: tuple[str, Path], capsys: pytest.CaptureFixture[str]
+) -> None:
+    url, _ = tls_server
+    code, written = benchmarks(capsys, "--url", url)
+    assert (code, written.count("\n")) == (2, 1)
+    assert f"The certificate of {url} is not accepted: self-signed" in written
+    assert "--ca, PROCTOR_CA" in written
+    assert written.endswith("[not_trusted]\n")
+    with pytest.raises(ProctorError) as caught:
+        evaluate(GradedPolicy, url=url, token="t", benchmark="calibration")
+    assert caught.value.code == "not_trusted"
+
+
+def test_a_certificate_for_another_name_is_said_at_once(
+    tls_server: tuple[str, Path], capsys: pytest.CaptureFixture[str]
+) -> None:
+    url, pem = tls_server
+    url = url.replace("localhost", "127.0.0.1")
+    code, written = benchmarks(capsys, "--url", url, "--ca", str(pem))
+    assert code == 2
+    assert "is not accepted: IP address mismatch" in written
+
+
+def test_a_server_without_tls_is_said_at_once(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    plain = HTTPServer(("127.0.0.1", 0), Handler)
+    threading.Thread(target=plain.serve_forever, args=(0.05,), daemon=True).start()
+    url = f"https://127.0.0.1:{plain.server_port}"
+    code, written = benchmarks(capsys, "--url", url)
+    plain.shutdown()
+    plain.server_close()
+    assert (code, written.count("\n")) == (2, 1)
+    assert "does not speak TLS" in written
+
+
+def test_the_flag_names_certificates(
+    tls_server: tuple[str, Path], capsys: pytest.CaptureFixture[str]
+) -> None:
+    url, pem = tls_server
+    code, written = benchmarks(capsys, "--url", url, "--ca", str(pem), "--json")
+    assert code == 0
+    assert json.loads(written)[0]["benchmark_id"] == "calibration"
+
+
+@pytest.mark.parametrize("name", VARIABLES)
+def test_the_usual_variables_name_certificates(
+    tls_server: tuple[str, Path],
+    name: str,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """In both planes: the second one has a connection of its own."""
+    url, pem = tls_server
+    monkeypatch.setenv(name, str(pem))
+    assert benchmarks(capsys, "--url", url)[0] == 0
+    connection = HttpConnection(url, (5.0, 5.0), lambda n: memoryview(bytearray(n)))
+    request = b"GET /v1 HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n"
+    assert connection.send_request(request).status == 200
+    connection.close()
+
+
+@pytest.mark.parametrize("content", [None, b"no certificate"])
+def test_a_file_without_certificates_is_wrong_usage(
+    tmp_path: Path, content: bytes | None, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "ca.pem"
+    if content is not None:
+        path.write_bytes(content)
+    code, written = benchmarks(capsys, "--url", "https://[::1]:9", "--ca", str(path))
+    assert (code, written.count("\n")) == (2, 1)
+    assert f"PROCTOR_CA names {path}, which has no certificates" in written
+
+
+def test_a_folder_may_hold_them(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PROCTOR_CA", str(tmp_path))
+    assert client_context().verify_mode == ssl.CERT_REQUIRED
