@@ -67,8 +67,7 @@ def evaluate(
     """Evaluate a policy on a benchmark of the server at `url`; returns its score.
 
     policy: makes a policy, usually its class; called once per worker, in this thread.
-    token: a bearer token; when absent, PROCTOR_TOKEN, or that of a server on this
-        machine.
+    token: a bearer token; else PROCTOR_TOKEN, or that of a server on this machine.
     benchmark: id of the benchmark, for a new run.
     run_id: continue this run instead. It is resumed if it is stopped or failed.
     workers: number of episodes played at a time, each in a thread.
@@ -82,8 +81,7 @@ def evaluate(
     progress: called in this thread at every change. Without it, progress is one line
         on stderr if that is a terminal.
     episodes: play only the first ones of the benchmark; the score is then partial.
-    dry_turn: call a policy once with an observation made from the declared spaces,
-        before the run is created: a mistaken one leaves no run.
+    dry_turn: call a policy once before the run is created, with a made-up observation.
 
     Raises ProctorError (RunFailed and RunStopped when the run ends without a score),
     ValueError for invalid arguments, and whatever the policy raises. The run remains;
