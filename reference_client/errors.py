@@ -6,8 +6,9 @@ members of the specification's schema Problem. This module sends nothing.
 
 from __future__ import annotations
 
+import difflib
 import ssl
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import urllib3.exceptions
 from proctor_client import ApiException, Problem, Run
@@ -69,6 +70,18 @@ class ProctorError(Exception):
         lines += [f"  {pointer}: {text}" for pointer, text in self.errors]
         super().__init__("\n".join(lines))
 
+    def explained(self, more: str) -> ProctorError:
+        """The same error with one more sentence."""
+        return ProctorError(
+            self.code,
+            f"{self.detail} {more}",
+            retryable=self.retryable,
+            side_effects=self.side_effects,
+            errors=self.errors,
+            problem=self.problem,
+            retry_after_s=self.retry_after_s,
+        )
+
 
 class RunFailed(ProctorError):
     """The run is `failed`: `code` is `run_failed` and `run.reason` says why.
@@ -110,8 +123,15 @@ class PolicyFailed(ProctorError):
         self.traceback = traceback
 
 
-def how_to_resume(run_id: str) -> str:
-    return f'evaluate(..., run_id="{run_id}") continues it'
+def how_to_resume(run_id: str, *, takeover: bool = False) -> str:
+    more = ", takeover=True" if takeover else ""
+    return f'evaluate(..., run_id="{run_id}"{more}) continues it'
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> str:
+    """`; did you mean NAME?` if a known name is close, else nothing."""
+    close = difflib.get_close_matches(word, [*known], n=1)
+    return f"; did you mean {close[0]}?" if close else ""
 
 
 def from_failure(error: Exception, url: str) -> ProctorError:

@@ -12,14 +12,16 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import lru_cache
 from math import prod
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
-from reference_client.errors import BAD_ANSWER, ProctorError
+from reference_client.errors import BAD_ANSWER, ProctorError, did_you_mean
 from reference_client.generated.messages import Image, Tensor, Turn
 from reference_client.generated.messages import Observation as WireObservation
+
+Value = TypeVar("Value")
 
 # What numpy can hold; a tensor of a dtype that a later version has is left out.
 DTYPES = {
@@ -30,6 +32,19 @@ DTYPES = {
 _PNG_MODES = {1: "L", 2: "LA", 3: "RGB", 4: "RGBA"}
 _JPEG_COLOURS = {1: "GRAY", 3: "RGB", 4: "RGBA"}
 _PIXELS_MAX = 2**26  # a small file may declare any size; pillow has its own limit
+
+
+class Named(dict[str, Value]):
+    """A part of an observation; a KeyError names what it has."""
+
+    def __init__(self, part: str, values: Mapping[str, Value]) -> None:
+        super().__init__(values)
+        self._part = part
+
+    def __missing__(self, name: str) -> Value:
+        has = ", ".join(self) or "nothing"
+        meant = did_you_mean(str(name), self)
+        raise KeyError(f"{name}: observation.{self._part} has {has}{meant}")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -76,13 +91,16 @@ def decode_observation(
 ) -> Observation:
     """One of a turn's observations; raises as `observation_of`."""
     return Observation(
-        state={name: tuple(v) for name, v in observation.state.items()},
-        images=_pictures(observation.images),
-        tensors={
-            name: _array(name, tensor)
-            for name, tensor in observation.tensors.items()
-            if tensor.dtype in DTYPES
-        },
+        state=Named("state", {n: tuple(v) for n, v in observation.state.items()}),
+        images=Named("images", _pictures(observation.images)),
+        tensors=Named(
+            "tensors",
+            {
+                name: _array(name, tensor)
+                for name, tensor in observation.tensors.items()
+                if tensor.dtype in DTYPES
+            },
+        ),
         instruction=instruction,
         episode_id=episode_id,
         step=step,

@@ -10,12 +10,17 @@ from typing import Any, Protocol, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from reference_client.api.action_layout import ActionLayout
 from reference_client.api.observation import Observation
-from reference_client.errors import ProctorError
+from reference_client.errors import ProctorError, did_you_mean
 
 Vector: TypeAlias = Sequence[float] | npt.NDArray[Any]
+Action: TypeAlias = Mapping[str, Vector] | Vector
 Chunk: TypeAlias = Sequence[Mapping[str, Vector]]
+Actions: TypeAlias = Action | Sequence[Action]
 WireAction: TypeAlias = dict[str, dict[str, list[float]]]
+
+_NOT_NUMBERS = (str, bytes, Mapping, list, tuple)
 
 
 class Policy(Protocol):
@@ -24,38 +29,93 @@ class Policy(Protocol):
     def reset(self, instruction: str) -> None:
         """Called when an episode begins or restarts: discard all earlier state."""
 
-    def act(self, observation: Observation) -> Chunk:
+    def act(self, observation: Observation) -> Actions:
         """The next actions, to be executed in order: 1 to the benchmark's `max_chunk`.
 
         An action maps every name of the benchmark's action space to its vector of
-        finite numbers. Actions after the end of the episode are not executed.
+        finite numbers, or is an array of all numbers (n,) in the order of the action
+        space. Several are a list of actions or an array (actions, n). Actions after
+        the end of the episode are not executed.
         """
 
 
-def chunk_of(actions: Chunk) -> list[WireAction]:
+def chunk_of(actions: Actions, layout: ActionLayout | None = None) -> list[WireAction]:
     """The return value of `act` as a list of schema Action.
 
-    Raises ProctorError `invalid_request`, with JSON pointers as the server's, for what
-    JSON cannot represent. The server checks names, sizes and ranges.
+    One action is a dict of vectors or a row of all numbers, a chunk is a list of such
+    or an array (actions, numbers). layout: the action space, needed for rows and to
+    check names and sizes. Raises ProctorError `invalid_request`, with JSON pointers as
+    the server's. The server checks ranges.
     """
-    if isinstance(actions, Mapping) or not isinstance(actions, Sequence):
-        raise _invalid_action("/actions", f"is a {type(actions).__name__}, not a list")
-    if not actions:
-        raise _invalid_action("/actions", "is empty; a chunk holds at least one action")
-    return [_action(f"/actions/{i}/values", values) for i, values in enumerate(actions)]
+    given = _plain(actions)
+    if isinstance(given, Mapping) or (layout is not None and _is_row(given)):
+        given = [given]
+    if not isinstance(given, Sequence) or isinstance(given, str | bytes):
+        what = f"is a {type(given).__name__}, not an action or a list of actions"
+        raise _invalid_action("/actions", what, layout)
+    if not given:
+        what = "is empty; a chunk holds at least one action"
+        raise _invalid_action("/actions", what, layout)
+    return [_action(f"/actions/{i}/values", one, layout) for i, one in enumerate(given)]
 
 
-def _action(at: str, values: Mapping[str, Vector]) -> WireAction:
-    if not isinstance(values, Mapping):
-        raise _invalid_action(
-            at, f"is a {type(values).__name__}, not a dict of vectors"
-        )
-    return {
-        "values": {
-            name: _numbers(f"{at}/{_escape(name)}", vector)
-            for name, vector in values.items()
-        }
+def _plain(given: Any) -> Any:
+    """Arrays of any library as lists; other values unchanged."""
+    if isinstance(given, str | bytes | Mapping | list | tuple):
+        return given
+    if hasattr(given, "__array__"):
+        return np.atleast_1d(np.asarray(given)).tolist()
+    return given
+
+
+def _is_row(given: Any) -> bool:
+    """Whether it is one action as numbers, not a list of actions."""
+    return (
+        isinstance(given, list | tuple)
+        and len(given) > 0
+        and not any(isinstance(one, _NOT_NUMBERS) for one in given)
+        and all(np.ndim(one) == 0 for one in given)
+    )
+
+
+def _action(at: str, given: Any, layout: ActionLayout | None) -> WireAction:
+    if not isinstance(given, Mapping):
+        given = _row(at, _plain(given), layout)
+    values = {
+        name: _numbers(f"{at}/{_escape(str(name))}", vector, layout)
+        for name, vector in given.items()
     }
+    if layout is not None and set(given) != layout.names:
+        raise _invalid_action(at, _name_difference(given, layout), layout)
+    for vector in () if layout is None else layout.vectors:
+        size = len(values[vector.name])
+        if size != vector.size:
+            where = f"{at}/{_escape(vector.name)}"
+            what = f"has {size} numbers; {vector.name} has {vector.size}"
+            raise _invalid_action(where, what, layout)
+    return {"values": values}
+
+
+def _row(at: str, given: Any, layout: ActionLayout | None) -> dict[str, list[float]]:
+    """The named vectors of a row of numbers."""
+    if layout is None or not isinstance(given, Sequence) or isinstance(given, str):
+        what = f"is a {type(given).__name__}, not a dict of vectors"
+        raise _invalid_action(at, what, layout)
+    row = _numbers(at, given, layout)
+    if len(row) != layout.size:
+        raise _invalid_action(at, f"is an array of {len(row)}", layout)
+    return layout.split(row)
+
+
+def _name_difference(given: Mapping[Any, Any], layout: ActionLayout) -> str:
+    parts = []
+    if missing := sorted(layout.names - set(given)):
+        parts.append(f"lacks {', '.join(missing)}")
+    parts += [
+        f"has {name}, which is no name{did_you_mean(name, layout.names)}"
+        for name in sorted(set(map(str, given)) - layout.names)
+    ]
+    return "; ".join(parts)
 
 
 def _escape(name: str) -> str:
@@ -63,37 +123,47 @@ def _escape(name: str) -> str:
     return name.replace("~", "~0").replace("/", "~1")
 
 
-def _numbers(at: str, vector: Vector) -> list[float]:
+def _numbers(at: str, vector: Vector, layout: ActionLayout | None) -> list[float]:
     plain = vector.tolist() if isinstance(vector, np.ndarray) else vector
     if isinstance(plain, list | tuple):
         with contextlib.suppress(TypeError, OverflowError):
             if all(map(math.isfinite, plain)):
                 return list(map(float, plain))
-    return _inspect_vector(at, vector)
+    return _inspect_vector(at, vector, layout)
 
 
-def _inspect_vector(at: str, vector: Vector) -> list[float]:
+def _inspect_vector(
+    at: str, vector: Vector, layout: ActionLayout | None
+) -> list[float]:
     """The numbers of any other array-like vector; raises what is wrong with it."""
     try:
         numbers = np.asarray(vector, dtype=np.float64)
     except (TypeError, ValueError) as error:
-        raise _invalid_action(
-            at, f"holds a value that is no number ({error})"
-        ) from error
+        what = "holds a value that is no number"
+        raise _invalid_action(at, what, layout) from error
     if numbers.ndim != 1:
-        raise _invalid_action(at, f"has {numbers.ndim} dimensions; a vector has one")
+        what = f"has {numbers.ndim} dimensions; a vector has one"
+        raise _invalid_action(at, what, layout)
     if not np.isfinite(numbers).all():
         index = int(np.flatnonzero(~np.isfinite(numbers))[0])
-        raise _invalid_action(
-            f"{at}/{index}", f"is {numbers[index]}, which is not finite"
-        )
+        what = f"is {numbers[index]}, which is not finite"
+        raise _invalid_action(f"{at}/{index}", what, layout)
     values: list[float] = numbers.tolist()
     return values
 
 
-def _invalid_action(pointer: str, text: str) -> ProctorError:
+def _invalid_action(
+    pointer: str, text: str, layout: ActionLayout | None
+) -> ProctorError:
+    shape = "" if layout is None else f" {expected_action(layout)}"
     return ProctorError(
         "invalid_request",
-        "The policy returned actions that cannot be sent. Correct what it returns.",
+        "The policy returned actions that cannot be sent. Correct what it returns."
+        + shape,
         errors=[(pointer, text)],
     )
+
+
+def expected_action(layout: ActionLayout) -> str:
+    """The shape of an action by name, for every refusal of one."""
+    return f"An action of {layout.benchmark_id} is: {layout.describe()}."

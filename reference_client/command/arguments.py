@@ -10,18 +10,27 @@ are declarations in any library; another one would not make this module shorter.
 from __future__ import annotations
 
 import argparse
+import importlib.metadata
 import json
 import os
 import re
+from collections.abc import Sequence
 from typing import Any, NoReturn
 
 from reference_client.command.aliases import PASS_THROUGH_COMMANDS
 from reference_client.command.exit_codes import UsageError
+from reference_client.command.text_tables import FORMATS
+from reference_client.errors import did_you_mean
+from reference_client.generated.protocol_version import PROTOCOL_VERSION
 
 DEFAULT_URL = "http://127.0.0.1:8460"  # where `proctor serve` serves
 EXIT_CODES_HELP = (
     "exit codes: 0 success; 1 the run failed, is incomplete, or fails the release "
     "check; 2 usage error, or the server is unreachable or refuses; 130 interrupted"
+)
+STATES = (
+    *("queued", "ready", "running", "stopping"),
+    *("stopped", "failed", "completed"),
 )
 # Command → what it does; the last three are programs of their own.
 COMMANDS = {
@@ -40,8 +49,41 @@ COMMANDS = {
 
 
 class _Parser(argparse.ArgumentParser):
+    """Refuses in one line, with the name that was probably meant."""
+
+    commands: Sequence[argparse.ArgumentParser] = ()
+
     def error(self, message: str) -> NoReturn:
-        raise UsageError(f"{message}; see {self.prog} --help")
+        raise UsageError(f"{self._reword(message)}; see {self.prog} --help")
+
+    def _reword(self, message: str) -> str:
+        if unknown := re.match(r"unrecognized arguments: (\S+)", message):
+            word = unknown[1].partition("=")[0]
+            what = "option" if word.startswith("-") else "argument"
+            if word in self._flags():
+                return f"{word} is an option of {', '.join(self._owners(word))} only"
+            return f"unknown {what} {word}{did_you_mean(word, self._flags())}"
+        if wrong := re.search(r"invalid choice: '(.*?)'", message):
+            word, name = wrong[1], message.partition(":")[0]
+            if name.endswith("COMMAND"):
+                return f"unknown command {word}{did_you_mean(word, COMMANDS)}"
+            return (
+                f"{name.removeprefix('argument ')} cannot be {word}"
+                + (message.partition("'" + word + "'")[2])
+            )
+        return message
+
+    def _owners(self, flag: str) -> list[str]:
+        return [
+            parser.prog
+            for parser in self.commands
+            if re.search(rf"{flag}\b(?!-)", parser.format_help())
+        ]
+
+    def _flags(self) -> set[str]:
+        """Of this command, or of all where the command is not known."""
+        texts = [parser.format_help() for parser in (self, *self.commands)]
+        return set(re.findall(r"--[a-z][a-z-]*", " ".join(texts)))
 
 
 def build_parser() -> argparse.ArgumentParser:
@@ -52,6 +94,7 @@ def build_parser() -> argparse.ArgumentParser:
         epilog=EXIT_CODES_HELP,
         allow_abbrev=False,
     )
+    parser.add_argument("--version", action="version", version=_version())
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
     made = {
         name: commands.add_parser(
@@ -61,10 +104,12 @@ def build_parser() -> argparse.ArgumentParser:
         )
         for name, text in COMMANDS.items()
     }  # fmt: skip
+    parser.commands = [*made.values()]
     for name, command in made.items():
         if name not in PASS_THROUGH_COMMANDS:
             _add_server_options(command)
     _add_run_id(made["status"], "id of the run; without it, the latest runs are listed")
+    _add_list_options(made["status"])
     made["status"].add_argument(
         "--watch", action="store_true", help="wait until the run has ended"
     )
@@ -75,9 +120,7 @@ def build_parser() -> argparse.ArgumentParser:
         action="store_true",
         help="finish the episodes in progress first",
     )
-    made["results"].add_argument(
-        "--episodes", action="store_true", help="also list every episode"
-    )
+    _add_results_options(made["results"])
     compare = made["compare"]
     compare.add_argument("baseline", metavar="BASELINE", help="id of the baseline run")
     compare.add_argument(
@@ -139,8 +182,35 @@ def _add_server_options(parser: argparse.ArgumentParser) -> None:
     shape.add_argument(
         "--json", action="store_true", help="print one JSON value, for scripts"
     )
+    shape.add_argument("--format", choices=FORMATS, default="text", help="of tables")
     shape.add_argument(
         "--debug", action="store_true", help="print the tracebacks of errors"
+    )
+
+
+def _add_results_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--episodes", action="store_true", help="also list every episode"
+    )
+    _add_save(parser)
+
+
+def _add_save(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--save", metavar="DIR", help="write result.json and episodes.csv to DIR"
+    )
+
+
+def _add_list_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("list")
+    group.add_argument("--benchmark", metavar="NAME", help="runs of this benchmark")
+    group.add_argument("--name", help="runs of the policies with this name")
+    group.add_argument("--state", choices=STATES, help="runs in this state")
+    group.add_argument(
+        "--limit", type=_count, metavar="N", default=20, help="rows of a page (20)"
+    )
+    group.add_argument(
+        "--page", type=_count, metavar="N", default=1, help="page of the list (1)"
     )
 
 
@@ -197,6 +267,20 @@ def _add_policy_options(parser: argparse.ArgumentParser) -> None:
         "--assumes", type=_json, metavar="JSON",
         help="conventions that the policy assumes (schema Assumptions)",
     )  # fmt: skip
+    group.add_argument(
+        "--episodes", type=_count, metavar="N",
+        help="play only the first N episodes; the score is then partial",
+    )  # fmt: skip
+    group.add_argument(
+        "--repeat", type=_count, metavar="K",
+        help="evaluate in K runs; print mean and spread",
+    )  # fmt: skip
+    _add_save(parser)
+    group.add_argument(
+        "--no-dry-turn",
+        action="store_true",
+        help="submit without calling the policy once with a made-up observation",
+    )
     workers = parser.add_argument_group("workers")
     workers.add_argument(
         "--workers", type=_count, metavar="N", help="number of workers (1)"
@@ -223,6 +307,14 @@ def _add_policy_options(parser: argparse.ArgumentParser) -> None:
     view.add_argument("--view-port", type=int, default=0, metavar="PORT",
         help="port of the live view (default: a free port)",
     )  # fmt: skip
+
+
+def _version() -> str:
+    try:
+        installed = importlib.metadata.version("proctor-eval")
+    except importlib.metadata.PackageNotFoundError:
+        installed = "not installed"
+    return f"proctor {installed}, protocol version {PROTOCOL_VERSION}"
 
 
 def _count(text: str) -> int:
@@ -255,7 +347,9 @@ def _json(text: str) -> dict[str, Any]:
     try:
         value = json.loads(text)
     except json.JSONDecodeError as error:
-        raise argparse.ArgumentTypeError(f"invalid JSON: {error}") from error
+        raise argparse.ArgumentTypeError(
+            f"invalid JSON at character {error.pos + 1}: {text}"
+        ) from error
     if not isinstance(value, dict):
         raise argparse.ArgumentTypeError("expected a JSON object")
     return value

@@ -8,15 +8,17 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import itertools
 import os
+import re
 import threading
 import time
 from collections.abc import Iterator
 from typing import Any
 
-from proctor_client import PolicyInfo, Run, StopMode, SubmitRun
+from proctor_client import PolicyInfo, Run, Score, StopMode, SubmitRun
 
-from reference_client.command import output
+from reference_client.command import output, saving
 from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
@@ -26,12 +28,13 @@ from reference_client.command.exit_codes import (
 from reference_client.command.output import Printer, ProgressDisplay
 from reference_client.evaluation import parameters
 from reference_client.evaluation.status_board import Progress
+from reference_client.policies.policy_server_client import PolicyServerClient
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import RetryPolicy
 
 RETRY_TIMEOUT_S = 10.0
-LATEST = 20
+_RUN_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # the pattern of the parameter RunId
 ENDED_STATES = frozenset({"completed", "failed", "stopped"})
 
 
@@ -59,6 +62,7 @@ def submit(args: argparse.Namespace, printer: Printer) -> int:
     with open_control_client(args, printer) as control_client:
         control_client.check_service(args.max_workers or 1)
         if args.run_id is not None:
+            check_run_id(args.run_id)
             run = control_client.resume_if_needed(args.run_id)
         else:
             submission = submission_of(args)
@@ -77,18 +81,50 @@ def status(args: argparse.Namespace, printer: Printer) -> int:
     run_id = run_id_of(args)
     with open_control_client(args, printer) as control_client:
         if run_id is None:
-            runs = control_client.latest(LATEST)
-            printer.answer([run.to_dict() for run in runs], output.run_list(runs))
-            return DONE
+            return _list_runs(args, control_client, printer)
         run = (
             _watch(control_client, run_id, printer)
             if args.watch
             else control_client.read(run_id)
         )
-    printer.answer(run.to_dict(), output.run_facts(run))
+        score = control_client.score(run_id) if run.progress.episodes_scored else None
+    printer.answer(_with_score(run, score), output.run_facts(run, score))
     state = run.state.value
     failed = state == "failed" or (args.watch and state != "completed")
     return NOT_COMPLETE if failed else DONE
+
+
+def _list_runs(
+    args: argparse.Namespace, control_client: ControlClient, printer: Printer
+) -> int:
+    """A page of the runs that the filters select, each with its score."""
+    matching = (
+        run
+        for run in control_client.all_runs()
+        if args.benchmark in (None, run.benchmark_id)
+        and args.state in (None, run.state.value)
+        and args.name in (None, run.policy.name)
+    )
+    first = (args.page - 1) * args.limit
+    found = list(itertools.islice(matching, first, first + args.limit + 1))
+    runs = found[: args.limit]
+    scores = {
+        run.run_id: control_client.score(run.run_id)
+        for run in runs
+        if run.progress.episodes_scored
+    }
+    more = f"More: --page {args.page + 1}" if len(found) > args.limit else None
+    value = [_with_score(run, scores.get(run.run_id)) for run in runs]
+    printer.answer(value, *output.run_list(runs, scores, more))
+    return DONE
+
+
+def _with_score(run: Run, score: Score | None) -> dict[str, Any]:
+    """A run as JSON, with its score, and the mean of the episodes scored so far."""
+    members: dict[str, Any] = run.to_dict()
+    members["score"] = None if score is None else score.score
+    members["mean"] = None if score is None else score.mean
+    return members
 
 
 def stop(args: argparse.Namespace, printer: Printer) -> int:
@@ -111,12 +147,11 @@ def results(args: argparse.Namespace, printer: Printer) -> int:
     with open_control_client(args, printer) as control_client:
         score = control_client.score(run_id)
         episodes = control_client.episodes(run_id) if args.episodes else None
+        if args.save is not None:
+            saving.save_result(control_client, score, args.save)
+            printer.say(f"Saved: {args.save}")
     value: dict[str, Any] = score.to_dict()
-    tables = [
-        output.score_facts(score),
-        output.group_table("task", score.by_task),
-        output.group_table("split", score.by_split),
-    ]
+    tables = output.score_tables(score)
     if episodes is not None:
         value["episodes"] = [episode.to_dict() for episode in episodes]
         tables.append(output.episode_list(episodes))
@@ -125,6 +160,8 @@ def results(args: argparse.Namespace, printer: Printer) -> int:
 
 
 def compare(args: argparse.Namespace, printer: Printer) -> int:
+    for run_id in (args.baseline, *args.runs):
+        check_run_id(run_id)
     with open_control_client(args, printer) as control_client:
         found = control_client.compare(args.baseline, args.runs, args.tolerance)
     tables = [
@@ -153,7 +190,7 @@ def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRu
             "--benchmark NAME (`proctor benchmarks` lists names) or --run-id RUN is "
             "required"
         )
-    name = args.name or name or "unnamed"
+    name = args.name or name or _described_name(args) or "unnamed"
     try:
         return parameters.submission(
             args.benchmark,
@@ -173,6 +210,15 @@ def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRu
         raise UsageError(str(error)) from error
 
 
+def _described_name(args: argparse.Namespace) -> str | None:
+    """The name that the policy server of a push run reports, if it is reachable here.
+
+    The evaluation server may reach what this machine does not: no answer is no error.
+    """
+    url = getattr(args, "push", None)
+    return None if url is None else PolicyServerClient(url).described_name()
+
+
 def _policy_server(url: str | None) -> dict[str, str] | None:
     """Schema PolicyServer, for push mode."""
     if url is None:
@@ -186,7 +232,14 @@ def run_id_of(args: argparse.Namespace) -> str | None:
     if args.run and args.run_id and args.run != args.run_id:
         raise UsageError(f"conflicting run ids: {args.run} and {args.run_id}")
     run_id: str | None = args.run or args.run_id
+    check_run_id(run_id)
     return run_id
+
+
+def check_run_id(run_id: str | None) -> None:
+    """Raises UsageError for what cannot be an id; None is no id."""
+    if run_id is not None and not _RUN_ID.fullmatch(run_id):
+        raise UsageError(f"{run_id!r} is no id of a run; `proctor status` lists them")
 
 
 def _required_run_id(args: argparse.Namespace) -> str:

@@ -60,7 +60,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return start(words[0], words[1:])
         args = build_parser().parse_args(words)
         _complete(args)
-        printer = Printer(as_json=args.json)
+        printer = Printer(as_json=args.json, style=args.format)
         return _run_command(args, printer)
     except UsageError as error:
         _print_error("usage", str(error), as_json=as_json)

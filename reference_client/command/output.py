@@ -1,4 +1,4 @@
-"""The output of the command: tables at 80 columns, or one JSON value for scripts.
+"""The output of the command: tables for people, or one JSON value for scripts.
 
 Texts of a server pass `printable` here, and JSON has escapes of its own.
 
@@ -7,7 +7,7 @@ Results go to stdout; progress, notes and errors go to stderr.
 
 from __future__ import annotations
 
-import json
+import statistics
 import sys
 import time
 from collections.abc import Mapping, Sequence
@@ -23,48 +23,40 @@ from proctor_client import (
     Run,
     Score,
 )
-from pydantic_core import to_jsonable_python
 from rich.console import Console
 from rich.progress import BarColumn, TaskID, TextColumn, TimeElapsedColumn
 from rich.progress import Progress as Bars
-from rich.table import Table
 
 from reference_client.command.exit_codes import with_flag_names
-from reference_client.evaluation.status_board import Progress
+from reference_client.command.text_tables import TablePrinter, TextTable, fact_table
+from reference_client.evaluation.status_board import Pace, Progress
 from reference_client.printable_text import printable
 
 LOG_S = 10.0  # between two lines of progress where stderr is no terminal
 
 
 class Printer:
-    """Prints results and messages; as_json: results are one JSON value on stdout."""
+    """Prints results and messages; as_json: results are one JSON value on stdout.
 
-    def __init__(self, *, as_json: bool) -> None:
+    style: of tables, one of text_tables.FORMATS.
+    """
+
+    def __init__(self, *, as_json: bool, style: str = "text") -> None:
         self.as_json = as_json
         # Kept from now: during an evaluation, sys.stdout is redirected to stderr.
-        self._stdout = sys.stdout
-        self._out = Console(
-            file=self._stdout, highlight=False, markup=False, emoji=False
-        )
+        self._out = TablePrinter(sys.stdout, style)
         self.err = Console(stderr=True, highlight=False, markup=False, emoji=False)
 
     def say(self, line: str) -> None:
         """Print a message to stderr."""
         self.err.print(printable(line), soft_wrap=True)
 
-    def answer(self, value: Any, *tables: Table | str) -> None:
+    def answer(self, value: Any, *tables: TextTable | str) -> None:
         """Print the result to stdout: `value` as JSON, or the tables."""
         if self.as_json:
-            self._stdout.write(json.dumps(to_jsonable_python(value)) + "\n")
-            self._stdout.flush()
-            return
-        for number, table in enumerate(tables):
-            if number:
-                self._out.print()
-            if isinstance(table, str):
-                self._out.print(printable(table), soft_wrap=True)
-            else:
-                self._out.print(table)
+            self._out.print_json(value)
+        else:
+            self._out.print(tables)
 
 
 class ProgressDisplay:
@@ -80,6 +72,7 @@ class ProgressDisplay:
         self._logged = -1
         self._bars: Bars | None = None
         self._task: TaskID | None = None
+        self._pace = Pace()
         self.latest: Progress | None = None
         if printer.err.is_terminal:
             self._bars = Bars(
@@ -87,6 +80,7 @@ class ProgressDisplay:
                 BarColumn(bar_width=None),
                 TextColumn("{task.fields[mean]}"),
                 TimeElapsedColumn(),
+                TextColumn("{task.fields[left]}"),
                 console=printer.err,
                 refresh_per_second=4,
             )
@@ -103,16 +97,18 @@ class ProgressDisplay:
 
     def __call__(self, progress: Progress) -> None:
         self.latest = progress
+        left = self._pace.left(progress)
         if progress.waiting != self._waiting:
             self._waiting = progress.waiting
             if progress.waiting is not None:
                 self._printer.say(with_flag_names(progress.waiting))
         if self._bars is None:
-            self._log(progress)
+            self._log(progress, left)
             return
         fields: dict[str, Any] = {
             "done": episodes_text(progress),
             "mean": mean_of(progress),
+            "left": left,
         }
         if self._task is None:
             self._bars.start()
@@ -124,41 +120,35 @@ class ProgressDisplay:
             **fields,
         )
 
-    def _log(self, progress: Progress) -> None:
+    def _log(self, progress: Progress, left: str) -> None:
         now = time.monotonic()
         if progress.episodes_scored == self._logged or now < self._logged_at + LOG_S:
             return
         self._logged_at, self._logged = now, progress.episodes_scored
-        self._printer.say(f"{episodes_text(progress)}  {mean_of(progress)}")
+        parts = [episodes_text(progress), mean_of(progress), left]
+        self._printer.say("  ".join(filter(None, parts)))
 
 
 def episodes_text(progress: Progress) -> str:
     return f"{progress.episodes_scored}/{progress.episodes_total} episodes"
 
 
+def scored_text(progress: Progress) -> str:
+    """What is kept, without concealing episodes that were given up."""
+    scored = f"{episodes_text(progress)} scored"
+    if progress.episodes_abandoned:
+        return (
+            f"{scored}, {progress.episodes_abandoned} of them abandoned with score 0: "
+            "their attempts are used up."
+        )
+    return f"{scored}; scores are kept."
+
+
 def mean_of(progress: Progress) -> str:
     return "no score yet" if progress.mean is None else f"mean {progress.mean:.3f}"
 
 
-class PrintableTable(Table):
-    """A table whose cells are texts of a server."""
-
-    def add_row(self, *cells: Any, **options: Any) -> None:
-        super().add_row(*(printable(str(cell)) for cell in cells), **options)
-
-
-def fact_table(rows: Mapping[str, object]) -> Table:
-    """A table of names and values, without borders; None values are omitted."""
-    table = PrintableTable(box=None, show_header=False, pad_edge=False)
-    table.add_column(no_wrap=True)
-    table.add_column(overflow="fold")
-    for name, value in rows.items():
-        if value is not None:
-            table.add_row(name, str(value))
-    return table
-
-
-def run_facts(run: Run) -> Table:
+def run_facts(run: Run, score: Score | None = None) -> TextTable:
     progress = run.progress
     return fact_table(
         {
@@ -166,7 +156,9 @@ def run_facts(run: Run) -> Table:
             "state": run.state.value,
             "reason": run.reason,
             "benchmark": f"{run.benchmark_id}, version {run.benchmark_version}",
-            "policy": run.policy.name,
+            "policy": run.policy.name
+            + (f", version {run.policy.version}" if run.policy.version else ""),
+            "score": None if score is None else _headline(score),
             "episodes": f"{progress.episodes_scored} of {progress.episodes_total} "
             f"scored, {progress.episodes_in_progress} in progress",
             "workers": f"{run.live_workers} live, at most {run.max_workers}",
@@ -177,23 +169,38 @@ def run_facts(run: Run) -> Table:
     )
 
 
-def run_list(runs: Sequence[Run]) -> Table | str:
+def run_list(
+    runs: Sequence[Run], scores: Mapping[str, Score], next_page: str | None = None
+) -> list[TextTable | str]:
+    """scores: by run id, of those that have one. next_page: how to read on."""
     if not runs:
-        return "No runs."
-    table = _table("run", "state", "benchmark", "policy", "scored")
+        return ["No runs."]
+    table = TextTable(
+        ("run", "state", "benchmark", "policy", ">scored", ">score", "submitted"),
+        dispensable=("submitted", "scored", "benchmark"),
+    )
     for run in runs:
         scored, total = run.progress.episodes_scored, run.progress.episodes_total
-        table.add_row(
+        table.add(
             run.run_id,
             run.state.value,
             run.benchmark_id,
             run.policy.name,
             f"{scored}/{total}",
+            score_text(scores.get(run.run_id)),
+            f"{run.created_at.astimezone():%Y-%m-%d %H:%M}",
         )
-    return table
+    return [table] if next_page is None else [table, next_page]
 
 
-def score_facts(score: Score) -> Table:
+def score_text(score: Score | None) -> str:
+    """`0.850`; `(0.667)` is the mean of the episodes scored so far."""
+    if score is None or score.mean is None:
+        return "–"
+    return f"({score.mean:.3f})" if score.score is None else f"{score.score:.3f}"
+
+
+def score_facts(score: Score) -> TextTable:
     counts = score.counts
     mean, rate = score.mean_interval, score.success_interval
     scored = counts.total - counts.unscored
@@ -202,10 +209,7 @@ def score_facts(score: Score) -> Table:
             "run": score.run_id,
             "state": score.state.value,
             "benchmark": score.benchmark_id,
-            "score": f"{score.score:.4f}"
-            if score.score is not None
-            else f"not complete: between {score.score_low:.4f} and "
-            f"{score.score_high:.4f}",
+            "score": _headline(score),
             "mean": f"{score.mean:.4f}, 95 % interval {mean.low:.4f} to {mean.high:.4f}"
             if score.mean is not None
             else None,
@@ -219,11 +223,59 @@ def score_facts(score: Score) -> Table:
     )
 
 
-def group_table(title: str, by_name: Mapping[str, GroupScore]) -> Table:
-    table = _table(title, ">scored", ">success", ">mean")
+def _headline(score: Score) -> str:
+    if score.score is None:
+        scored = score.counts.total - score.counts.unscored
+        return (
+            f"partial, {scored} of {score.counts.total} episodes; not complete: "
+            f"between {score.score_low:.4f} and {score.score_high:.4f}"
+        )
+    mixed = f" over {len(score.by_split)} splits" if len(score.by_split) > 1 else ""
+    return f"{score.score:.4f}{mixed}"
+
+
+def score_tables(score: Score) -> list[TextTable]:
+    """The facts, then splits before tasks: a mix of splits is no result to quote."""
+    return [
+        score_facts(score),
+        group_table("split", score.by_split),
+        group_table("task", score.by_task),
+    ]
+
+
+def repeat_tables(scores: Sequence[Score]) -> list[TextTable]:
+    """A row for each run, then mean and spread over the runs."""
+    table = TextTable(("run", ">score", ">success", ">scored"))
+    for score in scores:
+        counts = score.counts
+        scored = f"{counts.total - counts.unscored}/{counts.total}"
+        table.add(score.run_id, score_text(score), str(counts.success), scored)
+    mean, spread = mean_and_spread(scores)
+    over = f"over {len(scores)} runs"
+    return [
+        table,
+        fact_table(
+            {
+                "mean": f"{mean:.4f} {over}",
+                "spread": f"{spread:.4f}, the standard deviation {over}",
+            }
+        ),
+    ]
+
+
+def mean_and_spread(scores: Sequence[Score]) -> tuple[float, float]:
+    """Mean of the runs' means, and their sample standard deviation, 0 for one run."""
+    means = [score.mean for score in scores if score.mean is not None]
+    if not means:
+        return 0.0, 0.0
+    return statistics.mean(means), statistics.stdev(means) if len(means) > 1 else 0.0
+
+
+def group_table(title: str, by_name: Mapping[str, GroupScore]) -> TextTable:
+    table = TextTable((title, ">scored", ">success", ">mean"))
     for name, group in by_name.items():
         counts = group.counts
-        table.add_row(
+        table.add(
             name,
             f"{counts.total - counts.unscored}/{counts.total}",
             str(counts.success),
@@ -232,8 +284,12 @@ def group_table(title: str, by_name: Mapping[str, GroupScore]) -> Table:
     return table
 
 
-def comparison_tables(comparison: Comparison, run: ComparedRun) -> list[Table]:
-    """One run compared with the baseline: a summary, and a row for each task."""
+def comparison_tables(comparison: Comparison, run: ComparedRun) -> list[TextTable]:
+    """One run compared with the baseline: a summary, and a row for each task.
+
+    Plus is better: a difference is run minus baseline, although the protocol's member
+    `difference` is baseline minus run.
+    """
     alone = f"{run.wins} wins, {run.losses} losses, {run.ties} ties"
     head = fact_table(
         {
@@ -244,20 +300,20 @@ def comparison_tables(comparison: Comparison, run: ComparedRun) -> list[Table]:
             + ("" if run.complete else "; incomplete"),
             "difference": None
             if run.difference is None
-            else f"{run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "
-            f"{run.mean:.4f}",
+            else f"{0.0 - run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "
+            f"{run.mean:.4f} (plus is better)",
             "successes": f"{alone}; p = {run.p_value:.4f} (exact McNemar)",
             "release": _release(comparison, run),
         }
     )
-    table = _table("task", ">pairs", ">baseline", ">run", ">difference")
+    table = TextTable(("task", ">pairs", ">baseline", ">run", ">difference"))
     for task, group in run.by_task.items():
         numbers = (group.baseline_mean, group.mean)
-        table.add_row(
+        table.add(
             task,
             str(group.paired),
             *("–" if number is None else f"{number:.3f}" for number in numbers),
-            "–" if group.difference is None else f"{group.difference:+.3f}",
+            "–" if group.difference is None else f"{0.0 - group.difference:+.3f}",
         )
     return [head, table]
 
@@ -276,11 +332,14 @@ def _release(comparison: Comparison, run: ComparedRun) -> str:
     return f"no: difference exceeds {comparison.tolerance:g} in {', '.join(far)}"
 
 
-def episode_list(episodes: Sequence[Episode]) -> Table:
-    table = _table("episode", "task", "split", "status", ">score", ">steps", ">attempt")
+def episode_list(episodes: Sequence[Episode]) -> TextTable:
+    table = TextTable(
+        ("episode", "task", "split", "status", ">score", ">steps", ">attempt"),
+        dispensable=("attempt", "steps", "split"),
+    )
     for episode in episodes:
         result = episode.result
-        table.add_row(
+        table.add(
             episode.episode_id,
             episode.task,
             episode.split,
@@ -292,14 +351,14 @@ def episode_list(episodes: Sequence[Episode]) -> Table:
     return table
 
 
-def benchmark_list(benchmarks: Sequence[BenchmarkSummary]) -> Table:
-    table = _table("benchmark", "version", ">episodes", "title")
+def benchmark_list(benchmarks: Sequence[BenchmarkSummary]) -> TextTable:
+    table = TextTable(("benchmark", "version", ">episodes", "title"))
     for one in benchmarks:
-        table.add_row(one.benchmark_id, one.version, str(one.episodes_total), one.title)
+        table.add(one.benchmark_id, one.version, str(one.episodes_total), one.title)
     return table
 
 
-def benchmark_tables(benchmark: Benchmark) -> list[Table]:
+def benchmark_tables(benchmark: Benchmark) -> list[TextTable]:
     sizes = ", ".join(f"{s.width}x{s.height}" for s in benchmark.image_sizes)
     codecs = ", ".join(benchmark.image_codecs)
     head = fact_table(
@@ -318,32 +377,22 @@ def benchmark_tables(benchmark: Benchmark) -> list[Table]:
         }
     )
     space = benchmark.observation_space
-    spaces = _table("name", ">size", "unit", "description")
+    spaces = TextTable(("name", ">size", "unit", "description"))
     for group, vectors in (("action", benchmark.action_space), ("state", space.state)):
         for name, vector in vectors.items():
-            spaces.add_row(
-                f"{group}.{name}", str(vector.size), vector.unit, vector.description
+            spaces.add(
+                f"{group}.{name}",
+                str(vector.size),
+                vector.unit,
+                vector.description or "",
             )
     for name, image in space.images.items():
-        spaces.add_row(f"images.{name}", str(image.channels), "", image.description)
+        spaces.add(f"images.{name}", str(image.channels), "", image.description)
     for name, tensor in space.tensors.items():
-        spaces.add_row(
+        spaces.add(
             f"tensors.{name}",
             "x".join(map(str, tensor.shape)),
             tensor.dtype,
             tensor.description,
         )
     return [head, spaces]
-
-
-def _table(*columns: str) -> Table:
-    """A table; columns whose name begins with > are right-aligned."""
-    table = PrintableTable(box=None, pad_edge=False)
-    for number, name in enumerate(columns):
-        table.add_column(
-            name.lstrip(">"),
-            no_wrap=number == 0,  # an id or a name, to be copied
-            justify="right" if name.startswith(">") else "left",
-            overflow="fold",
-        )
-    return table

@@ -1,6 +1,7 @@
 """`proctor run`: evaluates a policy and prints its score, or how to continue the run.
 
-The first Ctrl-C detaches the workers, the second terminates immediately.
+The first Ctrl-C ends the workers between two turns, the second terminates immediately.
+Neither costs an attempt: an episode in play waits for the lease of its session.
 """
 
 from __future__ import annotations
@@ -14,15 +15,21 @@ import signal
 import sys
 import traceback
 from collections.abc import Callable
+from dataclasses import asdict, replace
+from pathlib import Path
 from types import FrameType
 from typing import Any, Self
 
 from proctor_client import Assumptions, Benchmark, Run, Score
 
 from reference_client.api.policy import Policy
-from reference_client.command import output
+from reference_client.command import output, saving
 from reference_client.command.arguments import DEFAULT_URL
-from reference_client.command.control import submission_of
+from reference_client.command.control import (
+    check_run_id,
+    open_control_client,
+    submission_of,
+)
 from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
@@ -34,7 +41,11 @@ from reference_client.command.output import Printer, ProgressDisplay
 from reference_client.errors import PolicyFailed, ProctorError, RunFailed
 from reference_client.evaluation.evaluate import run_evaluation
 from reference_client.evaluation.parameters import EvaluationPlan, parse_strictly
-from reference_client.evaluation.status_board import Progress, StatusBoard
+from reference_client.evaluation.status_board import (
+    Progress,
+    StatusBoard,
+    describe_left,
+)
 from reference_client.evaluation.worker_pool import ThreadWorkerPool, WorkerPool
 from reference_client.evaluation.worker_processes import ProcessWorkerPool
 from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
@@ -43,6 +54,10 @@ from reference_client.policies.policy_server_client import PolicyServerClient
 from reference_client.view.server import View
 
 RETRY_TIMEOUT_S = 300.0
+_ATTEMPTS = (
+    "Continued before that time, an episode goes on at its step; no attempt is lost. "
+    "Later, its attempt counts; after the last one it is abandoned with score 0."
+)
 
 
 def run(args: argparse.Namespace, printer: Printer) -> int:
@@ -51,6 +66,7 @@ def run(args: argparse.Namespace, printer: Printer) -> int:
         if args.policy is not None:
             raise UsageError("--policy and --policy-url are mutually exclusive")
         args.policy = f"proctor:{args.policy_url}"
+    check_run_id(args.run_id)
     if args.policy is None:
         raise UsageError("--policy is required, for example my_module:MyPolicy")
     try:
@@ -60,17 +76,57 @@ def run(args: argparse.Namespace, printer: Printer) -> int:
         plan = _plan(args, check_benchmark if server is None else server.check)
     except (ValueError, BadMapping) as error:
         raise UsageError(str(error)) from error
-    return _EvaluationCommand(args, printer, server).run_evaluation(plan, mapping)
+    if args.save is not None:
+        saving.check_folder(args.save)
+    if args.repeat is not None:
+        return _repeat(args, printer, server, plan, mapping)
+    command = _EvaluationCommand(args, printer, server)
+    code, score = command.run_evaluation(plan, mapping)
+    if score is not None:
+        command.print_score(score)
+    return code
 
 
-def resume_command(args: argparse.Namespace, run_id: str) -> str:
-    """The command that continues the run, without the token, which is secret."""
+def _repeat(
+    args: argparse.Namespace,
+    printer: Printer,
+    server: PolicyServerClient | None,
+    plan: EvaluationPlan,
+    mapping: PolicyMapping | None,
+) -> int:
+    """Evaluate in several runs; ends with the first that has no score."""
+    if args.run_id is not None:
+        raise UsageError("--repeat makes new runs; it cannot continue --run-id")
+    scores: list[Score] = []
+    for number in range(1, args.repeat + 1):
+        printer.say(f"Repetition {number} of {args.repeat}")
+        command = _EvaluationCommand(args, printer, server)
+        code, score = command.run_evaluation(plan, mapping)
+        if score is None:
+            return code
+        scores.append(score)
+        plan = replace(plan, dry_turn=False)
+    mean, spread = output.mean_and_spread(scores)
+    value = {"mean": mean, "stdev": spread, "runs": [one.to_dict() for one in scores]}
+    printer.answer(value, *output.repeat_tables(scores))
+    return code
+
+
+def resume_command(
+    args: argparse.Namespace, run_id: str, *, takeover: bool = False
+) -> str:
+    """The command that continues the run, without the token, which is secret.
+
+    takeover: continue the episodes that wait in sessions of this evaluation.
+    """
     command = ["proctor", "run", "--run-id", run_id, "--policy", args.policy]
     flags: list[tuple[str, Any, Any]] = [
         ("--mapping", args.mapping, None),
         ("--workers", args.workers, None),
         ("--worker-ids", args.worker_ids, None),
         ("--worker-prefix", args.worker_prefix, "worker"),
+        ("--episodes", args.episodes, None),
+        ("--save", args.save, None),
         ("--retry-timeout-s", args.retry_timeout_s, None),
         ("--ca", args.ca, None),
         ("--url", args.url, os.environ.get("PROCTOR_URL") or DEFAULT_URL),
@@ -81,6 +137,7 @@ def resume_command(args: argparse.Namespace, run_id: str) -> str:
     if args.assumes:
         command += ["--assumes", json.dumps(args.assumes)]
     command += [f"--{name}" for name in ("processes", "view") if getattr(args, name)]
+    command += ["--takeover"] if takeover else []
     return shlex.join(command)
 
 
@@ -99,10 +156,20 @@ class _EvaluationCommand:
         self._progress_display = ProgressDisplay(printer)
         self._run: Run | None = None
         self._view: View | None = None
+        self._board = StatusBoard()
 
     def run_evaluation(
         self, plan: EvaluationPlan, mapping: PolicyMapping | None
-    ) -> int:
+    ) -> tuple[int, Score | None]:
+        """Returns the exit code, and the score or None after a report of the end."""
+        try:
+            return self._evaluate(plan, mapping)
+        except _EvaluationEnded as ended:
+            return ended.code, None
+
+    def _evaluate(
+        self, plan: EvaluationPlan, mapping: PolicyMapping | None
+    ) -> tuple[int, Score]:
         signals = Signals()
         with contextlib.ExitStack() as stack:
             stack.enter_context(signals)
@@ -121,28 +188,31 @@ class _EvaluationCommand:
                     board=board,
                 )
             except KeyboardInterrupt:
-                return self._report_end(
+                raise self._report_end(
                     128 + signals.number, "interrupted", "Interrupted."
-                )
+                ) from None
             except (BadPolicy, BadMapping, ValueError) as error:
                 if self._run is None:
                     raise UsageError(str(error)) from error
-                return self._report_policy_error(error)
+                raise self._report_policy_error(error) from error
             except ProctorError as error:
-                return self._report_refusal(error)
-            except Exception as error:  # noqa: BLE001 - a policy may raise anything
-                return self._report_policy_error(error)
-        return self._report_score(score)
+                raise self._report_refusal(error) from error
+            except Exception as error:
+                raise self._report_policy_error(error) from error
+        if self._args.save is not None:
+            self._save(score)
+        is_as_wanted = score.complete or self._args.episodes is not None
+        return DONE if is_as_wanted else NOT_COMPLETE, score
 
     def _make_worker_pool(
         self, mapping: PolicyMapping | None, stack: contextlib.ExitStack
     ) -> tuple[StatusBoard, WorkerPool]:
         args = self._args
-        board, view = StatusBoard(), None
+        view = None
         if args.view:
             view = self._view = stack.enter_context(_open_view(args.view_port))
             self._printer.say(f"Live view: {view.url}")
-            board = view.board
+            self._board = view.board
         worker_pool: WorkerPool
         if args.processes:
             worker_pool = ProcessWorkerPool(
@@ -158,7 +228,7 @@ class _EvaluationCommand:
             except Exception as error:
                 raise _policy_failure(error) from error
             worker_pool = ThreadWorkerPool(_attribute_errors(make))
-        return board, worker_pool
+        return self._board, worker_pool
 
     def _on_run(self, run: Run) -> None:
         self._run = run
@@ -172,15 +242,30 @@ class _EvaluationCommand:
         if self._view is not None:
             self._view.progress = progress
 
-    def _report_score(self, score: Score) -> int:
-        self._printer.answer(
-            score.to_dict(),
-            output.score_facts(score),
-            output.group_table("task", score.by_task),
-        )
-        return DONE if score.complete else NOT_COMPLETE
+    def _save(self, score: Score) -> None:
+        """With --repeat, in a folder of the run."""
+        folder = Path(self._args.save)
+        if self._args.repeat is not None:
+            folder = folder / score.run_id
+        with open_control_client(self._args, self._printer) as control_client:
+            saving.save_result(control_client, score, folder, {"clips": self._clips()})
+        self._printer.say(f"Saved: {folder}")
 
-    def _report_refusal(self, error: ProctorError) -> int:
+    def _clips(self) -> dict[str, Any]:
+        """Of the episodes that this evaluation has ended."""
+        return asdict(self._board.clips)
+
+    def print_score(self, score: Score) -> None:
+        value = score.to_dict() | {"clips": self._clips()}
+        self._printer.answer(value, *output.score_tables(score))
+        if not score.complete and self._run is not None:
+            args = argparse.Namespace(**vars(self._args) | {"episodes": None})
+            self._printer.say(
+                "The score is partial. To play the rest:\n"
+                f"  {resume_command(args, self._run.run_id)}"
+            )
+
+    def _report_refusal(self, error: ProctorError) -> _EvaluationEnded:
         if self._args.debug:
             whole = getattr(error, "traceback", None) or traceback.format_exc()
             self._printer.say(whole.rstrip())
@@ -191,13 +276,13 @@ class _EvaluationCommand:
             can_resume=not isinstance(error, RunFailed) or error.retryable,
         )
 
-    def _report_policy_error(self, error: Exception) -> int:
+    def _report_policy_error(self, error: Exception) -> _EvaluationEnded:
         return self._report_refusal(_policy_failure(error))
 
     def _report_end(
         self, code: int, kind: str, line: str, *, can_resume: bool = True
-    ) -> int:
-        """Print why the evaluation ended and how to continue it."""
+    ) -> _EvaluationEnded:
+        """Print why the evaluation ended, what waits, and how to continue it."""
         self._progress_display.end()
         say = self._printer.say
         say(f"proctor: {line}")
@@ -206,14 +291,29 @@ class _EvaluationCommand:
             run_id, latest = self._run.run_id, self._progress_display.latest
             value["run_id"] = run_id
             if latest is not None:
-                scored = output.episodes_text(latest)
-                say(f"Run {run_id}: {scored} scored; scores are kept.")
+                say(f"Run {run_id}: {output.scored_text(latest)}")
+            left = [*self._board.left.values()]
+            value["waiting"] = [asdict(one) for one in left]
+            for one in left:
+                say(f"{describe_left(one, self._board.max_attempts)}.")
+            if left:
+                say(_ATTEMPTS)
             if can_resume:
-                value["resume"] = resume_command(self._args, run_id)
+                value["resume"] = resume_command(
+                    self._args, run_id, takeover=bool(left)
+                )
                 say(f"To continue:\n  {value['resume']}")
         if self._printer.as_json:
             self._printer.answer(value)
-        return code
+        return _EvaluationEnded(code)
+
+
+class _EvaluationEnded(Exception):
+    """The evaluation has no score; that was printed. code: the exit code."""
+
+    def __init__(self, code: int) -> None:
+        super().__init__(code)
+        self.code = code
 
 
 class Signals:
@@ -243,14 +343,18 @@ class Signals:
         if self._signals_received > 1:
             if os.isatty(2):
                 os.write(2, b"\x1b[?25h")  # the bar has hidden the cursor
-            os.write(2, b"proctor: terminated; sessions end when leases expire\n")
+            os.write(
+                2,
+                b"proctor: terminated; sessions end with their leases, --takeover "
+                b"continues them before that\n",
+            )
             self.before_exit()
             os._exit(128 + number)
         self.number = number
         os.write(
             2,
-            b"\nStopping: detaching workers. Press Ctrl-C again to terminate "
-            b"immediately.\n",
+            b"\nStopping after the turns in progress; no attempt is lost. Press "
+            b"Ctrl-C again to terminate immediately.\n",
         )
         raise KeyboardInterrupt
 
@@ -293,6 +397,8 @@ def _plan(
         if args.retry_timeout_s is None
         else args.retry_timeout_s,
         check_benchmark=check_benchmark,
+        dry_turn=not args.no_dry_turn,
+        episodes=args.episodes,
     )
 
 

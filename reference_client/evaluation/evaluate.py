@@ -6,6 +6,7 @@ its own worker pool and messages. rounds.py plays the run once it is submitted.
 
 from __future__ import annotations
 
+import logging
 import sys
 import threading
 from collections.abc import Callable, Mapping
@@ -24,6 +25,7 @@ from reference_client.evaluation.rounds import EvaluationRounds
 from reference_client.evaluation.status_board import (
     Progress,
     StatusBoard,
+    describe_left,
     terminal_progress_line,
 )
 from reference_client.evaluation.uncaught_errors import shorten_report
@@ -38,6 +40,8 @@ from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.local_token import find_token
 from reference_client.protocol.retry_policy import RetryPolicy
+
+_LOG = logging.getLogger("proctor")
 
 
 def evaluate(
@@ -57,17 +61,17 @@ def evaluate(
     options: Mapping[str, Any] | None = None,
     retry_timeout_s: float = 300.0,
     progress: Callable[[Progress], None] | None = None,
+    episodes: int | None = None,
+    dry_turn: bool = True,
 ) -> Score:
     """Evaluate a policy on a benchmark of the server at `url`; returns its score.
 
     policy: makes a policy, usually its class; called once per worker, in this thread.
-    token: a bearer token of the server. When absent, PROCTOR_TOKEN of the environment,
-        or the token that a server on this machine made for itself.
+    token: a bearer token; else PROCTOR_TOKEN, or that of a server on this machine.
     benchmark: id of the benchmark, for a new run.
     run_id: continue this run instead. It is resumed if it is stopped or failed.
     workers: number of episodes played at a time, each in a thread.
-    worker_prefix: prefix of the worker ids; must differ between programs that share a
-        run.
+    worker_prefix: of the worker ids; must differ between programs that share a run.
     takeover: take over the sessions of a crashed program's workers immediately, with
         their episodes, instead of waiting until their leases expire.
     assumes: conventions that the policy assumes, as in schema Assumptions.
@@ -76,12 +80,14 @@ def evaluate(
     retry_timeout_s: how long an unreachable server is retried, seconds.
     progress: called in this thread at every change. Without it, progress is one line
         on stderr if that is a terminal.
+    episodes: play only the first ones of the benchmark; the score is then partial.
+    dry_turn: call a policy once before the run is created, with a made-up observation.
 
     Raises ProctorError (RunFailed and RunStopped when the run ends without a score),
-    ValueError for invalid arguments, and whatever the policy raises. Workers detach
-    first, also on Ctrl-C; the run remains on the server, and `run_id` continues it.
-    A ProctorError that a program does not catch ends it with its text alone; with
-    PROCTOR_DEBUG=1 the traceback is printed.
+    ValueError for invalid arguments, and whatever the policy raises. The run remains;
+    `run_id` continues it, and `takeover` the episodes in play, at their step: only a
+    lease that ends costs an attempt. A ProctorError that a program does not catch ends
+    it with its text alone, or with PROCTOR_DEBUG=1 with the traceback.
     """
     plan = EvaluationPlan(
         url=url,
@@ -104,6 +110,8 @@ def evaluate(
         check_benchmark=policy.check
         if isinstance(policy, PolicyServerClient)
         else None,
+        episodes=episodes,
+        dry_turn=dry_turn,
     )
     return _evaluate_plan(plan, ThreadWorkerPool(policy), progress)
 
@@ -116,13 +124,19 @@ def _evaluate_plan(
     """`run_evaluation` with a progress line, and a note on how to continue the run."""
     line = terminal_progress_line() if progress is None else None
     runs: list[Run] = []
+    board = StatusBoard()
     try:
         return run_evaluation(
-            plan, worker_pool, progress=progress or line, on_run=runs.append
+            plan,
+            worker_pool,
+            progress=progress or line,
+            on_run=runs.append,
+            say=_LOG.warning,
+            board=board,
         )
     except KeyboardInterrupt:
         if runs:
-            sys.stderr.write(f"\n{printable(_how_to_continue(runs[0]))}\n")
+            sys.stderr.write(f"\n{printable(_how_to_continue(runs[0], board))}\n")
         raise
     except (RunFailed, RunStopped):
         shorten_report()
@@ -131,7 +145,7 @@ def _evaluate_plan(
         if isinstance(error, ProctorError):
             shorten_report()
         if runs:
-            error.add_note(printable(_how_to_continue(runs[0])))
+            error.add_note(printable(_how_to_continue(runs[0], board)))
         raise
     finally:
         if line is not None and runs:
@@ -162,14 +176,17 @@ def run_evaluation(
         control_client = ControlClient(connection.control, retry_policy)
         try:
             control_client.check_service(workers)
-            run = plan.open(
-                control_client, lambda: worker_pool.prepare(plan.worker_ids)
+            run, benchmark = plan.open(
+                control_client,
+                lambda: worker_pool.prepare(plan.worker_ids),
+                worker_pool.play_dry_turn,
             )
             on_run(run)
+            board.max_attempts = plan.max_attempts(benchmark)
             run_workers = worker_pool.make_workers(
-                EvaluationContext(plan, run, connection, retry_policy, board)
+                EvaluationContext(plan, run, connection, retry_policy, board, benchmark)
             )
-            return EvaluationRounds(
+            score = EvaluationRounds(
                 run,
                 run_workers,
                 control_client,
@@ -178,13 +195,21 @@ def run_evaluation(
                 plan.takeover,
                 progress,
                 say,
+                plan.episodes,
             ).play_to_score()
+            if board.clips.clipped:
+                say(f"Clipped: {board.clips.describe()}.")
+            return score
         finally:
             worker_pool.close()
 
 
-def _how_to_continue(run: Run) -> str:
-    return f"Run {run.run_id} remains on the server; {how_to_resume(run.run_id)}."
+def _how_to_continue(run: Run, board: StatusBoard) -> str:
+    how = how_to_resume(run.run_id, takeover=bool(board.left))
+    waiting = [
+        f"{describe_left(left, board.max_attempts)}." for left in board.left.values()
+    ]
+    return "\n".join([*waiting, f"Run {run.run_id} remains on the server; {how}."])
 
 
 def _name_of(policy: Callable[[], Policy]) -> str:

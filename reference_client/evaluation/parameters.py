@@ -24,7 +24,9 @@ from proctor_client import (
     SubmitRun,
 )
 from pydantic import ValidationError
+from pydantic_core import to_jsonable_python
 
+from reference_client.errors import ProctorError
 from reference_client.protocol.control_client import ControlClient
 
 # The pattern of the parameter WorkerId: a refusal would leave an unused run behind.
@@ -41,6 +43,8 @@ class EvaluationPlan:
         if that is given.
     worker_ids: one worker each.
     retry_timeout_s: how long an unreachable server is retried, seconds.
+    episodes: how many of the manifest's episodes are played, from its first.
+    dry_turn: whether a policy is called once before a new run is created.
     check_benchmark: called with the benchmark before the run is created; raises if the
         policy does not fit it.
     """
@@ -55,6 +59,8 @@ class EvaluationPlan:
     assumes: Assumptions | None = None
     retry_timeout_s: float = 300.0
     check_benchmark: Callable[[Benchmark], None] | None = None
+    episodes: int | None = None
+    dry_turn: bool = True
 
     def __post_init__(self) -> None:
         if self.submission is None and self.run_id is None:
@@ -63,6 +69,8 @@ class EvaluationPlan:
             )
         if not self.worker_ids:
             raise ValueError("workers must be at least 1")
+        if self.episodes is not None and self.episodes < 1:
+            raise ValueError("episodes must be at least 1")
         if len(set(self.worker_ids)) < len(self.worker_ids):
             raise ValueError("worker ids must differ")
         for worker_id in self.worker_ids:
@@ -72,11 +80,17 @@ class EvaluationPlan:
                     "(1 to 64 of A-Z a-z 0-9 _ -)"
                 )
 
-    def open(self, control_client: ControlClient, prepare: Callable[[], None]) -> Run:
+    def open(
+        self,
+        control_client: ControlClient,
+        prepare: Callable[[], None],
+        play_dry_turn: Callable[[dict[str, Any]], None],
+    ) -> tuple[Run, dict[str, Any] | None]:
         """Submit or resume the run; `prepare`, which loads the policies, comes before.
 
-        So a policy that fails to load leaves no run behind. What the server would
-        refuse is checked before policies are loaded.
+        So a policy that fails to load, or in the dry turn, leaves no run behind. What
+        the server would refuse is checked before policies are loaded. Returns the run,
+        and its benchmark as JSON, if the server has it.
         """
         if self.run_id is None:
             assert self.submission is not None
@@ -84,17 +98,47 @@ class EvaluationPlan:
             if self.check_benchmark is not None:
                 self.check_benchmark(benchmark)
             prepare()
-            return control_client.submit(self.submission)
+            described = _as_json(benchmark)
+            if self.dry_turn:
+                play_dry_turn(described)
+            return control_client.submit(self.submission), described
         run = control_client.read(self.run_id)
         if self.benchmark not in (None, run.benchmark_id):
             raise ValueError(
                 f"run {self.run_id} is of benchmark {run.benchmark_id!r}, "
                 f"not {self.benchmark!r}"
             )
-        if self.check_benchmark is not None:
-            self.check_benchmark(control_client.benchmark(run.benchmark_id))
+        known = _benchmark_of(control_client, run)
+        if self.check_benchmark is not None and known is not None:
+            self.check_benchmark(known)
         prepare()
-        return control_client.resume_if_needed(self.run_id)
+        resumed = control_client.resume_if_needed(self.run_id)
+        return resumed, None if known is None else _as_json(known)
+
+    def max_attempts(self, benchmark: dict[str, Any] | None) -> int | None:
+        """Of an episode; None where it cannot be known."""
+        if benchmark is None:
+            return None
+        if benchmark["benchmark_id"] == "calibration":  # its submitter decides
+            options = None if self.submission is None else self.submission.options
+            return None if options is None else options.max_attempts
+        allowed: int = benchmark["max_attempts"]
+        return allowed
+
+
+def _benchmark_of(control_client: ControlClient, run: Run) -> Benchmark | None:
+    """None if the server does not have it any more: a score can still be read."""
+    try:
+        return control_client.benchmark(run.benchmark_id)
+    except ProctorError as error:
+        if error.code != "not_found":
+            raise
+        return None
+
+
+def _as_json(benchmark: Benchmark) -> dict[str, Any]:
+    members: dict[str, Any] = to_jsonable_python(benchmark.to_dict())
+    return members
 
 
 def submission(
@@ -120,9 +164,38 @@ def submission(
             policy_server=parse_strictly(PolicyServer, "policy_server", policy_server),
         )
     except ValidationError as error:
-        faults = error.errors(include_url=False)
-        texts = [f"{'.'.join(map(str, f['loc']))}: {f['msg']}" for f in faults]
-        raise ValueError("; ".join(texts)) from error
+        raise ValueError(_fault_texts(error)) from error
+
+
+# Type of a fault → what to say in place of the library's sentence and pattern.
+_FAULT_TEXTS = {
+    "greater_than_equal": "must be at least {ge}",
+    "less_than_equal": "must be at most {le}",
+    "string_too_short": "must have at least {min_length} characters",
+    "string_too_long": "must have at most {max_length} characters",
+    "too_short": "must have at least {min_length} entries",
+    "too_long": "must have at most {max_length} entries",
+    "missing": "is missing",
+    "finite_number": "must be finite",
+}
+
+
+def _fault_texts(error: ValidationError) -> str:
+    texts: dict[str, str] = {}
+    for fault in error.errors(include_url=False):
+        # A number may be of several types; each of them reports its faults.
+        parts = [str(p) for p in fault["loc"] if not str(p).startswith("constrained-")]
+        name = ".".join(parts)
+        text = _FAULT_TEXTS.get(fault["type"])
+        given = fault.get("input")
+        if name == "benchmark_id":
+            what = f"cannot be {given!r}: a name has lower-case letters, digits and _"
+        elif text is not None:
+            what = f"{text.format(**fault.get('ctx', {}))}, not {given!r:.60}"
+        else:
+            what = f"cannot be {given!r:.60}"
+        texts.setdefault(name, what)
+    return "; ".join(f"{name} {what}" for name, what in texts.items())
 
 
 def parse_strictly(
@@ -132,7 +205,10 @@ def parse_strictly(
     if members is None:
         return None
     given = json.loads(json.dumps(members))
-    made = model.from_dict(given)
+    try:
+        made = model.from_dict(given)
+    except ValidationError as error:
+        raise ValueError(f"{name}: {_fault_texts(error)}") from error
     if made is None or made.to_dict() != given:
         raise ValueError(
             f"{name} has members that the protocol does not define: {given}"

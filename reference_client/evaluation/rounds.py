@@ -40,8 +40,8 @@ class RunWorker(Protocol):
     def request_stop(self) -> None:
         """Make `play` return soon. Does not wait."""
 
-    def force_detach(self) -> None:
-        """End the session, even while `play` is still running."""
+    def leave_session(self) -> None:
+        """Give up the session, even while `play` is still running."""
 
 
 @dataclass
@@ -50,7 +50,8 @@ class EvaluationRounds:
 
     stop: set when the evaluation ends early. takeover: episodes held by sessions count
     as available. progress: called at every change. say: called with a line about each
-    worker that ended early.
+    worker that ended early, and each warning. episodes: how many are played, from the
+    first of the manifest; None is all.
     """
 
     run: Run
@@ -61,6 +62,8 @@ class EvaluationRounds:
     takeover: bool
     progress: Callable[[Progress], None] | None
     say: Callable[[str], None]
+    episodes: int | None = None
+    _is_first_round: bool = True
     _failures: list[BaseException] = field(default_factory=list)
     _ended_workers: dict[str, ProctorError] = field(default_factory=dict)
     _so_far: Progress = field(init=False)
@@ -68,16 +71,32 @@ class EvaluationRounds:
     def play_to_score(self) -> Score:
         """Raises RunFailed, RunStopped, ProctorError, and the failure of a worker."""
         self._so_far = Progress(
-            self.run.run_id, self.run.progress.episodes_total, 0, None, None
+            self.run.run_id,
+            self._at_most_wanted(self.run.progress.episodes_total),
+            0,
+            None,
+            None,
         )
         self._report(scored=True)
         held = self.takeover
-        while self.control_client.wait_for_work(self.run.run_id, held=held):
+        while self._has_work(held=held):
             self._play_round()
             held = False
         score = self.control_client.score(self.run.run_id)
         self._show(score)
         return score
+
+    def _has_work(self, *, held: bool) -> bool:
+        """Waits as `wait_for_work`; False also when the wanted episodes are scored."""
+        if self.episodes is not None:
+            found = self.control_client.episodes(self.run.run_id, self.episodes)
+            if all(episode.status.value == "scored" for episode in found):
+                return False
+            if not self._is_first_round:
+                # The rest is in play elsewhere, or is requeued by a session that ends.
+                self.stop.wait(POLL_INTERVAL_S)
+            self._is_first_round = False
+        return self.control_client.wait_for_work(self.run.run_id, held=held)
 
     def _play_round(self) -> None:
         """Every worker plays until no episode is left.
@@ -99,8 +118,12 @@ class EvaluationRounds:
             while any(thread.is_alive() for thread in threads):
                 if self.board.wait(POLL_INTERVAL_S):
                     self._report(scored=self.board.pop_scored())
+                self._say_notes()
         finally:
             self._stop_workers(threads)
+            if self.board.pop_scored():  # by the last turns
+                self._report(scored=True)
+        self._say_notes()
         if self._failures:
             raise self._failures[0]
         self.run_workers = [
@@ -108,6 +131,10 @@ class EvaluationRounds:
         ]
         if not self.run_workers:
             raise next(iter(self._ended_workers.values()))
+
+    def _say_notes(self) -> None:
+        for note in self.board.pop_notes():
+            self.say(note)
 
     def _run_worker(self, worker: RunWorker) -> None:
         try:
@@ -128,7 +155,7 @@ class EvaluationRounds:
             self.board.wake()
 
     def _stop_workers(self, threads: Mapping[threading.Thread, RunWorker]) -> None:
-        """After this no worker has a session, even if its thread still runs."""
+        """After this no worker uses a session, even if its thread still runs."""
         if not any(thread.is_alive() for thread in threads):
             return
         self.stop.set()
@@ -139,7 +166,7 @@ class EvaluationRounds:
             if thread.is_alive():
                 thread.join(max(0.0, deadline - time.monotonic()))
             if thread.is_alive():
-                worker.force_detach()
+                worker.leave_session()
 
     def _report(self, *, scored: bool) -> None:
         if self.progress is None:
@@ -154,14 +181,18 @@ class EvaluationRounds:
         self._so_far = replace(self._so_far, waiting=self.board.waiting())
         self.progress(self._so_far)
 
+    def _at_most_wanted(self, episodes: int) -> int:
+        return episodes if self.episodes is None else min(episodes, self.episodes)
+
     def _show(self, score: Score) -> None:
         counts = score.counts
         self._so_far = Progress(
             run_id=score.run_id,
-            episodes_total=counts.total,
-            episodes_scored=counts.total - counts.unscored,
+            episodes_total=self._at_most_wanted(counts.total),
+            episodes_scored=self._at_most_wanted(counts.total - counts.unscored),
             mean=score.mean,
             waiting=self.board.waiting(),
+            episodes_abandoned=counts.abandoned,
         )
         if self.progress is not None:
             self.progress(self._so_far)

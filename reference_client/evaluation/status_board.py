@@ -8,11 +8,14 @@ import threading
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from datetime import datetime
 from typing import TextIO
 
+from reference_client.api.action_layout import ClipCount
 from reference_client.api.observation import Observation
 from reference_client.generated.messages import Turn
 from reference_client.printable_text import printable
+from reference_client.protocol.worker_session import LeftEpisode
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,6 +24,7 @@ class Progress:
 
     episodes_scored: by all clients of the run, including abandoned episodes.
     mean: of their scores, in [0, 1]; None before the first score.
+    episodes_abandoned: those of the scored whose attempts were used up; they count 0.
     waiting: what a worker waits for, and what to do about it; None if none waits.
     """
 
@@ -29,6 +33,7 @@ class Progress:
     episodes_scored: int
     mean: float | None
     waiting: str | None
+    episodes_abandoned: int = 0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,6 +60,11 @@ class StatusBoard:
         self._changed = threading.Event()
         self._waiting: dict[str, str] = {}
         self._scored = False
+        self._notes: list[str] = []
+        self._is_warned = False
+        self.clips = ClipCount()
+        self.left: dict[str, LeftEpisode] = {}
+        self.max_attempts: int | None = None  # of an episode, where that is known
 
     def waiting_reporter(self, source: str) -> Callable[[str | None], None]:
         """A function that records what `source` waits for; None when it continues."""
@@ -73,6 +83,25 @@ class StatusBoard:
         """An episode has a score."""
         self._scored = True
         self._changed.set()
+
+    def on_clips(self, count: ClipCount, warning: str | None) -> None:
+        """An episode has ended; warning: what to say when most actions were clipped."""
+        with self._lock:
+            self.clips.add(count)
+            if warning is not None and not self._is_warned:
+                self._is_warned = True
+                self._notes.append(warning)
+        self._changed.set()
+
+    def on_left(self, left: LeftEpisode) -> None:
+        """A worker has left its session to the lease."""
+        self.left[left.worker_id] = left
+
+    def pop_notes(self) -> list[str]:
+        """The warnings since the last call."""
+        with self._lock:
+            notes, self._notes = self._notes, []
+        return notes
 
     def on_attached(self, session_id: str) -> None:
         """A session has begun. A hook for subclasses."""
@@ -104,12 +133,45 @@ class StatusBoard:
             )
 
 
+def describe_left(left: LeftEpisode, max_attempts: int | None = None) -> str:
+    """`e0000 waits at step 41 until 14:05:00; attempt 1 of 3`, in local time."""
+    until = datetime.fromisoformat(left.until).astimezone()
+    allowed = "" if max_attempts is None else f" of {max_attempts}"
+    return (
+        f"{left.episode_id} waits at step {left.step} until {until:%H:%M:%S}; "
+        f"attempt {left.attempt}{allowed}"
+    )
+
+
+class Pace:
+    """Estimates the time left, from the episodes scored since the first report."""
+
+    def __init__(self) -> None:
+        self._began_at = time.monotonic()
+        self._first: int | None = None
+
+    def left(self, progress: Progress) -> str:
+        """`~3:20 left`; empty before an episode was scored, and at the end."""
+        if self._first is None:
+            self._first, self._began_at = progress.episodes_scored, time.monotonic()
+        scored = progress.episodes_scored - self._first
+        rest = progress.episodes_total - progress.episodes_scored
+        if scored < 1 or rest < 1:
+            return ""
+        left_s = (time.monotonic() - self._began_at) / scored * rest
+        minutes, seconds = divmod(round(left_s), 60)
+        hours, minutes = divmod(minutes, 60)
+        clock = f"{hours}:{minutes:02}" if hours else f"{minutes}"
+        return f"~{clock}:{seconds:02} left"
+
+
 class ProgressLine:
     """One line on a terminal, rewritten at every report."""
 
     def __init__(self, stream: TextIO) -> None:
         self._stream = stream
         self._began_at = time.monotonic()
+        self._pace = Pace()
 
     def __call__(self, progress: Progress) -> None:
         mean = "–" if progress.mean is None else f"{progress.mean:.3f}"
@@ -120,8 +182,11 @@ class ProgressLine:
             f"mean {mean}",
             f"{minutes}:{seconds:02}",
         ]
+        left = self._pace.left(progress)
         if progress.waiting:
             parts.append(progress.waiting)
+        elif left:
+            parts.append(left)
         columns = shutil.get_terminal_size().columns
         line = printable("  ".join(parts))[: columns - 1]
         self._stream.write(f"\r\x1b[2K{line}")

@@ -11,10 +11,12 @@ from dataclasses import replace
 
 from proctor_client import Assumptions
 
+from reference_client.api.action_layout import ActionLayout, ClipCount
 from reference_client.api.observation import observation_of
-from reference_client.api.policy import Policy, chunk_of
+from reference_client.api.policy import Policy, WireAction, chunk_of, expected_action
 from reference_client.errors import ProctorError
 from reference_client.evaluation.status_board import StatusBoard, TurnSnapshot
+from reference_client.generated.messages import Turn
 from reference_client.protocol.heartbeat import HeartbeatThread
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_client.protocol.worker_session import Session, WorkerSlot
@@ -28,7 +30,9 @@ class WorkerLoop:
     """Plays episodes of a run with its own instance of the policy.
 
     board: receives what the worker waits for, its turns, and every scored episode.
-    takeover: the first attach supersedes an existing session of this worker.
+    takeover: the first attach supersedes an existing session of this worker. layout:
+    the action space, if every action has the same shape. episodes: how many of the
+    manifest's episodes are played, from its first; None is all.
     """
 
     def __init__(
@@ -40,6 +44,8 @@ class WorkerLoop:
         *,
         takeover: bool = False,
         assumes: Assumptions | None = None,
+        layout: ActionLayout | None = None,
+        episodes: int | None = None,
     ) -> None:
         self.worker_id = slot.worker_id
         self._slot = slot
@@ -50,13 +56,17 @@ class WorkerLoop:
         self._board = board
         self._takeover = takeover
         self._assumes = assumes
+        self._layout = layout
+        self._episodes = episodes
+        self._clips = ClipCount()  # of the episode in play
         self._session: Session | None = None
 
     def play(self) -> None:
         """Returns when no episode is left, or the state of the run forbids attaching.
 
         A session that ends early (lease expired, server restarted) is replaced by
-        another. Raises ProctorError, Interrupted, and whatever the policy raises.
+        another. Raises ProctorError, Interrupted, and whatever the policy raises; then
+        the session is left to its lease if its end would cost an attempt.
         """
         empty_sessions = 0
         while True:
@@ -78,16 +88,20 @@ class WorkerLoop:
             else:
                 return
             finally:
-                session.detach()
+                self.leave_session()
             self._retry_policy.pause(0.05 * (2**empty_sessions - 1))
 
     def request_stop(self) -> None:
         """Nothing to do: every wait ends with the event `stop` of the retry policy."""
 
-    def force_detach(self) -> None:
-        """End the session; called by the thread that no longer waits for `play`."""
-        if self._session is not None:
-            self._session.detach()
+    def leave_session(self) -> None:
+        """Give up the session; also called by a thread that does not wait for `play`.
+
+        The board receives an episode that waits for the end of the lease.
+        """
+        left = None if self._session is None else self._session.leave()
+        if left is not None:
+            self._board.on_left(left)
 
     def _attach(self) -> Session:
         self._session = Session.attach(
@@ -109,16 +123,16 @@ class WorkerLoop:
         with HeartbeatThread(
             turn.lease.idle_timeout_s, session.send_heartbeat
         ) as heartbeat:
-            while not turn.done:
+            while not turn.done and self._is_wanted(turn):
                 began_at = time.perf_counter()
                 with heartbeat.keep_alive():
                     observation = observation_of(turn)
                     if is_new or observation.step == 0:
                         self._policy.reset(observation.instruction)
                     is_new = False
-                    actions = chunk_of(self._policy.act(observation))
+                    actions = chunk_of(self._policy.act(observation), self._layout)
                 thought_at = time.perf_counter()
-                turn = session.predict(actions)
+                turn = self._predict(session, actions)
                 self._board.on_turn(
                     TurnSnapshot(
                         self.worker_id,
@@ -128,5 +142,43 @@ class WorkerLoop:
                         turn_s=time.perf_counter() - thought_at,
                     )
                 )
+                self._count_clips(actions, turn)
                 if turn.episode_result:
                     self._board.on_scored()
+
+    def _is_wanted(self, turn: Turn) -> bool:
+        """Whether to play on: an episode that was begun is always played to its end."""
+        if self._episodes is None or not turn.episode or turn.episode.step > 0:
+            return True
+        return turn.episode.index < self._episodes
+
+    def _predict(self, session: Session, actions: list[WireAction]) -> Turn:
+        try:
+            return session.predict(actions)
+        except ProctorError as error:
+            if error.code == "invalid_request" and self._layout is not None:
+                raise error.explained(expected_action(self._layout)) from error
+            raise
+
+    def _count_clips(self, actions: list[WireAction], turn: Turn) -> None:
+        """Count what the server clips of the executed actions; report at the end."""
+        layout, count = self._layout, self._clips
+        if layout is None:
+            return
+        for action in actions[: turn.executed_steps]:
+            count.add_action(layout.clipped_names(action["values"]))
+        if turn.fault:
+            self._clips = ClipCount()
+        elif turn.episode_result:
+            self._clips = ClipCount()
+            name = turn.episode_result.episode_id
+            warning = _clip_warning(name, count, layout) if count.is_most else None
+            self._board.on_clips(count, warning)
+
+
+def _clip_warning(episode_id: str, count: ClipCount, layout: ActionLayout) -> str:
+    ranges = ", ".join(f"{name} {layout.range_of(name)}" for name in count.numbers)
+    return (
+        f"warning: {episode_id}: {count.describe()}. Declared: {ranges}. Check for "
+        "degrees in place of radians, and for outputs that are still normalised."
+    )

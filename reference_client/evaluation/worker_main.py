@@ -2,7 +2,7 @@
 
 Started by `worker_processes.py`, never by hand. It reads orders from stdin and writes
 reports to stdout, one JSON object per line; what the policy prints goes to stderr. At
-the end of stdin it detaches and exits.
+the end of stdin it leaves its session and exits.
 """
 
 from __future__ import annotations
@@ -15,12 +15,15 @@ import sys
 import threading
 import traceback
 from collections.abc import Callable
+from dataclasses import asdict
 from typing import Any, TextIO
 
 from proctor_client import Assumptions, Run
 
+from reference_client.api.action_layout import ActionLayout, ClipCount
 from reference_client.api.policy import Policy
 from reference_client.errors import ProctorError
+from reference_client.evaluation.dry_turn import play_dry_turn
 from reference_client.evaluation.status_board import StatusBoard, TurnSnapshot
 from reference_client.evaluation.turn_report import describe_turn
 from reference_client.evaluation.worker_loop import WorkerLoop
@@ -28,7 +31,7 @@ from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.error_origin import describe_policy_error
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.retry_policy import Interrupted, RetryPolicy
-from reference_client.protocol.worker_session import WorkerSlot
+from reference_client.protocol.worker_session import LeftEpisode, WorkerSlot
 
 # Time for a request or `act` in progress, after the end of the orders.
 STOP_TIMEOUT_S = 4.0
@@ -53,6 +56,12 @@ class ReportingBoard(StatusBoard):
 
     def on_scored(self) -> None:
         self.report("scored")
+
+    def on_clips(self, count: ClipCount, warning: str | None) -> None:
+        self.report("clips", count=asdict(count), warning=warning)
+
+    def on_left(self, left: LeftEpisode) -> None:
+        self.report("left", left=asdict(left))
 
     def on_attached(self, session_id: str) -> None:
         self.report("attached", session_id=session_id)
@@ -99,16 +108,16 @@ class OrderReceiver:
     def _listen(self) -> None:
         for line in self._orders:
             order = json.loads(line)
-            if order["order"] == "play":
+            if order["order"] in ("play", "dry_turn"):
                 self._queue.put(order)
             elif self._reporter.latest is not None:
                 self._reporter.report("frames", **describe_turn(self._reporter.latest))
         self.stop.set()
         self._queue.put(None)
-        # `act` may take minutes: the session ends now nevertheless.
+        # `act` may take minutes: the session is left now nevertheless.
         threading.Event().wait(STOP_TIMEOUT_S)
         if self.worker is not None:
-            self.worker.force_detach()
+            self.worker.leave_session()
         os._exit(1)
 
 
@@ -128,6 +137,10 @@ def main() -> int:
     order_receiver = OrderReceiver(sys.stdin, reporter)
     while (order := order_receiver.next_order()) is not None:
         try:
+            if order["order"] == "dry_turn":
+                play_dry_turn(policy, order["benchmark"])
+                reporter.report("dry_turn_over")
+                continue
             if order_receiver.worker is None:
                 order_receiver.worker = _worker(
                     first["worker_id"], order, policy, order_receiver, reporter
@@ -164,6 +177,10 @@ def _worker(
         reporter,
         takeover=order["takeover"],
         assumes=Assumptions.from_dict(order["assumes"]) if order["assumes"] else None,
+        layout=None
+        if order["benchmark"] is None
+        else ActionLayout.of(run.benchmark_id, order["benchmark"]["action_space"]),
+        episodes=order["episodes"],
     )
 
 

@@ -7,11 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 from proctor_client import Run
 
+from reference_client.api.action_layout import ActionLayout
 from reference_client.api.policy import Policy
+from reference_client.evaluation.dry_turn import play_dry_turn
 from reference_client.evaluation.parameters import EvaluationPlan
 from reference_client.evaluation.rounds import RunWorker
 from reference_client.evaluation.status_board import StatusBoard
@@ -23,13 +25,23 @@ from reference_client.protocol.worker_session import WorkerSlot
 
 @dataclass(frozen=True, slots=True)
 class EvaluationContext:
-    """The run to play, and what its workers need."""
+    """The run to play, and what its workers need.
+
+    benchmark: as JSON; None if the server does not have it any more.
+    """
 
     plan: EvaluationPlan
     run: Run
     connection: Connection
     retry_policy: RetryPolicy
     board: StatusBoard
+    benchmark: dict[str, Any] | None
+
+    @property
+    def layout(self) -> ActionLayout | None:
+        if self.benchmark is None:
+            return None
+        return ActionLayout.of(self.run.benchmark_id, self.benchmark["action_space"])
 
     def slot(self, worker_id: str) -> WorkerSlot:
         return WorkerSlot(self.connection.data(self.run.endpoint), self.run, worker_id)
@@ -40,6 +52,9 @@ class WorkerPool(Protocol):
 
     def prepare(self, worker_ids: Sequence[str]) -> None:
         """Load the policies, before the run is created. Raises what they raise."""
+
+    def play_dry_turn(self, benchmark: dict[str, Any]) -> None:
+        """Call one policy once, before the run is created. Raises what is wrong."""
 
     def make_workers(self, context: EvaluationContext) -> list[RunWorker]:
         """One for each id given to `prepare`."""
@@ -60,6 +75,9 @@ class ThreadWorkerPool:
         self._worker_ids = worker_ids
         self._policies = [self._make() for _ in worker_ids]
 
+    def play_dry_turn(self, benchmark: dict[str, Any]) -> None:
+        play_dry_turn(self._policies[0], benchmark)
+
     def make_workers(self, context: EvaluationContext) -> list[RunWorker]:
         plan = context.plan
         return [
@@ -70,6 +88,8 @@ class ThreadWorkerPool:
                 context.board,
                 takeover=plan.takeover,
                 assumes=plan.assumes,
+                layout=context.layout,
+                episodes=plan.episodes,
             )
             for worker_id, policy in zip(self._worker_ids, self._policies, strict=True)
         ]

@@ -22,14 +22,16 @@ from typing import Any
 
 from pydantic_core import to_jsonable_python
 
+from reference_client.api.action_layout import ClipCount
 from reference_client.errors import WORKER_DIED, PolicyFailed, ProctorError
 from reference_client.evaluation.rounds import RunWorker
 from reference_client.evaluation.status_board import StatusBoard
 from reference_client.evaluation.worker_pool import EvaluationContext
 from reference_client.protocol.retry_policy import Interrupted
-from reference_client.protocol.worker_session import detach
+from reference_client.protocol.worker_session import LeftEpisode, detach
 
-# After the end of its orders, a process detaches within this time or is killed.
+# After the end of its orders, a process leaves its session within this time or is
+# killed.
 EXIT_TIMEOUT_S = 6.0
 
 Report = dict[str, Any]
@@ -59,6 +61,12 @@ class ProcessWorkerPool:
             self._workers[-1].send_order(self._configuration | {"worker_id": worker_id})
         for worker in self._workers:
             worker.wait_for("ready")
+
+    def play_dry_turn(self, benchmark: dict[str, Any]) -> None:
+        """In the first process, with its policy."""
+        worker = self._workers[0]
+        worker.send_order({"order": "dry_turn", "benchmark": benchmark})
+        worker.wait_for("dry_turn_over")
 
     def make_workers(self, context: EvaluationContext) -> list[RunWorker]:
         for worker in self._workers:
@@ -131,6 +139,8 @@ class WorkerProcess:
                 "takeover": plan.takeover,
                 "assumes": plan.assumes and plan.assumes.to_dict(),
                 "retry_timeout_s": plan.retry_timeout_s,
+                "benchmark": context.benchmark,
+                "episodes": plan.episodes,
             }
         )
         self.is_playing = True
@@ -158,16 +168,16 @@ class WorkerProcess:
             assert self.process.stdin is not None
             self.process.stdin.close()
 
-    def force_detach(self) -> None:
+    def leave_session(self) -> None:
+        """Kill the process, which has not left its session: it ends with its lease."""
         self.process.kill()
-        self._detach()
 
     def end(self, deadline: float) -> None:
         """Wait for the process until `deadline` (monotonic clock), then kill it."""
         try:
             self.process.wait(max(0.0, deadline - time.monotonic()))
         except subprocess.TimeoutExpired:
-            self.force_detach()
+            self.leave_session()
             self.process.wait()
         assert self.process.stdout is not None
         with contextlib.suppress(ValueError, OSError):  # a thread may still read it
@@ -194,6 +204,10 @@ class WorkerProcess:
             board: StatusBoard = self._context.board
             if kind == "scored":
                 board.on_scored()
+            elif kind == "clips":
+                board.on_clips(ClipCount(**report["count"]), report["warning"])
+            elif kind == "left":
+                board.on_left(LeftEpisode(**report["left"]))
             elif kind == "waiting":
                 board.waiting_reporter(self.worker_id)(report["what"])
 

@@ -9,7 +9,7 @@ _CLIENT_ROOT = Path(__file__).resolve().parent.parent
 
 
 def describe_policy_error(error: BaseException) -> str:
-    """The error, and the innermost line outside this client and installed packages."""
+    """The error, its notes, and the innermost line of the policy's own code."""
     frames = traceback.extract_tb(error.__traceback__)
     policy_frames = [
         frame
@@ -20,7 +20,8 @@ def describe_policy_error(error: BaseException) -> str:
         and Path(traceback.__file__).parent not in Path(frame.filename).parents
     ]
     what = " ".join(f"{type(error).__name__}: {error}".split())
+    notes = " ".join(["", *getattr(error, "__notes__", ())])
     if not policy_frames:
-        return f"The policy raised {what}"
+        return f"The policy raised {what}{notes}"
     at = f"{Path(policy_frames[-1].filename).name}:{policy_frames[-1].lineno}"
-    return f"The policy raised {what} ({at})"
+    return f"The policy raised {what} ({at}){'.' if notes else ''}{notes}"

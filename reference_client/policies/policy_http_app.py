@@ -22,6 +22,7 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
+from reference_client.api.action_layout import ActionLayout
 from reference_client.api.observation import observation_of
 from reference_client.api.policy import Policy, chunk_of
 from reference_client.errors import ProctorError
@@ -70,6 +71,7 @@ class _ServedSession:
     policy: Policy
     payload: bytes = b""
     answer: dict[str, Any] | None = None
+    layout: ActionLayout | None = None
     turn: asyncio.Lock = field(default_factory=asyncio.Lock)
 
 
@@ -125,6 +127,7 @@ class PolicyApp:
         session = await self._open_session(payload.session_id)
         async with session.turn:
             session.answer = None
+            session.layout = _layout_of(payload.benchmark)
             await asyncio.to_thread(session.policy.reset, payload.episode.instruction)
         return {
             "session_id": payload.session_id,
@@ -144,16 +147,19 @@ class PolicyApp:
                 text = "The session was evicted: max_sessions reached."
                 raise Refusal("session_ended", text)
             if session.answer is None or session.payload != body:
-                session.answer = await self._act(session.policy, turn)
+                session.answer = await self._act(session, turn)
                 session.payload = body
             return session.answer
 
-    async def _act(self, policy: Policy, turn: Turn) -> dict[str, Any]:
+    async def _act(self, session: _ServedSession, turn: Turn) -> dict[str, Any]:
         try:
             observation = observation_of(turn)
         except ProctorError as error:
             raise Refusal("invalid_request", error.detail) from error
-        actions = await asyncio.to_thread(lambda: chunk_of(policy.act(observation)))
+        policy, layout = session.policy, session.layout
+        actions = await asyncio.to_thread(
+            lambda: chunk_of(policy.act(observation), layout)
+        )
         return {
             "session_id": turn.session_id,
             "seq": turn.seq + 1,
@@ -195,6 +201,14 @@ class PolicyApp:
             sent.encode(), f"Bearer {self._key}".encode()
         ):
             raise Refusal("unauthenticated", "Missing or invalid bearer token.")
+
+
+def _layout_of(benchmark: dict[str, Any]) -> ActionLayout | None:
+    """The action space of a benchmark; None if the caller sends less than that."""
+    try:
+        return ActionLayout.of(benchmark["benchmark_id"], benchmark["action_space"])
+    except (KeyError, TypeError, AttributeError, ValueError):
+        return None
 
 
 async def _body(request: Request) -> bytes:

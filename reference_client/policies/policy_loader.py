@@ -20,7 +20,7 @@ from typing import Any
 
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk, Policy
-from reference_client.errors import POLICY_FAILED, ProctorError
+from reference_client.errors import POLICY_FAILED, ProctorError, did_you_mean
 from reference_client.policies.mapping import InvalidPolicyAnswer, PolicyMapping
 
 
@@ -82,11 +82,16 @@ def _load_named(reference: str) -> Any:
     found: Any = module
     for part in name.split("."):
         if not hasattr(found, part):
-            raise BadPolicy(f"{place} has no {name}")
+            raise BadPolicy(f"{place} has no {name}{did_you_mean(part, _named(found))}")
         found = getattr(found, part)
     if not callable(found):
         raise BadPolicy(f"{reference} is not callable: {found!r:.60}")
     return found
+
+
+def _named(found: Any) -> list[str]:
+    """The names that may be meant: not those that begin with an underscore."""
+    return [name for name in dir(found) if not name.startswith("_")]
 
 
 def _module(place: str) -> ModuleType:

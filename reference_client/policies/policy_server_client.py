@@ -46,6 +46,14 @@ class PolicyServerClient:
         if not isinstance(session_limit, int) or session_limit < 1:
             raise self.failed("violates the schema of describe_policy in policy.yaml")
 
+    def described_name(self) -> str | None:
+        """The name in describe_policy; None without an answer."""
+        try:
+            name = self.call("GET", "", None, 0.0).get("name")
+        except ProctorError:
+            return None
+        return name if isinstance(name, str) and name else None
+
     def __call__(self) -> PolicySession:
         if self._benchmark is None:
             raise self.failed("has no benchmark yet")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 import uuid
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -22,7 +23,12 @@ from proctor_client import (
     SubmitRun,
 )
 
-from reference_client.errors import ProctorError, RunFailed, RunStopped
+from reference_client.errors import (
+    ProctorError,
+    RunFailed,
+    RunStopped,
+    did_you_mean,
+)
 from reference_client.protocol.connection import TIMEOUTS_S
 from reference_client.protocol.retry_policy import RetryPolicy
 
@@ -59,11 +65,23 @@ class ControlClient:
         ).benchmarks
 
     def benchmark(self, benchmark_id: str) -> Benchmark:
-        return self._retry_policy.call(
-            lambda: self._control.get_benchmark(
-                benchmark_id, _request_timeout=TIMEOUTS_S
+        """Raises `not_found` with a name that was probably meant."""
+        try:
+            return self._retry_policy.call(
+                lambda: self._control.get_benchmark(
+                    benchmark_id, _request_timeout=TIMEOUTS_S
+                )
             )
-        )
+        except ProctorError as error:
+            if error.code != "not_found":
+                raise
+            names = [one.benchmark_id for one in self.benchmarks()]
+            meant = did_you_mean(benchmark_id, names) or f"; it has {', '.join(names)}"
+            raise ProctorError(
+                error.code,
+                f"{self._retry_policy.url} has no benchmark {benchmark_id!r}{meant}",
+                problem=error.problem,
+            ) from error
 
     def check(self, benchmark_id: str) -> Benchmark:
         """The benchmark. Raises `benchmark_unavailable` if it cannot be run."""
@@ -86,11 +104,21 @@ class ControlClient:
             lambda: self._control.get_run(run_id, _request_timeout=TIMEOUTS_S)
         )
 
-    def latest(self, most: int) -> list[Run]:
-        """The newest runs of the account."""
-        return self._retry_policy.call(
-            lambda: self._control.list_runs(limit=most, _request_timeout=TIMEOUTS_S)
-        ).runs
+    def all_runs(self) -> Iterator[Run]:
+        """The runs of the account, the newest first; pages are read when needed."""
+        cursor: str | None = None
+        while True:
+            page = self._retry_policy.call(
+                partial(
+                    self._control.list_runs,
+                    cursor=cursor,
+                    _request_timeout=TIMEOUTS_S,
+                )
+            )
+            yield from page.runs
+            cursor = page.next_cursor
+            if cursor is None:
+                return
 
     def stop(self, run_id: str, mode: StopMode) -> Run:
         return self._retry_policy.call(
@@ -171,8 +199,8 @@ class ControlClient:
             )
         )
 
-    def episodes(self, run_id: str) -> list[Episode]:
-        """All episodes, from all pages of the list."""
+    def episodes(self, run_id: str, first: int | None = None) -> list[Episode]:
+        """The first episodes of the manifest, or all, from the pages of the list."""
         found: list[Episode] = []
         cursor: str | None = None
         while True:
@@ -186,13 +214,16 @@ class ControlClient:
             )
             found += page.episodes
             cursor = page.next_cursor
-            if cursor is None:
-                return found
+            if cursor is None or (first is not None and len(found) >= first):
+                return found[:first]
 
     def try_score(self, run_id: str) -> Score:
-        """The score, without retries and without reporting a wait."""
+        """The score, without retries and without a wait; also after an interruption."""
         once = replace(
-            self._retry_policy, total_s=0.0, report_waiting=lambda _why: None
+            self._retry_policy,
+            total_s=0.0,
+            stop=threading.Event(),
+            report_waiting=lambda _why: None,
         )
         return ControlClient(self._control, once).score(run_id)
 

@@ -1,4 +1,8 @@
-"""A session of a worker: from attach to detach.
+"""A session of a worker: from attach to its end.
+
+A session that ends in the middle of an episode costs an attempt once an action was
+executed. So an interrupted evaluation leaves such a session to its lease: a takeover
+within the lease continues the episode at its step.
 
 A lost response is harmless: the request is repeated unchanged, with its attach_key or
 seq, and the server repeats the response without executing the request again.
@@ -37,6 +41,21 @@ class WorkerSlot:
     worker_id: str
 
 
+@dataclass(frozen=True, slots=True)
+class LeftEpisode:
+    """An episode in the middle of which an evaluation has left its session.
+
+    step: at which it waits, or later if the last request was not answered. attempt: the
+    one in play. until: when the lease ends, as the server wrote it.
+    """
+
+    worker_id: str
+    episode_id: str
+    step: int
+    attempt: int
+    until: str
+
+
 class Session:
     """A live session; `turn` is its latest turn.
 
@@ -47,6 +66,8 @@ class Session:
         self._slot = slot
         self._retry_policy = retry_policy
         self._ended = False
+        self._is_unanswered = False  # a predict was sent and its answer has not come
+        self._until = turn.lease.expires_at
         self.turn = turn
 
     @classmethod
@@ -77,20 +98,26 @@ class Session:
         observe: `all` for an observation after each step, including the last.
         """
         slot, before = self._slot, self.turn
-        try:
-            self.turn = self._retry_policy.call(
-                lambda: slot.data.predict(
-                    slot.run.run_id,
-                    slot.worker_id,
-                    before.session_id,
-                    before.seq + 1,
-                    actions,
-                    observe=observe,
-                )
+
+        def send() -> Turn:
+            self._is_unanswered = True
+            return slot.data.predict(
+                slot.run.run_id,
+                slot.worker_id,
+                before.session_id,
+                before.seq + 1,
+                actions,
+                observe=observe,
             )
+
+        try:
+            self.turn = self._retry_policy.call(send)
         except ProctorError as error:
             self._ended = error.code in SESSION_END_CODES
+            self._is_unanswered = error.side_effects != "none"
             raise
+        self._is_unanswered = False
+        self._until = self.turn.lease.expires_at
         return self.turn
 
     def send_heartbeat(self) -> bool:
@@ -98,9 +125,11 @@ class Session:
 
         Not repeated: if it is lost, the next heartbeat is early enough.
         """
+        if self._ended:
+            return False
         slot = self._slot
         try:
-            slot.data.heartbeat(
+            lease = slot.data.heartbeat(
                 slot.run.run_id,
                 slot.worker_id,
                 Heartbeat(session_id=self.turn.session_id),
@@ -111,6 +140,7 @@ class Session:
                 from_failure(failure, self._retry_policy.url).code
                 not in SESSION_END_CODES
             )
+        self._until = lease.expires_at.isoformat()
         return True
 
     def detach(self) -> None:
@@ -122,6 +152,30 @@ class Session:
             return
         self._ended = True
         detach(self._slot, self._retry_policy.url, self.turn.session_id)
+
+    def leave(self) -> LeftEpisode | None:
+        """Give the session up without the loss of an attempt; never raises.
+
+        Detaches where that costs nothing: the session is done, or no action was
+        executed in the attempt. Else the session is left to its lease, and the episode
+        that waits is returned.
+        """
+        if self._ended:
+            return None
+        episode = self.turn.episode
+        is_free = not episode or (episode.step == 0 and not self._is_unanswered)
+        if self.turn.done or is_free:
+            self.detach()
+            return None
+        self._ended = True
+        assert episode
+        return LeftEpisode(
+            self._slot.worker_id,
+            episode.episode_id,
+            episode.step,
+            episode.attempt,
+            self._until,
+        )
 
 
 def detach(slot: WorkerSlot, url: str, session_id: str) -> None:

@@ -84,7 +84,8 @@ class EgressPolicy:
         found = _literal_address(host) or await self._resolved(host, port, account)
         if not all(self.allows(address) for address in found):
             raise AddressNotAllowed(
-                f"{host} is not in a network that this server is allowed to call"
+                f"{host} is not in a network that this server is allowed to call; its "
+                "operator allows networks with --allow-private-policies"
             )
         return [str(address) for address in found]
 

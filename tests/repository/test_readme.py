@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import os
 import re
 import subprocess
 import sys
@@ -74,3 +76,25 @@ def test_the_example_rule_stands_in_all_four_places() -> None:
     ).stdout.split()
     for place in ("spec/", "reference_server/", "conformance/", "tests/mutants/"):
         assert any(name.startswith(place) for name in found), place
+
+
+def test_program_is_a_policy_file_too(server: ReferenceServer, tmp_path: Path) -> None:
+    """The same file behind `--policy`, as README says. Expect one episode, solved."""
+    (program,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
+    (tmp_path / "evaluate.py").write_text(program)
+    assert "proctor run --policy evaluate.py:MyPolicy" in README
+    flags = ["--benchmark", "tabletop_state", "--episodes", "1", "--json"]
+    done = subprocess.run(
+        [
+            *(sys.executable, "-m", "reference_client.command", "run"),
+            *("--policy", "evaluate.py:MyPolicy", "--url", server.url, *flags),
+        ],
+        cwd=tmp_path,
+        env=os.environ | {"PROCTOR_TOKEN": TOKENS["alice"], "PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["counts"]["success"] == 1

@@ -8,7 +8,25 @@ import numpy as np
 import pytest
 
 from reference_client import ProctorError
+from reference_client.api.action_layout import ActionLayout, ClipCount
 from reference_client.api.policy import Vector, chunk_of
+
+ARM = ActionLayout.of(
+    "arm",
+    {
+        "joint_position": {
+            "size": 3,
+            "unit": "rad",
+            "out_of_range": "clip",
+            "minimum": [-1.0, -1.0, -1.0],
+            "maximum": [1.0, 1.0, 2.0],
+        },
+        "gripper": {"size": 1, "unit": "1", "out_of_range": "refuse"},
+    },
+)
+EXPECTED = "joint_position 3, gripper 1, or an array of 4 in this order"
+ROW = [0.5, 1.0, 1.5, 0.0]
+VALUES = {"joint_position": [0.5, 1.0, 1.5], "gripper": [0.0]}
 
 
 def test_numpy_vectors_become_a_chunk() -> None:
@@ -23,7 +41,9 @@ def test_numpy_vectors_become_a_chunk() -> None:
 @pytest.mark.parametrize(
     ("actions", "pointer", "text"),
     [
-        ({"a": [1.0]}, "/actions", "a dict, not a list"),
+        (1.0, "/actions", "a float, not an action or a list of actions"),
+        ("one", "/actions", "a str, not an action or a list of actions"),
+        (None, "/actions", "a NoneType, not an action or a list of actions"),
         ([], "/actions", "is empty"),
         ([[1.0]], "/actions/0/values", "not a dict of vectors"),
         ([{"a": 1.0}], "/actions/0/values/a", "has 0 dimensions"),
@@ -39,3 +59,85 @@ def test_an_invalid_action_is_refused_with_its_pointer(
         chunk_of(actions)
     assert (caught.value.code, caught.value.side_effects) == ("invalid_request", "none")
     assert [at for at, _ in caught.value.errors] == [pointer]
+
+
+@pytest.mark.parametrize(
+    ("actions", "length"),
+    [
+        (VALUES, 1),
+        ([VALUES, VALUES], 2),
+        ((VALUES,), 1),
+        (ROW, 1),
+        (tuple(ROW), 1),
+        ([np.float32(n) for n in ROW], 1),
+        (np.array(ROW, np.float32), 1),
+        (np.array([ROW, ROW, ROW]), 3),
+        ([ROW, ROW], 2),
+        ([np.array(ROW), VALUES], 2),
+    ],
+)
+def test_one_action_rows_and_chunks_are_accepted(actions: Any, length: int) -> None:
+    """As README promises: a dict, a list, a row (n,) or a chunk (k, n)."""
+    assert chunk_of(actions, ARM) == [{"values": VALUES}] * length
+
+
+@pytest.mark.parametrize(
+    ("actions", "pointer", "text"),
+    [
+        (np.zeros(3), "/actions/0/values", "is an array of 3"),
+        (np.zeros((2, 5)), "/actions/0/values", "is an array of 5"),
+        (np.zeros((1, 2, 4)), "/actions/0/values", "2 dimensions"),
+        ([], "/actions", "is empty"),
+        (np.zeros((0, 4)), "/actions", "is empty"),
+        (None, "/actions", "a NoneType, not an action"),
+        ({"gripper": [0.0]}, "/actions/0/values", "lacks joint_position"),
+        (
+            VALUES | {"griper": [0.0]},
+            "/actions/0/values",
+            "has griper, which is no name; did you mean gripper",
+        ),
+        (
+            VALUES | {"joint_position": [0.0]},
+            "/actions/0/values/joint_position",
+            "has 1 numbers; joint_position has 3",
+        ),
+        (VALUES | {"gripper": 1.0}, "/actions/0/values/gripper", "has 0 dimensions"),
+        (VALUES | {"gripper": ["x"]}, "/actions/0/values/gripper", "no number"),
+        ([*ROW[:3], np.nan], "/actions/0/values/3", "not finite"),
+        (["open", "close"], "/actions/0/values", "is a str"),
+    ],
+)
+def test_every_refusal_names_the_expected_shape(
+    actions: Any, pointer: str, text: str
+) -> None:
+    with pytest.raises(ProctorError, match=text) as caught:
+        chunk_of(actions, ARM)
+    assert [at for at, _ in caught.value.errors] == [pointer]
+    assert f"An action of arm is: {EXPECTED}." in caught.value.detail
+    assert "could not convert" not in str(caught.value)
+
+
+def test_an_array_of_another_library_is_a_row() -> None:
+    class Tensor:
+        def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
+            return np.array(ROW, dtype)
+
+    assert chunk_of(Tensor(), ARM) == [{"values": VALUES}]  # type: ignore[arg-type]
+
+
+def test_numbers_outside_a_range_that_clips_are_counted() -> None:
+    """Not those of a range that refuses, and not the rounding to float32."""
+    assert ARM is not None
+    count = ClipCount()
+    for joints in ([1.5, -2.0, 0.0], [1.0000001, 0.0, 2.0], [0.0, 0.0, 2.5]):
+        count.add_action(
+            ARM.clipped_names({"joint_position": joints, "gripper": [9.0]})
+        )
+    assert (count.actions, count.clipped) == (3, 2)
+    assert count.numbers == {"joint_position": 3}
+    assert count.is_most
+    assert ARM.range_of("joint_position") == "[-1, 2] rad"
+
+
+def test_a_space_of_some_tasks_has_no_fixed_shape() -> None:
+    assert ActionLayout.of("many", {"a": {"size": 1, "tasks": ["x"]}}) is None

@@ -77,9 +77,10 @@ def test_people_read_a_table(
     assert proctor("compare", base, worse) == 1
     lines = [" ".join(line.split()) for line in proctor.out.splitlines()]
     assert max(map(len, proctor.out.splitlines())) <= 80
-    assert "difference +0.3333: baseline 1.0000, run 0.6667" in lines
+    better = "difference -0.3333: baseline 1.0000, run 0.6667 (plus is better)"
+    assert better in lines
     assert "release no: difference exceeds 0.05 in overall, score" in lines
-    assert "score 2 1.000 0.500 +0.500" in lines
+    assert "score 2 1.000 0.500 -0.500" in lines
     assert "count 1 1.000 1.000 +0.000" in lines
     assert proctor("compare", base, base) == 0
     assert "yes: no difference exceeds 0.05" in proctor.out

@@ -117,7 +117,10 @@ def test_aliases_do_not_apply_to_passed_through_arguments() -> None:
     ]
 
 
-def test_benchmarks_are_listed_and_described(proctor: ProctorCommand) -> None:
+def test_benchmarks_are_listed_and_described(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
     assert proctor("benchmarks") == 0
     count = benchmark_registry.resolve("tabletop_state").manifest["episodes_total"]
     row = rf"^tabletop_state +\S+ +{count} +Tabletop"

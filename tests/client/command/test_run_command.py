@@ -31,7 +31,7 @@ from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
 RESUME = re.compile(r"^  (proctor run .*)$", re.MULTILINE)
-RUN_BLOCKING_POLICY = ["run", "--policy", "policies:Held"]
+RUN_BLOCKING_POLICY = ["run", "--no-dry-turn", "--policy", "policies:Held"]
 
 
 @pytest.fixture
@@ -184,7 +184,7 @@ def test_a_dead_process_is_reported_and_its_episode_replayed(
 def test_when_every_process_dies_the_run_is_not_complete(
     proctor: ProctorCommand,
 ) -> None:
-    run = ["run", "--policy", "policies:Always", *options("score")]
+    run = ["run", "--policy", "policies:Always", "--no-dry-turn", *options("score")]
     answer_json = proctor.json(*run, "--processes")
     assert (proctor.code, answer_json["error"]["code"]) == (1, "worker_died")
     assert "--processes" in answer_json["resume"]

@@ -6,13 +6,14 @@ What it says, what it leaves behind, and how it goes on.
 from __future__ import annotations
 
 import os
+import re
 import signal
 import subprocess
 import sys
 from collections import deque
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import pytest
 from proctor_client import StopRun
@@ -189,8 +190,71 @@ def test_a_policy_that_raises_ends_the_other_workers_too(
     with pytest.raises(ZeroDivisionError):
         evaluate(make, url=server.url, workers=2, **calibration_evaluation(*episodes))
     run = direct_client.latest()
-    assert run.live_workers == 0
+    # The other one may be in the middle of an episode; that one waits.
+    assert run.live_workers <= 1
+    assert set(direct_client.attempts(run.run_id)) == {1}
     assert run.progress.episodes_pending > 0
+
+
+def test_an_interrupted_episode_is_continued_at_its_step(
+    server: ReferenceServer, direct_client: DirectClient
+) -> None:
+    """The policy raises at step 2. Expect a note that says what waits, and no attempt
+    lost when `takeover` continues it."""
+
+    class RaisingPolicy(GradedPolicy):
+        may_pass = False
+        steps: ClassVar[list[int]] = []
+
+        def act(self, observation: Observation) -> Actions:
+            self.steps.append(observation.step)
+            if observation.step == 2 and not self.may_pass:
+                raise ZeroDivisionError("mine")
+            return [action(success=1.0, end=float(observation.step == 3))]
+
+    with pytest.raises(ZeroDivisionError) as caught:
+        evaluate(RaisingPolicy, url=server.url, **calibration_evaluation("count"))
+    note = "\n".join(caught.value.__notes__)
+    run_id = direct_client.latest().run_id
+    assert re.search(r"e0000 waits at step 2 until \d\d:\d\d:\d\d; attempt 1", note)
+    assert f'run_id="{run_id}", takeover=True) continues it' in note
+    RaisingPolicy.may_pass = True
+    score = evaluate(
+        RaisingPolicy,
+        url=server.url,
+        token=TOKENS["alice"],
+        run_id=run_id,
+        takeover=True,
+        progress=ignore_progress,
+    )
+    assert (score.score, direct_client.attempts(run_id)) == (1.0, [1])
+    assert RaisingPolicy.steps == [0, 1, 2, 2, 3]
+
+
+def test_a_mistaken_policy_leaves_no_run(
+    server: ReferenceServer, direct_client: DirectClient
+) -> None:
+    class MistakenPolicy(GradedPolicy):
+        def act(self, observation: Observation) -> Any:
+            return observation.state["cuont"]
+
+    direct_client.submit("score")
+    before = direct_client.latest().run_id
+    arguments = calibration_evaluation("score") | {"dry_turn": True}
+    with pytest.raises(KeyError, match=r"observation\.state has count") as caught:
+        evaluate(MistakenPolicy, url=server.url, **arguments)
+    assert caught.value.__notes__ == ["This was a dry turn; no run was submitted."]
+    assert direct_client.latest().run_id == before
+
+
+def test_the_first_episodes_alone_have_a_partial_score(
+    server: ReferenceServer, direct_client: DirectClient
+) -> None:
+    arguments = calibration_evaluation(*["score"] * 5)
+    score = evaluate(GradedPolicy, url=server.url, episodes=3, **arguments)
+    assert (score.complete, score.score, score.counts.unscored) == (False, None, 2)
+    assert score.mean == pytest.approx(0.25)
+    assert direct_client.attempts(score.run_id) == [1] * 5
 
 
 INTERRUPTED = """
@@ -206,7 +270,8 @@ class Stuck:
         print("acting", flush=True)
         threading.Event().wait()
 
-evaluate(Stuck, url=sys.argv[1], token=sys.argv[2], benchmark="calibration")
+evaluate(Stuck, url=sys.argv[1], token=sys.argv[2], benchmark="calibration",
+         dry_turn=False)
 """
 
 

@@ -114,7 +114,7 @@ def proctor(
 
 def run(policies: str, *tasks: str, workers: int = 1) -> list[str]:
     flags = ["--policy", f"openpi:{policies}", "--mapping", "m.toml"]
-    return ["run", *flags, *options(*tasks), "--workers", str(workers)]
+    return ["run", "--no-dry-turn", *flags, *options(*tasks), "--workers", str(workers)]
 
 
 # The dialect

@@ -52,6 +52,30 @@ class Held(Graded):
         return super().act(observation)
 
 
+class HeldAtStepThree:
+    """Executes three actions, the fourth with a file `go`, the rest with `go_on`."""
+
+    def reset(self, instruction):
+        pass
+
+    def act(self, observation):
+        if observation.step >= 3:
+            pathlib.Path(f"acting-{id(self)}-{os.getpid()}").touch()
+            needed = "go" if observation.step == 3 else "go_on"
+            while not pathlib.Path(needed).exists():
+                time.sleep(0.01)
+        return action(success=1.0, end=float(observation.step == 5))
+
+
+class BreaksAtStepThree(Graded):
+    """Raises once at step 3, while there is no file `go`."""
+
+    def act(self, observation):
+        if observation.step == 3 and not pathlib.Path("go").exists():
+            raise RuntimeError("out of memory")
+        return action(success=1.0, end=float(observation.step == 5))
+
+
 class Dies(Graded):
     """Kills its process in episode 2, once."""
 

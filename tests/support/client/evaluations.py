@@ -19,6 +19,7 @@ def calibration_evaluation(*tasks: str, **options: Any) -> dict[str, Any]:
         "token": TOKENS["alice"],
         "options": {"tasks": list(tasks), **options},
         "progress": ignore_progress,
+        "dry_turn": False,
     }
 
 

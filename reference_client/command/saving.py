@@ -1,0 +1,69 @@
+"""Writes a result to a folder: result.json and episodes.csv."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+from typing import Any
+
+from proctor_client import Episode, Score
+from pydantic_core import to_jsonable_python
+
+from reference_client.command.exit_codes import UsageError
+from reference_client.protocol.control_client import ControlClient
+
+# Of an episode, then of its result.
+EPISODE_COLUMNS = ("episode_id", "index", "task", "split", "status", "attempt")
+RESULT_COLUMNS = (
+    *("outcome", "score", "steps", "terminated", "truncated", "faults", "seed"),
+    *("think_s", "finished_at"),
+)
+
+
+def check_folder(folder: str | Path) -> None:
+    """Make the folder, before an evaluation. Raises UsageError if that fails."""
+    try:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise UsageError(f"--save {folder}: {error.strerror}") from error
+
+
+def save_result(
+    control_client: ControlClient,
+    score: Score,
+    folder: str | Path,
+    more: dict[str, Any] | None = None,
+) -> None:
+    """Write both files; existing ones are replaced. Raises UsageError.
+
+    result.json has the members `run`, `score` and `episodes`, as in the schemas of the
+    specification, and those of `more`.
+    """
+    check_folder(folder)
+    episodes = control_client.episodes(score.run_id)
+    value = {
+        "run": control_client.read(score.run_id).to_dict(),
+        "score": score.to_dict(),
+        "episodes": [episode.to_dict() for episode in episodes],
+        **(more or {}),
+    }
+    text = json.dumps(to_jsonable_python(value), indent=2)
+    try:
+        Path(folder, "result.json").write_text(text + "\n")
+        _write_episodes(episodes, Path(folder, "episodes.csv"))
+    except OSError as error:
+        raise UsageError(f"--save {folder}: {error.strerror}") from error
+
+
+def _write_episodes(episodes: list[Episode], path: Path) -> None:
+    with path.open("w", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow([*EPISODE_COLUMNS, *RESULT_COLUMNS])
+        for episode in episodes:
+            members = to_jsonable_python(episode.to_dict())
+            result = members.get("result") or {}
+            writer.writerow(
+                [members.get(name, "") for name in EPISODE_COLUMNS]
+                + [result.get(name, "") for name in RESULT_COLUMNS]
+            )

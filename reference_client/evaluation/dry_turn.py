@@ -1,0 +1,103 @@
+"""One call of a policy before there is a run, with an observation that is made up.
+
+The observation has every name, size and dtype that the benchmark declares: vectors in
+the middle of their range, rotations that are the identity, grey images. It is no state
+of the benchmark. So only what is a mistake in every state ends the evaluation here:
+names and shapes, and errors that a correct policy does not raise for valid input.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from reference_client.api.action_layout import ActionLayout
+from reference_client.api.observation import DTYPES, Named, Observation
+from reference_client.api.policy import Policy, chunk_of
+from reference_client.errors import ProctorError
+from reference_client.policies.policy_server_client import PolicySession
+
+_IDENTITIES = {
+    "quaternion_wxyz": [1.0, 0.0, 0.0, 0.0],
+    "quaternion_xyzw": [0.0, 0.0, 0.0, 1.0],
+    "rot6d_columns": [1.0, 0.0, 0.0, 0.0, 1.0, 0.0],
+}
+_GREY = 128
+_ANY_SIZE = {"width": 64, "height": 64}
+NOTE = "This was a dry turn; no run was submitted."
+# What `reset` raises for a wrong signature or name, in contrast to an instruction that
+# the policy does not know: the real instructions are not known before the run.
+_PROGRAM_ERRORS = (TypeError, AttributeError, NameError, ImportError)
+
+
+def play_dry_turn(policy: Policy, benchmark: dict[str, Any]) -> None:
+    """Call `reset` and `act` once. benchmark: schema Benchmark as JSON.
+
+    Raises ProctorError for actions that do not fit, and what the policy raises.
+    """
+    if isinstance(policy, PolicySession):
+        return  # it forwards real turns
+    try:
+        _play(policy, benchmark)
+    except ProctorError as error:
+        raise error.explained(NOTE) from error
+    except Exception as error:
+        error.add_note(NOTE)
+        raise
+
+
+def _play(policy: Policy, benchmark: dict[str, Any]) -> None:
+    try:
+        policy.reset(benchmark["title"])
+    except _PROGRAM_ERRORS:
+        raise
+    except Exception:  # noqa: BLE001 - it may know its instructions only
+        return
+    layout = ActionLayout.of(benchmark["benchmark_id"], benchmark["action_space"])
+    try:
+        chunk_of(policy.act(_observation(benchmark)), layout)
+    except (ArithmeticError, AssertionError):
+        return  # such a state may be impossible
+    except ProctorError as error:
+        if any("not finite" in text for _, text in error.errors):
+            return
+        raise
+
+
+def _observation(benchmark: dict[str, Any]) -> Observation:
+    space = benchmark["observation_space"]
+    size = (benchmark["image_sizes"] or [_ANY_SIZE])[0]
+    shape = (size["height"], size["width"])
+    return Observation(
+        state=Named("state", {n: _vector(one) for n, one in space["state"].items()}),
+        images=Named(
+            "images",
+            {
+                name: np.full((*shape, one["channels"]), _GREY, np.uint8)
+                for name, one in space["images"].items()
+            },
+        ),
+        tensors=Named(
+            "tensors",
+            {
+                name: np.zeros(one["shape"], one["dtype"])
+                for name, one in space["tensors"].items()
+                if one["dtype"] in DTYPES
+            },
+        ),
+        instruction=benchmark["title"],
+        episode_id="e0000",
+        step=0,
+    )
+
+
+def _vector(space: dict[str, Any]) -> tuple[float, ...]:
+    size: int = space["size"]
+    identity = _IDENTITIES.get(space["rotation"], [])
+    if identity and size % len(identity) == 0:
+        return tuple(identity * (size // len(identity)))
+    low, high = space.get("minimum"), space.get("maximum")
+    if not low or not high:
+        return (0.0,) * size
+    return tuple((a + b) / 2 for a, b in zip(low, high, strict=True))

@@ -1,0 +1,160 @@
+"""The mistakes of a first hour, made on purpose: what is said, and what is left."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from tests.support.client.command import ProctorCommand, options
+from tests.support.servers import ReferenceServer
+
+pytestmark = pytest.mark.usefixtures("policy_folder")
+EXPECTED = "score 1, success 1, end 1, delay_s 1, fault 1, vector 8, clipped 2, or an "
+MISTAKES = """
+import numpy as np
+import policies
+
+
+class Base:
+    def reset(self, instruction):
+        pass
+
+
+class Short(Base):
+    def act(self, observation):
+        return np.zeros(14)
+
+
+class Misspelt(Base):
+    def act(self, observation):
+        values = policies.action(end=1.0)
+        values["sucess"] = values.pop("success")
+        return values
+
+
+class WrongState(Base):
+    def act(self, observation):
+        return observation.state["cuont"]
+
+
+class NoInstruction:
+    def reset(self):
+        pass
+
+    def act(self, observation):
+        return np.zeros(15)
+
+
+class OneInstruction:
+    def reset(self, instruction):
+        self.plan = {"task score.": 1}[" ".join(instruction.split()[1:])]
+
+    def act(self, observation):
+        return np.array([1.0, 1.0, 1.0, *[0.0] * 12])
+
+
+class Row(Base):
+    def act(self, observation):
+        return np.array([1.0, 1.0, 1.0, *[0.0] * 12])
+
+
+class Rows(Base):
+    def act(self, observation):
+        return np.tile(Row().act(observation), (2, 1))
+
+
+class Loud(Base):
+    def act(self, observation):
+        return policies.action(clipped=90.0, success=1.0, end=observation.step > 2)
+"""
+
+
+@pytest.fixture
+def proctor(
+    server: ReferenceServer, capsys: pytest.CaptureFixture[str], policy_folder: Path
+) -> ProctorCommand:
+    (policy_folder / "mistakes.py").write_text(MISTAKES)
+    return ProctorCommand(server.url, capsys)
+
+
+def play(name: str, *flags: str) -> list[str]:
+    return ["run", "--policy", f"mistakes.py:{name}", *options("score"), *flags]
+
+
+@pytest.mark.parametrize("processes", [[], ["--processes"]])
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("Short", "/actions/0/values is an array of 14"),
+        ("Misspelt", "has sucess, which is no name; did you mean success"),
+        ("WrongState", "cuont: observation.state has count"),
+        ("NoInstruction", "takes 1 positional argument"),
+    ],
+)
+def test_a_mistaken_policy_leaves_no_run(
+    proctor: ProctorCommand, name: str, message: str, processes: list[str]
+) -> None:
+    """Expect 2, one line with the place of the mistake, and no run."""
+    before = proctor.json("status")
+    assert proctor(*play(name, *processes)) == 2
+    assert message in proctor.err
+    assert proctor.err.count("\n") == 1
+    assert "no run was submitted" in proctor.err
+    if name in ("Short", "Misspelt"):
+        assert f"An action of calibration is: {EXPECTED}" in proctor.err
+    assert proctor.json("status") == before
+
+
+@pytest.mark.parametrize("name", ["Row", "Rows", "OneInstruction"])
+def test_policies_without_a_mistake_are_scored(
+    proctor: ProctorCommand, name: str
+) -> None:
+    """Rows of numbers; and one that knows only the instructions of the benchmark."""
+    assert proctor.json(*play(name))["score"] == 1.0
+
+
+@pytest.mark.parametrize("processes", [[], ["--processes"]])
+def test_clipping_is_reported_at_once_and_at_the_end(
+    proctor: ProctorCommand, processes: list[str]
+) -> None:
+    """Every action of two episodes is outside. Expect one warning and one sum."""
+    run = ["run", "--policy", "mistakes.py:Loud", *options("score", "score")]
+    score = proctor.json(*run, *processes)
+    assert score["clips"]["clipped"] == score["clips"]["actions"] > 0
+    warnings = re.findall(r"^warning: (.*)$", proctor.err, re.MULTILINE)
+    assert len(warnings) == 1
+    assert re.match(r"e0000: \d of \d actions were clipped", warnings[0])
+    assert "Declared: clipped [-1, 1]" in warnings[0]
+    assert re.search(r"^Clipped: (\d+) of \1 actions", proctor.err, re.MULTILINE)
+
+
+@pytest.mark.parametrize(
+    ("line", "meant"),
+    [
+        ("rnu", "unknown command rnu; did you mean run?"),
+        ("status --stat x", "unknown option --stat; did you mean --state?"),
+        ("submit --assumes {}", "--assumes is an option of proctor run only"),
+        ("status --state runing", "--state cannot be runing (choose from 'queued'"),
+        ("benchmarks calibratoin", "did you mean calibration?"),
+        ("submit --benchmark calibratoin", "did you mean calibration?"),
+        ("results run/1", "'run/1' is no id of a run; `proctor status` lists them"),
+        ("compare run_a b!", "'b!' is no id of a run"),
+        ("submit --benchmark Calibration!", "lower-case letters, digits and _"),
+        ("run --benchmark calibration --policy policies:Gradd", "mean Graded?"),
+        (
+            "submit --benchmark calibration --idle-timeout-s 0.1",
+            "idle_timeout_s must be at least 1.0, not 0.1",
+        ),
+    ],
+)
+def test_what_was_probably_meant_is_said(
+    proctor: ProctorCommand, line: str, meant: str
+) -> None:
+    """Expect one line, without a pattern or a sentence of a library."""
+    words = line.split()
+    assert proctor(*words) == 2
+    assert meant in proctor.err
+    assert proctor.err.count("\n") == 1
+    assert not re.search(r"regular expression|\^\[|validation|constrained", proctor.err)

@@ -1,0 +1,111 @@
+"""The turn before the submission: which observation, and which errors count."""
+
+from __future__ import annotations
+
+import copy
+from typing import Any
+
+import numpy as np
+import pytest
+
+from reference_client import Observation, ProctorError
+from reference_client.evaluation.dry_turn import NOTE, play_dry_turn
+
+BENCHMARK: dict[str, Any] = {
+    "benchmark_id": "arm",
+    "title": "An arm",
+    "action_space": {"joints": {"size": 2, "out_of_range": "refuse", "unit": "rad"}},
+    "image_sizes": [{"width": 8, "height": 6}, {"width": 80, "height": 60}],
+    "observation_space": {
+        "state": {
+            "joints": {
+                "size": 2,
+                "rotation": "none",
+                "minimum": [-1.0, 0.0],
+                "maximum": [1.0, 4.0],
+            },
+            "pose": {"size": 4, "rotation": "quaternion_wxyz"},
+            "force": {"size": 3, "rotation": "none"},
+        },
+        "images": {"front": {"channels": 3, "description": ""}},
+        "tensors": {
+            "depth": {"dtype": "float32", "shape": [6, 8], "description": ""},
+            "later": {"dtype": "float8", "shape": [1], "description": ""},
+        },
+    },
+}
+
+
+class Recorder:
+    """Keeps what it receives; `answer` is what `act` returns or raises."""
+
+    def __init__(self, answer: Any = (0.0, 0.0)) -> None:
+        self.answer = answer
+        self.seen: list[Observation] = []
+
+    def reset(self, instruction: str) -> None:
+        self.instruction = instruction
+
+    def act(self, observation: Observation) -> Any:
+        self.seen.append(observation)
+        if isinstance(self.answer, Exception):
+            raise self.answer
+        return self.answer
+
+
+def test_the_observation_has_the_declared_names_and_shapes() -> None:
+    policy = Recorder()
+    play_dry_turn(policy, BENCHMARK)
+    (seen,) = policy.seen
+    assert seen.state == {
+        "joints": (0.0, 2.0),
+        "pose": (1.0, 0.0, 0.0, 0.0),
+        "force": (0.0, 0.0, 0.0),
+    }
+    assert seen.images["front"].shape == (6, 8, 3)
+    assert seen.tensors["depth"].dtype == np.float32
+    assert list(seen.tensors) == ["depth"]
+
+
+@pytest.mark.parametrize(
+    "error", [KeyError("x"), ValueError("shapes"), RuntimeError("sizes")]
+)
+def test_an_error_of_the_policy_is_raised_with_a_note(error: Exception) -> None:
+    with pytest.raises(type(error)) as caught:
+        play_dry_turn(Recorder(error), BENCHMARK)
+    assert caught.value.__notes__ == [NOTE]
+
+
+def test_actions_that_do_not_fit_are_refused() -> None:
+    with pytest.raises(ProctorError, match=NOTE) as caught:
+        play_dry_turn(Recorder([0.0, 0.0, 0.0]), BENCHMARK)
+    assert "joints 2, or an array of 2" in caught.value.detail
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [ZeroDivisionError(), AssertionError(), [np.nan, 0.0]],
+    ids=["arithmetic", "assertion", "not finite"],
+)
+def test_what_an_impossible_state_may_cause_proves_nothing(answer: Any) -> None:
+    play_dry_turn(Recorder(answer), BENCHMARK)
+
+
+def test_a_policy_of_certain_instructions_is_not_called() -> None:
+    class Choosy(Recorder):
+        def reset(self, instruction: str) -> None:
+            raise KeyError(instruction)
+
+    policy = Choosy()
+    play_dry_turn(policy, BENCHMARK)
+    assert policy.seen == []
+
+
+def test_a_missing_name_is_answered_with_those_that_exist() -> None:
+    policy = Recorder()
+    play_dry_turn(policy, BENCHMARK)
+    state = policy.seen[0].state
+    with pytest.raises(KeyError, match=r"joint: .*state has joints, .* mean joints\?"):
+        state["joint"]
+    assert "joint" not in state
+    assert copy.deepcopy(state) == state
