@@ -299,7 +299,8 @@ def test_fault_012_nothing_of_the_chunk_is_executed(context: CheckContext) -> No
 
 @requirement("FAULT-014")
 def test_fault_014_a_failure_ends_every_session(context: CheckContext) -> None:
-    """The first of two workers (if allowed) fails the run, in two ways.
+    """The first of two workers (if allowed) fails the run, in two ways; the other one
+    has played, or has only attached.
 
     Expect `session_ended` with `ended_by` `run_failed` for requests of both.
     """

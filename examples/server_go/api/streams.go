@@ -36,24 +36,27 @@ func streamEvents(r *request) (*answer, *wire.Problem) {
 
 // follow writes until the run can change no more or the reader has gone.
 func follow(r *request, found *runs.Run, at runs.Place, w io.Writer, flush func()) {
-	text := "retry: 1000\n\n"
+	text, silentSince := "retry: 1000\n\n", time.Now()
 	for {
 		found.Enter()
 		more, next := found.EventsAfter(at)
 		over, changed := found.Over(), found.Changes()
 		found.Leave()
 		at = next
-		if _, err := io.WriteString(w, text+more); err != nil {
-			return
+		if text+more != "" {
+			if _, err := io.WriteString(w, text+more); err != nil {
+				return
+			}
+			flush()
+			silentSince = time.Now()
 		}
-		flush()
 		if over {
 			return
 		}
 		text = ""
 		select {
 		case <-changed:
-		case <-time.After(keepAlive): // EVT-008
+		case <-time.After(keepAlive - time.Since(silentSince)): // EVT-008
 			text = ": still here\n\n"
 		case <-r.http.Context().Done():
 			return

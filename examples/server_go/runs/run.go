@@ -240,12 +240,10 @@ func (r *Run) Resume() *wire.Problem {
 	return nil
 }
 
-// fail ends the sessions that play. The simulator is the cause, so that no attempt counts.
+// fail ends every session (FAULT-014). The simulator is the cause, so that no attempt counts.
 func (r *Run) fail(reason string, retryable bool) {
 	for _, s := range r.sessions {
-		if !s.done {
-			r.end(s, "run_failed", false)
-		}
+		r.end(s, "run_failed", false)
 	}
 	r.fire(eventFault)
 	r.reason, r.retryable = reason, retryable // FAULT-002, FAULT-005

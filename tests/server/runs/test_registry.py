@@ -422,6 +422,26 @@ def test_closing_waits_for_tasks_of_the_last_writes(
     run_scenarios(tmp_path, before, active_max=1)
 
 
+def test_a_timer_that_fires_early_is_set_again(tmp_path: Path) -> None:
+    """By the resolution of the loop's clock. Expect the next one, and an admission."""
+
+    async def scenario(parts: ServerParts) -> None:
+        until = time.time() + 0.05
+        held = calibration_run(run_id="run_3", queue_until_wall=until)
+        await parts.registry.add(held, None, "")
+        parts.registry._admit_in_time()
+        timer = parts.registry._admission_timer
+        assert timer is not None
+        assert not timer.cancelled()
+        while held.state == "queued":
+            await parts.registry.wait_for_change(
+                parts.registry.change_event(held.run_id), 5.0
+            )
+        assert held.state == "ready"
+
+    run_scenarios(tmp_path, scenario)
+
+
 # --- one object per run ---
 
 
