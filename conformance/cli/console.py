@@ -20,6 +20,7 @@ from conformance.verdicts.verdict import Outcome, Verdict
 
 _EVERY_S = 3.0
 _IDS_SHOWN = 12
+_NO_BREAK = "\N{NO-BREAK SPACE}"
 # Texts of a server that a terminal would obey: control characters but tab and line
 # feed, marks of direction, and surrogates, which cannot be written.
 _UNPRINTABLE = re.compile(
@@ -75,10 +76,8 @@ class Terminal:
                 self._card(first, others, result)
             self.say("")
             self._open_rules(result)
-            profiles = (
-                f"{name} {of_all}" for name, of_all in result.profiles().items()
-            )
-            self._wrapped(" · ".join(profiles))
+            profiles = result.profiles().items()
+            self._wrapped(" · ".join(_unbroken(f"{p} {n}") for p, n in profiles))
             self.say(f"{result.headline()} ({result.elapsed_s:.1f} s)", "bold")
             self.say(
                 f"reports in {result.settings.report}/, seed {result.settings.seed}, "
@@ -120,13 +119,17 @@ class Terminal:
 
     def _wrapped(self, text: str, style: str = "") -> None:
         for line in textwrap.wrap(text, CARD_WIDTH, subsequent_indent="  "):
-            self.say(line, style)
+            self.say(line.replace(_NO_BREAK, " "), style)
 
     def _card(self, verdict: Verdict, others: list[Verdict], result: Result) -> None:
         self.say("")
         self.say("─" * CARD_WIDTH, "red")
         for line in card(verdict, result, others):
             self.say(line)
+
+
+def _unbroken(text: str) -> str:
+    return text.replace(" ", _NO_BREAK)
 
 
 def _cut(text: str, length: int) -> str:

@@ -208,11 +208,11 @@ def _verdict_on(
     def unjudged(reason: str | None, *, allowed: bool = True) -> Verdict:
         return Verdict(row.id, Outcome.NOT_VERIFIED, reason or "", allowed)
 
-    if not row.is_observable:
-        return unjudged(row.why)
     if not is_offered(row, result.settings):
         reason = f"profile {row.profile} is not announced by the server"
         return Verdict(row.id, Outcome.NOT_APPLICABLE, reason)
+    if not row.is_observable:
+        return unjudged(row.why)
     if row.id in verdicts:
         return verdicts[row.id]
     if result.problem is not None:
