@@ -114,7 +114,7 @@ def uses_the_normal_interval() -> None:
     change_score(spoil)
 
 
-@mutant("VER-002")
+@mutant("ERR-014", "VER-002")
 def accepts_any_version() -> None:
     """A client of another protocol is misunderstood instead of refused."""
     put(dispatch, "check_version", lambda _request: None)
@@ -179,7 +179,7 @@ def prefers_messagepack() -> None:
     put(codec, "negotiate_media_type", wrong)
 
 
-@mutant("CRASH-001")
+@mutant("CRASH-001", "CRASH-003", "CRASH-004")
 def stores_results_after_sending_them() -> None:
     """A crash loses results that the client has received."""
     right = RunRegistry.commit
