@@ -176,7 +176,7 @@ def begins_an_episode_anew_at_every_reset() -> None:
     put(EbenchHandlers, "_open", wrong)
 
 
-@mutant("EBE-016")
+@mutant("EBE-016", "EBE-024", "EBE-030")
 def ignores_kill_requests() -> None:
     """A worker's session is blocked until its lease ends."""
 
