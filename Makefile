@@ -59,6 +59,11 @@ metaworld-check: metaworld ## Run the tests that need Meta-World
 metaworld-table: metaworld ## Play its experts both ways, rewrite their page
 	@OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python tools/metaworld_table.py $(ARGS)
 
+lerobot: .venv-lerobot/ready ## Install LeRobot and torch apart (7 GB on Linux)
+
+lerobot-check: lerobot ## Run the tests that need LeRobot
+	@.venv-lerobot/bin/python -m pytest tests/client/policies/lerobot_checks.py
+
 check: setup lint generate-check ## Lint, check generated files, run the fast tests
 	@$(pytest) -m "not slow"
 test: setup proxies lint generate-check ## The same with all tests; mutants by their own rows

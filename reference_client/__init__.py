@@ -30,8 +30,10 @@ if typing.TYPE_CHECKING:
     from reference_client.evaluation.evaluate import evaluate
     from reference_client.evaluation.status_board import Progress
     from reference_client.gymnasium_env.remote_env import RemoteEnv
+    from reference_client.policies.lerobot_policy import LerobotPolicies
 
 __all__ = [
+    "LerobotPolicies",
     "Observation",
     "Policy",
     "ProctorError",
@@ -45,6 +47,7 @@ __all__ = [
 # Name → its module, imported on first use: the command reports missing dependencies
 # itself, and gymnasium is needed for RemoteEnv only.
 _MODULES = {
+    "LerobotPolicies": "policies.lerobot_policy",
     "Observation": "api.observation",
     "Policy": "api.policy",
     "ProctorError": "errors",

@@ -48,8 +48,15 @@ from reference_client.evaluation.status_board import (
 )
 from reference_client.evaluation.worker_pool import ThreadWorkerPool, WorkerPool
 from reference_client.evaluation.worker_processes import ProcessWorkerPool
-from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
+from reference_client.policies import (
+    BadMapping,
+    BadPolicy,
+    PolicyMapping,
+    load,
+    read_mapping,
+)
 from reference_client.policies.error_origin import describe_policy_error
+from reference_client.policies.lerobot_policy import LerobotPolicies
 from reference_client.policies.policy_server_client import PolicyServerClient
 from reference_client.view.server import View
 
@@ -70,8 +77,8 @@ def run(args: argparse.Namespace, printer: Printer) -> int:
     if args.policy is None:
         raise UsageError("--policy is required, for example my_module:MyPolicy")
     try:
-        mapping = PolicyMapping.read(args.mapping) if args.mapping else None
-        server = _policy_server(args, mapping)
+        mapping = read_mapping(args.policy, args.mapping)
+        server = _policy_server(args, mapping, printer)
         check_benchmark = None if mapping is None else mapping.check
         plan = _plan(args, check_benchmark if server is None else server.check)
     except (ValueError, BadMapping) as error:
@@ -148,7 +155,7 @@ class _EvaluationCommand:
         self,
         args: argparse.Namespace,
         printer: Printer,
-        server: PolicyServerClient | None,
+        server: PolicyServerClient | LerobotPolicies | None,
     ) -> None:
         self._args = args
         self._server = server
@@ -360,14 +367,18 @@ class Signals:
 
 
 def _policy_server(
-    args: argparse.Namespace, mapping: PolicyMapping | None
-) -> PolicyServerClient | None:
-    """The client of the policy server, if the policy is `proctor:URL`."""
-    if not args.policy.startswith("proctor:"):
+    args: argparse.Namespace, mapping: PolicyMapping | None, printer: Printer
+) -> PolicyServerClient | LerobotPolicies | None:
+    """The policy, if it is `proctor:URL` or `lerobot:FOLDER`: these know benchmarks."""
+    if not args.policy.startswith(("proctor:", "lerobot:")):
         return None
     if args.processes:
-        raise UsageError("--processes cannot be combined with a policy server")
+        kind = "a policy server" if args.policy[0] == "p" else "a LeRobot policy"
+        raise UsageError(f"--processes cannot be combined with {kind}")
     made = load(args.policy, mapping)
+    if isinstance(made, LerobotPolicies):
+        made.say = printer.say
+        return made
     assert isinstance(made, PolicyServerClient)
     return made
 
@@ -405,6 +416,8 @@ def _plan(
 def _policy_name(reference: str) -> str:
     if reference.startswith(("openpi:", "proctor:")):
         return reference.partition(":")[0]
+    if reference.startswith("lerobot:"):
+        return Path(reference.partition(":")[2]).resolve().name
     return reference.rpartition(":")[2] or reference
 
 

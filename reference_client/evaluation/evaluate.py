@@ -34,6 +34,7 @@ from reference_client.evaluation.worker_pool import (
     ThreadWorkerPool,
     WorkerPool,
 )
+from reference_client.policies.lerobot_policy import LerobotPolicies
 from reference_client.policies.policy_server_client import PolicyServerClient
 from reference_client.printable_text import printable
 from reference_client.protocol.connection import Connection
@@ -108,7 +109,7 @@ def evaluate(
         assumes=parse_strictly(Assumptions, "assumes", assumes),
         retry_timeout_s=retry_timeout_s,
         check_benchmark=policy.check
-        if isinstance(policy, PolicyServerClient)
+        if isinstance(policy, PolicyServerClient | LerobotPolicies)
         else None,
         episodes=episodes,
         dry_turn=dry_turn,

@@ -2,10 +2,10 @@
 
 `policy_loader` loads the policy of a reference, `mapping` converts observations and
 actions to a policy's names and shapes, `openpi_client` and `policy_server_client` call
-policy servers, `policy_http_app` is a policy server.
+policy servers, `lerobot_policy` loads LeRobot's, `policy_http_app` is a policy server.
 """
 
 from reference_client.policies.mapping import BadMapping, PolicyMapping
-from reference_client.policies.policy_loader import BadPolicy, load
+from reference_client.policies.policy_loader import BadPolicy, load, read_mapping
 
-__all__ = ["BadMapping", "BadPolicy", "PolicyMapping", "load"]
+__all__ = ["BadMapping", "BadPolicy", "PolicyMapping", "load", "read_mapping"]

@@ -141,25 +141,38 @@ class PolicyMapping:
     vectors: Mapping[str, ActionVector]
 
     @classmethod
-    def read(cls, path: str | Path) -> Self:
-        """Raises BadMapping."""
+    def read(cls, path: str | Path, *, is_partial: bool = False) -> Self:
+        """is_partial: tables may be missing. Raises BadMapping."""
         try:
             document = tomllib.loads(Path(path).read_text(encoding="utf-8"))
         except OSError as error:
             raise BadMapping(f"cannot read {path}: {error.strerror}") from error
         except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
             raise BadMapping(f"{path} is not valid TOML: {error}") from error
-        return cls.of(document, str(path))
+        return cls.of(document, str(path), is_partial=is_partial)
 
     @classmethod
-    def of(cls, document: Mapping[str, Any], name: str = "mapping") -> Self:
+    def of(
+        cls,
+        document: Mapping[str, Any],
+        name: str = "mapping",
+        *,
+        is_partial: bool = False,
+    ) -> Self:
         """The mapping of a parsed TOML document. Raises BadMapping."""
         _check_known(name, document, {"observation", "action"})
+        if is_partial:
+            action = {"values": {}} | document.get("action", {})
+            document = {"observation": {}} | dict(document) | {"action": action}
         action = _table(f"{name}: action", document.get("action"))
         at = f"{name}: action"
         _check_known(at, action, {"from", "execute", "leading", "values"})
-        entries = _table(f"{name}: observation", document.get("observation"))
-        vectors = _table(f"{at}.values", action.get("values"))
+        entries = _table(
+            f"{name}: observation",
+            document.get("observation"),
+            may_be_empty=is_partial,
+        )
+        vectors = _table(f"{at}.values", action.get("values"), may_be_empty=is_partial)
         return cls(
             name=name,
             entries={

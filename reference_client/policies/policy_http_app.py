@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 import msgspec
+from proctor_client import Benchmark
 from starlette.applications import Starlette
 from starlette.exceptions import HTTPException
 from starlette.requests import ClientDisconnect, Request
@@ -29,6 +30,7 @@ from reference_client.errors import ProctorError
 from reference_client.generated.messages import EpisodeView, Turn
 from reference_client.generated.protocol_version import PROTOCOL_VERSION
 from reference_client.policies.error_origin import describe_policy_error
+from reference_client.policies.lerobot_policy import LerobotPolicy
 
 # A turn may carry several raw images in Base64.
 BODY_BYTES_MAX = 64 * 2**20
@@ -128,6 +130,7 @@ class PolicyApp:
         async with session.turn:
             session.answer = None
             session.layout = _layout_of(payload.benchmark)
+            _bind(session.policy, payload.benchmark)
             await asyncio.to_thread(session.policy.reset, payload.episode.instruction)
         return {
             "session_id": payload.session_id,
@@ -209,6 +212,15 @@ def _layout_of(benchmark: dict[str, Any]) -> ActionLayout | None:
         return ActionLayout.of(benchmark["benchmark_id"], benchmark["action_space"])
     except (KeyError, TypeError, AttributeError, ValueError):
         return None
+
+
+def _bind(policy: Policy, benchmark: dict[str, Any]) -> None:
+    """Give a policy that needs it the benchmark."""
+    if isinstance(policy, LerobotPolicy):
+        try:
+            policy.bind(Benchmark.model_validate(benchmark))
+        except ValueError as error:
+            raise Refusal("invalid_request", str(error)) from error
 
 
 async def _body(request: Request) -> bytes:

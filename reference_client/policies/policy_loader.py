@@ -1,8 +1,9 @@
 """Loads the policy of a reference.
 
-References are `module:name`, `file.py:name`, `openpi:ws://host:8000` and
-`proctor:http://host:8470`. A name is a class or a function without arguments, called
-once per worker to make a policy, or a function of the observation, which is the policy.
+References are `module:name`, `file.py:name`, `openpi:ws://host:8000`,
+`proctor:http://host:8470` and `lerobot:FOLDER`. A name is a class or a function without
+arguments, called once per worker to make a policy, or a function of the observation,
+which is the policy.
 Modules are found as by `python -m`: in the current folder first. Only code that the
 user names is executed.
 """
@@ -39,10 +40,21 @@ def load(reference: str, mapping: PolicyMapping | None = None) -> Callable[[], P
         return _openpi(rest, mapping)
     if kind == "proctor":
         return _policy_server(rest, mapping)
+    if kind == "lerobot":
+        from reference_client.policies.lerobot_policy import LerobotPolicies
+
+        return LerobotPolicies(rest, mapping)
     made = _load_named(reference)
     if mapping is None:
         return _policy_factory(made, reference)
     return lambda: _MappedPolicy(_answer_function(made, reference), mapping)
+
+
+def read_mapping(reference: str, path: str | None) -> PolicyMapping | None:
+    """The mapping file of a policy, if any. Raises BadMapping."""
+    if path is None:
+        return None
+    return PolicyMapping.read(path, is_partial=reference.startswith("lerobot:"))
 
 
 def _openpi(url: str, mapping: PolicyMapping | None) -> Callable[[], Policy]:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 import uvicorn
 
-from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
+from reference_client.policies import BadMapping, BadPolicy, load, read_mapping
 from reference_client.policies.policy_http_app import PolicyApp
 
 PORT = 8470
@@ -48,7 +48,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Returns the exit code."""
     args = build_parser().parse_args(arguments)
     try:
-        mapping = PolicyMapping.read(args.mapping) if args.mapping else None
+        mapping = read_mapping(args.policy, args.mapping)
         make = load(args.policy, mapping)
         # A policy that fails to load is reported here, not to a client.
         first = [make()]

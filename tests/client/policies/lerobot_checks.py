@@ -1,0 +1,196 @@
+"""What needs LeRobot and torch: `make lerobot-check`, in .venv-lerobot.
+
+Small policies with random weights and statistics that are far from 0 and 1 are saved as
+LeRobot saves them. The same dynamics are played by LeRobot's own evaluation and through
+`lerobot:FOLDER`: the same observations must give the same actions. Not part of
+`make test`, whose environment has no torch.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import gymnasium
+import numpy as np
+import numpy.typing as npt
+import pytest
+import torch
+from lerobot.configs.types import FeatureType, PolicyFeature
+from lerobot.policies.act.configuration_act import ACTConfig
+from lerobot.policies.diffusion.configuration_diffusion import DiffusionConfig
+from lerobot.policies.factory import get_policy_class, make_pre_post_processors
+from lerobot.processor import PolicyProcessorPipeline
+from lerobot.scripts.lerobot_eval import rollout
+from proctor_client import Benchmark
+
+from reference_client import LerobotPolicies, Observation
+from tests.support.client.benchmarks import benchmark_of
+
+Array = npt.NDArray[Any]
+STEPS = 13
+PIXELS = 32
+INPUTS = {
+    "observation.state": PolicyFeature(FeatureType.STATE, (8,)),
+    "observation.images.front": PolicyFeature(FeatureType.VISUAL, (3, PIXELS, PIXELS)),
+}
+OUTPUTS = {"action": PolicyFeature(FeatureType.ACTION, (8,))}
+SMALL = {"input_features": INPUTS, "output_features": OUTPUTS, "device": "cpu"}
+ACT = SMALL | {
+    "chunk_size": 6,
+    "n_action_steps": 5,
+    "dim_model": 32,
+    "n_heads": 2,
+    "dim_feedforward": 32,
+    "n_encoder_layers": 1,
+    "n_vae_encoder_layers": 1,
+    "latent_dim": 8,
+    "pretrained_backbone_weights": None,
+}
+DIFFUSION = SMALL | {
+    "n_obs_steps": 2,
+    "horizon": 8,
+    "n_action_steps": 4,
+    "down_dims": (16, 32),
+    "n_groups": 4,
+    "diffusion_step_embed_dim": 16,
+    "num_train_timesteps": 5,
+    "crop_shape": (28, 28),
+    "spatial_softmax_num_keypoints": 4,
+}
+MAKERS: dict[str, Callable[[], Any]] = {
+    "act": lambda: ACTConfig(**ACT),
+    "act_ensemble": lambda: ACTConfig(
+        **ACT | {"n_action_steps": 1, "temporal_ensemble_coeff": 0.01}
+    ),
+    "diffusion": lambda: DiffusionConfig(**DIFFUSION),
+}
+
+
+def statistics() -> dict[str, dict[str, torch.Tensor]]:
+    """Of a data set whose numbers are far from those of a normal distribution."""
+    ramp = torch.arange(8, dtype=torch.float32)
+    colour = torch.tensor([0.2, 0.5, 0.7]).reshape(3, 1, 1)
+    return {
+        "observation.state": _spread(ramp - 3, 0.2 + ramp / 4),
+        "observation.images.front": _spread(colour, colour / 3),
+        "action": _spread(0.05 * ramp + 0.06, 0.01 + ramp / 50),
+    }
+
+
+def _spread(mean: torch.Tensor, std: torch.Tensor) -> dict[str, torch.Tensor]:
+    low, high = mean - 2 * std, mean + 2 * std
+    return {"mean": mean, "std": std, "min": low, "max": high}
+
+
+def save_policy(folder: Path, settings: Any) -> Path:
+    """As LeRobot's training saves it: weights, configuration, processors."""
+    torch.manual_seed(7)
+    model = get_policy_class(settings.type)(settings)
+    model.save_pretrained(folder)
+    for one in make_pre_post_processors(settings, dataset_stats=statistics()):
+        one.save_pretrained(folder)
+    return folder
+
+
+def next_state(state: Array, action: Array) -> Array:
+    return (0.9 * state + action + np.sin(state)).astype(np.float32)
+
+
+def picture_of(state: Array) -> Array:
+    grid = np.arange(PIXELS * PIXELS * 3).reshape(PIXELS, PIXELS, 3)
+    return ((grid * 7 + int(abs(state).sum() * 100)) % 256).astype(np.uint8)
+
+
+class Dynamics(gymnasium.Env[Any, Any]):
+    """A robot whose next state follows from the action, as LeRobot's environments."""
+
+    observation_space = gymnasium.spaces.Dict(
+        {
+            "agent_pos": gymnasium.spaces.Box(-1e3, 1e3, (8,), np.float32),
+            "pixels": gymnasium.spaces.Dict(
+                {"front": gymnasium.spaces.Box(0, 255, (PIXELS, PIXELS, 3), np.uint8)}
+            ),
+        }
+    )
+    action_space = gymnasium.spaces.Box(-1e3, 1e3, (8,), np.float32)
+    task_description = "Lift the cube."
+    task = "lift"
+    _max_episode_steps = STEPS
+
+    def reset(self, **_: Any) -> Any:
+        self._state = np.linspace(-1, 1, 8, dtype=np.float32)
+        return self._observe(), {}
+
+    def step(self, action: Any) -> Any:
+        self._state = next_state(self._state, action)
+        return self._observe(), 0.0, False, False, {"is_success": False}
+
+    def _observe(self) -> dict[str, Any]:
+        pixels = {"front": picture_of(self._state)}
+        return {"agent_pos": self._state, "pixels": pixels}
+
+
+def actions_of_lerobot(folder: Path, settings: Any) -> Array:
+    """(steps, numbers) by the rollout of `lerobot-eval`."""
+    torch.manual_seed(3)
+    model = get_policy_class(settings.type).from_pretrained(folder)
+    before, after = make_pre_post_processors(
+        model.config, str(folder), preprocessor_overrides={}
+    )
+    nothing = PolicyProcessorPipeline(steps=[])
+    torch.manual_seed(5)
+    with torch.no_grad():
+        played = rollout(
+            gymnasium.vector.SyncVectorEnv([Dynamics]),
+            model,
+            nothing,
+            nothing,
+            before,
+            after,
+        )
+    return np.asarray(played["action"][0])
+
+
+def dynamics(max_chunk: int = 64) -> Benchmark:
+    """A benchmark with the sizes of the dynamics."""
+    sizes = {"joint_position": 7, "gripper": 1}
+    return benchmark_of(sizes, {"front": 3}, sizes, max_chunk=max_chunk)
+
+
+def actions_of_ours(policies: LerobotPolicies, benchmark: Benchmark) -> Array:
+    policies.check(benchmark)
+    policy = policies()
+    torch.manual_seed(5)
+    policy.reset(Dynamics.task_description)
+    state = np.linspace(-1, 1, 8, dtype=np.float32)
+    rows: list[Array] = []
+    while len(rows) < STEPS:
+        observation = Observation(
+            state={"joint_position": tuple(state[:7]), "gripper": tuple(state[7:])},
+            images={"front": picture_of(state)},
+            tensors={},
+            instruction=Dynamics.task_description,
+            episode_id="e0000",
+            step=len(rows),
+        )
+        for action in policy.act(observation):
+            row = np.concatenate([action["joint_position"], action["gripper"]])
+            rows.append(row)
+            state = next_state(state, row.astype(np.float32))
+    return np.stack(rows[:STEPS])
+
+
+@pytest.mark.parametrize("kind", MAKERS)
+@pytest.mark.parametrize("max_chunk", [64, 2])
+def test_that_actions_are_those_of_lerobots_own_evaluation(
+    tmp_path: Path, kind: str, max_chunk: int
+) -> None:
+    settings = MAKERS[kind]()
+    folder = save_policy(tmp_path, settings)
+    theirs = actions_of_lerobot(folder, settings)
+    ours = actions_of_ours(LerobotPolicies(folder), dynamics(max_chunk))
+    spread = np.abs(theirs - theirs[0]).max()
+    assert spread > 0.01, "the actions depend on the observations"
+    np.testing.assert_allclose(ours, theirs, rtol=0, atol=1e-6)
