@@ -18,6 +18,7 @@ from reference_client.evaluation.parameters import EvaluationPlan
 from reference_client.evaluation.rounds import RunWorker
 from reference_client.evaluation.status_board import StatusBoard
 from reference_client.evaluation.worker_loop import WorkerLoop
+from reference_client.policies.policy_loader import close_policy
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_client.protocol.worker_session import WorkerSlot
@@ -95,4 +96,6 @@ class ThreadWorkerPool:
         ]
 
     def close(self) -> None:
-        """Threads end with their sessions."""
+        """Threads end with their sessions; connections to policy servers are closed."""
+        for policy in self._policies:
+            close_policy(policy)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import os
 import time
+import weakref
 from collections.abc import Callable, Mapping
 from typing import Any, Self, TypeVar
 
@@ -21,6 +22,7 @@ from reference_client.policies.ndarray import BadMessage, pack, unpack
 
 PAUSE_S = 0.2
 OPEN_S = 5.0
+CLOSE_S = 1.0  # a server that computes does not answer a close frame
 FIRST_CONTACT_S = 3.0  # a mistyped URL is reported before the run is created
 
 Answer = TypeVar("Answer")
@@ -39,6 +41,9 @@ class OpenpiClient:
         self._retry_timeout_s = retry_timeout_s
         self._socket: ClientConnection | None = None
         self._connection_stack = contextlib.ExitStack()
+        self._is_closed = False
+        # Also where nothing calls `close`, at the latest at the end of the program.
+        weakref.finalize(self, self._connection_stack.close)
         self.metadata: Any = None
 
     @classmethod
@@ -59,6 +64,11 @@ class OpenpiClient:
 
         return self._read(self._retry(exchange, self._retry_timeout_s))
 
+    def close(self) -> None:
+        """Leave with a close frame; a request in progress fails."""
+        self._is_closed = True
+        self._drop()
+
     def _retry(self, attempt: Callable[[], Answer], retry_timeout_s: float) -> Answer:
         deadline = time.monotonic() + retry_timeout_s
         while True:
@@ -68,6 +78,8 @@ class OpenpiClient:
                 raise self._failed(f"has an invalid WebSocket URL: {error}") from error
             except (OSError, WebSocketException) as error:
                 self._drop()
+                if self._is_closed:
+                    raise self._failed("was left") from error
                 if time.monotonic() > deadline:
                     raise self._failed(f"is unreachable ({error})") from error
                 time.sleep(PAUSE_S)
@@ -80,6 +92,7 @@ class OpenpiClient:
                 compression=None,
                 max_size=None,
                 open_timeout=OPEN_S,
+                close_timeout=CLOSE_S,
                 # openpi's server computes in the event loop that would answer pings.
                 ping_interval=None,
                 additional_headers={"Authorization": f"Api-Key {key}"} if key else None,

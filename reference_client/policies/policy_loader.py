@@ -174,6 +174,12 @@ def _arguments(function: Callable[..., object]) -> int:
     )
 
 
+def close_policy(policy: Policy) -> None:
+    """Close the connection of a policy that `load` connected, and no other policy."""
+    if isinstance(policy, _MappedPolicy):
+        policy.close()
+
+
 class _FunctionPolicy:
     """A policy that is a function: observation → action or chunk."""
 
@@ -199,6 +205,13 @@ class _MappedPolicy:
     def reset(self, instruction: str) -> None:
         if callable(self._reset):
             self._reset(*[instruction][: min(1, _arguments(self._reset))])
+
+    def close(self) -> None:
+        from reference_client.policies.openpi_client import OpenpiClient
+
+        client = getattr(self._infer, "__self__", None)
+        if isinstance(client, OpenpiClient):
+            client.close()
 
     def act(self, observation: Observation) -> Chunk:
         answer = self._infer(self._mapping.request(observation))

@@ -7,6 +7,7 @@ openpi-client 0.1.2, which also read what we write.
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -66,6 +67,7 @@ class OpenpiServer:
         self._answer = answer
         self.requests: list[Any] = []
         self.keys: list[str | None] = []
+        self.close_codes: list[int | None] = []
         self._server: Server = serve(
             self._serve, "127.0.0.1", 0, compression=None, max_size=None
         )
@@ -73,6 +75,12 @@ class OpenpiServer:
         threading.Thread(target=self._server.serve_forever, daemon=True).start()
 
     def _serve(self, socket: ServerConnection) -> None:
+        try:
+            self._answer_requests(socket)
+        finally:
+            self.close_codes.append(socket.protocol.close_code)
+
+    def _answer_requests(self, socket: ServerConnection) -> None:
         assert socket.request is not None
         self.keys.append(socket.request.headers.get("Authorization"))
         socket.send(msgspec.msgpack.encode({"model": "fake"}))
@@ -179,6 +187,49 @@ def test_a_policy_server_is_evaluated(
     assert request["prompt"] == "Calibration task score."
     assert request["observation/state"][b"dtype"] == "<f4"
     assert len(policies.requests) == 4
+
+
+@pytest.mark.parametrize("flags", [[], ["--processes"]], ids=["threads", "processes"])
+def test_a_policy_server_is_left_with_a_close_frame(
+    proctor: ProctorCommand,
+    start_policy_server: Callable[..., OpenpiServer],
+    flags: list[str],
+) -> None:
+    """Expect code 1000 from each worker: openpi's server logs any other as an error."""
+    policies = start_policy_server(lambda _request, _number: frame())
+    proctor.json(*run(policies.url, *["score"] * 4, workers=2), *flags)
+    assert proctor.code == 0
+    deadline = time.monotonic() + 5
+    while (
+        len(policies.close_codes) < len(policies.keys) and time.monotonic() < deadline
+    ):
+        time.sleep(0.01)
+    assert policies.close_codes == [1000] * 2
+
+
+def test_a_closed_client_does_not_connect_again(
+    start_policy_server: Callable[..., OpenpiServer],
+) -> None:
+    """Closed while the server computes. Expect an error, and no new connection."""
+    entered, leave = threading.Event(), threading.Event()
+
+    def answer(_request: bytes, _number: int) -> bytes:
+        entered.set()
+        leave.wait(5)
+        return frame()
+
+    policies = start_policy_server(answer)
+    client = OpenpiClient.connect_to(policies.url)
+
+    def close() -> None:
+        entered.wait(5)
+        client.close()
+        leave.set()
+
+    threading.Thread(target=close).start()
+    with pytest.raises(ProctorError, match="was left"):
+        client.infer({})
+    assert len(policies.keys) == 1
 
 
 def test_a_lost_connection_is_opened_again(
