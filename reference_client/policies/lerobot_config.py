@@ -108,6 +108,7 @@ class LerobotConfig:
         entries = {
             key: self._entry(key, given.get(key), benchmark) for key in self.inputs
         }
+        self._refuse_repeated(entries, given)
         task = given.get(_TASK, RequestEntry(("instruction",)))
         mapping = PolicyMapping(
             name=name,
@@ -121,6 +122,19 @@ class LerobotConfig:
         mapping.check(benchmark)
         self._check_sizes(mapping, benchmark)
         return mapping
+
+    def _refuse_repeated(
+        self, entries: Mapping[str, RequestEntry], given: Mapping[str, RequestEntry]
+    ) -> None:
+        """No source is chosen twice: one of the two would be wrong."""
+        chosen: dict[tuple[str, ...], str] = {}
+        for key, entry in entries.items():
+            other = chosen.setdefault(entry.source, key)
+            if other != key and key not in given:
+                raise BadMapping(
+                    f"the policy's {other} and {key} would both be "
+                    f"{' + '.join(entry.source)}; {_ENTRY}"
+                )
 
     def _entry(
         self, key: str, given: RequestEntry | None, benchmark: Benchmark

@@ -8,7 +8,7 @@ LeRobot saves them. The same dynamics are played by LeRobot's own evaluation and
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -25,8 +25,13 @@ from lerobot.processor import PolicyProcessorPipeline
 from lerobot.scripts.lerobot_eval import rollout
 from proctor_client import Benchmark
 
-from reference_client import LerobotPolicies, Observation
+from reference_client import LerobotPolicies, Observation, evaluate
+from reference_client.policies import BadPolicy, PolicyMapping
+from reference_client.policies.policy_http_app import PolicyApp
 from tests.support.client.benchmarks import benchmark_of
+from tests.support.client.command import ProctorCommand, options
+from tests.support.client.policy_apps import run_app
+from tests.support.servers import TOKENS, ReferenceServer
 
 Array = npt.NDArray[Any]
 STEPS = 13
@@ -84,12 +89,12 @@ def _spread(mean: torch.Tensor, std: torch.Tensor) -> dict[str, torch.Tensor]:
     return {"mean": mean, "std": std, "min": low, "max": high}
 
 
-def save_policy(folder: Path, settings: Any) -> Path:
+def save_policy(folder: Path, settings: Any, stats: Any = None) -> Path:
     """As LeRobot's training saves it: weights, configuration, processors."""
     torch.manual_seed(7)
     model = get_policy_class(settings.type)(settings)
     model.save_pretrained(folder)
-    for one in make_pre_post_processors(settings, dataset_stats=statistics()):
+    for one in make_pre_post_processors(settings, dataset_stats=stats or statistics()):
         one.save_pretrained(folder)
     return folder
 
@@ -194,3 +199,99 @@ def test_that_actions_are_those_of_lerobots_own_evaluation(
     spread = np.abs(theirs - theirs[0]).max()
     assert spread > 0.01, "the actions depend on the observations"
     np.testing.assert_allclose(ours, theirs, rtol=0, atol=1e-6)
+
+
+# Through a server
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
+    with ReferenceServer(tmp_path_factory.mktemp("server")) as server:
+        yield server
+
+
+@pytest.fixture(scope="module")
+def calibrated(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A policy whose statistics alone make its actions: score 0.75, success, end."""
+    inputs = {
+        "observation.state": PolicyFeature(FeatureType.STATE, (11,)),
+        "observation.environment_state": PolicyFeature(FeatureType.ENV, (8,)),
+    }
+    outputs = {"action": PolicyFeature(FeatureType.ACTION, (15,))}
+    members = {"input_features": inputs, "output_features": outputs}
+    mean = torch.tensor([0.75, 1.0, 1.0] + [0.0] * 12)
+    stats = {
+        "observation.state": _spread(torch.ones(11), torch.ones(11)),
+        "observation.environment_state": _spread(torch.ones(8), torch.ones(8)),
+        "action": _spread(mean, torch.zeros(15)),
+    }
+    folder = tmp_path_factory.mktemp("policies") / "calibrated"
+    return save_policy(folder, ACTConfig(**ACT | members), stats)
+
+
+@pytest.mark.parametrize("workers", [1, 3])
+def test_the_command_evaluates_it(
+    server: ReferenceServer,
+    calibrated: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    workers: int,
+) -> None:
+    """Expect the score of its statistics: the postprocessor has made the actions."""
+    monkeypatch.setenv("PROCTOR_TOKEN", TOKENS["alice"])
+    proctor = ProctorCommand(server.url, capsys)
+    policy = ["--policy", f"lerobot:{calibrated}", "--workers", str(workers)]
+    score = proctor.json("run", *policy, *options(*["score"] * 4))
+    assert (proctor.code, score["score"]) == (0, pytest.approx(0.75, abs=1e-6))
+    assert "environment_state = state.vector; action: score = 0:1," in proctor.err
+
+
+def test_python_evaluates_it(server: ReferenceServer, calibrated: Path) -> None:
+    score = evaluate(
+        LerobotPolicies(calibrated),
+        url=server.url,
+        token=TOKENS["alice"],
+        benchmark="calibration",
+        options={"tasks": ["score"]},
+    )
+    assert score.score == pytest.approx(0.75, abs=1e-6)
+
+
+def test_a_served_one_is_evaluated(
+    server: ReferenceServer,
+    calibrated: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """`proctor serve-policy` on one machine, the command on another. Two workers."""
+    monkeypatch.setenv("PROCTOR_TOKEN", TOKENS["alice"])
+    monkeypatch.delenv("PROCTOR_POLICY_KEY", raising=False)
+    proctor = ProctorCommand(server.url, capsys)
+    with run_app(PolicyApp(LerobotPolicies(calibrated), "calibrated").app) as url:
+        run = ["run", "--policy-url", url, "--workers", "2"]
+        score = proctor.json(*run, *options(*["score"] * 4))
+    assert (proctor.code, score["score"]) == (0, pytest.approx(0.75, abs=1e-6))
+
+
+def test_workers_share_the_weights_and_nothing_else(calibrated: Path) -> None:
+    policies = LerobotPolicies(calibrated)
+    one, other = policies(), policies()
+    ours, theirs = one._model, other._model
+    for a, b in zip(ours.parameters(), theirs.parameters(), strict=True):
+        assert a is b
+    assert ours is not theirs
+    assert ours._action_queue is not theirs._action_queue
+
+
+def test_execute_is_n_action_steps(tmp_path: Path) -> None:
+    """As `lerobot-eval --policy.n_action_steps`. Expect the actions of that policy."""
+    settings = ACTConfig(**ACT | {"n_action_steps": 3})
+    folder = save_policy(tmp_path / "three", settings)
+    theirs = actions_of_lerobot(folder, settings)
+    folder = save_policy(tmp_path / "five", ACTConfig(**ACT))
+    three = PolicyMapping.of({"action": {"execute": 3}}, is_partial=True)
+    ours = actions_of_ours(LerobotPolicies(folder, three), dynamics())
+    np.testing.assert_allclose(ours, theirs, rtol=0, atol=1e-6)
+    more = PolicyMapping.of({"action": {"execute": 7}}, is_partial=True)
+    with pytest.raises(BadPolicy, match="execute = 7; the policy predicts 6"):
+        LerobotPolicies(folder, more)()

@@ -88,6 +88,7 @@ def test_the_mapping_follows_from_the_configuration(tmp_path: Path) -> None:
         ("observation.state=[9]", "no choice of the states"),
         ("observation.images.top=[3,2,4]", "is none of the images"),
         ("observation.images.front=[4,2,4]", "would have 3 channels"),
+        ("observation.state=[8] observation.other=[8]", "would both be state.joint"),
     ],
 )
 def test_what_leaves_a_choice_is_refused(tmp_path: Path, names: str, said: str) -> None:
@@ -136,14 +137,16 @@ def test_a_mapping_file_decides(tmp_path: Path) -> None:
     request = mapping.request(SEEN)
     assert request["observation.state"].shape == (1, 7)
     assert request["observation.images.top"].min() == 1  # stretched: no bars
-    assert mapping.execute == 3
-    assert mapping.vectors["gripper"].clip == (0, 1)
+    assert (mapping.execute, mapping.vectors["gripper"].clip) == (3, (0, 1))
+
+
+def test_sizes_and_names_of_a_mapping_file_are_checked(tmp_path: Path) -> None:
+    folder = save_config(tmp_path, names="observation.state=[7]")
+    config = LerobotPolicies(folder).config
+    benchmark = benchmark_of(ROBOT | {"ee_pose": 7}, {}, ROBOT)
     only_state = '[observation]\n"observation.state" = { from = "state.gripper" }\n'
     with pytest.raises(BadMapping, match="would have 1 numbers; the policy reads 7"):
-        config.mapping(
-            benchmark_of(ROBOT | {"ee_pose": 7}, {"top": 3}, ROBOT),
-            overrides(only_state, folder),
-        )
+        config.mapping(benchmark, overrides(only_state, folder))
     unknown = '[observation]\n"observation.stat" = { from = "state.gripper" }\n'
     with pytest.raises(BadMapping, match=r"does not read observation\.stat; it reads"):
         config.mapping(benchmark, overrides(unknown, folder))
