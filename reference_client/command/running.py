@@ -97,7 +97,7 @@ def run(args: argparse.Namespace, printer: Printer) -> int:
 def _repeat(
     args: argparse.Namespace,
     printer: Printer,
-    server: PolicyServerClient | None,
+    server: PolicyServerClient | LerobotPolicies | None,
     plan: EvaluationPlan,
     mapping: PolicyMapping | None,
 ) -> int:
