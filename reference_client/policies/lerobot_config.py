@@ -179,7 +179,7 @@ class LerobotConfig:
         if len(fitting) == 1:
             return tuple(f"state.{n}" for n in fitting[0])
         listed = ", ".join(f"{n} {s}" for n, s in sizes.items())
-        problem = "several choices" if fitting else "no choice"
+        problem = "more than one choice" if fitting else "no choice"
         raise BadMapping(
             f"the policy's {key} has {size} numbers, and {problem} of the states of "
             f"{benchmark.benchmark_id} ({listed}) has that size; {_ENTRY}"

@@ -6,6 +6,8 @@ LeRobot is not installed here; lerobot_checks.py plays its policies.
 from __future__ import annotations
 
 import json
+import re
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +18,8 @@ from reference_client import LerobotPolicies, Observation
 from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from tests.support.client.benchmarks import benchmark_of
 from tests.support.client.command import ProctorCommand
+from tests.support.client.direct_client import DirectClient
+from tests.support.paths import ROOT
 from tests.support.servers import ReferenceServer
 
 ROBOT = {"joint_position": 7, "gripper": 1}
@@ -27,6 +31,12 @@ SEEN = Observation(
     episode_id="e0001",
     step=3,
 )
+
+
+@pytest.fixture
+def direct_client(server: ReferenceServer) -> Iterator[DirectClient]:
+    with DirectClient(server.url) as direct_client:
+        yield direct_client
 
 
 def save_config(folder: Path, *, names: str = "", **members: Any) -> Path:
@@ -84,7 +94,7 @@ def test_the_mapping_follows_from_the_configuration(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("names", "said"),
     [
-        ("observation.state=[7]", "several choices of the states"),
+        ("observation.state=[7]", "more than one choice of the states"),
         ("observation.state=[9]", "no choice of the states"),
         ("observation.images.top=[3,2,4]", "is none of the images"),
         ("observation.images.front=[4,2,4]", "would have 3 channels"),
@@ -138,6 +148,26 @@ def test_a_mapping_file_decides(tmp_path: Path) -> None:
     assert request["observation.state"].shape == (1, 7)
     assert request["observation.images.top"].min() == 1  # stretched: no bars
     assert (mapping.execute, mapping.vectors["gripper"].clip) == (3, (0, 1))
+
+
+def test_the_documented_mapping_file_fits_its_benchmark(
+    direct_client: DirectClient, tmp_path: Path
+) -> None:
+    """The policy that the manual names: 7 numbers of state, other names of cameras."""
+    page = (ROOT / "docs" / "evaluate" / "policies.md").read_text()
+    (text,) = re.findall(r"```toml\n(# lerobot\.toml\n.*?)```", page, re.DOTALL)
+    names = "observation.state=[7] observation.images.top=[3,96,96]"
+    folder = save_config(tmp_path, names=f"{names} observation.images.hand=[3,96,96]")
+    config = LerobotPolicies(folder).config
+    benchmark = direct_client.control.get_benchmark("tabletop")
+    with pytest.raises(BadMapping, match="mapping file decides"):
+        config.mapping(benchmark)
+    assert set(config.mapping(benchmark, overrides(text, folder)).entries) == {
+        "observation.state",
+        "observation.images.top",
+        "observation.images.hand",
+        "task",
+    }
 
 
 def test_sizes_and_names_of_a_mapping_file_are_checked(tmp_path: Path) -> None:

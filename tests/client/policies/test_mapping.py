@@ -280,18 +280,6 @@ class Policy:
         assert request["prompt"].endswith(".")
         return {"actions": np.zeros((15, 8), np.float32)}
 """
-LEROBOT = """
-import numpy as np
-
-def ask(batch):
-    for name in ("front", "wrist"):
-        picture = batch[f"observation.images.{name}"]
-        assert (picture.shape, picture.dtype) == ((1, 3, 256, 256), np.float32)
-        assert 0 < picture.max() <= 1
-    assert batch["observation.state"].shape == (1, 8)
-    assert batch["task"][0].endswith(".")
-    return np.repeat(batch["observation.state"][:, None], 50, axis=1)
-"""
 EBENCH = """
 import numpy as np
 
@@ -309,10 +297,9 @@ class Model:
 
 @pytest.mark.parametrize(
     ("name", "source", "reference"),
-    ids=["droid", "lerobot", "ebench"],
+    ids=["droid", "ebench"],
     argvalues=[
         ("droid", DROID, "droid:Policy"),
-        ("lerobot", LEROBOT, "lerobot.py:ask"),
         ("ebench", EBENCH, "ebench:Model"),
     ],
 )
@@ -331,7 +318,7 @@ def test_a_documented_mapping_plays_a_turn(
     made.check(direct_client.control.get_benchmark(benchmark))
     policy = load(reference, made)()
     turn = _first_turn(direct_client, benchmark, policy)
-    assert turn.executed_steps in (8, 10, 40)
+    assert turn.executed_steps in (8, 40)
 
 
 def test_the_function_of_the_manual_plays(
