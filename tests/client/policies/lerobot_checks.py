@@ -16,11 +16,14 @@ import gymnasium
 import numpy as np
 import numpy.typing as npt
 import pytest
+import tokenizers
 import torch
+import transformers
 from lerobot.configs.types import FeatureType, PolicyFeature
 from lerobot.policies.act.configuration_act import ACTConfig
 from lerobot.policies.diffusion.configuration_diffusion import DiffusionConfig
 from lerobot.policies.factory import get_policy_class, make_pre_post_processors
+from lerobot.policies.smolvla.configuration_smolvla import SmolVLAConfig
 from lerobot.processor import PolicyProcessorPipeline
 from lerobot.scripts.lerobot_eval import rollout
 from proctor_client import Benchmark
@@ -64,12 +67,72 @@ DIFFUSION = SMALL | {
     "crop_shape": (28, 28),
     "spatial_softmax_num_keypoints": 4,
 }
-MAKERS: dict[str, Callable[[], Any]] = {
-    "act": lambda: ACTConfig(**ACT),
-    "act_ensemble": lambda: ACTConfig(
+SPECIAL = {
+    "fake_image_token": "<fake_token_around_image>",
+    "image_token": "<image>",
+    "global_image_token": "<global-img>",
+    "end_of_utterance_token": "<end_of_utterance>",
+}
+SMOLVLA = SMALL | {
+    "chunk_size": 6,
+    "n_action_steps": 4,
+    "num_steps": 3,
+    "num_vlm_layers": 2,
+    "resize_imgs_with_padding": (PIXELS, PIXELS),
+}
+
+
+def save_backbone(folder: Path) -> str:
+    """A vision-language model of SmolVLA's kind, of a few thousand weights."""
+    words = ["<unk>", "<pad>", *SPECIAL.values(), *"Lift the cube. \n"]
+    vocabulary = {word: n for n, word in enumerate(dict.fromkeys(words))}
+    model = tokenizers.models.WordLevel(vocabulary, unk_token="<unk>")
+    raw = tokenizers.Tokenizer(model)
+    raw.pre_tokenizer = tokenizers.pre_tokenizers.Split("", "isolated")
+    tokenizer = transformers.PreTrainedTokenizerFast(
+        tokenizer_object=raw,
+        unk_token="<unk>",
+        pad_token="<pad>",
+        extra_special_tokens=SPECIAL,
+    )
+    transformers.SmolVLMProcessor(
+        transformers.SmolVLMImageProcessor(),
+        tokenizer,
+        transformers.SmolVLMVideoProcessor(),
+    ).save_pretrained(folder)
+    text = {
+        "model_type": "llama",
+        "hidden_size": 32,
+        "intermediate_size": 64,
+        "num_hidden_layers": 2,
+        "num_attention_heads": 4,
+        "num_key_value_heads": 2,
+        "head_dim": 8,
+        "vocab_size": 64,
+    }
+    vision = {
+        "hidden_size": 16,
+        "intermediate_size": 32,
+        "num_hidden_layers": 1,
+        "num_attention_heads": 2,
+        "image_size": PIXELS,
+        "patch_size": 8,
+    }
+    transformers.SmolVLMConfig(
+        text_config=text, vision_config=vision, image_token_id=3, pad_token_id=1
+    ).save_pretrained(folder)
+    return str(folder)
+
+
+MAKERS: dict[str, Callable[[Path], Any]] = {
+    "act": lambda _: ACTConfig(**ACT),
+    "act_ensemble": lambda _: ACTConfig(
         **ACT | {"n_action_steps": 1, "temporal_ensemble_coeff": 0.01}
     ),
-    "diffusion": lambda: DiffusionConfig(**DIFFUSION),
+    "diffusion": lambda _: DiffusionConfig(**DIFFUSION),
+    "smolvla": lambda folder: SmolVLAConfig(
+        **SMOLVLA, vlm_model_name=save_backbone(folder)
+    ),
 }
 
 
@@ -192,8 +255,8 @@ def actions_of_ours(policies: LerobotPolicies, benchmark: Benchmark) -> Array:
 def test_that_actions_are_those_of_lerobots_own_evaluation(
     tmp_path: Path, kind: str, max_chunk: int
 ) -> None:
-    settings = MAKERS[kind]()
-    folder = save_policy(tmp_path, settings)
+    settings = MAKERS[kind](tmp_path / "backbone")
+    folder = save_policy(tmp_path / "policy", settings)
     theirs = actions_of_lerobot(folder, settings)
     ours = actions_of_ours(LerobotPolicies(folder), dynamics(max_chunk))
     spread = np.abs(theirs - theirs[0]).max()
