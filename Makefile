@@ -41,13 +41,11 @@ conformance: setup ## Judge a server; without URL, the reference server
 	$(python) -m conformance "$$@" $${QUICK:+--quick} \
 		$${RAW_RESTART_CMD:+--restart-cmd "$$RAW_RESTART_CMD"} \
 		$${SEED:+--seed "$$SEED"} $${ONLY:+--only "$$ONLY"} $(ARGS)
-
 conformance-policy: setup ## Judge a policy server at URL; PROCTOR_POLICY_KEY, ARGS
 	@$(python) -m conformance.policy --url "$$URL" $(ARGS)
 
 # These need an older MuJoCo than ours, and so an environment of their own.
 apart := $(findstring metaworld,$(BENCHMARK))$(findstring gymnasium_robotics,$(BENCHMARK))
-
 serve: $(if $(apart),metaworld,setup) ## Run the reference server
 #                   BENCHMARK=gymnasium:CartPole-v1 or as in docs/host/benchmarks.md
 #                   PROFILE=ebench,flageval; ARGS='...' for its options
@@ -58,9 +56,7 @@ metaworld-check: metaworld ## Run the tests that need Meta-World
 	@.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py
 metaworld-table: metaworld ## Play its experts both ways, rewrite their page
 	@OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python tools/metaworld_table.py $(ARGS)
-
 lerobot: .venv-lerobot/ready ## Install LeRobot and torch apart (7 GB on Linux)
-
 lerobot-check: lerobot ## Run the tests that need LeRobot
 	@.venv-lerobot/bin/python -m pytest tests/client/policies/lerobot_checks.py
 
@@ -72,7 +68,6 @@ lint: setup ## Check style and types
 	@$(python) -m ruff check --quiet .
 	@$(python) -m ruff format --check --quiet .
 	@$(python) -m mypy
-
 generate: .venv-generate/ready ## Rewrite models and clients from spec/
 	@.venv-generate/bin/python tools/generate.py
 generate-check: .venv-generate/ready ## Fail if generated files differ from spec/

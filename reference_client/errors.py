@@ -230,3 +230,7 @@ def _cause(error: BaseException) -> str:
         inner = deeper
     strerror = getattr(inner, "strerror", None)
     return strerror or str(inner) or type(inner).__name__
+
+
+class BadPolicy(ValueError):
+    """The reference does not name a policy; the message says why."""

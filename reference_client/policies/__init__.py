@@ -5,7 +5,8 @@ actions to a policy's names and shapes, `openpi_client` and `policy_server_clien
 policy servers, `lerobot_policy` loads LeRobot's, `policy_http_app` is a policy server.
 """
 
+from reference_client.errors import BadPolicy
 from reference_client.policies.mapping import BadMapping, PolicyMapping
-from reference_client.policies.policy_loader import BadPolicy, load, read_mapping
+from reference_client.policies.policy_loader import load, read_mapping
 
 __all__ = ["BadMapping", "BadPolicy", "PolicyMapping", "load", "read_mapping"]

@@ -15,13 +15,13 @@ from typing import Any
 
 from proctor_client import Benchmark
 
+from reference_client.errors import BadPolicy
 from reference_client.policies.mapping import (
     ActionVector,
     BadMapping,
     PolicyMapping,
     RequestEntry,
 )
-from reference_client.policies.policy_loader import BadPolicy
 
 # LeRobot's names for what every policy may read.
 _TASK = "task"

@@ -21,10 +21,9 @@ from proctor_client import Benchmark
 
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
-from reference_client.errors import POLICY_FAILED, ProctorError
+from reference_client.errors import POLICY_FAILED, BadPolicy, ProctorError
 from reference_client.policies.lerobot_config import LerobotConfig
 from reference_client.policies.mapping import InvalidPolicyAnswer, PolicyMapping
-from reference_client.policies.policy_loader import BadPolicy
 
 
 class LerobotPolicies:

@@ -21,12 +21,8 @@ from typing import Any
 
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk, Policy
-from reference_client.errors import POLICY_FAILED, ProctorError, did_you_mean
+from reference_client.errors import POLICY_FAILED, BadPolicy, ProctorError, did_you_mean
 from reference_client.policies.mapping import InvalidPolicyAnswer, PolicyMapping
-
-
-class BadPolicy(ValueError):
-    """The reference does not name a policy; the message says why."""
 
 
 def load(reference: str, mapping: PolicyMapping | None = None) -> Callable[[], Policy]:

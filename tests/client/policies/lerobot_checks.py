@@ -31,9 +31,9 @@ from proctor_client import Benchmark
 from reference_client import LerobotPolicies, Observation, evaluate
 from reference_client.policies import BadPolicy, PolicyMapping
 from reference_client.policies.policy_http_app import PolicyApp
-from tests.support.client.benchmarks import benchmark_of
 from tests.support.client.command import ProctorCommand, options
 from tests.support.client.policy_apps import run_app
+from tests.support.client.sized_benchmark import benchmark_of
 from tests.support.servers import TOKENS, ReferenceServer
 
 Array = npt.NDArray[Any]

@@ -16,9 +16,9 @@ import pytest
 
 from reference_client import LerobotPolicies, Observation
 from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
-from tests.support.client.benchmarks import benchmark_of
 from tests.support.client.command import ProctorCommand
 from tests.support.client.direct_client import DirectClient
+from tests.support.client.sized_benchmark import benchmark_of
 from tests.support.paths import ROOT
 from tests.support.servers import ReferenceServer
 
