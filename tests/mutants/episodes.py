@@ -321,7 +321,7 @@ def counts_attempts_over_a_crash() -> None:
     put(rows, "run_of", wrong)
 
 
-@mutant("EPI-003", "EPI-004", "EPI-009")
+@mutant("EPI-003", "EPI-004", "EPI-009", "LEASE-012")
 def counts_no_attempt_in_a_drain() -> None:
     """A client can repeat an episode while the run drains."""
     right = effects._close_attempt
@@ -424,7 +424,7 @@ def stores_scores_with_fifteen_digits() -> None:
     put(effects, "_record_result", wrong)
 
 
-@mutant("EPI-012")
+@mutant("CMP-006", "CMP-007", "EPI-012", "SCORE-008", "SCORE-011")
 def counts_successes_of_earlier_attempts() -> None:
     """A policy may give up an attempt once the goal was reached for a moment."""
     end_turn, close_attempt = effects.end_turn, effects._close_attempt

@@ -11,6 +11,7 @@ import yaml
 from reference_server.rules import effects
 from reference_server.rules import lifecycle as protocol
 from reference_server.rules.run import Run
+from reference_server.runs.registry import RunRegistry
 from tests.mutants import MUTANTS, Mutant, put
 
 SPEC = Path(__file__).parents[2] / "spec" / "openapi.yaml"
@@ -55,6 +56,9 @@ def _patch_of(row: dict[str, Any]) -> Any:
             _flip_retryable(resumes=row["when"] == "not_retryable")
         elif row["to"] == "refused":
             protocol.TRANSITIONS[cell] = row["from"]
+            if row["event"] == "attach_worker":
+                # Such a run has no place to be played, either.
+                put(RunRegistry, "take_place", lambda _self, _run: None)
         else:
             del protocol.TRANSITIONS[cell]
 
