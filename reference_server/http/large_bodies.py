@@ -95,6 +95,7 @@ class _Reader:
 
     def __init__(self, media_type: str) -> None:
         self._is_json = media_type != MSGPACK
+        self._null = b"null" if self._is_json else b"\xc0"
         self.decode = msgspec.json.decode if self._is_json else msgspec.msgpack.decode
         self._values_left = VALUES_MAX
 
@@ -109,6 +110,13 @@ class _Reader:
         self._values_left -= values
         if self._values_left < 0:
             raise _invalid((), f"must have at most {VALUES_MAX} values")
+
+    def read_member(self, shape: _Shape, raw: Any, at: Path) -> Any:
+        """The value of a member; its model decides on null, which may be absence."""
+        if bytes(raw) == self._null:
+            self.spend(1)
+            return None
+        return shape.read(raw, self, at)
 
     def check_marks(self, raw: Any, mark: bytes, most: int, at: Path) -> None:
         """MessagePack says how many entries follow: msgspec compares that itself."""
@@ -169,7 +177,7 @@ class _Object:
     def read_members(self, found: Any, reader: _Reader, at: Path) -> Any:
         reader.spend(1)
         return {
-            name: shape.read(getattr(found, name), reader, (*at, name))
+            name: reader.read_member(shape, getattr(found, name), (*at, name))
             for name, shape in self.members.items()
             if getattr(found, name) is not msgspec.UNSET
         }

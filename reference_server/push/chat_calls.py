@@ -1,11 +1,11 @@
 """A policy that is a chat model: an instruction and images in, an answer as text out.
 
-Uses the chat completions API that OpenAI, vLLM and most other servers offer, for
-or the older completions API, for
-benchmarks whose actions are answers (`choice`, `number` and `point`, -1 for those that
-are not given) and for `calibration`, as calibration.md says. How a text becomes an
-answer is in docs/evaluate/question-answering.md; a text that cannot be read is "no
-answer" and not a fault (CHAT-003). It must not know which answer is correct.
+Uses the chat completions API that OpenAI, vLLM and most other servers offer, or the
+older completions API, for benchmarks whose actions are answers (`choice`, `number` and
+`point`, -1 for those that are not given) and for `calibration`, as calibration.md says.
+How a text becomes an answer is in docs/evaluate/question-answering.md; a text that
+cannot be read is "no answer" and not a fault (CHAT-003). It must not know which answer
+is correct.
 """
 
 from __future__ import annotations

@@ -186,6 +186,8 @@ class RunRegistry:
         nothing is looked up.
         """
         await self._check_quota(run.account, key)
+        # At once: what is submitted at the same time counts it.
+        self._note_open(run.account, run.run_id, is_open=True)
         # A request that finds it in the store, even before this one, finds this object.
         self._in_memory[run.run_id] = run
         self._admit(run)  # before it is stored: one submit is one transaction
@@ -195,6 +197,7 @@ class RunRegistry:
         finally:
             if not is_stored:
                 self._in_memory.pop(run.run_id, None)
+                self._note_open(run.account, run.run_id, is_open=False)
                 self._places.leave(run.run_id)
                 self._admit()
         if is_stored:
@@ -303,6 +306,11 @@ class RunRegistry:
         refused = below_quota(len(self._open.get(account, ())), self._open_max)
         if refused is not None:
             raise Refused.from_verdict(refused)
+
+    def open_again(self, run: Run) -> None:
+        """LIM-007: a resume makes a run count at once, or is refused."""
+        self.check_quota(run.account)
+        self._note_open(run.account, run.run_id, is_open=True)
 
     async def _check_quota(self, account: str, key: str | None) -> None:
         """A key that is used makes no run (RUN-003)."""
@@ -435,6 +443,9 @@ class RunRegistry:
             except StoreFailed as error:
                 self._failures.report("a run could not be loaded", str(error))
                 self._reload_later(run_id)
+            except Exception:  # its row is damaged: those behind it are admitted
+                log.exception("run %s cannot be read", run_id)
+                self._places.leave(run_id)
             finally:
                 self._admitted.popleft()
 
@@ -525,9 +536,11 @@ class RunRegistry:
         run.lost = True
         self._in_memory.pop(run.run_id, None)
         self._recent.pop(run.run_id, None)
+        had_place = run.run_id in self._places
         self._index_by_state(run, None)
         # Until it is known what the store has, the run may be active and keeps a place.
-        self._places.play(run.run_id, run.account)
+        if had_place:
+            self._places.play(run.run_id, run.account)
         self._on_run_lost(run)
         self._reload_later(run.run_id)
 

@@ -142,7 +142,7 @@ class RunService:
         """The run, in the queue again; unchanged when it goes on already."""
         run = await self._run_accepting(account, run_id, Resume())
         if changes_state(run, "resume_run"):
-            self.registry.check_quota(account)
+            self.registry.open_again(run)
             until = steady_clock.now_wall() + queue_s(run.submission)
             effects.resume(run, until)
             await self.registry.commit(run)

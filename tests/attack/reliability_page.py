@@ -100,8 +100,8 @@ def write(results: Sequence[Result], *, form: str, seed: int, load: float) -> No
         "attacks on this machine alone and judges the server; `LONG=1` is the long\n"
         "form, `ONLY=` chooses attacks, `SEED=` repeats random choices.\n\n"
         f"Written by `make attack ARGS=--write`: {form} on commit {commit}\n"
-        f"of {date}, seed {seed}, {os.cpu_count()} processors; their load from "
-        f"others before it was {load:.1f}.\n\n"
+        f"of {date}, seed {seed}, {os.cpu_count()} processors; load before "
+        f"it {load:.1f}.\n\n"
     )
     rows = [
         f"| {promise.text} | {worst} | {verdict} |"

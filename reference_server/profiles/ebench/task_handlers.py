@@ -10,8 +10,9 @@ spec/profiles/ebench.yaml and docs/evaluate/ebench.md.
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import secrets
-from collections.abc import Awaitable, Callable, Mapping, Sequence
+from collections.abc import Awaitable, Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any, TypeAlias
@@ -241,15 +242,18 @@ class EbenchHandlers:
     async def step(self, call: OperationCall) -> Response:
         """EBE-008: one turn of each worker."""
         run, turns, on_sent = await self._step_all(call)
-        views = await self._worker_views(run, turns, current=_is_current(call))
+        with _reported_lost(on_sent):
+            views = await self._worker_views(run, turns, current=_is_current(call))
         return ConfirmedResponse(views, call, on_sent)
 
     async def step_chunk(self, call: OperationCall) -> Response:
         """EBE-023: `step` with a list, and how much of it was executed."""
         run, turns, on_sent = await self._step_all(call)
-        body = {
+        with _reported_lost(on_sent):
             # EBE-025: only the current client sends lists this way.
-            "obs": await self._worker_views(run, turns, current=True),
+            views = await self._worker_views(run, turns, current=True)
+        body = {
+            "obs": views,
             "executed_steps": max(t.get("executed_steps", 0) for t in turns.values()),
             "stopped_early": any(map(_is_stopped_early, turns.values())),
         }
@@ -275,7 +279,7 @@ class EbenchHandlers:
         scored = run.scored
         try:
             turns = await _gather({i: step.work for i, step in steps.items()})
-        except Refused:  # by one worker: the answers of the others are lost
+        except Exception:  # of one worker: the answers of the others are lost
             self.owed_results.add(run, run.scored_order[scored:])
             raise
         # EBE-029: a repetition of the others is a repetition for ever.
@@ -446,6 +450,16 @@ def _run_id(call: OperationCall) -> str:
                 "not_found", f"The run {named} does not belong to this endpoint."
             )
     return run_id
+
+
+@contextlib.contextmanager
+def _reported_lost(on_sent: Callable[[bool], None]) -> Iterator[None]:
+    """An answer that cannot be built is one that was lost (EBE-031)."""
+    try:
+        yield
+    except BaseException:
+        on_sent(False)
+        raise
 
 
 def _is_current(call: OperationCall) -> bool:

@@ -243,6 +243,22 @@ def test_integers_of_a_large_body_are_read_as_those_of_a_small_one() -> None:
     assert refused.code == "malformed_body"
 
 
+@pytest.mark.parametrize("media_type", [JSON, MSGPACK])
+def test_null_in_a_large_body_is_what_it_is_in_a_small_one(media_type: str) -> None:
+    """FLE-018: absent, where a model has it so. Elsewhere it is refused."""
+    text = {"eval_model": "m", "model": "m", "eval_url": "http://127.0.0.1:1/v1"}
+    encode = (msgspec.json if media_type == JSON else msgspec.msgpack).encode
+    evaluation = MODELS["EvaluationRequest"]
+    for size in (0, WHOLE_BYTES_MAX):
+        info = text | {"tokenizer": None, "num_concurrent": None, "unknown": "x" * size}
+        body = {"domain": "NLP", "mode": None, "user_id": None, "eval_infos": [info]}
+        assert read(evaluation, encode(body), media_type) is None, size
+        wrong = encode(PREDICT | {"session_id": None, "observe": "l" * size})
+        refused = read(models.Predict, wrong, media_type)
+        assert refused is not None
+        assert refused.code == "invalid_request"
+
+
 def test_values_are_counted() -> None:
     vectors = {str(n): [0] * 4096 for n in range(64)}
     actions = [{"values": vectors}] * (VALUES_MAX // (64 * 4096) + 1)

@@ -11,6 +11,7 @@ import pytest
 
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Attach, Heartbeat
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, RunHead
 from reference_server.runs import places, registry
 from reference_server.storage.store import Store, StoreFailed
@@ -295,3 +296,31 @@ def test_an_account_may_have_so_many_open_runs(tmp_path: Path) -> None:
             await submit(parts, "run_4")
 
     run_scenarios(tmp_path, scenario, after_a_restart)
+
+
+def test_runs_that_are_opened_at_once_count_each_other(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        parts.registry._open_max = 2
+        submitted = [submit(parts, f"run_{n}") for n in range(4)]
+        found = await asyncio.gather(*submitted, return_exceptions=True)
+        assert [type(one) for one in found] == [Run, Run, Refused, Refused]
+        for number in (0, 1):
+            await parts.service.stop_run("alice", f"run_{number}")
+        parts.registry._open_max = 1
+        resumed = [parts.service.resume_run("alice", f"run_{n}") for n in (0, 1)]
+        found = await asyncio.gather(*resumed, return_exceptions=True)
+        assert [type(one) for one in found] == [Run, Refused]
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_key_that_is_used_opens_no_run(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        for _ in range(3):
+            await parts.registry.add(calibration_run(), "key", "body")
+        parts.registry._open_max = 2
+        await submit(parts, "run_2")
+        with expect_refusal("quota_exceeded"):
+            await submit(parts, "run_3")
+
+    run_scenarios(tmp_path, scenario)

@@ -239,6 +239,48 @@ def test_any_failed_write_reloads_the_run(
     run_scenarios(tmp_path, scenario)
 
 
+def test_a_queued_run_whose_write_failed_keeps_its_turn(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """All places are taken. Expect it in the queue when it is read again."""
+
+    async def scenario(parts: ServerParts) -> None:
+        for number in (1, 2, 3):
+            await parts.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
+        fail_writes(monkeypatch, parts, {"run_3"}, StoreFailed("full"))
+        with expect_refusal("unavailable"):
+            await parts.service.stop_run("alice", "run_3")
+        run = await parts.registry.get("run_3")
+        assert (run.state, parts.registry.queue_position(run)) == ("queued", 2)
+
+    run_scenarios(tmp_path, scenario, active_max=1)
+
+
+def test_a_damaged_run_does_not_keep_others_in_the_queue(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def before(parts: ServerParts) -> None:
+        for number in (1, 2, 3):
+            run = calibration_run(run_id=f"run_{number}")
+            await parts.store.insert(run, None, "")
+        load = parts.store.load
+
+        async def load_others(run_id: str) -> Run | None:
+            if run_id == "run_1":
+                raise ValueError("a row that cannot be read")
+            return await load(run_id)
+
+        monkeypatch.setattr(parts.store, "load", load_others)
+        await parts.registry.open()
+        for run_id in ("run_2", "run_3"):
+            change = parts.registry.change_event(run_id)
+            while (await parts.store.heads([run_id]))[run_id].state != "ready":
+                await change.wait()
+                change = parts.registry.change_event(run_id)
+
+    run_scenarios(tmp_path, before)
+
+
 @pytest.mark.parametrize("readable", [True, False])
 def test_a_run_whose_admission_failed_is_admitted_later(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, readable: bool
