@@ -260,8 +260,9 @@ def test_without_a_key_the_key_rule_is_not_applicable(tmp_path: Path) -> None:
 
 def test_a_benchmark_of_ones_own_is_played(tmp_path: Path) -> None:
     """The policy answers for calibration, and the file wants something else."""
-    space = calibration()["action_space"]["score"]
-    other = calibration() | {"action_space": {"grip": space}}
+    actions = calibration()["action_space"]
+    elsewhere = actions["score"] | {"minimum": [2], "maximum": [3]}
+    other = calibration() | {"action_space": actions | {"score": elsewhere}}
     (tmp_path / "b.json").write_text(json.dumps(other))
     with policy_apps.run_app(make_app().app) as url:
         flag = ("--benchmark", str(tmp_path / "b.json"), "--only", "POL-00")

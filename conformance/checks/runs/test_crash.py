@@ -95,6 +95,8 @@ def play_to_the_end(worker: WorkerClient) -> None:
     """Expect a worker to attach again, and to play to the end."""
     turn = expect.ok(worker.try_attach(takeover=True))
     worker.session_id, worker.seq = turn["session_id"], turn["seq"]
+    if not turn["done"]:
+        expect.equal(turn["episode"]["attempt"], 1, "attempt after the crash")
     while not turn["done"]:
         turn = expect.ok(worker.try_predict(worker.run.context.action(end=1)))
         worker.seq += 1
