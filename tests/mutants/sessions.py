@@ -181,7 +181,7 @@ def _change_lease_over(wrong: Any) -> None:
         put(module, "lease_over", wrong)
 
 
-@mutant("LEASE-001", "LEASE-011", "LEASE-012")
+@mutant("EPI-009", "LEASE-001", "LEASE-011", "LEASE-012")
 def never_ends_a_lease() -> None:
     """A crashed client keeps its session for ever."""
     _change_lease_over(lambda _session, _now: False)
