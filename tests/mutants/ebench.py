@@ -64,7 +64,7 @@ def calls_a_queued_task_ready() -> None:
     put(RunService, "get_availability", wrong)
 
 
-@mutant("EBE-004")
+@mutant("EBE-004", "EBE-027")
 def gives_a_resumed_task_another_id() -> None:
     """The client asks for the progress of an id that is no longer used."""
     right = EbenchHandlers.create_task

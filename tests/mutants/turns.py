@@ -157,7 +157,7 @@ def ignores_unknown_names() -> None:
     )
 
 
-@mutant("PRED-014")
+@mutant("EPI-011", "PRED-014")
 def fills_in_missing_names() -> None:
     """A forgotten part of an action becomes zero, with any effect."""
     right = action_space.action_errors
