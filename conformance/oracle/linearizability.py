@@ -29,7 +29,6 @@ from conformance.oracle.run_model import (
     closure,
 )
 
-
 # Codes of the answer to a turn that may have begun: a command ended its session.
 _OF_A_BEGUN_TURN = (None, "session_ended", "session_superseded")
 
