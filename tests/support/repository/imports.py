@@ -9,8 +9,13 @@ from pathlib import Path
 
 from tests.support.paths import ROOT
 
-PACKAGES = ("conformance", "reference_client", "reference_record")
-PACKAGES += ("reference_server", "reference_sim")
+PACKAGES = (
+    "conformance",
+    "reference_client",
+    "reference_record",
+    "reference_server",
+    "reference_sim",
+)
 GENERATED = {
     "generated_clients",
     "reference_client/generated/messages.py",
