@@ -10,11 +10,8 @@ from pathlib import Path
 from tests.support.paths import ROOT
 
 PACKAGES = (
-    "conformance",
-    "reference_client",
-    "reference_record",
-    "reference_server",
-    "reference_sim",
+    *("conformance", "reference_client", "reference_record"),
+    *("reference_server", "reference_sim"),
 )
 GENERATED = {
     "generated_clients",
