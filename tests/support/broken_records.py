@@ -402,7 +402,11 @@ def _broken_verdicts() -> dict[str, Broken]:
     changed = bytearray(verdict)
     changed[20] = ord("B") if changed[20] == ord("A") else ord("A")
     cases = {
-        "verdict_on_another_record": (foreign, "REC-014", "It is about another record."),
+        "verdict_on_another_record": (
+            foreign,
+            "REC-014",
+            "It is about another record.",
+        ),
         "verdict_changed": (bytes(changed), "REC-006", "One character differs."),
     }
     return {
