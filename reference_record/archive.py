@@ -17,10 +17,8 @@ from typing import BinaryIO
 from reference_record.broken import ARCHIVE, BrokenRecord, UnusableRecord
 from reference_record.names import (
     ARCHIVE_BYTES_MAX,
-    EPISODES_MAX,
-    FIXED,
+    FILES_MAX,
     NAME_BYTES_MAX,
-    VERDICTS_MAX,
     check_name,
     order,
     printable_name,
@@ -34,7 +32,6 @@ _CENTRAL = struct.Struct("<4sHHHHHHIIIHHHHHII")
 _END = struct.Struct("<4sHHHHIIH")
 _LOCAL_MAGIC, _CENTRAL_MAGIC, _END_MAGIC = b"PK\x03\x04", b"PK\x01\x02", b"PK\x05\x06"
 _CONSTANTS = (10, 0, 0, 0, 0x21)
-_FILES_MAX = len(FIXED) + EPISODES_MAX + VERDICTS_MAX
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,8 +138,8 @@ def _read_local(file: BinaryIO, position: int) -> Entry:
 
 
 def _check_next(entries: list[Entry], entry: Entry, size: int) -> None:
-    if len(entries) >= _FILES_MAX:
-        raise BrokenRecord(ARCHIVE, "REC-030", f"at most {_FILES_MAX} files are read")
+    if len(entries) >= FILES_MAX:
+        raise BrokenRecord(ARCHIVE, "REC-030", f"at most {FILES_MAX} files are read")
     if entries and order(entries[-1].name) >= order(entry.name):
         twice = entries[-1].name == entry.name
         detail = "it stands twice" if twice else "it stands out of order"

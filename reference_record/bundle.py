@@ -12,12 +12,19 @@ import stat
 import zlib
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from itertools import islice
 from pathlib import Path
 from typing import BinaryIO
 
 from reference_record.archive import BLOCK_BYTES, Entry, read_entries
 from reference_record.broken import ARCHIVE, BrokenRecord
-from reference_record.names import check_count, check_name, order, printable_name
+from reference_record.names import (
+    FILES_MAX,
+    check_count,
+    check_name,
+    order,
+    printable_name,
+)
 
 FOLDERS = ("episodes", "verdicts")
 
@@ -81,7 +88,7 @@ class _Archive(Bundle):
 
 class _Directory(Bundle):
     def __init__(self, path: Path) -> None:
-        found = dict(_files_of(path))
+        found = dict(islice(_files_of(path), FILES_MAX + 1))
         super().__init__({name: found[name] for name in sorted(found, key=order)})
         self._path = path
 
@@ -106,17 +113,17 @@ def open_bundle(path: Path) -> Bundle:
 
 def _files_of(root: Path) -> Iterator[tuple[str, int]]:
     """REC-003: name and size of each file; a record has two folders and no links."""
-    for prefix in ("", *FOLDERS):
-        if prefix and not (root / prefix).is_dir():
+    for folder in (root, *(root / name for name in FOLDERS)):
+        if not folder.is_dir() or (folder.is_symlink() and folder != root):
             continue
-        for found in os.scandir(root / prefix):
-            name = f"{prefix}/{found.name}" if prefix else found.name
-            mode = found.stat(follow_symlinks=False).st_mode
-            if stat.S_ISDIR(mode) and name in FOLDERS:
-                continue
-            if not stat.S_ISREG(mode):
-                detail = "a record's directory has regular files alone"
-                raise BrokenRecord(printable_name(name), "REC-003", detail)
-            size = found.stat(follow_symlinks=False).st_size
-            check_name(name, size)
-            yield name, size
+        with os.scandir(folder) as entries:
+            for entry in entries:
+                name = Path(entry.path).relative_to(root).as_posix()
+                status = entry.stat(follow_symlinks=False)
+                if stat.S_ISDIR(status.st_mode) and name in FOLDERS:
+                    continue
+                if not stat.S_ISREG(status.st_mode):
+                    detail = "a record's directory has regular files alone"
+                    raise BrokenRecord(printable_name(name), "REC-003", detail)
+                check_name(name, status.st_size)
+                yield name, status.st_size

@@ -14,6 +14,7 @@ from reference_record.broken import BrokenRecord
 from reference_record.mcap_reader import McapReader
 from reference_record.score import TOLERANCE, Outcome
 from reference_record.statement import EpisodeLine, RecordingFacts
+from reference_record.strict_json import UNREADABLE
 
 MESSAGE_BYTES_MAX: Final = 2**24
 
@@ -60,9 +61,11 @@ def check_recording(file: BinaryIO, size: int, line: EpisodeLine) -> int:
                 detail = f"a message has more than {MESSAGE_BYTES_MAX} bytes"
                 raise BrokenRecord(name, "REC-030", detail)
             played.add(topic, data)
-    except msgspec.MsgspecError as error:
+    except UNREADABLE as error:
         detail = f"a message cannot be read: {error}"
         raise BrokenRecord(name, "REC-012", detail) from error
+    if size != line.recording.bytes:
+        raise BrokenRecord(name, "REC-010", "its size is not that in episodes.jsonl")
     played.compare(line, line.recording)
     return played.turns
 

@@ -18,7 +18,7 @@ from reference_record.envelope import Envelope
 from reference_record.keys import PUBLIC_KEY_BYTES
 from reference_record.names import EPISODES, LINE_BYTES_MAX
 from reference_record.score import Outcome, ScoredEpisode
-from reference_record.strict_json import read_json
+from reference_record.strict_json import UNREADABLE, read_json
 
 STATEMENT_TYPE: Final = "https://in-toto.io/Statement/v1"
 PREDICATE_TYPE: Final = "urn:proctor:robot-evaluation:v1"
@@ -159,7 +159,7 @@ def public_key_in(envelope: Envelope) -> bytes:
     """
     try:
         found = msgspec.json.decode(envelope.payload, type=Statement[_KeyAlone])
-    except msgspec.MsgspecError as error:
+    except UNREADABLE as error:
         detail = f"no public key can be read from it: {error}"
         raise BrokenRecord(envelope.file, "REC-006", detail) from error
     signer = found.predicate.host or found.predicate.verifier

@@ -14,6 +14,8 @@ import msgspec
 from reference_record.broken import BrokenRecord
 
 T = TypeVar("T")
+# Text that is not UTF-8 is a ValueError.
+UNREADABLE = (msgspec.MsgspecError, ValueError, RecursionError)
 
 
 def read_json(file: str, data: bytes, type_: type[T], where: str = "") -> T:
@@ -24,7 +26,7 @@ def read_json(file: str, data: bytes, type_: type[T], where: str = "") -> T:
     try:
         value = msgspec.json.decode(data, type=type_)
         json.loads(data, object_pairs_hook=_refuse_repeated)
-    except (msgspec.MsgspecError, ValueError, RecursionError) as error:
+    except UNREADABLE as error:
         detail = f"{where}{str(error) or 'it nests too deeply'}"
         raise BrokenRecord(file, "REC-004", detail) from error
     return value

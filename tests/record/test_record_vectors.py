@@ -1,4 +1,4 @@
-"""The vectors of spec/vectors/record/: each is named as it says, and can be made again."""
+"""The vectors of spec/vectors/record/: what is wrong is named."""
 
 import json
 from typing import Any

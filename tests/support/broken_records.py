@@ -1,4 +1,4 @@
-"""Records that are broken in one way each, with the file and rule that a verifier names.
+"""Records that are broken in one way each, with the file and rule to be named.
 
 tools/record_vectors.py writes them to spec/vectors/record/.
 """
@@ -19,7 +19,13 @@ import zstandard
 from reference_record.archive import stream_archive
 from reference_record.envelope import sign_envelope, signed_bytes
 from reference_record.names import EPISODES, MANIFEST, STATEMENT, recording_name
-from reference_record.recording import MAGIC, EpisodeResult, Turn, record, text
+from reference_record.recording import (
+    MAGIC,
+    EpisodeResult,
+    Message,
+    record,
+    text,
+)
 from reference_record.statement import EpisodeLine
 from tests.support.records import (
     HOST_KEY,
@@ -322,7 +328,7 @@ def _broken_recordings() -> dict[str, Broken]:
         )
 
     start, one, two, end, scored = success(0)
-    better = "/result", EpisodeResult("success", True, 1.0, 2, 1, "")  # noqa: FBT003
+    better = "/result", EpisodeResult("success", True, 1.0, 2, 1, "")
     cases = {
         "score_without_turns": (
             of_first([*failure(0)[:-1], better]),
@@ -372,9 +378,9 @@ def _broken_recordings() -> dict[str, Broken]:
     }
 
 
-def _attempt_2(start: tuple[str, object]) -> tuple[str, object]:
+def _attempt_2(start: tuple[str, Message]) -> tuple[str, Message]:
     topic, event = start
-    return topic, msgspec.structs.replace(event, attempt=2)  # type: ignore[type-var]
+    return topic, msgspec.structs.replace(event, attempt=2)
 
 
 def _recording(records: bytes) -> bytes:

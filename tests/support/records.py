@@ -1,4 +1,4 @@
-"""A small record with everything in it: a success, a failure, a fault, an abandoned one.
+"""A small record with a success, a failure, a fault and an abandoned episode.
 
 Every byte follows from constants, so that vectors can be written again.
 """
@@ -252,7 +252,7 @@ def content_of(data: bytes, crc32: int) -> Content:
 
 
 def good_replay() -> Replay:
-    return replay_of({index: ("exact", None) for index in range(4)}, ENGINE)
+    return replay_of(dict.fromkeys(range(4), ("exact", None)), ENGINE)
 
 
 def make_verdict(
