@@ -28,6 +28,7 @@ from reference_server.push.egress import EgressPolicy
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_server_validator import PolicyServerValidator
 from reference_server.records.recordings import Recordings
+from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.submission import SubmissionLimits
@@ -82,6 +83,11 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     policy_server_validator = PolicyServerValidator(
         egress, key_encryption, tuple(PROTOCOLS)
     )
+    records = None
+    if recordings is not None:
+        name = settings.public_url or f"{settings.host}:{settings.port}"
+        host = HostSettings(name, settings.signing_key_path, settings.record_promise)
+        records = RunRecords(store, recordings, host)
     service = RunService(
         SubmissionLimits(settings.max_workers, settings.idle_timeout_s_max),
         Benchmarks(settings.max_chunk),
@@ -89,6 +95,7 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         executor,
         policy_server_validator.validate_and_encrypt,
         policy_server_validator.digest_key,
+        records,
     )
     streams = SharedStreams(settings.max_event_streams)
     handlers = Handlers(settings, service, streams)
@@ -100,6 +107,8 @@ def build(settings: Settings, tokens: Tokens) -> Application:
             recordings.open()
         await store.open()
         key_encryption.open()
+        if records is not None:
+            await records.open()
         await registry.open()
         await pool.start()
         driver.open()

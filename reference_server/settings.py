@@ -125,6 +125,17 @@ class Settings(BaseSettings):
         description="Whether recordings have the images, too, as JPEG. Without, they "
         "can be rendered again from the actions.",
     )
+    record_promise: Literal["exact", "outcome"] = Field(
+        "outcome",
+        description="What records promise of a replay with the same software on the "
+        "same kind of machine: equal states after each turn, or equal results.",
+    )
+    signing_key: str = Field(
+        "",
+        description="File with the key that signs records; created if missing. If "
+        "empty, a file next to the SQLite file; with another database, a key in memory "
+        "that is lost when the server stops.",
+    )
     records_keep_days: float = Field(
         0,
         ge=0,
@@ -298,6 +309,15 @@ class Settings(BaseSettings):
         if "://" in self.database:
             return Path("var/records")
         return Path(f"{self.database}.records")
+
+    @property
+    def signing_key_path(self) -> Path | None:
+        """The file of the key that signs records; None for a key in memory."""
+        if self.signing_key:
+            return Path(self.signing_key)
+        if "://" in self.database or ":memory:" in self.database:
+            return None
+        return Path(f"{self.database}.signing-key")
 
     @property
     def database_url(self) -> str:

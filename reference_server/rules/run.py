@@ -124,6 +124,8 @@ class RunHead:
 
     manifest: the benchmark with the run's options applied; what was hashed.
     number: grows with every submit; newest first is largest first.
+    attempts_by_submitter: how many runs of its benchmark its account had submitted,
+    this one included; None if it is older than this member.
     total, scored: how many episodes it has, and how many of them a result.
     """
 
@@ -142,6 +144,7 @@ class RunHead:
     created_at_wall: float
     updated_at_wall: float
     queue_until_wall: float
+    attempts_by_submitter: int | None = field(default=None, kw_only=True)
     total: int = field(default=0, kw_only=True)
     scored: int = field(default=0, kw_only=True)
 
