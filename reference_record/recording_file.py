@@ -91,6 +91,7 @@ def join_parts(
     """
     draft = target.with_suffix(".draft")
     try:
+        target.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         with draft.open("wb") as file:
             os.fchmod(file.fileno(), 0o600)
             summary = _write_all(file, folder, last)

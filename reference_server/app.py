@@ -27,6 +27,7 @@ from reference_server.push.driver import PROTOCOLS, Driver
 from reference_server.push.egress import EgressPolicy
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_server_validator import PolicyServerValidator
+from reference_server.records.recordings import Recordings
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.submission import SubmissionLimits
@@ -45,7 +46,15 @@ _VERSION_HEADER = (b"proctor-version", PROTOCOL_VERSION.encode())
 
 def build(settings: Settings, tokens: Tokens) -> Application:
     """One server, its parts connected. Nothing runs before the lifespan begins."""
-    store = Store(settings.database_url)
+    recordings = _open_recordings(settings)
+    if recordings is None:
+        store = Store(settings.database_url)
+    else:
+        store = Store(
+            settings.database_url,
+            recordings.finish_unplayed,
+            recordings.remove_parts,
+        )
     pool = SimulatorPool(
         settings.max_simulators, settings.spare_simulators, settings.turn_timeout_s
     )
@@ -66,7 +75,7 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         open_max=settings.max_open_runs,
     )
     executor = SessionExecutor(
-        registry, pool, settings.unused_s_max, settings.heartbeat_s_max
+        registry, pool, settings.unused_s_max, settings.heartbeat_s_max, recordings
     )
     egress = EgressPolicy(settings.allow_private_policies)
     key_encryption = KeyEncryption(settings.sealing_key_path)
@@ -87,6 +96,8 @@ def build(settings: Settings, tokens: Tokens) -> Application:
 
     @asynccontextmanager
     async def lifespan(_app: Any) -> AsyncIterator[None]:
+        if recordings is not None:
+            recordings.open()
         await store.open()
         key_encryption.open()
         await registry.open()
@@ -98,6 +109,8 @@ def build(settings: Settings, tokens: Tokens) -> Application:
             await driver.close()
             await executor.close()
             await registry.close()
+            if recordings is not None:
+                await recordings.close()
             await pool.close()
             await store.close()
 
@@ -113,6 +126,14 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         lifespan=lifespan,
     )
     return Application(router, registry.release_waiters)
+
+
+def _open_recordings(settings: Settings) -> Recordings | None:
+    return (
+        Recordings(settings.records_path, pictures=settings.record_pictures)
+        if settings.record
+        else None
+    )
 
 
 class _Endpoint:

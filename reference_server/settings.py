@@ -109,6 +109,29 @@ class Settings(BaseSettings):
         "answered and not executed. answer_chunks: a repetition if it is a list of "
         "steps that are not all equal.",
     )
+    record: bool = Field(
+        True,
+        description="Whether episodes are recorded: their actions, rewards, digests of "
+        "the simulator's state, faults and attempts.",
+    )
+    records_dir: str = Field(
+        "",
+        description="Folder of the recordings; created if missing. If empty, a folder "
+        "next to the SQLite file; with another database, var/records; with one in "
+        "memory, a folder that is removed when the server stops.",
+    )
+    record_pictures: bool = Field(
+        False,
+        description="Whether recordings have the images, too, as JPEG. Without, they "
+        "can be rendered again from the actions.",
+    )
+    records_keep_days: float = Field(
+        0,
+        ge=0,
+        allow_inf_nan=False,
+        description="Days after which the recordings of a run that has ended are "
+        "removed; 0 keeps them.",
+    )
     allow_private_policies: str = Field(
         "",
         description="Non-public networks in which this server may call policy servers, "
@@ -261,6 +284,20 @@ class Settings(BaseSettings):
         if "://" in self.database or ":memory:" in self.database:
             return None
         return Path(f"{self.database}.key")
+
+    @property
+    def records_path(self) -> Path | None:
+        """The folder of the recordings; None for one that lasts as long as the server.
+
+        `record` says whether there are any.
+        """
+        if self.records_dir:
+            return Path(self.records_dir)
+        if ":memory:" in self.database:
+            return None
+        if "://" in self.database:
+            return Path("var/records")
+        return Path(f"{self.database}.records")
 
     @property
     def database_url(self) -> str:

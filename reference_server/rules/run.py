@@ -42,6 +42,22 @@ class Result:
     finished_at_wall: float
 
 
+@dataclass(frozen=True, slots=True)
+class Recording:
+    """The finished recording of an episode, as its file is.
+
+    first_digest, last_digest: of the simulator's state; None if nothing was played.
+    latency: quantiles in milliseconds, by name.
+    """
+
+    sha256: str
+    bytes: int
+    turns: int
+    first_digest: str | None
+    last_digest: str | None
+    latency: Mapping[str, float]
+
+
 @dataclass(slots=True)
 class Episode:
     """One trial of the manifest.
@@ -51,6 +67,7 @@ class Episode:
     policy_fault: what the policy did that ended the last attempt, in mode push.
     place: of its result among those of the run, the first one 1; None without a result,
     or with one that is older than this column.
+    recording: with its result; None if it was not recorded.
     """
 
     index: int
@@ -64,6 +81,7 @@ class Episode:
     policy_fault: str | None = None
     place: int | None = None
     result: Result | None = None
+    recording: Recording | None = None
 
     @property
     def episode_id(self) -> str:

@@ -293,6 +293,7 @@ class RunService:
         session = run.workers.get(worker_id)
         if session is None or session.session_id != session_id:
             return False
+        self.executor.record_policy_fault(session, fault)
         effects.end_by_policy(run, session, fault, time.time())
         self.executor.release_sessions([session])
         await self.registry.commit(run)

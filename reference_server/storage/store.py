@@ -9,7 +9,14 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import AsyncIterator, Callable, Iterator, Mapping, Sequence
+from collections.abc import (
+    AsyncIterator,
+    Awaitable,
+    Callable,
+    Iterator,
+    Mapping,
+    Sequence,
+)
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -75,6 +82,8 @@ _episodes = sa.Table(
     sa.Column("policy_fault", sa.Text),
     # Of its result among those of the run; NULL in rows older than this column.
     sa.Column("place", sa.Integer),
+    # NULL if the episode was not recorded.
+    sa.Column("recording", sa.LargeBinary),
 )
 _keys = sa.Table(
     "idempotency_keys",
@@ -117,10 +126,24 @@ class StoreFailed(Exception):
     """The database failed; nothing of the transaction was stored."""
 
 
-class Store:
-    """Runs on disk. Writes happen one after another; each is one transaction."""
+async def _complete_nothing(_run: Run) -> None:
+    """What precedes a write, unless something else is named."""
 
-    def __init__(self, url: str) -> None:
+
+class Store:
+    """Runs on disk. Writes happen one after another; each is one transaction.
+
+    before_save: completes a run that is about to be stored. after_save: is called with
+    the run and the indices of the episodes that were stored.
+    """
+
+    def __init__(
+        self,
+        url: str,
+        before_save: Callable[[Run], Awaitable[None]] = _complete_nothing,
+        after_save: Callable[[Run, set[int]], None] = lambda _run, _indices: None,
+    ) -> None:
+        self._before_save, self._after_save = before_save, after_save
         try:
             self._url = sa.make_url(url)
             self._engine: AsyncEngine = create_async_engine(self._url)
@@ -226,6 +249,7 @@ class Store:
         CRASH-001, CRASH-004: every answer that shows them is sent after that.
         """
         async with self._write_lock:
+            await self._before_save(run)
             # Read inside the lock and before any other await: a later save never
             # overtakes an earlier one, and state and episodes are of one moment.
             if run.lost:
@@ -241,6 +265,7 @@ class Store:
             except StoreFailed:
                 run.changed |= changed
                 raise
+        self._after_save(run, changed)
 
     async def find_key(self, account: str, key: str) -> tuple[str, str] | None:
         """(body_sha256, run_id) of an account's Idempotency-Key, if it was used."""

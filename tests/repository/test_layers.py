@@ -75,9 +75,11 @@ MAY_IMPORT: dict[str, set[str]] = {
     "generated": set(),
     "rules": {"generated"},
     "storage": {"rules", "system"},
+    "records": {"rules", "storage", "reference_record", "reference_sim"},
     "system": set(),
     "views": {"generated", "reference_sim", "rules"},
-    "runs": {"generated", "reference_sim", "rules", "storage", "system", "views"},
+    "runs": {"generated", "records", "reference_sim", "rules", "storage", "system"}
+    | {"views"},
     "push": {"allowed_networks", "generated", "http", "rules", "runs"}
     | {"storage", "system"},
     "http": {"generated", "rules", "runs", "settings", "storage", "system", "views"},
