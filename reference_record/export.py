@@ -16,17 +16,16 @@ from pathlib import Path
 
 import msgspec
 
-from reference_record.archive import (
+from reference_record.broken import UnusableRecord
+from reference_record.formats.archive import (
     BLOCK_BYTES,
     Content,
     archive_size,
     stream_archive,
 )
-from reference_record.broken import UnusableRecord
-from reference_record.bundle import FOLDERS, Bundle
-from reference_record.envelope import sign_envelope
-from reference_record.keys import SigningKey
-from reference_record.names import (
+from reference_record.formats.bundle import FOLDERS, Bundle
+from reference_record.formats.envelope import sign_envelope
+from reference_record.formats.names import (
     EPISODES,
     EPISODES_MAX,
     MANIFEST,
@@ -34,6 +33,7 @@ from reference_record.names import (
     order,
     verdict_name,
 )
+from reference_record.keys import SigningKey
 from reference_record.statement import (
     PREDICATE_TYPE,
     EpisodeLine,

@@ -1,4 +1,4 @@
-"""Whether a recording tells the episode that its line in episodes.jsonl tells.
+"""Whether a recording has the episode that its line in episodes.jsonl has.
 
 One pass over its messages, in memory that does not grow with them.
 """
@@ -11,10 +11,10 @@ import msgspec
 from msgspec import Struct
 
 from reference_record.broken import BrokenRecord
-from reference_record.mcap_reader import McapReader
+from reference_record.formats.mcap_reader import McapReader
+from reference_record.formats.strict_json import UNREADABLE
 from reference_record.score import TOLERANCE, Outcome
 from reference_record.statement import EpisodeLine, RecordingFacts
-from reference_record.strict_json import UNREADABLE
 
 MESSAGE_BYTES_MAX: Final = 2**24
 

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from reference_record.broken import BrokenRecord
-from reference_record.bundle import Bundle
-from reference_record.envelope import read_envelope
-from reference_record.names import (
+from reference_record.formats.bundle import Bundle
+from reference_record.formats.envelope import read_envelope
+from reference_record.formats.names import (
     EPISODES,
     MANIFEST,
     STATEMENT,
@@ -24,7 +24,9 @@ from reference_record.names import (
     printable_name,
     recording_name,
 )
+from reference_record.formats.strict_json import read_json
 from reference_record.recording_check import check_recording
+from reference_record.replay_verdict import Verdict, read_verdict
 from reference_record.score import compute_score, first_difference
 from reference_record.statement import (
     PREDICATE_TYPE,
@@ -38,8 +40,6 @@ from reference_record.statement import (
     public_key_in,
     read_lines,
 )
-from reference_record.strict_json import read_json
-from reference_record.verdict import Verdict, read_verdict
 
 
 @dataclass(frozen=True, slots=True)

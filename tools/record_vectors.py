@@ -8,8 +8,11 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from tests.support.broken_records import broken_records, good_archive_with_verdict
-from tests.support.records import HOST_KEY, OTHER_KEY, make_archive
+from tests.support.record.broken_records import (
+    broken_records,
+    good_archive_with_verdict,
+)
+from tests.support.record.records import HOST_KEY, OTHER_KEY, make_archive
 
 FOLDER = Path(__file__).resolve().parents[1] / "spec" / "vectors" / "record"
 

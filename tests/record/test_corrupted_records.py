@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from reference_record.archive import read_entries
 from reference_record.broken import BrokenRecord
-from reference_record.bundle import open_bundle
+from reference_record.formats.archive import read_entries
+from reference_record.formats.bundle import open_bundle
 from reference_record.verification import verify
 from tests.support.paths import ROOT
 

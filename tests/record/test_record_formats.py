@@ -17,13 +17,12 @@ import pytest
 from securesystemslib.dsse import Envelope as OtherEnvelope
 from securesystemslib.signer._key import SSlibKey
 
-from reference_record.archive import Content, stream_archive
 from reference_record.broken import BrokenRecord, UnusableRecord
-from reference_record.bundle import open_bundle
-from reference_record.envelope import read_envelope, sign_envelope
 from reference_record.export import add_verdict
-from reference_record.keys import load_or_make
-from reference_record.names import (
+from reference_record.formats.archive import Content, stream_archive
+from reference_record.formats.bundle import open_bundle
+from reference_record.formats.envelope import read_envelope, sign_envelope
+from reference_record.formats.names import (
     EPISODES,
     EPISODES_MAX,
     FIXED,
@@ -31,10 +30,11 @@ from reference_record.names import (
     check_count,
     recording_name,
 )
+from reference_record.keys import load_or_make
 from reference_record.score import ScoredEpisode, compute_score, first_difference
 from reference_record.verification import verify
 from tests.support.paths import ROOT
-from tests.support.records import (
+from tests.support.record.records import (
     HOST_KEY,
     OTHER_KEY,
     Sample,

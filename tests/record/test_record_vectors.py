@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from reference_record.broken import BrokenRecord
-from reference_record.bundle import open_bundle
+from reference_record.formats.bundle import open_bundle
 from reference_record.verification import verify
 from tests.support.paths import ROOT
 from tools.record_vectors import files

@@ -117,11 +117,17 @@ MORE_SIBLINGS = {
     "benchmarks/contenders": "a file for each contender",
     "benchmarks/libraries": "a file for each library compared",
     "reference_sim/benchmarks/mobile_bimanual": "the parts of one benchmark",
+    "spec/vectors/record": "a file for each way in which a record can be broken",
+    "tests": "a folder for each package, and what judges the kit",
     "tests/mutants": "a file for each area of the rules",
     "tests/repository": "a test for each page and each rule on the repository",
+    "tests/support": "a folder for each package, and what starts servers",
     "tools/generators": "a file for each language",
 }
-PACKAGES = ("conformance", "reference_client", "reference_server", "reference_sim")
+PACKAGES = (
+    *("conformance", "reference_client", "reference_record"),
+    *("reference_server", "reference_sim"),
+)
 
 
 @functools.cache

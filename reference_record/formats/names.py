@@ -91,6 +91,6 @@ def check_count(names: list[str]) -> None:
 
 
 def printable_name(name: str) -> str:
-    """A stranger's name of a file, safe to print."""
+    """Any name of a file, safe to print."""
     cut = name[:NAME_BYTES_MAX]
     return "".join(c if c.isascii() and c.isprintable() else "?" for c in cut)

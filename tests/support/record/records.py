@@ -14,11 +14,11 @@ from typing import Any
 
 import msgspec
 
-from reference_record.archive import Content
-from reference_record.bundle import Bundle, open_bundle
 from reference_record.export import Record, build_record, host_of
+from reference_record.formats.archive import Content
+from reference_record.formats.bundle import Bundle, open_bundle
+from reference_record.formats.names import recording_name
 from reference_record.keys import SigningKey
-from reference_record.names import recording_name
 from reference_record.recording import (
     AttemptEvent,
     EpisodeResult,
@@ -29,6 +29,7 @@ from reference_record.recording import (
 )
 from reference_record.recording_file import join_parts
 from reference_record.recording_parts import PartWriter
+from reference_record.replay_verdict import Replay, replay_of, write_verdict
 from reference_record.score import Outcome, compute_score
 from reference_record.statement import (
     BenchmarkFacts,
@@ -38,7 +39,6 @@ from reference_record.statement import (
     RecordingFacts,
     RunFacts,
 )
-from reference_record.verdict import Replay, replay_of, write_verdict
 
 HOST_KEY = SigningKey(bytes(range(32)))
 OTHER_KEY = SigningKey(bytes(range(1, 33)))

@@ -1,4 +1,4 @@
-"""Messages of an MCAP file of a stranger, within bounds (https://mcap.dev/spec).
+"""Messages of an MCAP file of unknown origin, within bounds (https://mcap.dev/spec).
 
 Reads from front to back and trusts no index. A chunk is decompressed after its size was
 checked twice: as the file says it, and as the compressed frame says it.

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import BinaryIO
 
 from reference_record.broken import ARCHIVE, BrokenRecord, UnusableRecord
-from reference_record.names import (
+from reference_record.formats.names import (
     ARCHIVE_BYTES_MAX,
     FILES_MAX,
     NAME_BYTES_MAX,

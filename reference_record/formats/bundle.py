@@ -16,9 +16,9 @@ from itertools import islice
 from pathlib import Path
 from typing import BinaryIO
 
-from reference_record.archive import BLOCK_BYTES, Entry, read_entries
 from reference_record.broken import ARCHIVE, BrokenRecord
-from reference_record.names import (
+from reference_record.formats.archive import BLOCK_BYTES, Entry, read_entries
+from reference_record.formats.names import (
     FILES_MAX,
     check_count,
     check_name,

@@ -1,4 +1,4 @@
-"""JSON of strangers into typed structures: no member twice, no text that is not UTF-8.
+"""JSON of unknown origin into typed structures: UTF-8, and no member twice.
 
 Two readers of one text must see the same (REC-004), so what libraries decide
 differently is refused.

@@ -16,9 +16,9 @@ from dataclasses import dataclass, replace
 import msgspec
 import zstandard
 
-from reference_record.archive import stream_archive
-from reference_record.envelope import sign_envelope, signed_bytes
-from reference_record.names import EPISODES, MANIFEST, STATEMENT, recording_name
+from reference_record.formats.archive import stream_archive
+from reference_record.formats.envelope import sign_envelope, signed_bytes
+from reference_record.formats.names import EPISODES, MANIFEST, STATEMENT, recording_name
 from reference_record.recording import (
     MAGIC,
     EpisodeResult,
@@ -27,7 +27,7 @@ from reference_record.recording import (
     text,
 )
 from reference_record.statement import EpisodeLine
-from tests.support.records import (
+from tests.support.record.records import (
     HOST_KEY,
     OTHER_KEY,
     Messages,
