@@ -47,15 +47,9 @@ _VERSION_HEADER = (b"proctor-version", PROTOCOL_VERSION.encode())
 
 def build(settings: Settings, tokens: Tokens) -> Application:
     """One server, its parts connected. Nothing runs before the lifespan begins."""
-    recordings = _open_recordings(settings)
-    if recordings is None:
-        store = Store(settings.database_url)
-    else:
-        store = Store(
-            settings.database_url,
-            recordings.finish_unplayed,
-            recordings.remove_parts,
-        )
+    recordings = _recordings_of(settings)
+    store = _store_of(settings, recordings)
+    records = _records_of(settings, store, recordings)
     pool = SimulatorPool(
         settings.max_simulators, settings.spare_simulators, settings.turn_timeout_s
     )
@@ -83,11 +77,6 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     policy_server_validator = PolicyServerValidator(
         egress, key_encryption, tuple(PROTOCOLS)
     )
-    records = None
-    if recordings is not None:
-        name = settings.public_url or f"{settings.host}:{settings.port}"
-        host = HostSettings(name, settings.signing_key_path, settings.record_promise)
-        records = RunRecords(store, recordings, host)
     service = RunService(
         SubmissionLimits(settings.max_workers, settings.idle_timeout_s_max),
         Benchmarks(settings.max_chunk),
@@ -103,8 +92,6 @@ def build(settings: Settings, tokens: Tokens) -> Application:
 
     @asynccontextmanager
     async def lifespan(_app: Any) -> AsyncIterator[None]:
-        if recordings is not None:
-            recordings.open()
         await store.open()
         key_encryption.open()
         if records is not None:
@@ -118,8 +105,8 @@ def build(settings: Settings, tokens: Tokens) -> Application:
             await driver.close()
             await executor.close()
             await registry.close()
-            if recordings is not None:
-                await recordings.close()
+            if records is not None:
+                await records.close()
             await pool.close()
             await store.close()
 
@@ -137,12 +124,33 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     return Application(router, registry.release_waiters)
 
 
-def _open_recordings(settings: Settings) -> Recordings | None:
-    return (
-        Recordings(settings.records_path, pictures=settings.record_pictures)
-        if settings.record
-        else None
+def _recordings_of(settings: Settings) -> Recordings | None:
+    if settings.recordings == "off":
+        return None
+    pictures = settings.recordings == "pictures"
+    return Recordings(settings.records_path, pictures=pictures)
+
+
+def _store_of(settings: Settings, recordings: Recordings | None) -> Store:
+    if recordings is None:
+        return Store(settings.database_url)
+    return Store(
+        settings.database_url, recordings.finish_unplayed, recordings.remove_parts
     )
+
+
+def _records_of(
+    settings: Settings, store: Store, recordings: Recordings | None
+) -> RunRecords | None:
+    if recordings is None:
+        return None
+    host = HostSettings(
+        settings.public_url or settings.host,
+        settings.signing_key_path,
+        settings.record_promise,
+        settings.records_keep_days,
+    )
+    return RunRecords(store, recordings, host)
 
 
 class _Endpoint:

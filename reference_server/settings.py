@@ -109,21 +109,17 @@ class Settings(BaseSettings):
         "answered and not executed. answer_chunks: a repetition if it is a list of "
         "steps that are not all equal.",
     )
-    record: bool = Field(
-        True,
-        description="Whether episodes are recorded: their actions, rewards, digests of "
-        "the simulator's state, faults and attempts.",
+    recordings: Literal["off", "actions", "pictures"] = Field(
+        "actions",
+        description="What is recorded of episodes. actions: what was executed, with "
+        "rewards, digests of the simulator's state, faults and attempts. pictures: the "
+        "images, too, as JPEG; without, they can be rendered again from the actions.",
     )
     records_dir: str = Field(
         "",
         description="Folder of the recordings; created if missing. If empty, a folder "
         "next to the SQLite file; with another database, var/records; with one in "
         "memory, a folder that is removed when the server stops.",
-    )
-    record_pictures: bool = Field(
-        False,
-        description="Whether recordings have the images, too, as JPEG. Without, they "
-        "can be rendered again from the actions.",
     )
     record_promise: Literal["exact", "outcome"] = Field(
         "outcome",
@@ -300,7 +296,7 @@ class Settings(BaseSettings):
     def records_path(self) -> Path | None:
         """The folder of the recordings; None for one that lasts as long as the server.
 
-        `record` says whether there are any.
+        `recordings` says whether there are any.
         """
         if self.records_dir:
             return Path(self.records_dir)

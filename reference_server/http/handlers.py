@@ -127,7 +127,7 @@ class Handlers:
             protocol=models.ProtocolRange(min=VERSION_MIN, max=VERSION_MAX),
             profiles=[
                 *PROFILES,
-                *(("record",) if settings.record else ()),
+                *(() if settings.recordings == "off" else ("record",)),
                 *settings.enabled_profiles,
             ],
             limits=models.Limits(

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import importlib.metadata
+import logging
 import platform
 import time
 from collections.abc import Mapping, Sequence
@@ -21,8 +22,8 @@ import msgspec
 
 from reference_record.broken import UnusableRecord
 from reference_record.export import Record, build_record, host_of, reopen_record
+from reference_record.formats.names import STATEMENT, recording_name
 from reference_record.keys import load_or_make, make_key
-from reference_record.names import STATEMENT, recording_name
 from reference_record.recording import timestamp
 from reference_record.statement import (
     BenchmarkFacts,
@@ -34,21 +35,29 @@ from reference_record.statement import (
 )
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.records.recordings import Recordings
-from reference_server.rules.records import PublicKey
-from reference_server.rules.run import Episode, RunHead
-from reference_server.storage.store import Store
+from reference_server.rules.lifecycle import RESTING_STATES
+from reference_server.rules.run import Episode, PublicKey, RunHead
+from reference_server.storage.store import Store, StoreFailed
 
+log = logging.getLogger("proctor.records")
+
+REMOVE_EVERY_S = 3600.0
+RUNS_PER_READ = 200
 # What computes an episode: its version may change a trajectory.
 _ENGINE_PACKAGES = ("proctor-eval", "mujoco", "gymnasium", "numpy")
 
 
 @dataclass(frozen=True, slots=True)
 class HostSettings:
-    """key_path: None for a key in memory. promise: of replays, on the same engine."""
+    """key_path: None for a key in memory. promise: of replays, on the same engine.
+
+    keep_days: after these a run that has ended loses its recordings; 0: never.
+    """
 
     name: str
     key_path: Path | None
     promise: Literal["exact", "outcome"] = "outcome"
+    keep_days: float = 0.0
 
 
 class RecordUnavailable(Exception):
@@ -64,12 +73,41 @@ class RunRecords:
         self._store, self._recordings, self._settings = store, recordings, settings
         # One statement after another: each names the one before.
         self._signing = asyncio.Lock()
+        self._removing: asyncio.Task[None] | None = None
 
     async def open(self) -> None:
         """Read or make the key. Raises UnusableRecord, OSError and StoreFailed."""
+        self._recordings.open()
         path = self._settings.key_path
         self._key = make_key() if path is None else load_or_make(path)
         await self._store.use_key(self._key.keyid, self._key.public_key, time.time())
+        if self._settings.keep_days:
+            self._removing = asyncio.create_task(self._remove_old_for_ever())
+
+    async def close(self) -> None:
+        """Returns when all that was recorded is written."""
+        if self._removing is not None:
+            self._removing.cancel()
+            await asyncio.wait([self._removing])
+        await self._recordings.close()
+
+    async def _remove_old_for_ever(self) -> None:
+        while True:
+            try:
+                await self.remove_old(time.time())
+            except StoreFailed as error:
+                log.warning("old recordings are not removed: %s", error)
+            await asyncio.sleep(REMOVE_EVERY_S)
+
+    async def remove_old(self, now_wall: float) -> None:
+        """Remove the recordings of runs that ended too long ago."""
+        before = now_wall - self._settings.keep_days * 86_400
+        run_ids = await asyncio.to_thread(self._recordings.run_ids)
+        for start in range(0, len(run_ids), RUNS_PER_READ):
+            heads = await self._store.heads(run_ids[start : start + RUNS_PER_READ])
+            for run_id, head in heads.items():
+                if head.state in RESTING_STATES and head.updated_at_wall < before:
+                    await self._recordings.remove_run(run_id)
 
     async def keys(self) -> list[PublicKey]:
         """REC-101: every key that signed, the newest first."""

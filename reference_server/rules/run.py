@@ -58,6 +58,16 @@ class Recording:
     latency: Mapping[str, float]
 
 
+@dataclass(frozen=True, slots=True)
+class PublicKey:
+    """A key that signs records, or did. retired_at_wall: None for the key in use."""
+
+    keyid: str
+    public_key: bytes
+    created_at_wall: float
+    retired_at_wall: float | None
+
+
 @dataclass(slots=True)
 class Episode:
     """One trial of the manifest.
@@ -226,3 +236,12 @@ class Run(RunHead):
         self.ended[session.session_id] = ended_by
         if len(self.ended) > ENDED_SESSIONS_MAX:
             self.ended.popitem(last=False)
+
+
+def index_of(episode_id: str) -> int | None:
+    """The index of the episode with this id (RUN-024); None for no episode's id."""
+    digits = episode_id.removeprefix("e")
+    if not (digits.isascii() and digits.isdigit()) or len(digits) > 9:
+        return None
+    index = int(digits)
+    return index if episode_id == f"e{index:04d}" else None

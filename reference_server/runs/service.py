@@ -34,11 +34,11 @@ from reference_server.rules.lifecycle import (
     availability,
     changes_state,
     decide,
+    refuse_record,
 )
 from reference_server.rules.manifest import Submission
-from reference_server.rules.records import PublicKey, index_of, refuse_record
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.rules.run import Episode, PublicKey, Run, RunHead, index_of
 from reference_server.rules.submission import (
     KeyUse,
     SubmissionLimits,

@@ -28,8 +28,7 @@ from sqlalchemy.ext.asyncio import AsyncConnection, AsyncEngine, create_async_en
 
 from reference_server.rules.capacity import WaitingRun
 from reference_server.rules.manifest import Manifest
-from reference_server.rules.records import PublicKey
-from reference_server.rules.run import Episode, Run, RunHead, State
+from reference_server.rules.run import Episode, PublicKey, Run, RunHead, State
 from reference_server.storage import rows
 from reference_server.system import private_files
 

@@ -12,8 +12,7 @@ from typing import Any
 
 from reference_server.generated import models
 from reference_server.rules.policy_server import PolicyServerConfig
-from reference_server.rules.records import PublicKey
-from reference_server.rules.run import Episode, RunHead
+from reference_server.rules.run import Episode, PublicKey, RunHead
 from reference_server.rules.scoring import ScoredEpisode, score_of
 
 

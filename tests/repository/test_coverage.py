@@ -30,9 +30,9 @@ OWN_TESTS = {
         "test_effects_in_any_order.py",
         "test_push_run_rules.py",
     ),
-    "reference_server/rules/records.py": ("test_record_rules.py",),
     "reference_server/rules/lifecycle.py": (
         "test_lifecycle.py",
+        "test_record_rules.py",
         "test_push_run_rules.py",
     ),
     "reference_server/profiles/ebench/lost_answers.py": ("test_lost_answers.py",),

@@ -2,8 +2,8 @@
 
 import pytest
 
-from reference_server.rules.records import index_of, refuse_record
-from reference_server.rules.run import State
+from reference_server.rules.lifecycle import refuse_record
+from reference_server.rules.run import State, index_of
 from tests.support.server.runs import make_run
 
 
