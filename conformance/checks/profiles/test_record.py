@@ -345,5 +345,7 @@ def test_rec_111_starts_have_equal_digests(context: CheckContext) -> None:
         expect.equal(len(digests), 1, f"number of different starts, episode {index}")
         facts = record.lines[index]["recording"]
         expect.true(facts["first_digest"] in digests, "first_digest", facts)
-        last = recording.of("/turn")[-1]["state_digest"]
+        turns = recording.of("/turn")
+        expect.true(turns, f"a turn of episode {index}")
+        last = turns[-1]["state_digest"]
         expect.equal(facts["last_digest"], last, "last_digest")
