@@ -157,13 +157,21 @@ class Sample:
 
     def record(self, folder: Path) -> Record:
         """Signed; its recordings are files in `folder`."""
-        paths: dict[str, Path] = {}
-        lines = []
-        for index, messages in enumerate(self.episodes):
-            path = folder / f"{index:05}.mcap"
-            lines.append(self._line(index, messages, path))
-            paths[recording_name(index)] = path
-        lines = list(self.change_lines(lines))
+        return self.sign(self.play(folder), folder)
+
+    def play(self, folder: Path) -> list[EpisodeLine]:
+        """Write the recordings to files in `folder`."""
+        lines = [
+            self._line(index, messages, folder / f"{index:05}.mcap")
+            for index, messages in enumerate(self.episodes)
+        ]
+        return list(self.change_lines(lines))
+
+    def sign(self, lines: list[EpisodeLine], folder: Path) -> Record:
+        paths = {
+            recording_name(index): folder / f"{index:05}.mcap"
+            for index in range(len(self.episodes))
+        }
         return build_record(
             self._evaluation(lines),
             manifest=self.manifest,
