@@ -86,8 +86,36 @@ def build_record(
     recordings: name in the record → file on this machine. Raises UnusableRecord if one
     does not have the digest that its line says, and OSError if it cannot be read.
     """
+    contents, digests = _contents(manifest, list(lines), recordings)
+    if digests[MANIFEST] != evaluation.manifest_sha256:
+        raise UnusableRecord("the manifest has another digest than the run")
+    subjects = sorted(digests.items(), key=lambda item: order(item[0]))
+    payload = write_statement(subjects, PREDICATE_TYPE, evaluation)
+    return _with_statement(contents, sign_envelope(payload, key))
+
+
+def reopen_record(
+    statement: bytes,
+    *,
+    manifest: bytes,
+    lines: Iterable[EpisodeLine],
+    recordings: Mapping[str, Path],
+) -> Record:
+    """The record that was signed before, from its statement. Raises as build_record."""
+    contents, _ = _contents(manifest, list(lines), recordings)
+    return _with_statement(contents, statement)
+
+
+def _with_statement(contents: Mapping[str, Content], statement: bytes) -> Record:
+    digest = hashlib.sha256(statement).hexdigest()
+    return Record({**contents, STATEMENT: _of_bytes(statement)}, digest)
+
+
+def _contents(
+    manifest: bytes, all_lines: list[EpisodeLine], recordings: Mapping[str, Path]
+) -> tuple[dict[str, Content], dict[str, str]]:
+    """All files but the statement, and their digests, by name."""
     encoder = msgspec.json.Encoder()
-    all_lines = list(lines)
     episodes = b"".join(encoder.encode(line) + b"\n" for line in all_lines)
     contents = {MANIFEST: _of_bytes(manifest), EPISODES: _of_bytes(episodes)}
     digests = {
@@ -102,13 +130,7 @@ def build_record(
                 raise UnusableRecord(f"{name} is not what was recorded")
     if len(all_lines) > EPISODES_MAX:
         raise UnusableRecord(f"a record has at most {EPISODES_MAX} episodes")
-    if digests[MANIFEST] != evaluation.manifest_sha256:
-        raise UnusableRecord("the manifest has another digest than the run")
-    subjects = sorted(digests.items(), key=lambda item: order(item[0]))
-    payload = write_statement(subjects, PREDICATE_TYPE, evaluation)
-    statement = sign_envelope(payload, key)
-    contents[STATEMENT] = _of_bytes(statement)
-    return Record(contents, hashlib.sha256(statement).hexdigest())
+    return contents, digests
 
 
 def add_verdict(bundle: Bundle, path: Path, name: str, verdict: bytes) -> None:
@@ -148,10 +170,10 @@ def _of_bytes(data: bytes) -> Content:
 
 def _of_file(path: Path) -> tuple[Content, str]:
     size, crc, digest = 0, 0, hashlib.sha256()
-    for block in _blocks_of(path):
+    for block in blocks_of(path):
         size, crc = size + len(block), zlib.crc32(block, crc)
         digest.update(block)
-    return Content(size, crc, partial(_blocks_of, path)), digest.hexdigest()
+    return Content(size, crc, partial(blocks_of, path)), digest.hexdigest()
 
 
 def _of_bundle(bundle: Bundle, name: str) -> Content:
@@ -161,7 +183,8 @@ def _of_bundle(bundle: Bundle, name: str) -> Content:
     return Content(bundle.sizes[name], crc, partial(bundle.blocks, name))
 
 
-def _blocks_of(path: Path) -> Iterator[bytes]:
+def blocks_of(path: Path) -> Iterator[bytes]:
+    """The bytes of a file, a block at a time."""
     with path.open("rb") as file:
         while block := file.read(BLOCK_BYTES):
             yield block

@@ -50,6 +50,11 @@ class SigningKey:
         return self._key.sign(message)
 
 
+def make_key() -> SigningKey:
+    """A new pair, in memory alone."""
+    return SigningKey(Ed25519PrivateKey.generate().private_bytes_raw())
+
+
 def load_or_make(path: Path) -> SigningKey:
     """The key in a file that its owner alone may read; made when there is none.
 

@@ -117,7 +117,7 @@ def _write_all(
         content = memoryview(message_record(0, at_ns, said))
         writer.add(topic, content[RECORD_HEAD.size :])
     writer.finish()
-    return figures.summary(writer.digest, file.tell())
+    return figures.summary(writer.digest, writer.size)
 
 
 def _sync_folder(folder: Path) -> None:
@@ -184,6 +184,10 @@ class _RecordingWriter:
         self._write(record(HEADER, text("") + text("proctor")))
         for topic, channel in self._topics.items():
             self._declare(topic, channel)
+
+    @property
+    def size(self) -> int:
+        return self._at
 
     @property
     def digest(self) -> str:

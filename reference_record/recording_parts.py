@@ -83,6 +83,7 @@ def read_part(path: Path) -> Iterator[tuple[str, memoryview]]:
         size = os.fstat(file.fileno()).st_size
         while (found := _read_record(file, size)) is not None:
             kind, content = found
+            size -= RECORD_HEAD.size + len(content)
             channel = int.from_bytes(content[:2], "little")
             if kind == CAMERA_TOPIC:
                 topics[channel] = content[_NAME_AT:].decode(errors="replace")
@@ -93,12 +94,12 @@ def read_part(path: Path) -> Iterator[tuple[str, memoryview]]:
 
 
 def _read_record(file: BinaryIO, size: int) -> tuple[int, bytes] | None:
-    """None at the end, or where the record is not whole. size: of the file."""
+    """None at the end, or where the record is not whole. size: what is left to read."""
     head = file.read(RECORD_HEAD.size)
     if len(head) < RECORD_HEAD.size:
         return None
     kind, length = RECORD_HEAD.unpack(head)
-    if not MESSAGE_HEAD.size <= length <= size - file.tell():
+    if not MESSAGE_HEAD.size <= length <= size - len(head):
         return None
     return kind, file.read(length)
 

@@ -28,6 +28,7 @@ from reference_server.push.egress import EgressPolicy
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_server_validator import PolicyServerValidator
 from reference_server.records.recordings import Recordings
+from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.submission import SubmissionLimits
@@ -46,15 +47,9 @@ _VERSION_HEADER = (b"proctor-version", PROTOCOL_VERSION.encode())
 
 def build(settings: Settings, tokens: Tokens) -> Application:
     """One server, its parts connected. Nothing runs before the lifespan begins."""
-    recordings = _open_recordings(settings)
-    if recordings is None:
-        store = Store(settings.database_url)
-    else:
-        store = Store(
-            settings.database_url,
-            recordings.finish_unplayed,
-            recordings.remove_parts,
-        )
+    recordings = _recordings_of(settings)
+    store = _store_of(settings, recordings)
+    records = _records_of(settings, store, recordings)
     pool = SimulatorPool(
         settings.max_simulators, settings.spare_simulators, settings.turn_timeout_s
     )
@@ -89,6 +84,7 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         executor,
         policy_server_validator.validate_and_encrypt,
         policy_server_validator.digest_key,
+        records,
     )
     streams = SharedStreams(settings.max_event_streams)
     handlers = Handlers(settings, service, streams)
@@ -96,10 +92,10 @@ def build(settings: Settings, tokens: Tokens) -> Application:
 
     @asynccontextmanager
     async def lifespan(_app: Any) -> AsyncIterator[None]:
-        if recordings is not None:
-            recordings.open()
         await store.open()
         key_encryption.open()
+        if records is not None:
+            await records.open()
         await registry.open()
         await pool.start()
         driver.open()
@@ -109,8 +105,8 @@ def build(settings: Settings, tokens: Tokens) -> Application:
             await driver.close()
             await executor.close()
             await registry.close()
-            if recordings is not None:
-                await recordings.close()
+            if records is not None:
+                await records.close()
             await pool.close()
             await store.close()
 
@@ -128,12 +124,33 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     return Application(router, registry.release_waiters)
 
 
-def _open_recordings(settings: Settings) -> Recordings | None:
-    return (
-        Recordings(settings.records_path, pictures=settings.record_pictures)
-        if settings.record
-        else None
+def _recordings_of(settings: Settings) -> Recordings | None:
+    if settings.recordings == "off":
+        return None
+    pictures = settings.recordings == "pictures"
+    return Recordings(settings.records_path, pictures=pictures)
+
+
+def _store_of(settings: Settings, recordings: Recordings | None) -> Store:
+    if recordings is None:
+        return Store(settings.database_url)
+    return Store(
+        settings.database_url, recordings.finish_unplayed, recordings.remove_parts
     )
+
+
+def _records_of(
+    settings: Settings, store: Store, recordings: Recordings | None
+) -> RunRecords | None:
+    if recordings is None:
+        return None
+    host = HostSettings(
+        settings.public_url or settings.host,
+        settings.signing_key_path,
+        settings.record_promise,
+        settings.records_keep_days,
+    )
+    return RunRecords(store, recordings, host)
 
 
 class _Endpoint:

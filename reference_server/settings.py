@@ -109,10 +109,11 @@ class Settings(BaseSettings):
         "answered and not executed. answer_chunks: a repetition if it is a list of "
         "steps that are not all equal.",
     )
-    record: bool = Field(
-        True,
-        description="Whether episodes are recorded: their actions, rewards, digests of "
-        "the simulator's state, faults and attempts.",
+    recordings: Literal["off", "actions", "pictures"] = Field(
+        "actions",
+        description="What is recorded of episodes. actions: what was executed, with "
+        "rewards, digests of the simulator's state, faults and attempts. pictures: the "
+        "images, too, as JPEG; without, they can be rendered again from the actions.",
     )
     records_dir: str = Field(
         "",
@@ -120,10 +121,16 @@ class Settings(BaseSettings):
         "next to the SQLite file; with another database, var/records; with one in "
         "memory, a folder that is removed when the server stops.",
     )
-    record_pictures: bool = Field(
-        False,
-        description="Whether recordings have the images, too, as JPEG. Without, they "
-        "can be rendered again from the actions.",
+    record_promise: Literal["exact", "outcome"] = Field(
+        "outcome",
+        description="What records promise of a replay with the same software on the "
+        "same kind of machine: equal states after each turn, or equal results.",
+    )
+    signing_key: str = Field(
+        "",
+        description="File with the key that signs records; created if missing. If "
+        "empty, a file next to the SQLite file; with another database, a key in memory "
+        "that is lost when the server stops.",
     )
     records_keep_days: float = Field(
         0,
@@ -289,7 +296,7 @@ class Settings(BaseSettings):
     def records_path(self) -> Path | None:
         """The folder of the recordings; None for one that lasts as long as the server.
 
-        `record` says whether there are any.
+        `recordings` says whether there are any.
         """
         if self.records_dir:
             return Path(self.records_dir)
@@ -298,6 +305,15 @@ class Settings(BaseSettings):
         if "://" in self.database:
             return Path("var/records")
         return Path(f"{self.database}.records")
+
+    @property
+    def signing_key_path(self) -> Path | None:
+        """The file of the key that signs records; None for a key in memory."""
+        if self.signing_key:
+            return Path(self.signing_key)
+        if "://" in self.database or ":memory:" in self.database:
+            return None
+        return Path(f"{self.database}.signing-key")
 
     @property
     def database_url(self) -> str:

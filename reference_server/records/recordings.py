@@ -3,8 +3,8 @@
 A simulator process appends the turns (`reference_sim/process/recorder.py`). What only
 the server knows (faults, how attempts end, the result) is appended here, in a part of
 its own. No file is touched in the event loop: each episode has one thread that does its
-work in order. What cannot be written is reported to whoever begins or finishes the
-episode next, never dropped.
+work in order. What cannot be written is reported when the episode begins again or is
+finished, never dropped.
 
     RECORDS/RUN_ID/00042.parts/000001.part    an episode in play
     RECORDS/RUN_ID/00042.mcap                 an episode with its result
@@ -182,6 +182,10 @@ class Recordings:
         """Remove all that was recorded of a run."""
         folder = self._folder / run_id
         await asyncio.to_thread(_remove_folder, folder)
+
+    def run_ids(self) -> list[str]:
+        """Of the runs that have files here. Reads the folder."""
+        return sorted(path.name for path in self._folder.iterdir())
 
     def disk_use(self) -> Iterator[DiskUse]:
         """Of each run, by its id. Reads the folder: not for the event loop."""

@@ -38,6 +38,7 @@ _COPIED_COLUMNS = (
     "created_at_wall",
     "updated_at_wall",
     "queue_until_wall",
+    "attempts_by_submitter",
 )
 _RESULT = msgspec.json.Decoder(Result)
 _RECORDING = msgspec.json.Decoder(Recording)
@@ -54,6 +55,8 @@ def new_run_row(run: Run) -> dict[str, Any]:
         "idle_timeout_s": run.idle_timeout_s,
         "images": msgspec.json.encode(run.images),
         "created_at_wall": run.created_at_wall,
+        "benchmark_id": run.manifest["benchmark_id"],
+        "attempts_by_submitter": run.attempts_by_submitter,
     }
 
 

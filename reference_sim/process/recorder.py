@@ -40,7 +40,7 @@ class RecordingPlan(msgspec.Struct, frozen=True):
     pictures: bool = False
 
 
-class RecordingFailed(Exception):
+class UnwritableRecording(Exception):
     """The recording could not be written."""
 
 
@@ -50,7 +50,7 @@ def state_digest(simulator: Simulator) -> str:
 
 
 class EpisodeRecorder:
-    """Records one attempt from its reset on. All methods raise RecordingFailed."""
+    """Records one attempt from its reset on. All methods raise UnwritableRecording."""
 
     def __init__(self, plan: RecordingPlan, simulator: Simulator) -> None:
         self._plan, self._simulator = plan, simulator
@@ -116,5 +116,5 @@ class EpisodeRecorder:
             raise _failed(error) from error
 
 
-def _failed(error: OSError) -> RecordingFailed:
-    return RecordingFailed(f"the recording could not be written: {error.strerror}")
+def _failed(error: OSError) -> UnwritableRecording:
+    return UnwritableRecording(f"the recording could not be written: {error.strerror}")

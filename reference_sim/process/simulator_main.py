@@ -31,8 +31,8 @@ from reference_sim.interface import Simulator, TaskUnplayable
 from reference_sim.process.encoding import EncodedObservation, encode
 from reference_sim.process.recorder import (
     EpisodeRecorder,
-    RecordingFailed,
     RecordingPlan,
+    UnwritableRecording,
 )
 from reference_sim.shared_frame_buffer import FRAME_BUFFER, SharedFrameBuffer
 
@@ -201,7 +201,7 @@ class _EpisodeHost:
             return self._execute(command)
         except TaskUnplayable as unplayable:
             return FailureReply(str(unplayable), unplayable=True)
-        except RecordingFailed as failed:
+        except UnwritableRecording as failed:
             return FailureReply(str(failed), unplayable=False)
         except Exception as error:  # noqa: BLE001 - a simulator may raise anything
             _log.error("simulator failed", exc_info=True)

@@ -30,7 +30,7 @@ from reference_record.recording_parts import (
     read_part,
 )
 from tests.support.paths import ROOT
-from tests.support.recordings import make_turn
+from tests.support.sim.recorded_turn import make_turn
 
 STARTED = AttemptEvent(1, "started", "t", state_digest="00")
 RESULT = EpisodeResult("success", success=True, score=1.0, steps=3, attempts=1, at="t")
@@ -170,7 +170,7 @@ def test_a_write_that_stops_half_way_is_an_error(
 WRITE_AND_SAY = """
 import sys
 from pathlib import Path
-from tests.support.recordings import make_turn
+from tests.support.sim.recorded_turn import make_turn
 from reference_record.recording_parts import PartWriter
 part = PartWriter(Path(sys.argv[1]))
 for seq in range(1_000_000):

@@ -75,14 +75,15 @@ MAY_IMPORT: dict[str, set[str]] = {
     "generated": set(),
     "rules": {"generated"},
     "storage": {"rules", "system"},
-    "records": {"rules", "storage", "reference_record", "reference_sim"},
+    "records": {"generated", "reference_record", "reference_sim", "rules", "storage"},
     "system": set(),
     "views": {"generated", "reference_sim", "rules"},
-    "runs": {"generated", "records", "reference_sim", "rules", "storage", "system"}
-    | {"views"},
+    "runs": {"generated", "records", "reference_record", "reference_sim", "rules"}
+    | {"storage", "system", "views"},
     "push": {"allowed_networks", "generated", "http", "rules", "runs"}
     | {"storage", "system"},
-    "http": {"generated", "rules", "runs", "settings", "storage", "system", "views"},
+    "http": {"generated", "reference_record", "rules", "runs", "settings", "storage"}
+    | {"system", "views"},
     "profiles": {"generated", "http", "push", "rules", "runs", "settings", "views"},
 }
 # Of these two, a folder above them may know only what is named here.

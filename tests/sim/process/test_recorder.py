@@ -22,7 +22,7 @@ from tests.support.sim.calibration_action import calibration_action as action
 
 
 def play(story: Callable[[SimulatorHandle], Awaitable[None]]) -> None:
-    """Tell a story of a simulator of `calibration`, in a process of its own."""
+    """Play a story of a simulator of `calibration`, in a process of its own."""
 
     async def run() -> None:
         pool = SimulatorPool(1, 0)
