@@ -55,7 +55,7 @@ metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics ap
 metaworld-check: metaworld ## Run the tests that need Meta-World
 	@.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py
 metaworld-table: metaworld ## Play its experts both ways, rewrite their page
-	@OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python tools/metaworld_table.py $(ARGS)
+	@OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python tools/measurements/metaworld_table.py $(ARGS)
 lerobot: .venv-lerobot/ready ## Install LeRobot and torch apart (7 GB on Linux)
 lerobot-check: lerobot ## Run the tests that need LeRobot
 	@.venv-lerobot/bin/python -m pytest tests/client/policies/lerobot_checks.py
@@ -90,7 +90,7 @@ kill-matrix: setup ## Judge the kit on broken servers, rewrite its page
 	@$(python) -m tests.mutants.kill --write
 false-alarms: setup ## Run the kit on right servers again and again
 #                   RUNS=... BUSY=1 (every run on a busy machine) ARGS=--write
-	@$(python) -m tools.false_alarms $${RUNS:+--runs "$$RUNS"} $${BUSY:+--load busy} $(ARGS)
+	@$(python) -m tools.measurements.false_alarms $${RUNS:+--runs "$$RUNS"} $${BUSY:+--load busy} $(ARGS)
 mutation: setup ## Judge the kit on machine-made changes of a server, rewrite its page
 #                   SERVER=js or go; SAMPLE=150 (all without it) SEED=1 JOBS=2
 #                   ARGS='--again survived'; goes on where it was ended

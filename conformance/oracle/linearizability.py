@@ -29,6 +29,9 @@ from conformance.oracle.run_model import (
     closure,
 )
 
+# Codes of the answer to a turn that may have begun: a command ended its session.
+_OF_A_BEGUN_TURN = (None, "session_ended", "session_superseded")
+
 
 @dataclass(frozen=True, slots=True)
 class TimedExchange:
@@ -103,7 +106,7 @@ def _refused_during_turn(
             if turn.session != request.session or one.started_at > refused.ended_at:
                 continue
             session = model.session(turn.session)
-            has_begun = one.summary.code in (None, "session_ended")
+            has_begun = one.summary.code in _OF_A_BEGUN_TURN
             if not has_begun or turn.seq != session.seq + 1:
                 continue
             taken = replace(session, seq=turn.seq, request=turn.steps)

@@ -669,7 +669,10 @@ class Problem(BaseModel):
     side_effects: SideEffects
     errors: list[ProblemItem] | MISSING = MISSING
     requirement: Annotated[
-        str | MISSING, Field(description="Id of the rule that was enforced.")
+        str | MISSING,
+        Field(
+            description="Id of the rule that was enforced.", pattern="^[A-Z]+-[0-9]+$"
+        ),
     ] = MISSING
     state: RunState | MISSING = MISSING
     expected_seq: Annotated[int | MISSING, Field(ge=1)] = MISSING

@@ -111,29 +111,25 @@ class RawClient:
         is_new = self._socket is None
         try:
             return self._exchange(sent)
-        except TimeoutError as error:
-            self.close()
-            raise NoAnswer from error
         except OSError:
-            self.close()
             if is_new:
                 raise
         # The server may have closed a connection that was idle.
+        return self._exchange(sent)
+
+    def _exchange(self, sent: bytes) -> Answer:
         try:
-            return self._exchange(sent)
+            connection = self.connect()
+            # It may answer and hang up before all is read.
+            with contextlib.suppress(BrokenPipeError, ConnectionResetError):
+                connection.sendall(sent)
+            return self.read_answer()
         except TimeoutError as error:
             self.close()
             raise NoAnswer from error
         except OSError:
             self.close()
             raise
-
-    def _exchange(self, sent: bytes) -> Answer:
-        connection = self.connect()
-        # It may answer and hang up before all is read.
-        with contextlib.suppress(BrokenPipeError, ConnectionResetError):
-            connection.sendall(sent)
-        return self.read_answer()
 
     def read_answer(self) -> Answer:
         """The next answer of this connection; raises OSError."""

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 import os
-import subprocess
 from collections.abc import Iterator, Sequence
 from datetime import UTC, datetime
 
 from tests.attack.server_usage import MB
 from tests.attack.verdicts import PROMISES, Latency, Promise, Result
-from tests.support.paths import DOCS, ROOT
+from tests.support.paths import DOCS
+from tools.measurements.git_commit import read_commit
 
 PAGE = DOCS / "reliability.md"
 COLUMNS = (
@@ -89,10 +89,7 @@ def _mb(size: int) -> str:
 
 def write(results: Sequence[Result], *, form: str, seed: int, load: float) -> None:
     """form: what was run. load: average of running processes when it began."""
-    commit = subprocess.run(
-        ["git", "rev-parse", "--short", "HEAD"],
-        cwd=ROOT, check=True, capture_output=True, text=True,
-    ).stdout.strip()  # fmt: skip
+    commit, _ = read_commit()
     date = datetime.now(UTC).date().isoformat()
     head = (
         "# Reliability\n\n"

@@ -118,6 +118,17 @@ def _count_findings(result: Result) -> int:
     return sum(r.wrong_5xx + r.hangs + len(r.violations) for r in reports)
 
 
+def _no_findings_in(text: str, attack: str, promised: int) -> Promise:
+    return Promise(
+        text,
+        "findings",
+        _count_findings,
+        lambda r: _count_findings(r) > 0,
+        lambda r: r.attack.name == attack,
+        promised,
+    )
+
+
 PROMISES = {
     "latency": Promise(
         "p99 of `GET /v1` of another account is under 250 ms during every attack",
@@ -192,28 +203,19 @@ PROMISES = {
         lambda r: len(r.report.violations),
         lambda r: len(r.report.violations) > 0,
     ),
-    "fuzz": Promise(
+    "fuzz": _no_findings_in(
         "10⁶ random requests over three APIs: no 500, no hang, no change where refused",
-        "findings",
-        _count_findings,
-        lambda r: _count_findings(r) > 0,
-        lambda r: r.attack.name == "fuzz",
+        "fuzz",
         10**6,
     ),
-    "kills": Promise(
+    "kills": _no_findings_in(
         "1,000 kills of the server, 8 workers: no result is lost, doubled, rescored",
-        "findings",
-        _count_findings,
-        lambda r: _count_findings(r) > 0,
-        lambda r: r.attack.name == "server kills",
+        "server kills",
         1000,
     ),
-    "simulators": Promise(
+    "simulators": _no_findings_in(
         "1,000 kills of simulators, 8 workers: no result is lost, doubled, rescored",
-        "findings",
-        _count_findings,
-        lambda r: _count_findings(r) > 0,
-        lambda r: r.attack.name == "simulator kills",
+        "simulator kills",
         1000,
     ),
     "soak": Promise(

@@ -1,4 +1,4 @@
-"""One server for the tests of the client, and a folder with policies."""
+"""One server for the tests of the client, its users, and a folder with policies."""
 
 import sys
 from collections.abc import Iterator
@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.client.command import POLICIES
+from tests.support.client.command import POLICIES, ProctorCommand
+from tests.support.client.direct_client import DirectClient
 from tests.support.servers import TOKENS, ReferenceServer
 
 
@@ -14,6 +15,19 @@ from tests.support.servers import TOKENS, ReferenceServer
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
     with ReferenceServer(tmp_path_factory.mktemp("server")) as server:
         yield server
+
+
+@pytest.fixture
+def direct_client(server: ReferenceServer) -> Iterator[DirectClient]:
+    with DirectClient(server.url) as direct_client:
+        yield direct_client
+
+
+@pytest.fixture
+def proctor(
+    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
+) -> ProctorCommand:
+    return ProctorCommand(server.url, capsys)
 
 
 @pytest.fixture

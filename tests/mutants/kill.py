@@ -34,6 +34,7 @@ from conformance.verdicts.universal_rules import UNIVERSAL_RULES
 from reference_sim.mujoco.rendering import RenderingUnavailable, find_backend
 from tests.mutants import Mutant, load
 from tests.mutants.fork_server import PLAIN, Commands, fork_servers
+from tools.measurements.git_commit import read_commit
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "contribute" / "kill-matrix.md"
@@ -202,12 +203,6 @@ def matrix(kills: Sequence[Kill], version: str) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _version() -> str:
-    command = ["git", "log", "-1", "--date=short", "--format=commit %h of %cd"]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
-    return done.stdout.strip()
-
-
 def main() -> int:
     """Returns 0 when every mutant is killed exactly."""
     arguments = argparse.ArgumentParser(description=__doc__)
@@ -240,7 +235,7 @@ def main() -> int:
             kills.append(kill)
             print(kill, flush=True)
     if options.write:
-        PAGE.write_text(matrix(kills, _version()))
+        PAGE.write_text(matrix(kills, "commit {} of {}".format(*read_commit())))
     exact = sum(kill.is_exact for kill in kills)
     what = "mutants with a seed" if options.seeds else "mutants"
     print(f"{exact} of {len(kills)} {what} killed exactly")

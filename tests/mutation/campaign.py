@@ -10,7 +10,6 @@ import datetime as dt
 import hashlib
 import json
 import queue
-import subprocess
 import tempfile
 import threading
 from collections import Counter
@@ -23,6 +22,7 @@ from tests.mutants.fork_server import forked_kit
 from tests.mutation.judge import Judgement, judge
 from tests.mutation.syntax import MutantSource
 from tests.mutation.targets import ROOT, Target
+from tools.measurements.git_commit import read_commit
 
 RESULTS = ROOT / "var" / "mutation"
 
@@ -68,13 +68,6 @@ def results_of(target: Target) -> Path:
     return RESULTS / f"{target.name}.jsonl"
 
 
-def commit() -> str:
-    """The commit whose kit judges."""
-    command = ["git", "rev-parse", "--short", "HEAD"]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
-    return done.stdout.strip()
-
-
 class Killers:
     """Which rules failed by changes of the same function, file, or at all."""
 
@@ -107,7 +100,7 @@ class Campaign:
         self._seed = seed
         self._jobs = jobs
         self._path = path
-        self._commit = commit()
+        self._commit, _ = read_commit()
         self._lock = threading.Lock()
         self._copies: queue.Queue[Path] = queue.Queue()
         self._kit: tuple[str, ...] = ()

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from tests.mutation.operators import find_mutants
 from tests.mutation.syntax import MutantSource, has_same_tree
+from tools.example_servers import NODE
 
 ROOT = Path(__file__).parents[2]
 
@@ -83,8 +84,8 @@ class Target:
 TARGETS = {
     "js": Target(
         *("js", "examples/server_js", ".js"),
-        check="node --check {file}",
-        start="node {}/server.js",
+        check=f"{NODE} --check {{file}}",
+        start=f"{NODE} {{}}/server.js",
     ),
     "go": Target(
         *("go", "examples/server_go", ".go"),

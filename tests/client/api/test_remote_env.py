@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import warnings
-from collections.abc import Iterator
 from typing import Any
 
 import gymnasium
@@ -24,12 +23,6 @@ pytestmark = pytest.mark.slow("starts servers or kits")
 
 # What check_env advises about bounds, which are the benchmark's to choose.
 ADVICE = ("symmetric and normalized space", "is probably too (low|high)")
-
-
-@pytest.fixture
-def direct_client(server: ReferenceServer) -> Iterator[DirectClient]:
-    with DirectClient(server.url) as direct_client:
-        yield direct_client
 
 
 @pytest.fixture(autouse=True)

@@ -7,7 +7,6 @@ from pathlib import Path
 import pytest
 
 from tests.support.client.command import ProctorCommand, options
-from tests.support.servers import ReferenceServer
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
 TASKS = ("score", "score", "count")
@@ -22,13 +21,6 @@ def graded(observation):
     score = float(scores[int(observation.episode_id[1:])])
     return policies.action(score=score, success=float(score > 0.5), end=1.0)
 """
-
-
-@pytest.fixture
-def proctor(
-    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
-) -> ProctorCommand:
-    return ProctorCommand(server.url, capsys)
 
 
 @pytest.fixture(autouse=True)

@@ -26,13 +26,6 @@ from tests.support.servers import ReferenceServer
 pytestmark = pytest.mark.usefixtures("policy_folder")
 
 
-@pytest.fixture
-def proctor(
-    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
-) -> ProctorCommand:
-    return ProctorCommand(server.url, capsys)
-
-
 def one_line(text: str) -> bool:
     return text.startswith("proctor: ") and text.count("\n") == 1
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 import shlex
 import signal
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -14,7 +13,7 @@ from reference_client.command.output import scored_text
 from reference_client.evaluation.status_board import Progress
 from tests.support.client.command import ProctorCommand, options, start_proctor
 from tests.support.client.direct_client import DirectClient
-from tests.support.servers import TIMEOUT_S, ReferenceServer
+from tests.support.servers import TIMEOUT_S
 from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
@@ -22,19 +21,6 @@ RESUME = re.compile(r"^  proctor (run .*)$", re.MULTILINE)
 # A process may execute one more action before it stops.
 WAITS = re.compile(r"e0000 waits at step [34] until \d\d:\d\d:\d\d; attempt 1 of 3\.")
 EPISODE = options("count", max_steps=10, max_attempts=3)
-
-
-@pytest.fixture
-def proctor(
-    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
-) -> ProctorCommand:
-    return ProctorCommand(server.url, capsys)
-
-
-@pytest.fixture
-def direct_client(server: ReferenceServer) -> Iterator[DirectClient]:
-    with DirectClient(server.url) as direct_client:
-        yield direct_client
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])

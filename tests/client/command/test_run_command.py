@@ -12,7 +12,6 @@ import shlex
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -32,19 +31,6 @@ from tests.support.waiting import wait_until
 pytestmark = pytest.mark.usefixtures("policy_folder")
 RESUME = re.compile(r"^  (proctor run .*)$", re.MULTILINE)
 RUN_BLOCKING_POLICY = ["run", "--no-dry-turn", "--policy", "policies:Held"]
-
-
-@pytest.fixture
-def proctor(
-    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
-) -> ProctorCommand:
-    return ProctorCommand(server.url, capsys)
-
-
-@pytest.fixture
-def direct_client(server: ReferenceServer) -> Iterator[DirectClient]:
-    with DirectClient(server.url) as direct_client:
-        yield direct_client
 
 
 def acting_policies(policy_folder: Path) -> int:

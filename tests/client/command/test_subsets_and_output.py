@@ -25,13 +25,6 @@ pytestmark = pytest.mark.usefixtures("policy_folder")
 FIVE = options(*["score"] * 5)
 
 
-@pytest.fixture
-def proctor(
-    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
-) -> ProctorCommand:
-    return ProctorCommand(server.url, capsys)
-
-
 @pytest.mark.parametrize("workers", ["1", "3"])
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
 def test_the_first_episodes_are_played(

@@ -57,12 +57,6 @@ def proxy(server: ReferenceServer) -> Iterator[FaultyProxy]:
         yield proxy
 
 
-@pytest.fixture
-def direct_client(server: ReferenceServer) -> Iterator[DirectClient]:
-    with DirectClient(server.url) as direct_client:
-        yield direct_client
-
-
 # Runs that end, and go on
 
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -31,12 +30,6 @@ SEEN = Observation(
     episode_id="e0001",
     step=3,
 )
-
-
-@pytest.fixture
-def direct_client(server: ReferenceServer) -> Iterator[DirectClient]:
-    with DirectClient(server.url) as direct_client:
-        yield direct_client
 
 
 def save_config(folder: Path, *, names: str = "", **members: Any) -> Path:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -47,12 +47,6 @@ SEEN = Observation(
     episode_id="e0001",
     step=3,
 )
-
-
-@pytest.fixture
-def direct_client(server: ReferenceServer) -> Iterator[DirectClient]:
-    with DirectClient(server.url) as direct_client:
-        yield direct_client
 
 
 def mapping(

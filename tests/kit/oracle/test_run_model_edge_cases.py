@@ -227,6 +227,24 @@ def test_only_a_turn_that_has_begun_takes_its_seq(
     assert not explain(RULES, models, [other, at(beside, summary, 0, 9)])
 
 
+def test_a_turn_that_a_takeover_ends_has_taken_its_seq() -> None:
+    """Beside it another body under its seq, and the seq before."""
+    models = advance_all(one_episode_run(), attach_exchange())
+    taken_over = Attach("a", "another key", takeover=True)
+    successor = turn("s2", 0, [])
+    successor.body["observation"]["state"]["count"] = [0]
+    begun = at(PLAY, refused("session_superseded"), 1, 9)
+    over = at(taken_over, successor, 4, 8)
+    conflict = at(replace(PLAY, steps=(END,)), refused("seq_conflict"), 2, 3)
+    old = at(replace(PLAY, seq=0), refused("seq_out_of_order", expected_seq=1), 2, 3)
+    assert explain(RULES, models, [begun, over])
+    for beside in (conflict, old):
+        assert explain(RULES, models, [begun, over, beside])
+        assert not explain(
+            RULES, models, [over, replace(beside, started_at=10, ended_at=11)]
+        )
+
+
 def test_a_turn_that_has_begun_explains_only_what_follows_from_it() -> None:
     models = advance_all(one_episode_run(), attach_exchange())
     begun = at(PLAY, turn("s1", 1, [STEP]), 0, 9)

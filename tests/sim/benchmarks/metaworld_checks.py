@@ -17,7 +17,7 @@ from reference_sim.benchmarks.metaworld.world import SeededTask, expert
 from reference_sim.gymnasium import registration
 from reference_sim.gymnasium.benchmark_file import Benchmark, read
 from tests.support.servers import TOKENS, ReferenceServer
-from tools.metaworld_table import play_directly, play_through_protocol
+from tools.measurements.metaworld_table import play_directly, play_through_protocol
 
 TASKS = ("reach-v3", "button-press-topdown-v3", "drawer-close-v3", "peg-insert-side-v3")
 FEW = """

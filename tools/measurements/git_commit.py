@@ -1,0 +1,16 @@
+"""The commit that is checked out: what every measured page names."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def read_commit() -> tuple[str, str]:
+    """Give its short id and its day, as in `2026-11-22`."""
+    command = ["git", "log", "-1", "--date=short", "--format=%h %cd"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    commit, date = done.stdout.split()
+    return commit, date
