@@ -33,7 +33,7 @@ STATES = (
     *("stopped", "failed", "completed"),
 )
 SERVERLESS_COMMANDS = ("verify",)
-# Command → what it does; the last three are programs of their own.
+# Command → what it does; the last four are programs of their own.
 COMMANDS = {
     "submit": "submit a new run, or resume an existing one",
     "run": "evaluate a policy: submit, play, score",
@@ -47,6 +47,7 @@ COMMANDS = {
     "benchmarks": "list benchmarks; with NAME, show its action and observation spaces",
     "serve": "start the reference server (own flags)",
     "serve-policy": "serve a policy over HTTP, for push mode (own flags)",
+    "replay": "simulate the actions of a record again, sign what came out (own flags)",
     "conformance": "run the conformance kit against a server (own flags)",
 }
 

@@ -46,6 +46,7 @@ PROGRAMS = {
         ("starlette", "uvicorn"),
         "client",
     ),
+    "replay": ("reference_sim.replay", ("reference_sim", "mujoco"), "server"),
     "conformance": ("conformance", ("conformance", "hypothesis"), "kit"),
 }
 

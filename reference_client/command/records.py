@@ -175,9 +175,7 @@ def _keys_of(texts: list[str]) -> dict[str, str]:
     return keys
 
 
-def _names_of_host(
-    connection: Connection, retry_policy: RetryPolicy
-) -> dict[str, str]:
+def _names_of_host(connection: Connection, retry_policy: RetryPolicy) -> dict[str, str]:
     """keyid → the host, by the keys that it publishes."""
     host = connection.url.partition("://")[2]
     return dict.fromkeys(fetch_keys(connection, retry_policy), host)
