@@ -93,8 +93,7 @@ def _replay(args: argparse.Namespace) -> int:
     bundle = open_bundle(Path(args.file))
     report = verify(bundle)
     benchmark_registry.add(args.benchmarks, _say)
-    manifest = msgspec.json.decode(bundle.read(MANIFEST))
-    benchmark = resolve(report.evaluation, manifest["max_chunk"])
+    benchmark = resolve(report.evaluation, bundle.read(MANIFEST))
     replay = replay_record(
         Path(args.file),
         benchmark,

@@ -16,7 +16,8 @@ import msgspec
 from reference_record.broken import UnusableRecord
 from reference_record.formats.bundle import Bundle, open_bundle
 from reference_record.formats.mcap_reader import McapReader
-from reference_record.formats.names import EPISODES
+from reference_record.formats.names import EPISODES, MANIFEST
+from reference_record.formats.strict_json import read_json
 from reference_record.replay_verdict import Replay, replay_of
 from reference_record.statement import EpisodeLine, Evaluation, read_lines
 from reference_sim import benchmark_registry
@@ -34,13 +35,17 @@ class Benchmark:
     config: benchmark_registry.SimulatorConfig
 
 
-def resolve(evaluation: Evaluation, max_chunk: int) -> Benchmark:
+class _Limits(msgspec.Struct):
+    max_chunk: int
+
+
+def resolve(evaluation: Evaluation, manifest: bytes) -> Benchmark:
     """Raises UnusableRecord where this machine has another benchmark, or none."""
+    max_chunk = read_json(MANIFEST, manifest, _Limits).max_chunk
     benchmark_id = evaluation.benchmark.benchmark_id
     run = evaluation.run
     try:
-        if reason := benchmark_registry.unavailable_reason(benchmark_id):
-            raise UnusableRecord(f"{benchmark_id} cannot be simulated here: {reason}")
+        reason = benchmark_registry.unavailable_reason(benchmark_id)
         found = benchmark_registry.resolve(
             benchmark_id, run.options, run.images, max_chunk=max_chunk
         )
@@ -48,8 +53,13 @@ def resolve(evaluation: Evaluation, max_chunk: int) -> Benchmark:
         raise UnusableRecord(
             f"this machine has no benchmark {benchmark_id}; --benchmarks adds yours"
         ) from error
-    except benchmark_registry.InvalidChoice as error:
-        raise UnusableRecord(f"{benchmark_id} has other options: {error}") from error
+    except (LookupError, TypeError, ValueError, AttributeError) as error:
+        # Nothing has checked the options of a record before.
+        raise UnusableRecord(
+            f"{benchmark_id} has not the options of the record: {error}"
+        ) from error
+    if reason is not None:
+        raise UnusableRecord(f"{benchmark_id} cannot be simulated here: {reason}")
     canonical = msgspec.json.encode(found.manifest, order="deterministic")
     if hashlib.sha256(canonical).hexdigest() != evaluation.manifest_sha256:
         raise UnusableRecord(
