@@ -23,7 +23,7 @@ from reference_record.export import save_blocks
 from reference_record.formats.bundle import open_bundle
 from reference_record.recording import Message, Turn
 from reference_record.verification import verify
-from tests.support.record.records import (
+from tests.support.record.sample_records import (
     Messages,
     Sample,
     at,

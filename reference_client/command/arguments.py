@@ -129,15 +129,7 @@ def build_parser() -> argparse.ArgumentParser:
         help="finish the episodes in progress first",
     )
     _add_results_options(made["results"])
-    compare = made["compare"]
-    compare.add_argument("baseline", metavar="BASELINE", help="id of the baseline run")
-    compare.add_argument(
-        "runs", nargs="+", metavar="RUN", help="id of a run to compare"
-    )
-    compare.add_argument(
-        "--tolerance", type=_fraction, metavar="X",
-        help="maximum score difference for release, 0 to 1 (0.05)",
-    )  # fmt: skip
+    _add_compare_options(made["compare"])
     made["benchmarks"].add_argument(
         "benchmark", nargs="?", metavar="NAME", help="id of the benchmark to show"
     )
@@ -203,6 +195,15 @@ def _add_output_options(parser: argparse.ArgumentParser) -> None:
     shape.add_argument(
         "--debug", action="store_true", help="print the tracebacks of errors"
     )
+
+
+def _add_compare_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("baseline", metavar="BASELINE", help="id of the baseline run")
+    parser.add_argument("runs", nargs="+", metavar="RUN", help="id of a run to compare")
+    parser.add_argument(
+        "--tolerance", type=_fraction, metavar="X",
+        help="maximum score difference for release, 0 to 1 (0.05)",
+    )  # fmt: skip
 
 
 def _add_record_options(

@@ -1,4 +1,4 @@
-"""The commands export and verify: fetch the record of a run, check anybody's record.
+"""The commands export and verify: fetch the record of a run, check any record.
 
 `verify` reads a file alone; it asks a server only for the keys of its host.
 """
@@ -24,7 +24,7 @@ from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord
 from reference_record.export import save_blocks
 from reference_record.formats.bundle import open_bundle
-from reference_record.replay_verdict import Verdict
+from reference_record.replay_verdict import ReplayVerdict
 from reference_record.verification import Report, verify
 
 BROKEN = 1
@@ -132,7 +132,7 @@ def _score_text(score: Mapping[str, Any]) -> str:
     return f"{score['score']:.4f}"
 
 
-def _verdict_text(named: tuple[str | None, Verdict]) -> str:
+def _verdict_text(named: tuple[str | None, ReplayVerdict]) -> str:
     who, verdict = named
     replay = verdict.replay
     text = f"{who or f'unknown key {verdict.keyid}'}: {replay.result}, "

@@ -24,7 +24,7 @@ from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import MANIFEST
 from reference_record.keys import load_or_make
 from reference_record.recording import timestamp
-from reference_record.replay_verdict import Replay, write_verdict
+from reference_record.replay_verdict import ReplaySummary, write_verdict
 from reference_record.verification import Report, verify
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
@@ -107,7 +107,9 @@ def _replay(args: argparse.Namespace) -> int:
     return DIVERGED if replay.result == "diverged" else SAME
 
 
-def _add_verdict(args: argparse.Namespace, report: Report, replay: Replay) -> None:
+def _add_verdict(
+    args: argparse.Namespace, report: Report, replay: ReplaySummary
+) -> None:
     key = load_or_make(args.signing_key)
     verdict = write_verdict(
         replay,
@@ -139,7 +141,7 @@ class _Progress:
             _say(f"{self._done} of {self._total} episodes")
 
 
-def _print(replay: Replay, report: Report, *, as_json: bool) -> None:
+def _print(replay: ReplaySummary, report: Report, *, as_json: bool) -> None:
     if as_json:
         sys.stdout.write(json.dumps(msgspec.to_builtins(replay), indent=2) + "\n")
         return

@@ -18,7 +18,7 @@ from reference_record.formats.bundle import Bundle, open_bundle
 from reference_record.formats.mcap_reader import McapReader
 from reference_record.formats.names import EPISODES, MANIFEST
 from reference_record.formats.strict_json import read_json
-from reference_record.replay_verdict import Replay, replay_of
+from reference_record.replay_verdict import ReplaySummary, replay_of
 from reference_record.statement import EpisodeLine, Evaluation, read_lines
 from reference_sim import benchmark_registry
 from reference_sim.engine import engine_fingerprint
@@ -28,7 +28,7 @@ from reference_sim.replay.episode_replay import EpisodeReplay, Replayer
 
 
 @dataclass(frozen=True, slots=True)
-class Benchmark:
+class ReplayedBenchmark:
     """The benchmark of a record, as this machine has it."""
 
     manifest: dict[str, Any]
@@ -39,7 +39,7 @@ class _Limits(msgspec.Struct):
     max_chunk: int
 
 
-def resolve(evaluation: Evaluation, manifest: bytes) -> Benchmark:
+def resolve(evaluation: Evaluation, manifest: bytes) -> ReplayedBenchmark:
     """Raises UnusableRecord where this machine has another benchmark, or none."""
     max_chunk = read_json(MANIFEST, manifest, _Limits).max_chunk
     benchmark_id = evaluation.benchmark.benchmark_id
@@ -66,18 +66,18 @@ def resolve(evaluation: Evaluation, manifest: bytes) -> Benchmark:
             f"{benchmark_id} is another one here: its manifest has another SHA-256. "
             "Install the version of the record: proctor verify shows it"
         )
-    return Benchmark(found.manifest, found.world)
+    return ReplayedBenchmark(found.manifest, found.world)
 
 
 def replay_record(
     path: Path,
-    benchmark: Benchmark,
+    benchmark: ReplayedBenchmark,
     *,
     only: Sequence[int] | None = None,
     processes: int = 1,
     report: Callable[[int, EpisodeReplay], None] = lambda *_: None,
-) -> Replay:
-    """Replay a record that was verified. only: indices of episodes; None for all.
+) -> ReplaySummary:
+    """Simulate a verified record again. only: indices of episodes; None for all.
 
     report: called with each episode when it is done.
     """
@@ -104,7 +104,9 @@ def _lines(bundle: Bundle) -> Iterator[EpisodeLine]:
 _SIMULATORS: dict[str, Simulator] = {}  # of this process, one
 
 
-def _replay_one(path: Path, benchmark: Benchmark, line: EpisodeLine) -> EpisodeReplay:
+def _replay_one(
+    path: Path, benchmark: ReplayedBenchmark, line: EpisodeLine
+) -> EpisodeReplay:
     simulator = _simulator(benchmark)
     manifest = benchmark.manifest
     planned = manifest["episodes"][line.index]
@@ -128,7 +130,7 @@ def _replay_one(path: Path, benchmark: Benchmark, line: EpisodeLine) -> EpisodeR
         return Replayer(simulator, begin, line).play(messages)
 
 
-def _simulator(benchmark: Benchmark) -> Simulator:
+def _simulator(benchmark: ReplayedBenchmark) -> Simulator:
     name = benchmark.config.benchmark_id
     if name not in _SIMULATORS:
         _SIMULATORS[name] = benchmark_registry.make(benchmark.config)

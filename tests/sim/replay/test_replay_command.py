@@ -18,7 +18,7 @@ from reference_sim import benchmark_registry
 from reference_sim.replay.__main__ import main
 from tests.support.paths import ROOT
 from tests.support.record.played_records import keep, save_played_record
-from tests.support.record.records import HOST_KEY
+from tests.support.record.sample_records import HOST_KEY
 from tests.support.sim.calibration_action import calibration_action
 
 

@@ -27,7 +27,7 @@ from reference_sim import benchmark_registry
 from reference_sim.engine import engine_fingerprint
 from reference_sim.episode import Episode
 from reference_sim.process.recorder import EpisodeRecorder, RecordingPlan
-from tests.support.record.records import HOST_KEY, at
+from tests.support.record.sample_records import HOST_KEY, at
 from tests.support.sim.calibration_action import calibration_action
 
 OPTIONS = {"tasks": ["score", "count", "echo"]}

@@ -29,7 +29,7 @@ from reference_record.recording import (
 )
 from reference_record.recording_file import join_parts
 from reference_record.recording_parts import PartWriter
-from reference_record.replay_verdict import Replay, replay_of, write_verdict
+from reference_record.replay_verdict import ReplaySummary, replay_of, write_verdict
 from reference_record.score import Outcome, compute_score
 from reference_record.statement import (
     BenchmarkFacts,
@@ -259,13 +259,13 @@ def content_of(data: bytes, crc32: int) -> Content:
     return Content(len(data), crc32, lambda: [data])
 
 
-def good_replay() -> Replay:
+def good_replay() -> ReplaySummary:
     return replay_of(dict.fromkeys(range(4), ("exact", None)), ENGINE)
 
 
 def make_verdict(
     archive: bytes,
-    replay: Replay | None = None,
+    replay: ReplaySummary | None = None,
     *,
     statement_sha256: str | None = None,
     key: SigningKey = OTHER_KEY,
