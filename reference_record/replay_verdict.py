@@ -56,7 +56,7 @@ class Divergence(Struct):
     step: Count
 
 
-class Replay(Struct):
+class ReplaySummary(Struct):
     """Episodes by how they replayed. engine: versions of what replayed them."""
 
     result: Result
@@ -74,22 +74,27 @@ class SvrPredicate(Struct):
     verifier: Verifier
     timeCreated: Text  # noqa: N815 – in-toto's name
     properties: list[Text]
-    replay: Replay
+    replay: ReplaySummary
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class ReplayVerdict:
     """A verdict whose signature fits the key that it names."""
 
     file: str
     keyid: str
     name: str
     created_at: str
-    replay: Replay
+    replay: ReplaySummary
 
 
 def write_verdict(
-    replay: Replay, *, statement_sha256: Sha256, name: str, at: str, key: SigningKey
+    replay: ReplaySummary,
+    *,
+    statement_sha256: Sha256,
+    name: str,
+    at: str,
+    key: SigningKey,
 ) -> bytes:
     """The signed bytes of a verdict about one record (REC-014)."""
     public_key = base64.b64encode(key.public_key).decode()
@@ -103,7 +108,7 @@ def write_verdict(
     return sign_envelope(write_statement(subject, SVR_TYPE, predicate), key)
 
 
-def read_verdict(file: str, data: bytes, statement_sha256: str) -> Verdict:
+def read_verdict(file: str, data: bytes, statement_sha256: str) -> ReplayVerdict:
     """REC-014: raise BrokenRecord unless it is whole and about this record."""
     envelope = read_envelope(file, data)
     envelope.check_signature(public_key_in(envelope))
@@ -122,10 +127,12 @@ def read_verdict(file: str, data: bytes, statement_sha256: str) -> Verdict:
         raise BrokenRecord(
             file, "REC-014", "its result does not follow from its counts"
         )
-    return Verdict(file, envelope.keyid, said.verifier.name, said.timeCreated, replay)
+    return ReplayVerdict(
+        file, envelope.keyid, said.verifier.name, said.timeCreated, replay
+    )
 
 
-def _result_of(replay: Replay) -> Result:
+def _result_of(replay: ReplaySummary) -> Result:
     if replay.diverged:
         return "diverged"
     return "outcome" if replay.outcome else "exact"
@@ -133,14 +140,14 @@ def _result_of(replay: Replay) -> Result:
 
 def replay_of(
     results: Mapping[int, tuple[Result, Divergence | None]], engine: dict[str, Any]
-) -> Replay:
+) -> ReplaySummary:
     """The sum over episodes. results: index → how it replayed, and where it parted."""
     found = [result for result, _ in results.values()]
     first = next(
         (where for _, (how, where) in sorted(results.items()) if how == "diverged"),
         None,
     )
-    replay = Replay(
+    replay = ReplaySummary(
         "exact",
         len(found),
         found.count("exact"),

@@ -14,7 +14,7 @@ _Z: Final = 1.959963984540054
 TOLERANCE: Final = 1e-9
 
 
-class ScoredEpisode(NamedTuple):
+class ScoredLine(NamedTuple):
     """outcome, score: None while the episode is unscored."""
 
     task: str
@@ -23,7 +23,7 @@ class ScoredEpisode(NamedTuple):
     score: float | None
 
 
-def compute_score(episodes: Sequence[ScoredEpisode]) -> dict[str, Any]:
+def compute_score(episodes: Sequence[ScoredLine]) -> dict[str, Any]:
     """REC-011: the members of a score that follow from the episodes, at least one."""
     group = _group(episodes)
     total, unscored = len(episodes), group["counts"]["unscored"]
@@ -79,11 +79,11 @@ def _wilson(rate: float | None, n: int) -> dict[str, float]:
     return {"low": max(0.0, centre - half), "high": min(1.0, centre + half)}
 
 
-def _sum(episodes: Iterable[ScoredEpisode]) -> float:
+def _sum(episodes: Iterable[ScoredLine]) -> float:
     return math.fsum(episode.score or 0.0 for episode in episodes)
 
 
-def _group(episodes: Sequence[ScoredEpisode]) -> dict[str, Any]:
+def _group(episodes: Sequence[ScoredLine]) -> dict[str, Any]:
     outcomes = [episode.outcome for episode in episodes]
     counts = {
         name: outcomes.count(name) for name in ("success", "failure", "abandoned")
@@ -101,9 +101,9 @@ def _group(episodes: Sequence[ScoredEpisode]) -> dict[str, Any]:
 
 
 def _by(
-    episodes: Sequence[ScoredEpisode], key: Callable[[ScoredEpisode], str]
+    episodes: Sequence[ScoredLine], key: Callable[[ScoredLine], str]
 ) -> dict[str, Any]:
-    groups: dict[str, list[ScoredEpisode]] = {}
+    groups: dict[str, list[ScoredLine]] = {}
     for episode in episodes:
         groups.setdefault(key(episode), []).append(episode)
     return {name: _group(members) for name, members in groups.items()}

@@ -18,7 +18,7 @@ from reference_record.formats.envelope import Envelope
 from reference_record.formats.names import EPISODES, LINE_BYTES_MAX
 from reference_record.formats.strict_json import UNREADABLE, read_json
 from reference_record.keys import PUBLIC_KEY_BYTES
-from reference_record.score import Outcome, ScoredEpisode
+from reference_record.score import Outcome, ScoredLine
 
 STATEMENT_TYPE: Final = "https://in-toto.io/Statement/v1"
 PREDICATE_TYPE: Final = "urn:proctor:robot-evaluation:v1"
@@ -95,15 +95,15 @@ class Evaluation(Struct):
     promise: Literal["exact", "outcome"]
 
 
-class ManifestEpisode(Struct):
+class PlannedEpisode(Struct):
     task: Text
     split: Text
 
 
-class Manifest(Struct):
+class RecordManifest(Struct):
     benchmark_id: Text
     version: Text
-    episodes: list[ManifestEpisode]
+    episodes: list[PlannedEpisode]
 
 
 class RecordingFacts(Struct):
@@ -130,8 +130,8 @@ class EpisodeLine(Struct):
     recording: RecordingFacts | None
 
     @property
-    def scored(self) -> ScoredEpisode:
-        return ScoredEpisode(self.task, self.split, self.outcome, self.score)
+    def scored(self) -> ScoredLine:
+        return ScoredLine(self.task, self.split, self.outcome, self.score)
 
 
 def decode_key(file: str, text: str) -> bytes:

@@ -26,13 +26,13 @@ from reference_record.formats.names import (
 )
 from reference_record.formats.strict_json import read_json
 from reference_record.recording_check import check_recording
-from reference_record.replay_verdict import Verdict, read_verdict
+from reference_record.replay_verdict import ReplayVerdict, read_verdict
 from reference_record.score import compute_score, first_difference
 from reference_record.statement import (
     PREDICATE_TYPE,
     EpisodeLine,
     Evaluation,
-    Manifest,
+    RecordManifest,
     Statement,
     check_types,
     decode_key,
@@ -54,7 +54,7 @@ class Report:
     keyid: str
     statement_sha256: str
     signer: str | None
-    replayed_by: tuple[tuple[str | None, Verdict], ...]
+    replayed_by: tuple[tuple[str | None, ReplayVerdict], ...]
     episodes: int
     recordings: int
     turns: int
@@ -83,7 +83,7 @@ def verify(bundle: Bundle, trusted: Mapping[str, str] | None = None) -> Report:
     evaluation = statement.predicate
     _check_files(bundle, digests_by_name(statement), statement)
     _check_manifest_digest(bundle, evaluation)
-    manifest = read_json(MANIFEST, bundle.read(MANIFEST), Manifest)
+    manifest = read_json(MANIFEST, bundle.read(MANIFEST), RecordManifest)
     _check_benchmark(manifest, evaluation)
     lines = list(_checked_lines(bundle, manifest, digests_by_name(statement)))
     turns = sum(_check_recordings(bundle, lines))
@@ -149,7 +149,7 @@ def _check_manifest_digest(bundle: Bundle, evaluation: Evaluation) -> None:
         raise BrokenRecord(MANIFEST, "REC-008", detail)
 
 
-def _check_benchmark(manifest: Manifest, evaluation: Evaluation) -> None:
+def _check_benchmark(manifest: RecordManifest, evaluation: Evaluation) -> None:
     benchmark = evaluation.benchmark
     if (manifest.benchmark_id, manifest.version) != (
         benchmark.benchmark_id,
@@ -161,7 +161,7 @@ def _check_benchmark(manifest: Manifest, evaluation: Evaluation) -> None:
 
 
 def _checked_lines(
-    bundle: Bundle, manifest: Manifest, digests: Mapping[str, str]
+    bundle: Bundle, manifest: RecordManifest, digests: Mapping[str, str]
 ) -> Iterator[EpisodeLine]:
     """REC-009: one line for each episode of the manifest, in its order."""
     ids: set[str] = set()
@@ -181,7 +181,7 @@ def _checked_lines(
         raise BrokenRecord(EPISODES, "REC-009", detail)
 
 
-def _check_place(line: EpisodeLine, number: int, manifest: Manifest) -> None:
+def _check_place(line: EpisodeLine, number: int, manifest: RecordManifest) -> None:
     total = len(manifest.episodes)
     where = f"line {number + 1}"
     if line.index != number:

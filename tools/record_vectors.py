@@ -12,7 +12,7 @@ from tests.support.record.broken_records import (
     broken_records,
     good_archive_with_verdict,
 )
-from tests.support.record.records import HOST_KEY, OTHER_KEY, make_archive
+from tests.support.record.sample_records import HOST_KEY, OTHER_KEY, make_archive
 
 FOLDER = Path(__file__).resolve().parents[1] / "spec" / "vectors" / "record"
 

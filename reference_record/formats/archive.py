@@ -35,7 +35,7 @@ _CONSTANTS = (10, 0, 0, 0, 0x21)
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class ArchiveEntry:
     """A file in an archive; offset: of its local header."""
 
     name: str
@@ -76,7 +76,7 @@ def stream_archive(contents: Iterable[tuple[str, Content]]) -> Iterator[bytes]:
     archive_size(ordered)
     offset, entries = 0, []
     for name, content in ordered:
-        entry = Entry(name, content.size, content.crc32, offset)
+        entry = ArchiveEntry(name, content.size, content.crc32, offset)
         entries.append(entry)
         yield _local(entry)
         yield from _checked_blocks(entry, content)
@@ -84,7 +84,7 @@ def stream_archive(contents: Iterable[tuple[str, Content]]) -> Iterator[bytes]:
     yield _directory(entries, offset)
 
 
-def _checked_blocks(entry: Entry, content: Content) -> Iterator[bytes]:
+def _checked_blocks(entry: ArchiveEntry, content: Content) -> Iterator[bytes]:
     size = crc = 0
     for block in content.blocks():
         size, crc = size + len(block), zlib.crc32(block, crc)
@@ -94,12 +94,12 @@ def _checked_blocks(entry: Entry, content: Content) -> Iterator[bytes]:
         raise UnusableRecord(f"{entry.name} changed while it was read")
 
 
-def read_entries(file: BinaryIO, size: int) -> list[Entry]:
+def read_entries(file: BinaryIO, size: int) -> list[ArchiveEntry]:
     """REC-002: the files of an archive of `size` bytes; raises BrokenRecord.
 
     Reads the headers alone: the contents are judged by who reads them.
     """
-    entries: list[Entry] = []
+    entries: list[ArchiveEntry] = []
     position = 0
     while True:
         file.seek(position)
@@ -117,7 +117,7 @@ def read_entries(file: BinaryIO, size: int) -> list[Entry]:
     return entries
 
 
-def _read_local(file: BinaryIO, position: int) -> Entry:
+def _read_local(file: BinaryIO, position: int) -> ArchiveEntry:
     header = _LOCAL_MAGIC + file.read(_LOCAL.size - 4)
     if len(header) < _LOCAL.size:
         raise BrokenRecord(ARCHIVE, "REC-002", "it ends in the header of a file")
@@ -134,10 +134,10 @@ def _read_local(file: BinaryIO, position: int) -> Entry:
         detail = f"the name of the file at byte {position} is cut or too long"
         raise BrokenRecord(ARCHIVE, "REC-002", detail)
     check_name(name, size)
-    return Entry(name, size, crc, position)
+    return ArchiveEntry(name, size, crc, position)
 
 
-def _check_next(entries: list[Entry], entry: Entry, size: int) -> None:
+def _check_next(entries: list[ArchiveEntry], entry: ArchiveEntry, size: int) -> None:
     if len(entries) >= FILES_MAX:
         raise BrokenRecord(ARCHIVE, "REC-030", f"at most {FILES_MAX} files are read")
     if entries and order(entries[-1].name) >= order(entry.name):
@@ -150,7 +150,9 @@ def _check_next(entries: list[Entry], entry: Entry, size: int) -> None:
         )
 
 
-def _check_directory(file: BinaryIO, entries: list[Entry], position: int) -> None:
+def _check_directory(
+    file: BinaryIO, entries: list[ArchiveEntry], position: int
+) -> None:
     expected = _directory(entries, position)
     file.seek(position)
     found = file.read(len(expected) + 1)
@@ -165,12 +167,12 @@ def _check_directory(file: BinaryIO, entries: list[Entry], position: int) -> Non
     raise BrokenRecord(ARCHIVE, "REC-002", detail)
 
 
-def _local(entry: Entry) -> bytes:
+def _local(entry: ArchiveEntry) -> bytes:
     sizes = (entry.crc32, entry.size, entry.size, len(entry.name), 0)
     return _LOCAL.pack(_LOCAL_MAGIC, *_CONSTANTS, *sizes) + entry.name.encode()
 
 
-def _directory(entries: list[Entry], offset: int) -> bytes:
+def _directory(entries: list[ArchiveEntry], offset: int) -> bytes:
     central = b"".join(
         _CENTRAL.pack(
             *(_CENTRAL_MAGIC, 10, *_CONSTANTS),

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from reference_record.broken import ARCHIVE, BrokenRecord
-from reference_record.formats.archive import BLOCK_BYTES, Entry, read_entries
+from reference_record.formats.archive import BLOCK_BYTES, ArchiveEntry, read_entries
 from reference_record.formats.names import (
     FILES_MAX,
     check_count,
@@ -69,7 +69,7 @@ class Bundle:
 
 
 class _Archive(Bundle):
-    def __init__(self, path: Path, entries: list[Entry]) -> None:
+    def __init__(self, path: Path, entries: list[ArchiveEntry]) -> None:
         super().__init__({entry.name: entry.size for entry in entries})
         self._path = path
         self._entries = {entry.name: entry for entry in entries}

@@ -8,9 +8,7 @@ was signed before it. It decides no rule of runs, and knows no HTTP.
 from __future__ import annotations
 
 import asyncio
-import importlib.metadata
 import logging
-import platform
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -38,13 +36,12 @@ from reference_server.records.recordings import Recordings
 from reference_server.rules.lifecycle import RESTING_STATES
 from reference_server.rules.run import Episode, PublicKey, RunHead
 from reference_server.storage.store import Store, StoreFailed
+from reference_sim.engine import engine_fingerprint
 
 log = logging.getLogger("proctor.records")
 
 REMOVE_EVERY_S = 3600.0
 RUNS_PER_READ = 200
-# What computes an episode: its version may change a trajectory.
-_ENGINE_PACKAGES = ("proctor-eval", "mujoco", "gymnasium", "numpy")
 
 
 @dataclass(frozen=True, slots=True)
@@ -194,31 +191,6 @@ class RunRecords:
             previous_statement_sha256=await self._store.last_statement_sha256(),
             promise=self._settings.promise,
         )
-
-
-def engine_fingerprint() -> dict[str, Any]:
-    """Versions of what computes episodes here."""
-    packages = {}
-    for name in _ENGINE_PACKAGES:
-        try:
-            packages[name] = importlib.metadata.version(name)
-        except importlib.metadata.PackageNotFoundError:
-            continue
-    return {
-        "packages": packages,
-        "python": platform.python_version(),
-        "os": f"{platform.system()} {platform.release()}",
-        "cpu": _cpu_model(),
-    }
-
-
-def _cpu_model() -> str:
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-    except OSError:
-        return platform.machine()
-    models = (line.partition(": ")[2] for line in lines if "model name" in line)
-    return next(models, platform.machine())
 
 
 def _line(episode: Episode) -> EpisodeLine:

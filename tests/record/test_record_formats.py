@@ -31,10 +31,10 @@ from reference_record.formats.names import (
     recording_name,
 )
 from reference_record.keys import load_or_make
-from reference_record.score import ScoredEpisode, compute_score, first_difference
+from reference_record.score import ScoredLine, compute_score, first_difference
 from reference_record.verification import verify
 from tests.support.paths import ROOT
-from tests.support.record.records import (
+from tests.support.record.sample_records import (
     HOST_KEY,
     OTHER_KEY,
     Sample,
@@ -95,7 +95,7 @@ def test_the_files_fit_their_schemas() -> None:
 def test_the_score_follows_the_golden_vectors(path: Path) -> None:
     vector = json.loads(path.read_text())
     episodes = [
-        msgspec.convert(list(one.values()), ScoredEpisode) for one in vector["episodes"]
+        msgspec.convert(list(one.values()), ScoredLine) for one in vector["episodes"]
     ]
     assert first_difference(vector["score"], compute_score(episodes)) is None
 

@@ -159,7 +159,6 @@ def test_a_big_dependency_has_one_owner(module: str, owner: str) -> None:
     [
         ("reference_sim", ["reference_server", "reference_client", "conformance"]),
         ("reference_sim", ["proctor_client", "starlette", "uvicorn", "httpx"]),
-        ("reference_sim", ["reference_record.verification"]),
         (
             "reference_record",
             ["reference_server", "reference_sim", "reference_client", "conformance"],

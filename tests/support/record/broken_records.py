@@ -27,7 +27,7 @@ from reference_record.recording import (
     text,
 )
 from reference_record.statement import EpisodeLine
-from tests.support.record.records import (
+from tests.support.record.sample_records import (
     HOST_KEY,
     OTHER_KEY,
     Messages,

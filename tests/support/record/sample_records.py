@@ -29,7 +29,7 @@ from reference_record.recording import (
 )
 from reference_record.recording_file import join_parts
 from reference_record.recording_parts import PartWriter
-from reference_record.replay_verdict import Replay, replay_of, write_verdict
+from reference_record.replay_verdict import ReplaySummary, replay_of, write_verdict
 from reference_record.score import Outcome, compute_score
 from reference_record.statement import (
     BenchmarkFacts,
@@ -157,13 +157,21 @@ class Sample:
 
     def record(self, folder: Path) -> Record:
         """Signed; its recordings are files in `folder`."""
-        paths: dict[str, Path] = {}
-        lines = []
-        for index, messages in enumerate(self.episodes):
-            path = folder / f"{index:05}.mcap"
-            lines.append(self._line(index, messages, path))
-            paths[recording_name(index)] = path
-        lines = list(self.change_lines(lines))
+        return self.sign(self.play(folder), folder)
+
+    def play(self, folder: Path) -> list[EpisodeLine]:
+        """Write the recordings to files in `folder`."""
+        lines = [
+            self._line(index, messages, folder / f"{index:05}.mcap")
+            for index, messages in enumerate(self.episodes)
+        ]
+        return list(self.change_lines(lines))
+
+    def sign(self, lines: list[EpisodeLine], folder: Path) -> Record:
+        paths = {
+            recording_name(index): folder / f"{index:05}.mcap"
+            for index in range(len(self.episodes))
+        }
         return build_record(
             self._evaluation(lines),
             manifest=self.manifest,
@@ -251,13 +259,13 @@ def content_of(data: bytes, crc32: int) -> Content:
     return Content(len(data), crc32, lambda: [data])
 
 
-def good_replay() -> Replay:
+def good_replay() -> ReplaySummary:
     return replay_of(dict.fromkeys(range(4), ("exact", None)), ENGINE)
 
 
 def make_verdict(
     archive: bytes,
-    replay: Replay | None = None,
+    replay: ReplaySummary | None = None,
     *,
     statement_sha256: str | None = None,
     key: SigningKey = OTHER_KEY,
