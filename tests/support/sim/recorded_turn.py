@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from reference_record.recording import Turn
+from reference_record.recording import RecordedTurn
 
 
-def make_turn(seq: int) -> Turn:
-    return Turn(
+def make_turn(seq: int) -> RecordedTurn:
+    return RecordedTurn(
         attempt=1,
         seq=seq,
         actions=[{"arm": [0.1 * seq, -1.0]}],
