@@ -39,6 +39,8 @@ CHANGE_LIMIT_S = 1.0
 PAUSE_S = 0.7
 SETTLE_S = 0.05
 SILENCE_S = 15.0
+# An order that is left to chance after a restart differs in one of them.
+ABORTS = 3
 # What a timer and a slow machine may add to it.
 SILENCE_MARGIN_S = 1.5
 
@@ -354,9 +356,11 @@ def expect_no_silence(worker: WorkerClient, *readers: EventReader) -> None:
 @background
 @requirement("EVT-009")
 def test_evt_009_sent_events_survive_a_crash(context: CheckContext) -> None:
-    """A private server is killed as soon as it has sent an episode.
+    """A private server is killed as soon as it has sent an episode; other runs had
+    ended before, one after a fault and three by the abort of four episodes.
 
-    Expect the same episodes after the restart, and every id to be valid.
+    Expect the same episodes after the restart, every id to be valid, and those of the
+    runs that have ended to be answered as before.
     """
     if context.shared.settings.restart_cmd is not None:
         text = "requires --start-cmd: --restart-cmd disturbs other checks"
@@ -365,6 +369,7 @@ def test_evt_009_sent_events_survive_a_crash(context: CheckContext) -> None:
         worker = submit_and_attach(server.context, "score", "score", "score")
         run = worker.run
         worker.play(score=0.25)
+        seen = [read_ended(run) for run in ended_runs(server.context)]
         with follow_run(run) as reader:
             kill_server = partial(kill_after_second_episode, server, reader)
             context.call_concurrently(partial(play_until_killed, worker), kill_server)
@@ -375,6 +380,47 @@ def test_evt_009_sent_events_survive_a_crash(context: CheckContext) -> None:
         for id_ in ids_of(reader.received):
             with follow_run(run, id_) as again:
                 expect.equal(again.first_status(), 200, "status at an id from before")
+        for ended, events in seen:
+            expect_the_same_places(ended, events)
+
+
+def ended_runs(context: CheckContext) -> list[RunClient]:
+    """Give a run that completed after a fault, and those that an abort completed."""
+    faulted = submit_and_attach(context, "fault", max_faults=3)
+    faulted.predict(context.action(fault=1))
+    faulted.play()
+    return [faulted.run, *(run_ended_by_abort(context) for _ in range(ABORTS))]
+
+
+def run_ended_by_abort(context: CheckContext) -> RunClient:
+    """Give a run of up to four episodes, all of which an abort scored at once."""
+    workers = min(4, context.limits["max_workers"])
+    tasks = ["score"] * workers
+    run = context.submit(*tasks, max_workers=workers, max_attempts=1)
+    attached = attach_workers(run, workers)
+    attached[0].detach()
+    attached[0].attach()  # the oldest episode in the newest session
+    for worker in attached:
+        worker.predict(context.action())
+    run.stop()
+    return run
+
+
+def read_ended(run: RunClient) -> tuple[RunClient, list[Event]]:
+    """Read all events of a run that is completed."""
+    with follow_run(run) as reader:
+        return run, reader.until(in_state("completed"), "`run` that is completed")
+
+
+def expect_the_same_places(run: RunClient, events: list[Event]) -> None:
+    """Expect what was sent before at each id of a run that has ended."""
+    *earlier, last = ids_of(events)
+    with follow_run(run, last) as reader:
+        expect.equal(reader.first_status(), 204, "status at the last id from before")
+    for number, id_ in enumerate(earlier, start=1):
+        with follow_run(run, id_) as reader:
+            rest = reader.until(in_state("completed"), "`run` that is completed")
+        expect.equal(entries_in(rest), entries_in(events[number:]), "what follows")
 
 
 def kill_after_second_episode(server: PrivateServer, reader: EventReader) -> None:
