@@ -17,7 +17,7 @@ from reference_record.verification import verify
 from reference_sim import benchmark_registry
 from reference_sim.replay.__main__ import main
 from tests.support.paths import ROOT
-from tests.support.record.played_records import keep, save_played_record
+from tests.support.record.played_records import keep, save_calibration_record
 from tests.support.record.sample_records import HOST_KEY
 from tests.support.sim.calibration_action import calibration_action
 
@@ -30,7 +30,7 @@ def replay(path: Path, *words: str) -> int:
 def record_with(tmp_path: Path, change: object = keep) -> Path:
     (tmp_path / "recordings").mkdir()
     path = tmp_path / "run.proctor"
-    return save_played_record(path, tmp_path / "recordings", change)  # type: ignore[arg-type]
+    return save_calibration_record(path, tmp_path / "recordings", change)  # type: ignore[arg-type]
 
 
 def test_an_honest_record_is_exact_and_says_by_whom(tmp_path: Path) -> None:

@@ -1,9 +1,9 @@
-"""Records of the benchmark `calibration`, played and recorded as by the server."""
+"""Records of benchmarks, played and recorded as by the server."""
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -26,15 +26,18 @@ from reference_record.statement import (
 from reference_sim import benchmark_registry
 from reference_sim.engine import engine_fingerprint
 from reference_sim.episode import Episode
+from reference_sim.interface import Simulator
 from reference_sim.process.recorder import EpisodeRecorder, RecordingPlan
 from tests.support.record.sample_records import HOST_KEY, at
 from tests.support.sim.calibration_action import calibration_action
 
 OPTIONS = {"tasks": ["score", "count", "echo"]}
 Change = Callable[[int, int, Turn], Turn]
-Chunks = Sequence[Sequence[Mapping[str, Sequence[float]]]]
+Chunk = Sequence[Mapping[str, Sequence[float]]]
+# Episode, simulator → the chunks to execute, while the episode has not ended.
+Player = Callable[[Episode, Simulator], Iterable[Chunk]]
 # Two turns of two steps each; the last one ends with success.
-CHUNKS: Chunks = (
+CHUNKS: Sequence[Chunk] = (
     [calibration_action(), calibration_action(score=0.25)],
     [calibration_action(score=0.5), calibration_action(score=1, success=1, end=1)],
 )
@@ -44,19 +47,39 @@ def keep(_index: int, _turn: int, turn: Turn) -> Turn:
     return turn
 
 
-def save_played_record(path: Path, folder: Path, change: Change = keep) -> Path:
-    """Play each episode with CHUNKS, sign the record, save it.
+def play_chunks(_episode: Episode, _simulator: Simulator) -> Iterable[Chunk]:
+    return CHUNKS
+
+
+def save_calibration_record(path: Path, folder: Path, change: Change = keep) -> Path:
+    """Every episode of `calibration` with CHUNKS.
 
     change: (index, number of the turn, turn) → the turn as it is recorded.
     """
     found = benchmark_registry.resolve("calibration", OPTIONS, None)
+    return save_played_record(path, folder, found, play_chunks, change=change)
+
+
+def save_played_record(
+    path: Path,
+    folder: Path,
+    found: benchmark_registry.ResolvedBenchmark,
+    player: Player,
+    *,
+    only: Container[int] = range(10**5),
+    change: Change = keep,
+) -> Path:
+    """Play episodes, sign the record, save it. only: indices; others have no result."""
     manifest = msgspec.json.encode(found.manifest, order="deterministic")
     lines, recordings = [], {}
     for index in range(len(found.episodes)):
+        if index not in only:
+            lines.append(_unplayed(found, index))
+            continue
         name = recording_name(index)
         recordings[name] = folder / f"{index}.mcap"
-        lines.append(_play(found, index, recordings[name], change))
-    evaluation = _evaluation(manifest, lines, found.images)
+        lines.append(_play(found, index, recordings[name], player, change))
+    evaluation = _evaluation(found, manifest, lines)
     record = build_record(
         evaluation, manifest=manifest, lines=lines, recordings=recordings, key=HOST_KEY
     )
@@ -64,10 +87,17 @@ def save_played_record(path: Path, folder: Path, change: Change = keep) -> Path:
     return path
 
 
+def _unplayed(found: benchmark_registry.ResolvedBenchmark, index: int) -> EpisodeLine:
+    plan = found.episodes[index]
+    line = f"e{index}", index, plan.task, plan.split
+    return EpisodeLine(*line, None, False, None, 0, 0, None, None)
+
+
 def _play(
     found: benchmark_registry.ResolvedBenchmark,
     index: int,
     path: Path,
+    player: Player,
     change: Change,
 ) -> EpisodeLine:
     simulator, plan = benchmark_registry.make(found.world), found.episodes[index]
@@ -82,7 +112,7 @@ def _play(
     )
     parts = path.with_suffix("")
     recorder = EpisodeRecorder(RecordingPlan(str(parts), 1), simulator)
-    for seq, chunk in enumerate(CHUNKS, 1):
+    for seq, chunk in enumerate(player(episode, simulator), 1):
         recorder.add_turn(
             seq=seq,
             think_ms=1.0,
@@ -137,15 +167,22 @@ def _change_turns(parts: Path, index: int, change: Change) -> None:
 
 
 def _evaluation(
-    manifest: bytes, lines: Sequence[EpisodeLine], images: dict[str, Any]
+    found: benchmark_registry.ResolvedBenchmark,
+    manifest: bytes,
+    lines: Sequence[EpisodeLine],
 ) -> Evaluation:
     sha256 = hashlib.sha256(manifest).hexdigest()
-    said = msgspec.json.decode(manifest)
+    benchmark_id = found.manifest["benchmark_id"]
     score = compute_score([line.scored for line in lines])
-    score |= {"run_id": "r", "benchmark_id": "calibration", "manifest_sha256": sha256}
+    score |= {"run_id": "r", "benchmark_id": benchmark_id, "manifest_sha256": sha256}
     return Evaluation(
-        run=RunFacts("r", "pull", OPTIONS, images),
-        benchmark=BenchmarkFacts("calibration", said["version"]),
+        run=RunFacts(
+            "r",
+            "pull",
+            OPTIONS if benchmark_id == "calibration" else None,
+            found.images,
+        ),
+        benchmark=BenchmarkFacts(benchmark_id, found.manifest["version"]),
         manifest_sha256=sha256,
         policy=PolicyFacts("p"),
         score=score,
