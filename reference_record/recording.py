@@ -36,7 +36,7 @@ class AttemptEvent(msgspec.Struct, omit_defaults=True):
     state_digest: str | None = None
 
 
-class RecordedTurn(msgspec.Struct):
+class Turn(msgspec.Struct):
     """A turn that was executed.
 
     actions: those that were executed, after clipping, with a reward each. steps: how
@@ -88,7 +88,7 @@ class Picture(msgspec.Struct):
     format: str
 
 
-Message = AttemptEvent | RecordedTurn | Fault | EpisodeResult | Picture
+Message = AttemptEvent | Turn | Fault | EpisodeResult | Picture
 
 _NUMBER, _TEXT, _WHOLE, _FLAG = (
     {"type": kind} for kind in ("number", "string", "integer", "boolean")

@@ -21,7 +21,7 @@ from reference_record.recording import (
     AttemptEvent,
     Message,
     Picture,
-    RecordedTurn,
+    Turn,
     timestamp,
 )
 from reference_record.recording_parts import PartWriter
@@ -79,7 +79,7 @@ class EpisodeRecorder:
     ) -> None:
         """REC-104: once, as it was executed. actions: those that were."""
         now = time.time_ns()
-        turn = RecordedTurn(
+        turn = Turn(
             attempt=self._plan.attempt,
             seq=seq,
             actions=actions,

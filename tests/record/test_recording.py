@@ -20,7 +20,7 @@ from reference_record.recording import (
     Fault,
     Message,
     Picture,
-    RecordedTurn,
+    Turn,
 )
 from reference_record.recording_file import join_parts
 from reference_record.recording_parts import (
@@ -88,7 +88,7 @@ def test_the_summary_counts_and_names_every_channel(tmp_path: Path) -> None:
     named = {summary.channels[i].topic: n for i, n in counts.items()}
     assert named == {"/attempt": 1, "/turn": 5, "/result": 1}
     required = json.loads(summary.schemas[2].data)["required"]
-    assert required == list(RecordedTurn.__struct_fields__)
+    assert required == list(Turn.__struct_fields__)
 
 
 def test_a_part_that_is_cut_anywhere_is_read_up_to_there(tmp_path: Path) -> None:

@@ -96,8 +96,8 @@ SAME_FILE_NAME = {
 SAME_CLASS = {
     "Attach Detach Heartbeat Predict Resume Stop": "commands: the server's, and those "
     "of the kit's model, which may not know the server",
-    "Answer Episode Observation Operation PolicySession Result Session": "nouns of the "
-    "protocol, on each side of the wire",
+    "Answer Episode Observation Operation PolicySession Result Session Turn": "nouns "
+    "of the protocol, on each side of the wire and in recordings",
     "Settings": "of the kit and of the server",
     "Task": "a task of the protocol: of a file, and of MuJoCo",
     # Different subjects; to be renamed.

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from reference_record.recording import RecordedTurn
+from reference_record.recording import Turn
 
 
-def make_turn(seq: int) -> RecordedTurn:
-    return RecordedTurn(
+def make_turn(seq: int) -> Turn:
+    return Turn(
         attempt=1,
         seq=seq,
         actions=[{"arm": [0.1 * seq, -1.0]}],
