@@ -95,7 +95,7 @@ class Evaluation(Struct):
     promise: Literal["exact", "outcome"]
 
 
-class PlannedEpisode(Struct):
+class BenchmarkEpisode(Struct):
     task: Text
     split: Text
 
@@ -103,7 +103,7 @@ class PlannedEpisode(Struct):
 class RecordManifest(Struct):
     benchmark_id: Text
     version: Text
-    episodes: list[PlannedEpisode]
+    episodes: list[BenchmarkEpisode]
 
 
 class RecordingFacts(Struct):
