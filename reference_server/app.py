@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import AsyncIterator, Callable, Mapping
-from contextlib import asynccontextmanager
+from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from typing import Any
 
 from starlette.requests import Request
@@ -27,6 +27,8 @@ from reference_server.push.driver import PROTOCOLS, Driver
 from reference_server.push.egress import EgressPolicy
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_server_validator import PolicyServerValidator
+from reference_server.records.recordings import Recordings
+from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.submission import SubmissionLimits
@@ -45,7 +47,9 @@ _VERSION_HEADER = (b"proctor-version", PROTOCOL_VERSION.encode())
 
 def build(settings: Settings, tokens: Tokens) -> Application:
     """One server, its parts connected. Nothing runs before the lifespan begins."""
-    store = Store(settings.database_url)
+    recordings = _recordings_of(settings)
+    store = _store_of(settings, recordings)
+    records = _records_of(settings, store, recordings)
     pool = SimulatorPool(
         settings.max_simulators, settings.spare_simulators, settings.turn_timeout_s
     )
@@ -66,7 +70,7 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         open_max=settings.max_open_runs,
     )
     executor = SessionExecutor(
-        registry, pool, settings.unused_s_max, settings.heartbeat_s_max
+        registry, pool, settings.unused_s_max, settings.heartbeat_s_max, recordings
     )
     egress = EgressPolicy(settings.allow_private_policies)
     key_encryption = KeyEncryption(settings.sealing_key_path)
@@ -80,6 +84,7 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         executor,
         policy_server_validator.validate_and_encrypt,
         policy_server_validator.digest_key,
+        records,
     )
     streams = SharedStreams(settings.max_event_streams)
     handlers = Handlers(settings, service, streams)
@@ -89,6 +94,8 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     async def lifespan(_app: Any) -> AsyncIterator[None]:
         await store.open()
         key_encryption.open()
+        if records is not None:
+            await records.open()
         await registry.open()
         await pool.start()
         driver.open()
@@ -98,12 +105,24 @@ def build(settings: Settings, tokens: Tokens) -> Application:
             await driver.close()
             await executor.close()
             await registry.close()
+            if records is not None:
+                await records.close()
             await pool.close()
             await store.close()
 
     table = handlers.table() | profile_tables(handlers)
+    router = _router_of(table, tokens, settings, lifespan)
+    return Application(router, registry.release_waiters)
+
+
+def _router_of(
+    table: Mapping[str, Mapping[str, Operation]],
+    tokens: Tokens,
+    settings: Settings,
+    lifespan: Callable[[Any], AbstractAsyncContextManager[None]],
+) -> Router:
     hosts = AllowedHosts.parse(settings.allowed_hosts)
-    router = Router(
+    return Router(
         routes=[
             Route(path, _Endpoint(operations, tokens, settings.max_body_bytes, hosts))
             for path, operations in table.items()
@@ -112,7 +131,35 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         redirect_slashes=False,
         lifespan=lifespan,
     )
-    return Application(router, registry.release_waiters)
+
+
+def _recordings_of(settings: Settings) -> Recordings | None:
+    if settings.recordings == "off":
+        return None
+    pictures = settings.recordings == "pictures"
+    return Recordings(settings.records_path, pictures=pictures)
+
+
+def _store_of(settings: Settings, recordings: Recordings | None) -> Store:
+    if recordings is None:
+        return Store(settings.database_url)
+    return Store(
+        settings.database_url, recordings.finish_unplayed, recordings.remove_parts
+    )
+
+
+def _records_of(
+    settings: Settings, store: Store, recordings: Recordings | None
+) -> RunRecords | None:
+    if recordings is None:
+        return None
+    host = HostSettings(
+        settings.public_url or settings.host,
+        settings.signing_key_path,
+        settings.record_promise,
+        settings.records_keep_days,
+    )
+    return RunRecords(store, recordings, host)
 
 
 class _Endpoint:

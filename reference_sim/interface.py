@@ -72,5 +72,11 @@ class Simulator(Protocol):
     def observe(self) -> Observation:
         """The observation of the current state; may be called repeatedly."""
 
+    def state_bytes(self) -> bytes:
+        """What the rest of the episode depends on; equal bytes are equal states.
+
+        Of a simulator that cannot name its state: what it shows of it.
+        """
+
     def close(self) -> None:
         """Free what the end of the process does not free."""

@@ -47,7 +47,7 @@ VERSIONS = tuple(
 )
 CLIENTS = Path("generated_clients")
 BIN = Path(sys.executable).parent
-EVENT_STREAM = "text/event-stream"
+STREAMS = {"text/event-stream", "application/zip", "application/octet-stream"}
 # Beside the generated files: what we write on top of them, and what builds leave.
 NOT_GENERATED = {
     *("example", "interop", "Cargo.lock", "package-lock.json"),
@@ -199,21 +199,22 @@ def format_python(target: Path) -> None:
     run(BIN / "ruff", "format", *settings, target)
 
 
-def answers_with_events(operation: dict[str, Any]) -> bool:
+def answers_with_stream(operation: dict[str, Any]) -> bool:
+    """Events, or a file that is written to disk while it arrives."""
     answers = operation["responses"].values()
-    return any(EVENT_STREAM in answer.get("content", {}) for answer in answers)
+    return any(STREAMS & answer.get("content", {}).keys() for answer in answers)
 
 
 def without_streams(document: dict[str, Any]) -> dict[str, Any]:
-    """Leave out what answers with events: a generated method would return at its end.
+    """Leave out what answers with a stream: a generated method returns at its end.
 
-    No generator here reads a stream; every language has a client for such events.
+    No generator here reads a stream; every language has a client for events and files.
     """
     paths = {
         path: {
             method: operation
             for method, operation in item.items()
-            if not answers_with_events(operation)
+            if not answers_with_stream(operation)
         }
         for path, item in document["paths"].items()
     }

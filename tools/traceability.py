@@ -35,7 +35,7 @@ from tests.mutants import load as load_mutants
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "contribute" / "traceability.md"
 TABLE = "reference_server/rules/lifecycle.py"
-DECIDING = ("reference_server", "reference_sim")
+DECIDING = ("reference_record", "reference_server", "reference_sim")
 CITING = (*DECIDING, "reference_client", "conformance", "tests", "tools", "docs")
 GENERATED = "generated"
 ID = re.compile(r"\b[A-Z]{2,6}-\d{3}\b")

@@ -52,6 +52,9 @@ class StillLife:
         images = {name: self._draw(one) for name, one in self._pictures.items()}
         return Observation(state, images)
 
+    def state_bytes(self) -> bytes:
+        return repr((self._step, self._echo)).encode()
+
     def close(self) -> None:
         """Nothing is held."""
 

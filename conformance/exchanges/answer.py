@@ -65,6 +65,18 @@ def media_type_of(headers: Mapping[str, str]) -> str:
     return headers.get("content-type", "").partition(";")[0].strip().lower()
 
 
+# Answers that are files; their value is text with a character for each byte.
+_FILES = ("application/zip", "application/octet-stream")
+_BYTES_AS_TEXT = "latin-1"
+
+
+def file_of(answer: Answer) -> bytes:
+    """Give the bytes of an answer that is a file; none if it is something else."""
+    if answer.media_type not in _FILES or not isinstance(answer.json, str):
+        return b""
+    return answer.json.encode(_BYTES_AS_TEXT)
+
+
 def parse(media_type: str, body: bytes) -> tuple[Any, bool]:
     """Read a body by its media type; strictly, so that NaN is an error."""
     try:
@@ -72,6 +84,8 @@ def parse(media_type: str, body: bytes) -> tuple[Any, bool]:
             return msgspec.json.decode(body), True
         if media_type == MSGPACK:
             return msgspec.msgpack.decode(body), True
+        if media_type in _FILES:
+            return body.decode(_BYTES_AS_TEXT), True
         if media_type == EVENT_STREAM:
             # The end of what was kept may be half a character.
             return codecs.getincrementaldecoder("utf-8")().decode(body), True

@@ -20,7 +20,13 @@ import yaml
 _HERE = Path(__file__).resolve().parent
 _PACKAGED = _HERE / "files"
 SPEC_DIRECTORY = _PACKAGED if _PACKAGED.is_dir() else _HERE.parents[1] / "spec"
-_DOCUMENTS = ("openapi.yaml", "policy.yaml", "scoring.md", "calibration.md")
+_DOCUMENTS = (
+    "openapi.yaml",
+    "policy.yaml",
+    "scoring.md",
+    "record.md",
+    "calibration.md",
+)
 JSON = "application/json"
 MSGPACK = "application/msgpack"
 PROBLEM_JSON = "application/problem+json"

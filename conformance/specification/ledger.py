@@ -1,7 +1,7 @@
 """The ledger: every rule of the specification with its id, level, profile and text.
 
-Rows come from `x-requirements` and `x-lifecycle` of openapi.yaml and from scoring.md;
-no rule is stated here.
+Rows come from `x-requirements` and `x-lifecycle` of openapi.yaml, from scoring.md and
+from record.md; no rule is stated here.
 """
 
 import functools
@@ -16,9 +16,17 @@ from conformance.specification.document import (
     load_spec,
 )
 
-_SCORING_LINE = re.compile(r"^- \[(?P<id>SCORE-\d{3})\] (?P<text>.+)$", re.MULTILINE)
+_LINE = re.compile(
+    r"^- \[(?P<id>[A-Z]+-(?P<number>\d{3}))(?P<verifier>, verifier)?\] (?P<text>.+)$",
+    re.MULTILINE,
+)
+_PROFILE_OF_PAGE = {"scoring.md": "core", "record.md": "record"}
+# Of record.md, rules with numbers below are about files, the others about operations.
+_FIRST_RULE_OF_OPERATIONS = 100
+_OF_FILES = "a rule of a file, which the vectors in vectors/record/ judge"
+_OF_VERIFIERS = "a rule of who reads a file, which the vectors in vectors/record/ judge"
 PROFILES = (
-    *("core", "msgpack", "compare", "events", "push", "limits", "crash"),
+    *("core", "msgpack", "compare", "events", "push", "limits", "record", "crash"),
     *("ebench", "flageval"),
 )
 POLICY = "policy"  # of policy servers, which are checked by a command of their own
@@ -72,10 +80,18 @@ def _read_requirements() -> Iterator[Requirement]:
             "openapi.yaml x-lifecycle",
             row.get("why"),
         )
-    text = (SPEC_DIRECTORY / "scoring.md").read_text(encoding="utf-8")
-    for line in _SCORING_LINE.finditer(text):
-        level = "MUST" if "MUST" in line["text"] else "SHOULD"
-        yield Requirement(line["id"], level, "core", line["text"], "scoring.md")
+    for page, profile in _PROFILE_OF_PAGE.items():
+        text = (SPEC_DIRECTORY / page).read_text(encoding="utf-8")
+        for line in _LINE.finditer(text):
+            level = "MUST" if "MUST" in line["text"] else "SHOULD"
+            why = _why_unobservable(line) if page == "record.md" else None
+            yield Requirement(line["id"], level, profile, line["text"], page, why)
+
+
+def _why_unobservable(line: re.Match[str]) -> str | None:
+    if line["verifier"]:
+        return _OF_VERIFIERS
+    return None if int(line["number"]) > _FIRST_RULE_OF_OPERATIONS else _OF_FILES
 
 
 @functools.cache

@@ -33,6 +33,8 @@ type Run struct {
 	Progress Progress `json:"progress"`
 	CreatedAt time.Time `json:"created_at"`
 	UpdatedAt time.Time `json:"updated_at"`
+	// How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.
+	AttemptsBySubmitter *int32 `json:"attempts_by_submitter,omitzero"`
 }
 
 // GetMode returns mode, or the zero value when it is absent.
@@ -59,4 +61,17 @@ func (o *Run) GetPolicyServer() (v PolicyServerView) {
 // SetPolicyServer sets policy_server.
 func (o *Run) SetPolicyServer(v PolicyServerView) {
 	o.PolicyServer = &v
+}
+
+// GetAttemptsBySubmitter returns attempts_by_submitter, or the zero value when it is absent.
+func (o *Run) GetAttemptsBySubmitter() (v int32) {
+	if o != nil && o.AttemptsBySubmitter != nil {
+		v = *o.AttemptsBySubmitter
+	}
+	return v
+}
+
+// SetAttemptsBySubmitter sets attempts_by_submitter.
+func (o *Run) SetAttemptsBySubmitter(v int32) {
+	o.AttemptsBySubmitter = &v
 }

@@ -32,7 +32,8 @@ STATES = (
     *("queued", "ready", "running", "stopping"),
     *("stopped", "failed", "completed"),
 )
-# Command → what it does; the last three are programs of their own.
+SERVERLESS_COMMANDS = ("verify",)
+# Command → what it does; the last four are programs of their own.
 COMMANDS = {
     "submit": "submit a new run, or resume an existing one",
     "run": "evaluate a policy: submit, play, score",
@@ -41,9 +42,12 @@ COMMANDS = {
     "resume": "resume a stopped or failed run",
     "results": "show the score of a run, by task and split",
     "compare": "compare runs with a baseline, with the release decision",
+    "export": "save the signed record of a completed run in a file",
+    "verify": "check a record: signature, every episode, the score (no server needed)",
     "benchmarks": "list benchmarks; with NAME, show its action and observation spaces",
     "serve": "start the reference server (own flags)",
     "serve-policy": "serve a policy over HTTP, for push mode (own flags)",
+    "replay": "simulate the actions of a record again, sign what came out (own flags)",
     "conformance": "run the conformance kit against a server (own flags)",
 }
 
@@ -106,8 +110,12 @@ def build_parser() -> argparse.ArgumentParser:
     }  # fmt: skip
     parser.commands = [*made.values()]
     for name, command in made.items():
-        if name not in PASS_THROUGH_COMMANDS:
+        if name in PASS_THROUGH_COMMANDS:
+            continue
+        if name not in SERVERLESS_COMMANDS:
             _add_server_options(command)
+        _add_transport_options(command)
+        _add_output_options(command)
     _add_run_id(made["status"], "id of the run; without it, the latest runs are listed")
     _add_list_options(made["status"])
     made["status"].add_argument(
@@ -121,18 +129,12 @@ def build_parser() -> argparse.ArgumentParser:
         help="finish the episodes in progress first",
     )
     _add_results_options(made["results"])
-    compare = made["compare"]
-    compare.add_argument("baseline", metavar="BASELINE", help="id of the baseline run")
-    compare.add_argument(
-        "runs", nargs="+", metavar="RUN", help="id of a run to compare"
-    )
-    compare.add_argument(
-        "--tolerance", type=_fraction, metavar="X",
-        help="maximum score difference for release, 0 to 1 (0.05)",
-    )  # fmt: skip
+    _add_compare_options(made["compare"])
     made["benchmarks"].add_argument(
         "benchmark", nargs="?", metavar="NAME", help="id of the benchmark to show"
     )
+    _add_run_id(made["export"], "id of the run")
+    _add_record_options(made["export"], made["verify"])
     _add_submission_options(made["submit"])
     made["submit"].add_argument(
         "--push", metavar="URL",
@@ -170,6 +172,10 @@ def _add_server_options(parser: argparse.ArgumentParser) -> None:
         default=None,
         help="bearer token; prefer PROCTOR_TOKEN, which other users cannot read",
     )
+
+
+def _add_transport_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("transport")
     group.add_argument(
         "--ca", metavar="FILE",
         help="certificates to accept, instead of the system's [PROCTOR_CA]",
@@ -178,6 +184,9 @@ def _add_server_options(parser: argparse.ArgumentParser) -> None:
         "--retry-timeout-s", type=_seconds, metavar="S",
         help="retry an unreachable server for S seconds (10; run: 300)",
     )  # fmt: skip
+
+
+def _add_output_options(parser: argparse.ArgumentParser) -> None:
     shape = parser.add_argument_group("output")
     shape.add_argument(
         "--json", action="store_true", help="print one JSON value, for scripts"
@@ -185,6 +194,32 @@ def _add_server_options(parser: argparse.ArgumentParser) -> None:
     shape.add_argument("--format", choices=FORMATS, default="text", help="of tables")
     shape.add_argument(
         "--debug", action="store_true", help="print the tracebacks of errors"
+    )
+
+
+def _add_compare_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("baseline", metavar="BASELINE", help="id of the baseline run")
+    parser.add_argument("runs", nargs="+", metavar="RUN", help="id of a run to compare")
+    parser.add_argument(
+        "--tolerance", type=_fraction, metavar="X",
+        help="maximum score difference for release, 0 to 1 (0.05)",
+    )  # fmt: skip
+
+
+def _add_record_options(
+    export: argparse.ArgumentParser, verify: argparse.ArgumentParser
+) -> None:
+    export.add_argument(
+        "--output", "-o", metavar="FILE", help="file to write (run-RUN.proctor)"
+    )
+    export.add_argument("--force", action="store_true", help="replace the file")
+    verify.add_argument("file", metavar="FILE", help="the record, or its directory")
+    verify.add_argument(
+        "--key", action="append", metavar="[NAME=]SHA256:…",
+        help="a key that you know to be of the host, or of who replayed; repeatable",
+    )  # fmt: skip
+    verify.add_argument(
+        "--server", metavar="URL", help="host whose published keys are accepted"
     )
 
 

@@ -43,19 +43,21 @@ def open_control_client(
     args: argparse.Namespace, printer: Printer
 ) -> Iterator[ControlClient]:
     """A client of the server that the flags name."""
+    with Connection(args.url, args.token, requests=2) as connection:
+        yield ControlClient(
+            connection.control, retry_policy_of(connection, args, printer)
+        )
+
+
+def retry_policy_of(
+    connection: Connection, args: argparse.Namespace, printer: Printer
+) -> RetryPolicy:
     retry_timeout_s = (
         RETRY_TIMEOUT_S if args.retry_timeout_s is None else args.retry_timeout_s
     )
-    with Connection(args.url, args.token, requests=2) as connection:
-        yield ControlClient(
-            connection.control,
-            RetryPolicy(
-                connection.url,
-                retry_timeout_s,
-                threading.Event(),
-                _waiting_reporter(printer),
-            ),
-        )
+    return RetryPolicy(
+        connection.url, retry_timeout_s, threading.Event(), _waiting_reporter(printer)
+    )
 
 
 def submit(args: argparse.Namespace, printer: Printer) -> int:

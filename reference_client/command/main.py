@@ -12,9 +12,9 @@ import sys
 import traceback
 from collections.abc import Callable, Sequence
 
-from reference_client.command import control, running
+from reference_client.command import control, records, running
 from reference_client.command.aliases import PASS_THROUGH_COMMANDS, translate
-from reference_client.command.arguments import build_parser
+from reference_client.command.arguments import SERVERLESS_COMMANDS, build_parser
 from reference_client.command.exit_codes import (
     INTERRUPTED,
     WRONG_USAGE_OR_NO_SERVER,
@@ -35,6 +35,8 @@ COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
     "results": control.results,
     "compare": control.compare,
     "benchmarks": control.benchmarks,
+    "export": records.export,
+    "verify": records.check,
 }
 # Command → module to start, modules that it needs, and the extra that installs them.
 PROGRAMS = {
@@ -44,6 +46,7 @@ PROGRAMS = {
         ("starlette", "uvicorn"),
         "client",
     ),
+    "replay": ("reference_sim.replay", ("reference_sim", "mujoco"), "server"),
     "conformance": ("conformance", ("conformance", "hypothesis"), "kit"),
 }
 
@@ -101,10 +104,12 @@ def _run_command(args: argparse.Namespace, printer: Printer) -> int:
 
 
 def _complete(args: argparse.Namespace) -> None:
-    if args.host is not None or args.port is not None:
-        args.url = f"http://{args.host or '127.0.0.1'}:{args.port or 8460}"
     if args.ca:  # also for the processes of workers
         os.environ["PROCTOR_CA"] = args.ca
+    if args.command in SERVERLESS_COMMANDS:
+        return
+    if args.host is not None or args.port is not None:
+        args.url = f"http://{args.host or '127.0.0.1'}:{args.port or 8460}"
     args.token = find_token(args.url, args.token)
 
 

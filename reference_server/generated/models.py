@@ -393,6 +393,11 @@ class Interval(BaseModel):
     high: float
 
 
+class KeyList(BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    keys: list[PublicKey]
+
+
 class Lease(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     expires_at: str
@@ -704,6 +709,30 @@ class ProtocolRange(BaseModel):
     max: Annotated[str, Field(pattern="^[0-9]+\\.[0-9]+$")]
 
 
+class PublicKey(BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    keyid: Annotated[
+        str,
+        Field(
+            description="`SHA256:` and the SHA-256 of the key in hexadecimal digits."
+        ),
+    ]
+    algorithm: Annotated[
+        str, Field(description="`ed25519`, or another one of a later version.")
+    ]
+    public_key: Annotated[
+        bytes,
+        Field(
+            description="Its 32 bytes.", json_schema_extra={"contentEncoding": "base64"}
+        ),
+    ]
+    created_at: str
+    retired_at: Annotated[
+        str | None,
+        Field(description="When it signed for the last time; null for the key in use."),
+    ]
+
+
 class ResetPolicy(BaseModel):
     """
     An attempt begins; whatever the policy remembers of this session is over.
@@ -763,6 +792,13 @@ class Run(BaseModel):
     progress: Progress
     created_at: str
     updated_at: str
+    attempts_by_submitter: Annotated[
+        int | MISSING,
+        Field(
+            description="How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.",
+            ge=1,
+        ),
+    ] = MISSING
 
 
 class RunList(BaseModel):

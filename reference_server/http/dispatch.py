@@ -42,6 +42,7 @@ QUERY_PARAMETERS_MAX = 32
 # a worker id is the client's own choice and so its own mistake (ERR-018, ATT-013).
 PATH_PATTERNS: dict[str, tuple[str, str]] = {
     "benchmark_id": (r"[a-z][a-z0-9_]{0,63}", "not_found"),
+    "episode_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
     "run_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
     "worker_id": (r"[A-Za-z0-9_-]{1,64}", "invalid_request"),
 }

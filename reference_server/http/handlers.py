@@ -9,12 +9,14 @@ from __future__ import annotations
 import hashlib
 import importlib.metadata
 import time
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from functools import partial
 
-from starlette.responses import Response
+from starlette.responses import Response, StreamingResponse
 
+from reference_record.export import blocks_of
 from reference_server.generated import models
 from reference_server.http.codec import JSON, MSGPACK
 from reference_server.http.connection_limits import HEADER_BYTES
@@ -33,6 +35,7 @@ from reference_server.runs.service import RunService
 from reference_server.settings import Settings
 from reference_server.views import run_views
 
+ARCHIVE, BYTES = "application/zip", "application/octet-stream"
 SOFTWARE_VERSION = importlib.metadata.version("proctor-eval")
 IDLE_TIMEOUT_S_MIN = 1.0
 PAGE = 100  # RUN-025: items on a page when no limit is sent
@@ -84,6 +87,11 @@ class Handlers:
                 )
             },
             f"{run}/score": {"GET": Operation(self.get_score)},
+            f"{run}/record": {"GET": Operation(self.fetch_record, writes=(ARCHIVE,))},
+            f"{run}/episodes/{{episode_id}}/recording": {
+                "GET": Operation(self.fetch_recording, writes=(BYTES,))
+            },
+            "/v1/keys": {"GET": Operation(self.list_keys, scope=None)},
             "/v1/comparisons": {
                 "GET": Operation(
                     self.compare_runs,
@@ -117,7 +125,11 @@ class Handlers:
             name="Proctor reference server",
             version=SOFTWARE_VERSION,
             protocol=models.ProtocolRange(min=VERSION_MIN, max=VERSION_MAX),
-            profiles=[*PROFILES, *settings.enabled_profiles],
+            profiles=[
+                *PROFILES,
+                *(() if settings.recordings == "off" else ("record",)),
+                *settings.enabled_profiles,
+            ],
             limits=models.Limits(
                 max_body_bytes=settings.max_body_bytes,
                 max_workers=settings.max_workers,
@@ -230,6 +242,27 @@ class Handlers:
         score = await self.service.get_score(call.account, call.path["run_id"])
         return call.answer(score)
 
+    # --- records ---
+
+    async def list_keys(self, call: OperationCall) -> Response:
+        """REC-101."""
+        keys = await self.service.list_keys()
+        return call.answer({"keys": [run_views.key_view(key) for key in keys]})
+
+    async def fetch_record(self, call: OperationCall) -> Response:
+        run_id = call.path["run_id"]
+        record = await self.service.fetch_record(call.account, run_id)
+        return _file_response(
+            record.stream(), record.size, ARCHIVE, f"run-{run_id}.proctor"
+        )
+
+    async def fetch_recording(self, call: OperationCall) -> Response:
+        run_id, episode_id = call.path["run_id"], call.path["episode_id"]
+        path, size = await self.service.find_recording(call.account, run_id, episode_id)
+        return _file_response(
+            blocks_of(path), size, BYTES, f"{run_id}-{episode_id}.mcap"
+        )
+
     async def compare_runs(self, call: OperationCall) -> Response:
         tolerance = float(call.query.get("tolerance", comparison.TOLERANCE))
         run_ids = [call.query["baseline"], *call.query["runs"].split(",")]
@@ -283,6 +316,17 @@ class Handlers:
                 ANY_HOST.check(host)
             base = str(call.request.base_url)
         return base.rstrip("/")
+
+
+def _file_response(
+    blocks: Iterator[bytes], size: int, media_type: str, name: str
+) -> Response:
+    """A file that is read while it is sent, by a thread."""
+    headers = {
+        "Content-Length": str(size),
+        "Content-Disposition": f'attachment; filename="{name}"',
+    }
+    return StreamingResponse(blocks, media_type=media_type, headers=headers)
 
 
 def _etag(view: bytes) -> str:

@@ -123,24 +123,11 @@ def end_turn(
     In a stopping run the episode is played to its end and scored (STOP-003).
     """
     session.busy = "turning"
-    session.steps += played.executed
     if not played.ended:
+        session.steps += played.executed
         return None
     episode = _episode_of(session)
-    _record_result(
-        run,
-        episode,
-        Result(
-            outcome="success" if played.success else "failure",
-            score=played.score,
-            attempt=episode.attempt,
-            steps=session.steps,
-            terminated=played.terminated,
-            truncated=played.truncated,
-            think_s=session.think_s,
-            finished_at_wall=now_wall,
-        ),
-    )
+    _record_result(run, episode, result_of(session, played, now_wall))
     session.steps, session.think_s = 0, 0.0
     # STOP-004: a stopping run hands out nothing any more.
     session.episode = run.take_pending() if may_hand_out(run) else None
@@ -148,6 +135,20 @@ def end_turn(
         session.done = True
         _after_session_end(run)
     return episode
+
+
+def result_of(session: Session, played: ChunkOutcome, now_wall: float) -> Result:
+    """The result that `end_turn` gives the session's episode, which has ended."""
+    return Result(
+        outcome="success" if played.success else "failure",
+        score=played.score,
+        attempt=_episode_of(session).attempt,
+        steps=session.steps + played.executed,
+        terminated=played.terminated,
+        truncated=played.truncated,
+        think_s=session.think_s,
+        finished_at_wall=now_wall,
+    )
 
 
 def store_answer(session: Session, turn: dict[str, Any], now: float) -> None:

@@ -21,7 +21,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias, get_args
 
 from reference_server.rules import action_space
-from reference_server.rules.run import Observe, Run, Session, State
+from reference_server.rules.run import Observe, Run, RunHead, Session, State
 
 Event: TypeAlias = Literal[
     "attach_worker",
@@ -219,6 +219,18 @@ def availability(run: Run) -> Availability:
     if run.state in WAITING_STATES:
         return "waiting"
     return "completed" if run.state == "completed" else "closed"
+
+
+def refuse_record(run: RunHead) -> Refuse | None:
+    """REC-103: a run that can still change has no record."""
+    if run.state == "completed":
+        return None
+    return Refuse(
+        "illegal_transition",
+        f"A run that is {run.state} has no record; it has one when it is completed.",
+        "REC-103",
+        members={"state": run.state},
+    )
 
 
 def lease_over(session: Session, now: float) -> bool:

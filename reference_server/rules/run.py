@@ -42,6 +42,32 @@ class Result:
     finished_at_wall: float
 
 
+@dataclass(frozen=True, slots=True)
+class Recording:
+    """The finished recording of an episode, as its file is.
+
+    first_digest, last_digest: of the simulator's state; None if nothing was played.
+    latency: quantiles in milliseconds, by name.
+    """
+
+    sha256: str
+    bytes: int
+    turns: int
+    first_digest: str | None
+    last_digest: str | None
+    latency: Mapping[str, float]
+
+
+@dataclass(frozen=True, slots=True)
+class PublicKey:
+    """A key that signs records, or did. retired_at_wall: None for the key in use."""
+
+    keyid: str
+    public_key: bytes
+    created_at_wall: float
+    retired_at_wall: float | None
+
+
 @dataclass(slots=True)
 class Episode:
     """One trial of the manifest.
@@ -51,6 +77,7 @@ class Episode:
     policy_fault: what the policy did that ended the last attempt, in mode push.
     place: of its result among those of the run, the first one 1; None without a result,
     or with one that is older than this column.
+    recording: with its result; None if it was not recorded.
     """
 
     index: int
@@ -64,6 +91,7 @@ class Episode:
     policy_fault: str | None = None
     place: int | None = None
     result: Result | None = None
+    recording: Recording | None = None
 
     @property
     def episode_id(self) -> str:
@@ -106,6 +134,8 @@ class RunHead:
 
     manifest: the benchmark with the run's options applied; what was hashed.
     number: grows with every submit; newest first is largest first.
+    attempts_by_submitter: how many runs of its benchmark its account had submitted,
+    this one included; None if it is older than this member.
     total, scored: how many episodes it has, and how many of them a result.
     """
 
@@ -124,6 +154,7 @@ class RunHead:
     created_at_wall: float
     updated_at_wall: float
     queue_until_wall: float
+    attempts_by_submitter: int | None = field(default=None, kw_only=True)
     total: int = field(default=0, kw_only=True)
     scored: int = field(default=0, kw_only=True)
 
@@ -205,3 +236,12 @@ class Run(RunHead):
         self.ended[session.session_id] = ended_by
         if len(self.ended) > ENDED_SESSIONS_MAX:
             self.ended.popitem(last=False)
+
+
+def index_of(episode_id: str) -> int | None:
+    """The index of the episode with this id (RUN-024); None for no episode's id."""
+    digits = episode_id.removeprefix("e")
+    if not (digits.isascii() and digits.isdigit()) or len(digits) > 9:
+        return None
+    index = int(digits)
+    return index if episode_id == f"e{index:04d}" else None

@@ -14,10 +14,13 @@ import time
 from collections.abc import Awaitable, Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
+from pathlib import Path
 from typing import Any, Literal, cast
 
 import msgspec
 
+from reference_record.export import Record
+from reference_server.records.run_records import RecordUnavailable, RunRecords
 from reference_server.rules import comparison, effects
 from reference_server.rules.lifecycle import (
     Attach,
@@ -31,10 +34,11 @@ from reference_server.rules.lifecycle import (
     availability,
     changes_state,
     decide,
+    refuse_record,
 )
 from reference_server.rules.manifest import Submission
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.rules.run import Episode, PublicKey, Run, RunHead, index_of
 from reference_server.rules.submission import (
     KeyUse,
     SubmissionLimits,
@@ -65,6 +69,8 @@ class RunService:
     validate_submission: SubmissionValidator
     # What of a submission others are compared with: nothing that is secret.
     comparable_submission: Callable[[Json], Json]
+    # None where nothing is recorded.
+    records: RunRecords | None = None
     scores: ScoreCache = field(default_factory=ScoreCache)
 
     # --- control plane ---
@@ -233,6 +239,49 @@ class RunService:
         """Schema Score."""
         return await self.scores.get(self.registry, run_id, account)
 
+    # --- records ---
+
+    async def list_keys(self) -> list[PublicKey]:
+        """Every key that signed a record, the newest first."""
+        return await self._require_records().keys()
+
+    async def fetch_record(self, account: str, run_id: str) -> Record:
+        """The signed record of a completed run that the account may see (REC-108)."""
+        records = self._require_records()
+        run, episodes = await self.registry.read_view(
+            run_id, account, lambda run, all_: (run, all_), end=None
+        )
+        refused = refuse_record(run)
+        if refused is not None:
+            raise Refused.from_verdict(refused)
+        score = await self.get_score(account, run_id)
+        try:
+            return await records.fetch(run, episodes, score)
+        except RecordUnavailable as error:
+            raise Refused("not_found", str(error)) from error
+
+    async def find_recording(
+        self, account: str, run_id: str, episode_id: str
+    ) -> tuple[Path, int]:
+        """The recording of an episode that has its result: its file, and its size."""
+        records = self._require_records()
+        index = index_of(episode_id)
+        start = 0 if index is None else index
+        _, found = await self.registry.read_view(
+            run_id, account, lambda run, some: (run, some), start, start + 1
+        )
+        if index is None or not found:
+            raise Refused("not_found", f"The run has no episode {episode_id[:20]}.")
+        size = await records.recording_size(run_id, found[0])
+        if size is None:
+            raise Refused("not_found", f"{episode_id} has no recording.")
+        return records.recording_path(run_id, index), size
+
+    def _require_records(self) -> RunRecords:
+        if self.records is None:
+            raise Refused("not_found", "This server records nothing.")
+        return self.records
+
     def current_view(self, endpoint: str, run: RunHead, *_: object) -> Json:
         """Schema Run with every lease that is over ended first."""
         if isinstance(run, Run):  # else no session of it is live
@@ -293,6 +342,7 @@ class RunService:
         session = run.workers.get(worker_id)
         if session is None or session.session_id != session_id:
             return False
+        self.executor.record_policy_fault(session, fault)
         effects.end_by_policy(run, session, fault, time.time())
         self.executor.release_sessions([session])
         await self.registry.commit(run)

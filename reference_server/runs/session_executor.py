@@ -19,6 +19,7 @@ import time
 from collections.abc import Awaitable
 from typing import Any
 
+from reference_server.records.recordings import RecordingFailed, Recordings
 from reference_server.rules import action_space, effects
 from reference_server.rules.lifecycle import (
     Attach,
@@ -37,8 +38,10 @@ from reference_server.runs.registry import RunRegistry
 from reference_server.runs.session_resources import ResourceManager, SessionResources
 from reference_server.views import turn_view
 from reference_sim.process.pool import (
+    ChunkReply,
     EpisodeStart,
     NoCapacity,
+    RecordingPlan,
     SimulatorFault,
     SimulatorPool,
     TaskUnplayable,
@@ -46,12 +49,16 @@ from reference_sim.process.pool import (
 
 log = logging.getLogger("proctor.sessions")
 
+# What ends a playing by no fault of its policy; the episode begins again.
+_FAULTS = (SimulatorFault, TaskUnplayable, RecordingFailed)
+
 
 class SessionExecutor:
     """Every session of this process.
 
     unused_s: how long a session keeps its simulator without a turn, when it has to be
-    shared. heartbeat_s_max: how long heartbeats alone extend a lease.
+    shared. heartbeat_s_max: how long heartbeats alone extend a lease. recordings: where
+    episodes are recorded; None records nothing.
     """
 
     def __init__(
@@ -60,11 +67,18 @@ class SessionExecutor:
         pool: SimulatorPool,
         unused_s: float = 120.0,
         heartbeat_s_max: float = 3600.0,
+        recordings: Recordings | None = None,
     ) -> None:
+        self._recordings = recordings
         self._registry = registry
         self._heartbeat_s_max = heartbeat_s_max
         self._resources = ResourceManager(
-            pool, registry.run_in_background, self.sweep, self._abort, unused_s
+            pool,
+            registry.run_in_background,
+            self.sweep,
+            self._abort,
+            unused_s,
+            recordings=recordings,
         )
 
     # --- operations of the data plane ---
@@ -90,7 +104,9 @@ class SessionExecutor:
         session = run.workers[command.worker_id]
         resources = self._resources.find(session)
         assert resources is not None, "a session that has not ended has its resources"
-        effects.begin_turn(session, command, time.monotonic())
+        now = time.monotonic()
+        resources.think_s = max(0.0, now - session.answered_at)
+        effects.begin_turn(session, command, now)
         return await self._execute(resources, self._play(resources, command))
 
     def heartbeat(self, run: Run, command: Heartbeat) -> Session:
@@ -153,6 +169,15 @@ class SessionExecutor:
         """Free what ended sessions hold; a simulator in execution is killed."""
         self._resources.release_sessions(sessions)
 
+    def record_policy_fault(self, session: Session, fault: str) -> None:
+        """Into the recording of what the session plays, before its session ends."""
+        resources = self._resources.find(session)
+        if self._recordings is None or resources is None or session.episode is None:
+            return
+        self._recordings.add_fault(
+            resources.run, session.episode, session.seq, "policy_fault", fault
+        )
+
     def discard_sessions(self, run: Run) -> None:
         """End the sessions of a run that was lost, without counting anything."""
         self._resources.discard_sessions(run)
@@ -188,16 +213,24 @@ class SessionExecutor:
         run, session = resources.run, resources.session
         assert resources.handle is not None, "a session with an episode has a simulator"
         resources.fault = None
+        seq, think_ms = command.seq, resources.think_s * 1e3
         actions = action_space.clip_actions(command.actions, run.manifest)
         try:
             played = await resources.handle.play(
-                actions, observe_all=command.observe == "all"
+                actions,
+                observe_all=command.observe == "all",
+                seq=seq,
+                think_ms=think_ms,
             )
-        except (SimulatorFault, TaskUnplayable) as error:
+            now_wall = time.time()
+            if played.ended:
+                self._ensure_live(resources)
+                await self._finish_recording(resources, played, now_wall)
+        except _FAULTS as error:
             await self._fault(resources, error)
             return await self._begin_turn(resources, started)
         self._ensure_live(resources)
-        ended = effects.end_turn(run, session, played, time.time())
+        ended = effects.end_turn(run, session, played, now_wall)
         observation, spent = played.observation, turn_view.timing(0.0, played.timing)
         if ended is not None:
             # The result is on disk before any response shows it (CRASH-001).
@@ -251,19 +284,45 @@ class SessionExecutor:
                 queue_s += await self._resources.acquire_simulator(resources)
                 self._ensure_live(resources)
                 assert resources.handle is not None
+                plan = await self._plan_recording(resources)
                 beginning = await resources.handle.begin(
                     episode.task,
                     episode.seed,
                     split=episode.split,
                     max_steps=run.manifest["max_steps"],
                     success_rule=run.manifest["success_rule"],
+                    recording=plan,
                 )
-            except (SimulatorFault, TaskUnplayable) as error:
+            except _FAULTS as error:
                 await self._fault(resources, error)
                 continue
             self._ensure_live(resources)
             resources.session.instruction = beginning.instruction
             return beginning, queue_s
+
+    async def _plan_recording(
+        self, resources: SessionResources
+    ) -> RecordingPlan | None:
+        """Where what begins now is recorded; from now on its end is, too."""
+        episode = resources.session.episode
+        if self._recordings is None or episode is None:
+            return None
+        plan = await self._recordings.begin(resources.run, episode)
+        self._ensure_live(resources)
+        resources.recorded = episode.index, episode.attempt
+        return plan
+
+    async def _finish_recording(
+        self, resources: SessionResources, played: ChunkReply, now_wall: float
+    ) -> None:
+        """The recording is complete on disk before its result counts."""
+        session, episode = resources.session, resources.session.episode
+        if self._recordings is None or episode is None:
+            return
+        result = effects.result_of(session, played, now_wall)
+        recording = await self._recordings.finish(resources.run, episode, result)
+        self._ensure_live(resources)
+        episode.recording, resources.recorded = recording, None
 
     async def _fault(self, resources: SessionResources, error: Exception) -> None:
         """Record a fault (FAULT-001); returns when the episode may begin again."""
@@ -276,6 +335,9 @@ class SessionExecutor:
         )
         assert episode is not None
         log.warning("run %s, %s: %s", run.run_id, episode.episode_id, error)
+        if self._recordings is not None:
+            seq = session.seq if session.busy == "playing" else 0
+            self._recordings.add_fault(run, episode, seq, "simulator_fault", str(error))
         session.busy = "turning"
         ended = effects.record_fault(
             run,

@@ -12,6 +12,7 @@ from collections.abc import Awaitable, Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from reference_server.records.recordings import Recordings
 from reference_server.rules.capacity import LentSimulator, session_to_end
 from reference_server.rules.lifecycle import lease_over
 from reference_server.rules.run import Run, Session
@@ -25,7 +26,9 @@ class SessionResources:
 
     handle: its simulator, while it plays an episode. acquiring: it is about to get one.
     task: the work in execution, or
-    the last one. fault: what broke in the turn in execution, schema Fault.
+    the last one. fault: what broke in the turn in execution, schema Fault. think_s: of
+    the policy, before the turn in execution. recorded: index and attempt of what it
+    plays, if that is recorded.
     """
 
     run: Run
@@ -35,6 +38,8 @@ class SessionResources:
     task: asyncio.Task[dict[str, Any]] | None = None
     timer: asyncio.TimerHandle | None = None
     fault: dict[str, Any] | None = None
+    think_s: float = 0.0
+    recorded: tuple[int, int] | None = None
 
 
 class ResourceManager:
@@ -44,6 +49,7 @@ class ResourceManager:
     on_lease_over: is called with the run of a session whose lease is over.
     on_unused: is called with a session that has to end for another account.
     unused_s: how long it may be without a turn while that one waits.
+    recordings: where episodes are recorded; None records nothing.
     """
 
     def __init__(
@@ -53,7 +59,10 @@ class ResourceManager:
         on_lease_over: Callable[[Run], object],
         on_unused: Callable[[SessionResources], object],
         unused_s: float,
+        *,
+        recordings: Recordings | None = None,
     ) -> None:
+        self._recordings = recordings
         self._pool = pool
         self._run_in_background = run_in_background
         self._on_lease_over, self._on_unused = on_lease_over, on_unused
@@ -74,7 +83,7 @@ class ResourceManager:
         resources = SessionResources(run, session)
         left = None if before is None else self._remove(before)
         if left is not None:
-            resources.handle = left.handle
+            resources.handle, resources.recorded = left.handle, left.recorded
         self._by_session[session] = resources
         self._schedule_lease_check(resources)
         return resources
@@ -84,7 +93,15 @@ class ResourceManager:
         for session in sessions:
             resources = self._remove(session)
             if resources is not None:
+                self._record_end(resources)
                 self.return_simulator(resources, kill=session.busy is not None)
+
+    def _record_end(self, resources: SessionResources) -> None:
+        """The attempt in play is over without a score."""
+        if self._recordings is not None and resources.recorded is not None:
+            index, attempt = resources.recorded
+            reason = resources.session.ended_by or "unknown"
+            self._recordings.end_attempt(resources.run, index, attempt, reason)
 
     def discard_sessions(self, run: Run | None = None) -> None:
         """End the sessions of a run, or all, without counting anything."""

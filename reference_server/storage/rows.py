@@ -12,15 +12,17 @@ from typing import Any
 import msgspec
 
 from reference_server.rules.manifest import Manifest, ManifestEpisode
-from reference_server.rules.run import Episode, Result, Run, RunHead
+from reference_server.rules.run import Episode, Recording, Result, Run, RunHead
 
 Row = Mapping[str, Any]
 # What is stored of an episode, and in which types.
 EPISODE_COLUMNS = (
     *("index", "attempt", "faults", "faults_forgiven"),
-    *("policy_fault", "place", "result"),
+    *("policy_fault", "place", "result", "recording"),
 )
-EpisodeRow = tuple[int, int, int, int, str | None, int | None, bytes | None]
+EpisodeRow = tuple[
+    int, int, int, int, str | None, int | None, bytes | None, bytes | None
+]
 
 # Columns that are members of the object under the same name.
 _COPIED_COLUMNS = (
@@ -36,8 +38,10 @@ _COPIED_COLUMNS = (
     "created_at_wall",
     "updated_at_wall",
     "queue_until_wall",
+    "attempts_by_submitter",
 )
 _RESULT = msgspec.json.Decoder(Result)
+_RECORDING = msgspec.json.Decoder(Recording)
 
 
 def new_run_row(run: Run) -> dict[str, Any]:
@@ -51,6 +55,8 @@ def new_run_row(run: Run) -> dict[str, Any]:
         "idle_timeout_s": run.idle_timeout_s,
         "images": msgspec.json.encode(run.images),
         "created_at_wall": run.created_at_wall,
+        "benchmark_id": run.manifest["benchmark_id"],
+        "attempts_by_submitter": run.attempts_by_submitter,
     }
 
 
@@ -71,7 +77,6 @@ def episode_rows(run: Run, changed: set[int]) -> list[dict[str, Any]]:
     rows = []
     for index in sorted(changed):
         episode = run.episodes[index]
-        result = episode.result
         rows.append(
             {
                 "number": run.number,
@@ -81,10 +86,15 @@ def episode_rows(run: Run, changed: set[int]) -> list[dict[str, Any]]:
                 "faults_forgiven": episode.faults_forgiven,
                 "policy_fault": episode.policy_fault,
                 "place": episode.place,
-                "result": msgspec.json.encode(asdict(result)) if result else None,
+                "result": _encode(episode.result),
+                "recording": _encode(episode.recording),
             }
         )
     return rows
+
+
+def _encode(value: Result | Recording | None) -> bytes | None:
+    return msgspec.json.encode(asdict(value)) if value else None
 
 
 def episodes_of(
@@ -109,12 +119,14 @@ def _from_plan(index: int, plan: ManifestEpisode) -> Episode:
 
 
 def _apply_row(episode: Episode, row: EpisodeRow) -> None:
-    _, attempt, faults, faults_forgiven, policy_fault, place, result = row
+    _, attempt, faults, faults_forgiven, policy_fault, place, result, recording = row
     episode.attempt = attempt
     episode.faults, episode.faults_forgiven = faults, faults_forgiven
     episode.policy_fault, episode.place = policy_fault, place
     if result:
         episode.result = _RESULT.decode(result)
+    if recording:
+        episode.recording = _RECORDING.decode(recording)
 
 
 def _columns_of(row: Row, manifest: Manifest) -> dict[str, Any]:

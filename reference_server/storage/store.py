@@ -9,7 +9,14 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import AsyncIterator, Callable, Iterator, Mapping, Sequence
+from collections.abc import (
+    AsyncIterator,
+    Awaitable,
+    Callable,
+    Iterator,
+    Mapping,
+    Sequence,
+)
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -21,7 +28,7 @@ from sqlalchemy.ext.asyncio import AsyncConnection, AsyncEngine, create_async_en
 
 from reference_server.rules.capacity import WaitingRun
 from reference_server.rules.manifest import Manifest
-from reference_server.rules.run import Episode, Run, RunHead, State
+from reference_server.rules.run import Episode, PublicKey, Run, RunHead, State
 from reference_server.storage import rows
 from reference_server.system import private_files
 
@@ -53,7 +60,11 @@ _runs = sa.Table(
     sa.Column("queue_until_wall", sa.Float, nullable=False),
     # How many of its episodes have a result; NULL in rows older than this column.
     sa.Column("scored", sa.Integer),
+    # NULL in rows older than these columns.
+    sa.Column("benchmark_id", sa.String(64)),
+    sa.Column("attempts_by_submitter", sa.Integer),
     sa.Index("runs_of_account", "account", "number"),
+    sa.Index("runs_of_benchmark", "account", "benchmark_id", "attempts_by_submitter"),
 )
 # A manifest is stored once, however many runs use it.
 _manifests = sa.Table(
@@ -75,6 +86,8 @@ _episodes = sa.Table(
     sa.Column("policy_fault", sa.Text),
     # Of its result among those of the run; NULL in rows older than this column.
     sa.Column("place", sa.Integer),
+    # NULL if the episode was not recorded.
+    sa.Column("recording", sa.LargeBinary),
 )
 _keys = sa.Table(
     "idempotency_keys",
@@ -83,6 +96,24 @@ _keys = sa.Table(
     sa.Column("key", sa.String(128), primary_key=True),
     sa.Column("body_sha256", sa.String(64), nullable=False),
     sa.Column("run_id", sa.String(64), nullable=False),
+)
+
+# The statements of records, in the order in which they were signed.
+_statements = sa.Table(
+    "statements",
+    _tables,
+    sa.Column("number", sa.Integer, primary_key=True, autoincrement=True),
+    sa.Column("run_id", sa.String(64), unique=True, nullable=False),
+    sa.Column("statement", sa.LargeBinary, nullable=False),
+    sa.Column("sha256", sa.String(64), nullable=False),
+)
+_signing_keys = sa.Table(
+    "signing_keys",
+    _tables,
+    sa.Column("keyid", sa.String(80), primary_key=True),
+    sa.Column("public_key", sa.LargeBinary, nullable=False),
+    sa.Column("created_at_wall", sa.Float, nullable=False),
+    sa.Column("retired_at_wall", sa.Float),
 )
 
 _COUNT_SCORED = (
@@ -117,10 +148,24 @@ class StoreFailed(Exception):
     """The database failed; nothing of the transaction was stored."""
 
 
-class Store:
-    """Runs on disk. Writes happen one after another; each is one transaction."""
+async def _complete_nothing(_run: Run) -> None:
+    """What precedes a write, unless something else is named."""
 
-    def __init__(self, url: str) -> None:
+
+class Store:
+    """Runs on disk. Writes happen one after another; each is one transaction.
+
+    before_save: completes a run that is about to be stored. after_save: is called with
+    the run and the indices of the episodes that were stored.
+    """
+
+    def __init__(
+        self,
+        url: str,
+        before_save: Callable[[Run], Awaitable[None]] = _complete_nothing,
+        after_save: Callable[[Run, set[int]], None] = lambda _run, _indices: None,
+    ) -> None:
+        self._before_save, self._after_save = before_save, after_save
         try:
             self._url = sa.make_url(url)
             self._engine: AsyncEngine = create_async_engine(self._url)
@@ -194,6 +239,8 @@ class Store:
         async with self._write_lock, self._transaction() as connection:
             if key is not None and await _find_key(connection, run.account, key):
                 return False
+            before = await connection.scalar(_last_attempt(run))
+            run.attempts_by_submitter = 1 + (before or 0)  # REC-110
             row = rows.new_run_row(run)
             known = sa.select(_manifests.c.manifest_sha256).where(
                 _manifests.c.manifest_sha256 == run.manifest_sha256
@@ -226,6 +273,7 @@ class Store:
         CRASH-001, CRASH-004: every answer that shows them is sent after that.
         """
         async with self._write_lock:
+            await self._before_save(run)
             # Read inside the lock and before any other await: a later save never
             # overtakes an earlier one, and state and episodes are of one moment.
             if run.lost:
@@ -241,6 +289,7 @@ class Store:
             except StoreFailed:
                 run.changed |= changed
                 raise
+        self._after_save(run, changed)
 
     async def find_key(self, account: str, key: str) -> tuple[str, str] | None:
         """(body_sha256, run_id) of an account's Idempotency-Key, if it was used."""
@@ -334,6 +383,54 @@ class Store:
                     .values(state=after, reason=reason)
                 )
 
+    # --- records ---
+
+    async def count_attempts(self, run: RunHead) -> int:
+        """How many runs of its benchmark the run's account has submitted so far."""
+        async with self._transaction() as connection:
+            return await connection.scalar(_last_attempt(run)) or 0
+
+    async def find_statement(self, run_id: str) -> bytes | None:
+        """That of the run's record, if it was signed."""
+        query = sa.select(_statements.c.statement).where(_statements.c.run_id == run_id)
+        async with self._transaction() as connection:
+            return await connection.scalar(query)
+
+    async def last_statement_sha256(self) -> str | None:
+        """Of the statement that was signed last; None before the first."""
+        query = sa.select(_statements.c.sha256).order_by(_statements.c.number.desc())
+        async with self._transaction() as connection:
+            return await connection.scalar(query.limit(1))
+
+    async def add_statement(self, run_id: str, statement: bytes, sha256: str) -> None:
+        """Store the statement of a run that has none."""
+        row = {"run_id": run_id, "statement": statement, "sha256": sha256}
+        async with self._write_lock, self._transaction() as connection:
+            await connection.execute(_statements.insert().values(row))
+
+    async def use_key(self, keyid: str, public_key: bytes, now_wall: float) -> None:
+        """This key signs from now on; all others are retired."""
+        keys = _signing_keys
+        retire = keys.update().where(
+            keys.c.keyid != keyid, keys.c.retired_at_wall.is_(None)
+        )
+        async with self._write_lock, self._transaction() as connection:
+            await connection.execute(retire.values(retired_at_wall=now_wall))
+            again = keys.update().where(keys.c.keyid == keyid)
+            known = await connection.execute(again.values(retired_at_wall=None))
+            if known.rowcount == 0:
+                row = {"keyid": keyid, "public_key": public_key}
+                await connection.execute(
+                    keys.insert().values(row | {"created_at_wall": now_wall})
+                )
+
+    async def keys(self) -> list[PublicKey]:
+        """All keys that signed, the newest first."""
+        columns = (_signing_keys.c[n] for n in PublicKey.__dataclass_fields__)
+        query = sa.select(*columns).order_by(_signing_keys.c.created_at_wall.desc())
+        async with self._transaction() as connection:
+            return [PublicKey(*row) for row in await connection.execute(query)]
+
     async def in_states(self, *states: str) -> list[str]:
         """Ids of all runs in these states, oldest first."""
         query = sa.select(_runs.c.run_id).where(_runs.c.state.in_(states))
@@ -349,6 +446,14 @@ class Store:
             return [WaitingRun(*row) for row in found]
 
 
+def _last_attempt(run: RunHead) -> sa.Select[Any]:
+    """The largest number that a run of this account and benchmark has."""
+    return sa.select(sa.func.max(_runs.c.attempts_by_submitter)).where(
+        _runs.c.account == run.account,
+        _runs.c.benchmark_id == run.manifest["benchmark_id"],
+    )
+
+
 def _run_in_connection(
     engine: sa.Engine, fetch: Callable[[sa.Connection], Found]
 ) -> Found:
@@ -357,7 +462,7 @@ def _run_in_connection(
 
 
 def _add_missing_columns(connection: sa.Connection) -> None:
-    """Add the columns that an older database does not have, empty."""
+    """Add the columns that an older database does not have, empty; and the indexes."""
     for table in _tables.sorted_tables:
         columns = sa.inspect(connection).get_columns(table.name)
         present = {column["name"] for column in columns}
@@ -366,6 +471,8 @@ def _add_missing_columns(connection: sa.Connection) -> None:
                 kind = column.type.compile(connection.dialect)
                 add = f"ALTER TABLE {table.name} ADD {column.name} {kind}"
                 connection.execute(sa.text(add))
+        for index in table.indexes:
+            index.create(connection, checkfirst=True)
 
 
 def _database_file(url: sa.URL) -> Path | None:

@@ -12,7 +12,7 @@ from typing import Any
 
 from reference_server.generated import models
 from reference_server.rules.policy_server import PolicyServerConfig
-from reference_server.rules.run import Episode, RunHead
+from reference_server.rules.run import Episode, PublicKey, RunHead
 from reference_server.rules.scoring import ScoredEpisode, score_of
 
 
@@ -56,6 +56,8 @@ def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> dict[st
         created_at=timestamp(run.created_at_wall),
         updated_at=timestamp(run.updated_at_wall),
     )
+    if run.attempts_by_submitter is not None:
+        view.attempts_by_submitter = run.attempts_by_submitter
     if run.is_push:
         view.policy_server = PolicyServerConfig.from_run(run).view()
     return view.model_dump()
@@ -104,6 +106,18 @@ def episode_view(episode: Episode) -> dict[str, Any]:
     if episode.result is not None:
         body["result"] = result_view(episode)
     return body
+
+
+def key_view(key: PublicKey) -> dict[str, Any]:
+    """Schema PublicKey."""
+    retired = key.retired_at_wall
+    return models.PublicKey(
+        keyid=key.keyid,
+        algorithm="ed25519",
+        public_key=key.public_key,
+        created_at=timestamp(key.created_at_wall),
+        retired_at=None if retired is None else timestamp(retired),
+    ).model_dump()
 
 
 def comparison_view(

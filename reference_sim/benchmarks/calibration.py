@@ -47,6 +47,7 @@ class Calibration:
         if task not in TASKS:
             raise TaskUnplayable(f"calibration has no task {task!r}")
         self._task = task
+        self._seed = seed
         self._count = 0
         self._vector = np.zeros(VECTOR_SIZE)
         self._clipped = np.zeros(CLIPPED_SIZE)
@@ -80,6 +81,10 @@ class Calibration:
         pattern = FRAME_BUFFER.allocate(height, width)
         np.add(self._pattern, np.uint8(self._count % 256), out=pattern)
         return Observation(state, {"pattern": pattern}, TENSORS)
+
+    def state_bytes(self) -> bytes:
+        head = f"{self._task} {self._seed} {self._count} ".encode()
+        return head + self._vector.tobytes() + self._clipped.tobytes()
 
     def close(self) -> None:
         """No resources to free."""

@@ -159,6 +159,18 @@ class GymnasiumSimulator:
             )
         return np.ascontiguousarray(pixels[::-1, ::-1] if upside_down else pixels)
 
+    def state_bytes(self) -> bytes:
+        """What is observed, without images that are rendered, and the sum of rewards.
+
+        Gymnasium has no way to read an environment's state.
+        """
+        observed = b"".join(
+            f"{name} {array.dtype} {array.shape} ".encode() + array.tobytes()
+            for group in self.observation_parts().values()
+            for name, array in group.items()
+        )
+        return observed + repr((self._steps, self._return)).encode()
+
     def close(self) -> None:
         if self._environment is not None:
             self._environment.close()

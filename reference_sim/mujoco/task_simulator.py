@@ -160,6 +160,11 @@ class PhysicalSimulator(Generic[SceneT]):
         self._stages_reached = snapshot.stages_reached
         self._success = snapshot.success
 
+    def state_bytes(self) -> bytes:
+        """The full state of MuJoCo's physics, and the progress in the task."""
+        progress = self._held_steps, self._stages_reached, self._success
+        return self._world.snapshot().tobytes() + repr(progress).encode()
+
     def close(self) -> None:
         """Free the renderers."""
         self._world.close()

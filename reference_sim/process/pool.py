@@ -18,6 +18,7 @@ from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.interface import TaskUnplayable
 from reference_sim.process import simulator_main
 from reference_sim.process.encoding import EncodedObservation
+from reference_sim.process.recorder import RecordingPlan
 from reference_sim.process.simulator_main import ChunkReply, EpisodeStart, Timing
 from reference_sim.process.simulator_process import (
     ExecStarter,
@@ -32,6 +33,7 @@ __all__ = [
     "ChunkReply",
     "EpisodeStart",
     "NoCapacity",
+    "RecordingPlan",
     "SimulatorFault",
     "SimulatorHandle",
     "SimulatorPool",
@@ -74,16 +76,27 @@ class SimulatorHandle:
         split: str = "",
         max_steps: int,
         success_rule: str,
+        recording: RecordingPlan | None = None,
     ) -> EpisodeStart:
         """Reset to step 0 of an episode; discards the current one."""
-        command = simulator_main.Begin(task, seed, split, max_steps, success_rule)
+        command = simulator_main.Begin(
+            task, seed, split, max_steps, success_rule, recording
+        )
         return await self._request(command, EpisodeStart)
 
     async def play(
-        self, actions: Sequence[Mapping[str, Sequence[float]]], *, observe_all: bool
+        self,
+        actions: Sequence[Mapping[str, Sequence[float]]],
+        *,
+        observe_all: bool,
+        seq: int = 0,
+        think_ms: float = 0.0,
     ) -> ChunkReply:
-        """Execute until the chunk or the episode ends."""
-        command = simulator_main.Play(actions, observe_all)
+        """Execute until the chunk or the episode ends.
+
+        seq, think_ms: of the turn, for its recording.
+        """
+        command = simulator_main.Play(actions, observe_all, seq, think_ms)
         played = await self._request(command, ChunkReply)
         if played.observations:
             last = played.observations[-1]

@@ -29,6 +29,11 @@ from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
 from reference_sim.interface import Simulator, TaskUnplayable
 from reference_sim.process.encoding import EncodedObservation, encode
+from reference_sim.process.recorder import (
+    EpisodeRecorder,
+    RecordingPlan,
+    UnwritableRecording,
+)
 from reference_sim.shared_frame_buffer import FRAME_BUFFER, SharedFrameBuffer
 
 HEADER = struct.Struct(">I")
@@ -57,11 +62,16 @@ class Begin(msgspec.Struct, tag="begin"):
     split: str
     max_steps: int
     success_rule: str
+    recording: RecordingPlan | None = None
 
 
 class Play(msgspec.Struct, tag="play"):
+    """seq, think_ms: of the turn, for its recording."""
+
     actions: Sequence[Mapping[str, Sequence[float]]]
     observe_all: bool
+    seq: int = 0
+    think_ms: float = 0.0
 
 
 class Observe(msgspec.Struct, tag="observe"):
@@ -183,6 +193,7 @@ class _EpisodeHost:
         self._world: benchmark_registry.SimulatorConfig | None = None
         self._simulator: Simulator | None = None
         self._episode: Episode | None = None
+        self._recorder: EpisodeRecorder | None = None
 
     def answer(self, command: SimulatorCommand) -> SimulatorReply:
         FRAME_BUFFER.acknowledge()
@@ -190,6 +201,8 @@ class _EpisodeHost:
             return self._execute(command)
         except TaskUnplayable as unplayable:
             return FailureReply(str(unplayable), unplayable=True)
+        except UnwritableRecording as failed:
+            return FailureReply(str(failed), unplayable=False)
         except Exception as error:  # noqa: BLE001 - a simulator may raise anything
             _log.error("simulator failed", exc_info=True)
             return FailureReply(f"{type(error).__name__}: {error}", unplayable=False)
@@ -220,6 +233,7 @@ class _EpisodeHost:
     def _begin(self, command: Begin) -> EpisodeStart:
         simulator, world = self._require_simulator()
         clock = _Clock()
+        self._end_recording()
         FRAME_BUFFER.begin_episode()
         self._episode = Episode(
             simulator,
@@ -231,6 +245,8 @@ class _EpisodeHost:
             score_is_success=command.task in world.success_scored_tasks,
         )
         clock.lap("simulate_s")
+        if command.recording is not None:
+            self._recorder = EpisodeRecorder(command.recording, simulator)
         observation = self._observe(clock)
         return EpisodeStart(self._episode.instruction, observation, clock.timing())
 
@@ -250,6 +266,19 @@ class _EpisodeHost:
                 last_busy_at = time.perf_counter()
                 self._connection.sendall(frame(Busy()))
         clock.lap("simulate_s")
+        observation = (
+            None if episode.ended or command.observe_all else self._observe(clock)
+        )
+        timing = clock.timing()
+        if self._recorder is not None:
+            self._recorder.add_turn(
+                seq=command.seq,
+                think_ms=command.think_ms,
+                actions=command.actions[: len(rewards)],
+                rewards=rewards,
+                episode=episode,
+                simulate_s=timing.simulate_s,
+            )
         return ChunkReply(
             executed=len(rewards),
             rewards=rewards,
@@ -259,12 +288,16 @@ class _EpisodeHost:
             success=episode.success,
             score=episode.score,
             steps=episode.steps,
-            observation=None
-            if episode.ended or command.observe_all
-            else self._observe(clock),
+            observation=observation,
             observations=observations if command.observe_all else None,
-            timing=clock.timing(),
+            timing=timing,
         )
+
+    def _end_recording(self) -> None:
+        """What follows is not of the attempt that was recorded."""
+        if self._recorder is not None:
+            self._recorder.close()
+            self._recorder = None
 
     def _observe(
         self, clock: _Clock, frame_buffer: SharedFrameBuffer | None = FRAME_BUFFER
@@ -273,6 +306,8 @@ class _EpisodeHost:
         FRAME_BUFFER.swap()
         observation = simulator.observe()
         clock.lap("render_s")
+        if self._recorder is not None:
+            self._recorder.add_pictures(observation.images)
         encoded = encode(observation, world.image_codec, frame_buffer)
         clock.lap("encode_s")
         if pending_mapping := FRAME_BUFFER.pending_mapping():

@@ -68,6 +68,7 @@ def load() -> dict[str, Mutant]:
         lifecycle,
         long_lists,
         push,
+        record,
         restarts,
         sessions,
         shown_members,

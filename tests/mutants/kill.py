@@ -45,7 +45,10 @@ Rows = Literal["own", "all"]
 KIT_TIMEOUT_S = 600
 # Profiles that are off unless asked for, and those with code of their own.
 OPTIONAL_PROFILES = {"ebench", "flageval"}
-SEPARATE_PROFILES = {*OPTIONAL_PROFILES, "compare", "events", "limits", "push"}
+SEPARATE_PROFILES = {
+    *OPTIONAL_PROFILES,
+    *("compare", "events", "limits", "push", "record"),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,7 +170,7 @@ def _all_rows(mutant: Mutant, profiles: set[str]) -> list[str]:
     if len(profiles) == 1 and profiles <= SEPARATE_PROFILES:
         return ["--profile", *profiles]
     # Killing, restarting, calling policies and following take most of the kit's time.
-    left_out = {"crash", "events", "limits", "push"} - profiles
+    left_out = {"crash", "events", "limits", "push", "record"} - profiles
     selection = ["--profile", ",".join(p for p in PROFILES if p not in left_out)]
     if not any(id_.startswith("MODEL-") for id_ in mutant.kills):
         areas = {id_.partition("-")[0] + "-" for id_ in load_ledger()}

@@ -32,6 +32,7 @@ OWN_TESTS = {
     ),
     "reference_server/rules/lifecycle.py": (
         "test_lifecycle.py",
+        "test_record_rules.py",
         "test_push_run_rules.py",
     ),
     "reference_server/profiles/ebench/lost_answers.py": ("test_lost_answers.py",),

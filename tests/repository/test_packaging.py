@@ -16,7 +16,10 @@ from tests.support.paths import ROOT
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 SETUPTOOLS = PROJECT["tool"]["setuptools"]
-SOURCES = ("conformance", "reference_client", "reference_server", "reference_sim")
+SOURCES = (
+    *("conformance", "reference_client", "reference_record"),
+    *("reference_server", "reference_sim"),
+)
 PACKED = "conformance/specification/files"
 Done = subprocess.CompletedProcess[str]
 
@@ -59,11 +62,16 @@ def test_kit_imports_only_locked_packages() -> None:
 
 
 def test_client_imports_only_the_packages_of_its_extra() -> None:
-    ours = {"reference_client", "proctor_client"}
+    ours = {"reference_client", "reference_record", "proctor_client"}
     generated = ROOT / "generated_clients" / "python" / "proctor_client"
     names = {"PIL": "pillow", "dateutil": "python-dateutil"}
     names |= {"pydantic_core": "pydantic", "typing_extensions": "typing-extensions"}
-    foreign = imported_modules(ROOT / "reference_client", generated) - ours
+    foreign = (
+        imported_modules(
+            ROOT / "reference_client", ROOT / "reference_record", generated
+        )
+        - ours
+    )
     apart = {"lerobot", "torch"}  # imported by a policy that needs them
     assert apart <= foreign
     foreign -= apart

@@ -34,6 +34,7 @@ from tests.support.repository.specification import (
 )
 
 SCORING = (SPEC / "scoring.md").read_text()
+RECORD = (SPEC / "record.md").read_text()
 
 
 # --- reading the document ---
@@ -206,7 +207,7 @@ def requirement_ids(document: Json) -> list[str]:
     return [
         *(row["id"] for row in document["x-requirements"]),
         *(row["id"] for row in document["x-lifecycle"]["transitions"]),
-        *re.findall(r"^- \[([A-Z]+-\d+)\]", SCORING, re.MULTILINE),
+        *re.findall(r"^- \[([A-Z]+-\d+)", SCORING + RECORD, re.MULTILINE),
     ]
 
 

@@ -33,6 +33,9 @@ class ScriptedSimulator:
     def observe(self) -> Observation:
         raise AssertionError("an episode does not look")
 
+    def state_bytes(self) -> bytes:
+        raise AssertionError("an episode does not look")
+
     def close(self) -> None: ...
 
 

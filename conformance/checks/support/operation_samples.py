@@ -22,6 +22,8 @@ READ_OPERATIONS = frozenset(
         "get_score",
         "compare_runs",
         "stream_events",
+        "fetch_record",
+        "fetch_recording",
     }
 )
 
@@ -60,6 +62,24 @@ def profile_samples(run: RunClient) -> Iterator[OperationSample]:
         yield "compare_runs", {"params": {"baseline": run.id, "runs": run.id}}
     if run.context.offers("events"):
         yield "stream_events", {}
+    if run.context.offers("record"):
+        yield from record_samples(run)
+
+
+def record_samples(run: RunClient) -> Iterator[OperationSample]:
+    """Give the operations on a record, of a completed run of its own."""
+    context = run.context
+    body = context.submit_body(options={"tasks": ["score"]})
+    accepted = context.require(
+        lambda: context.call("submit_run", json=body), 201, "submit_run"
+    )
+    completed = adopt_run(context, accepted)
+    completed.until("ready", 30.0)
+    worker = completed.worker()
+    worker.attach()
+    worker.play()
+    yield "fetch_record", {"run_id": completed.id}
+    yield "fetch_recording", {"run_id": completed.id, "episode_id": "e0000"}
 
 
 def run_read_samples() -> Iterator[OperationSample]:

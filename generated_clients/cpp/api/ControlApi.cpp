@@ -57,6 +57,12 @@ EpisodeList ControlApi::listEpisodes(std::string const& runId, std::optional<std
     return m_connection->send(request).get<EpisodeList>();
 }
 
+KeyList ControlApi::listKeys(std::optional<std::string> const& proctorVersion) {
+    Request request{"GET", "/v1/keys"};
+    request.header("Proctor-Version", proctorVersion);
+    return m_connection->send(request).get<KeyList>();
+}
+
 RunList ControlApi::listRuns(std::optional<std::string> const& cursor, std::optional<std::int32_t> const& limit, std::optional<std::string> const& proctorVersion) {
     Request request{"GET", "/v1/runs"};
     request.query_parameter("cursor", cursor);

@@ -9,6 +9,7 @@
 #include "../model/BenchmarkList.h"
 #include "../model/Comparison.h"
 #include "../model/EpisodeList.h"
+#include "../model/KeyList.h"
 #include "../model/Problem.h"
 #include "../model/Run.h"
 #include "../model/RunList.h"
@@ -45,6 +46,9 @@ public:
 
     /// Every episode with its result so far, in manifest order
     EpisodeList listEpisodes(std::string const& runId, std::optional<std::string> const& cursor = {}, std::optional<std::int32_t> const& limit = {}, std::optional<std::string> const& proctorVersion = {});
+
+    /// The public keys with which this host signs records
+    KeyList listKeys(std::optional<std::string> const& proctorVersion = {});
 
     /// The caller's runs, newest first
     RunList listRuns(std::optional<std::string> const& cursor = {}, std::optional<std::int32_t> const& limit = {}, std::optional<std::string> const& proctorVersion = {});

@@ -38,6 +38,7 @@ struct Run {
     Progress progress{};
     std::string created_at{};
     std::string updated_at{};
+    std::optional<std::int32_t> attempts_by_submitter{}; // How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("run_id", self.run_id);
@@ -59,6 +60,7 @@ struct Run {
         visitor.required("progress", self.progress);
         visitor.required("created_at", self.created_at);
         visitor.required("updated_at", self.updated_at);
+        visitor.optional("attempts_by_submitter", self.attempts_by_submitter);
     }
 };
 

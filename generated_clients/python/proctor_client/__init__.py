@@ -45,6 +45,7 @@ __all__ = [
     "ImageSize",
     "ImageSpace",
     "Interval",
+    "KeyList",
     "Lease",
     "Limits",
     "Observation",
@@ -63,6 +64,7 @@ __all__ = [
     "ProblemItem",
     "Progress",
     "ProtocolRange",
+    "PublicKey",
     "ResetPolicy",
     "Run",
     "RunList",
@@ -124,6 +126,7 @@ from proctor_client.models.image_choice import ImageChoice as ImageChoice
 from proctor_client.models.image_size import ImageSize as ImageSize
 from proctor_client.models.image_space import ImageSpace as ImageSpace
 from proctor_client.models.interval import Interval as Interval
+from proctor_client.models.key_list import KeyList as KeyList
 from proctor_client.models.lease import Lease as Lease
 from proctor_client.models.limits import Limits as Limits
 from proctor_client.models.observation import Observation as Observation
@@ -142,6 +145,7 @@ from proctor_client.models.problem import Problem as Problem
 from proctor_client.models.problem_item import ProblemItem as ProblemItem
 from proctor_client.models.progress import Progress as Progress
 from proctor_client.models.protocol_range import ProtocolRange as ProtocolRange
+from proctor_client.models.public_key import PublicKey as PublicKey
 from proctor_client.models.reset_policy import ResetPolicy as ResetPolicy
 from proctor_client.models.run import Run as Run
 from proctor_client.models.run_list import RunList as RunList

@@ -34,6 +34,7 @@ class QuestionSimulator:
         self._size = size
         self._plan = ("", 0, "")
         self._item: tuple[Question, Arrangement] | None = None
+        self._is_answered = False
 
     def reset(self, task: str, seed: int, split: str = "") -> str:
         """Draws the item; returns the question. Raises TaskUnplayable."""
@@ -41,11 +42,13 @@ class QuestionSimulator:
             raise TaskUnplayable(f"there is no task {task}")
         self._item = draw(self._scene, task, seed, split)
         self._plan = (task, seed, split)
+        self._is_answered = False
         return self._item[0].text
 
     def step(self, action: Action) -> StepOutcome:
         question, arrangement = self._require_item()
         is_right = question.is_right(action, arrangement)
+        self._is_answered = True
         return StepOutcome(success=is_right, score=float(is_right), terminated=True)
 
     def observe(self) -> Observation:
@@ -64,6 +67,10 @@ class QuestionSimulator:
             picture = arrangement.picture(width, height)
             PICTURES.put(slot, key, picture)
         return picture
+
+    def state_bytes(self) -> bytes:
+        """Which item, and whether it was answered: the question is all there is."""
+        return repr((*self._plan, self._is_answered)).encode()
 
     def truth(self) -> Action:
         """The right answer, for tests; not part of the Simulator interface."""

@@ -61,11 +61,13 @@ class QuestionFileSimulator:
         if _sha256(path) != sha256:
             raise RuntimeError(f"{path} has changed since the server started")
         self._question: FileQuestion | None = None
+        self._plan = (-1, False)
 
     def reset(self, task: str, seed: int, split: str = "") -> str:
         if not 0 <= seed < len(self._questions):
             raise TaskUnplayable(f"there is no question {seed}")
         self._question = self._questions[seed]
+        self._plan = (seed, False)
         if self._question.task != task:
             raise TaskUnplayable(f"question {seed} is not of the task {task}")
         return self._question.text
@@ -75,11 +77,16 @@ class QuestionFileSimulator:
         if self._question is None:
             raise RuntimeError("reset comes before step")
         is_right = self._question.is_right(action)
+        self._plan = (self._plan[0], True)
         return StepOutcome(success=is_right, score=float(is_right), terminated=True)
 
     def observe(self) -> Observation:
         """The question is the instruction: nothing else is observed."""
         return Observation(state={})
+
+    def state_bytes(self) -> bytes:
+        """The seed, and whether it was answered."""
+        return repr(self._plan).encode()
 
     def close(self) -> None:
         """No resources to free."""

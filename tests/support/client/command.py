@@ -17,6 +17,7 @@ from typing import Any
 
 import pytest
 
+from reference_client.command.arguments import SERVERLESS_COMMANDS
 from reference_client.command.main import main
 from tests.support.paths import ROOT
 
@@ -131,7 +132,8 @@ class ProctorCommand:
 
     def __call__(self, *arguments: str) -> int:
         self._capsys.readouterr()
-        code = main([*arguments[:1], "--url", self.url, *arguments[1:]])
+        server = [] if arguments[0] in SERVERLESS_COMMANDS else ["--url", self.url]
+        code = main([*arguments[:1], *server, *arguments[1:]])
         self.out, self.err = self._capsys.readouterr()
         return code
 

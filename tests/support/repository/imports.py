@@ -9,7 +9,10 @@ from pathlib import Path
 
 from tests.support.paths import ROOT
 
-PACKAGES = ("conformance", "reference_client", "reference_server", "reference_sim")
+PACKAGES = (
+    *("conformance", "reference_client", "reference_record"),
+    *("reference_server", "reference_sim"),
+)
 GENERATED = {
     "generated_clients",
     "reference_client/generated/messages.py",

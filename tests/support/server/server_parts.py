@@ -15,6 +15,7 @@ from typing import Any
 import pytest
 
 from reference_server.push.policy_server_validator import PolicyServerValidator
+from reference_server.records.recordings import Recordings
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Predict
 from reference_server.rules.refusal import Refused
@@ -97,9 +98,13 @@ class ServerParts:
 
 @asynccontextmanager
 async def open_server_parts(
-    path: Path, active_max: int = 10
+    path: Path, active_max: int = 10, recordings: Recordings | None = None
 ) -> AsyncIterator[ServerParts]:
-    store = Store(f"sqlite+aiosqlite:///{path}")
+    url = f"sqlite+aiosqlite:///{path}"
+    if recordings is None:
+        store = Store(url)
+    else:
+        store = Store(url, recordings.finish_unplayed, recordings.remove_parts)
 
     def on_run_lost(run: Run) -> None:
         executor.discard_sessions(run)
@@ -110,7 +115,7 @@ async def open_server_parts(
     validator = PolicyServerValidator()
     registry = RunRegistry(store, active_max, on_run_lost, on_change)
     pool = SimulatorPool(4, 0, TIMEOUT_S)
-    executor = SessionExecutor(registry, pool)
+    executor = SessionExecutor(registry, pool, recordings=recordings)
     service = RunService(
         SubmissionLimits(16, 600.0),
         Benchmarks(64),
@@ -127,6 +132,8 @@ async def open_server_parts(
     finally:
         await parts.executor.close()
         await registry.close()
+        if recordings is not None:
+            await recordings.close()
         await pool.close()
         await store.close()
 

@@ -13,6 +13,7 @@ from proctor_client.models.benchmark import Benchmark
 from proctor_client.models.benchmark_list import BenchmarkList
 from proctor_client.models.comparison import Comparison
 from proctor_client.models.episode_list import EpisodeList
+from proctor_client.models.key_list import KeyList
 from proctor_client.models.run import Run
 from proctor_client.models.run_list import RunList
 from proctor_client.models.score import Score
@@ -1339,6 +1340,176 @@ class ControlApi:
         return self.api_client.param_serialize(
             method='GET',
             resource_path='/v1/runs/{run_id}/episodes',
+            path_params=_path_params,
+            query_params=_query_params,
+            header_params=_header_params,
+            body=_body_params,
+            post_params=_form_params,
+            files=_files,
+            auth_settings=_auth_settings,
+            collection_formats=_collection_formats,
+            _host=_host,
+            _request_auth=_request_auth
+        )
+
+
+
+
+    @validate_call
+    def list_keys(
+        self,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> KeyList:
+        """The public keys with which this host signs records
+
+        Offered with the profile `record`. Needs no token, so that anybody can check a record.
+
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._list_keys_serialize(
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "KeyList",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        ).data
+
+
+    @validate_call
+    def list_keys_with_http_info(
+        self,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ApiResponse[KeyList]:
+        """The public keys with which this host signs records
+
+        Offered with the profile `record`. Needs no token, so that anybody can check a record.
+
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._list_keys_serialize(
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "KeyList",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        )
+
+
+    def _list_keys_serialize(
+        self,
+        proctor_version,
+        _request_auth,
+        _content_type,
+        _headers,
+        _host_index,
+    ) -> RequestSerialized:
+
+        _host = None
+
+        _collection_formats: Dict[str, str] = {
+        }
+
+        _path_params: Dict[str, str] = {}
+        _query_params: List[Tuple[str, str]] = []
+        _header_params: Dict[str, Optional[str]] = _headers or {}
+        _form_params: List[Tuple[str, str]] = []
+        _files: Dict[
+            str, Union[str, bytes, List[str], List[bytes], List[Tuple[str, bytes]]]
+        ] = {}
+        _body_params: Optional[bytes] = None
+
+        # process the path parameters
+        # process the query parameters
+        # process the header parameters
+        if proctor_version is not None:
+            _header_params['Proctor-Version'] = proctor_version
+        # process the form parameters
+        # process the body parameter
+
+
+        # set the HTTP header `Accept`
+        if 'Accept' not in _header_params:
+            _header_params['Accept'] = self.api_client.select_header_accept(
+                [
+                    'application/json',
+                    'application/problem+json'
+                ]
+            )
+
+
+        # authentication setting
+        _auth_settings: List[str] = [
+        ]
+
+        return self.api_client.param_serialize(
+            method='GET',
+            resource_path='/v1/keys',
             path_params=_path_params,
             query_params=_query_params,
             header_params=_header_params,

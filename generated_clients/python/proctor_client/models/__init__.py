@@ -29,6 +29,7 @@ from proctor_client.models.image_choice import ImageChoice
 from proctor_client.models.image_size import ImageSize
 from proctor_client.models.image_space import ImageSpace
 from proctor_client.models.interval import Interval
+from proctor_client.models.key_list import KeyList
 from proctor_client.models.lease import Lease
 from proctor_client.models.limits import Limits
 from proctor_client.models.observation import Observation
@@ -47,6 +48,7 @@ from proctor_client.models.problem import Problem
 from proctor_client.models.problem_item import ProblemItem
 from proctor_client.models.progress import Progress
 from proctor_client.models.protocol_range import ProtocolRange
+from proctor_client.models.public_key import PublicKey
 from proctor_client.models.reset_policy import ResetPolicy
 from proctor_client.models.run import Run
 from proctor_client.models.run_list import RunList

@@ -70,6 +70,15 @@ pub enum ListEpisodesError {
     UnknownValue(serde_json::Value),
 }
 
+/// struct for typed errors of method [`list_keys`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum ListKeysError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
 /// struct for typed errors of method [`list_runs`]
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(untagged)]
@@ -430,6 +439,47 @@ pub async fn list_episodes(configuration: &configuration::Configuration, run_id:
         let headers = resp.headers().clone();
         let content = resp.text().await?;
         let entity: Option<ListEpisodesError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
+
+/// Offered with the profile `record`. Needs no token, so that anybody can check a record.
+pub async fn list_keys(configuration: &configuration::Configuration, proctor_version: Option<&str>) -> Result<models::KeyList, Error<ListKeysError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/keys", configuration.base_path);
+    let mut req_builder = configuration.client.request(reqwest::Method::GET, &uri_str);
+
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+    let content_type = resp
+        .headers()
+        .get("content-type")
+        .and_then(|v| v.to_str().ok())
+        .unwrap_or("application/octet-stream");
+    let content_type = super::ContentType::from(content_type);
+
+    if !status.is_client_error() && !status.is_server_error() {
+        let content = resp.text().await?;
+        match content_type {
+            ContentType::Json => serde_json::from_str(&content).map_err(Error::from),
+            ContentType::Text => return Err(Error::from(serde_json::Error::custom("Received `text/plain` content type response that cannot be converted to `models::KeyList`"))),
+            ContentType::Unsupported(unknown_type) => return Err(Error::from(serde_json::Error::custom(format!("Received `{unknown_type}` content type response that cannot be converted to `models::KeyList`")))),
+        }
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<ListKeysError> = serde_json::from_str(&content).ok();
         Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
     }
 }

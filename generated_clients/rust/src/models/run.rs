@@ -49,6 +49,9 @@ pub struct Run {
     pub created_at: chrono::DateTime<chrono::FixedOffset>,
     #[serde(rename = "updated_at")]
     pub updated_at: chrono::DateTime<chrono::FixedOffset>,
+    /// How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.
+    #[serde(rename = "attempts_by_submitter", skip_serializing_if = "Option::is_none")]
+    pub attempts_by_submitter: Option<i32>,
 }
 
 impl Run {
@@ -73,6 +76,7 @@ impl Run {
             progress,
             created_at,
             updated_at,
+            attempts_by_submitter: None,
         }
     }
 }

@@ -26,6 +26,11 @@ import {
     EpisodeListToJSON,
 } from '../models/EpisodeList';
 import {
+    type KeyList,
+    KeyListFromJSON,
+    KeyListToJSON,
+} from '../models/KeyList';
+import {
     type Problem,
     ProblemFromJSON,
     ProblemToJSON,
@@ -148,6 +153,13 @@ export interface ListEpisodesRequest {
      * Most items wanted on a page; 100 when absent.
      */
     limit?: number;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface ListKeysRequest {
     /**
      * The protocol version the caller was written for.
      */
@@ -623,6 +635,49 @@ export class ControlApi extends runtime.BaseAPI {
      */
     async listEpisodes(requestParameters: ListEpisodesRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<EpisodeList> {
         const response = await this.listEpisodesRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for listKeys without sending the request
+     */
+    async listKeysRequestOpts(requestParameters: ListKeysRequest): Promise<runtime.RequestOpts> {
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+
+        let urlPath = `/v1/keys`;
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * Offered with the profile `record`. Needs no token, so that anybody can check a record.
+     * The public keys with which this host signs records
+     */
+    async listKeysRaw(requestParameters: ListKeysRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<KeyList>> {
+        const requestOptions = await this.listKeysRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => KeyListFromJSON(jsonValue));
+    }
+
+    /**
+     * Offered with the profile `record`. Needs no token, so that anybody can check a record.
+     * The public keys with which this host signs records
+     */
+    async listKeys(requestParameters: ListKeysRequest = {}, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<KeyList> {
+        const response = await this.listKeysRaw(requestParameters, initOverrides);
         return await response.value();
     }
 

@@ -124,6 +124,10 @@ export interface Run {
      *
      */
     updated_at: Date;
+    /**
+     * How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.
+     */
+    attempts_by_submitter?: number;
 }
 
 
@@ -182,6 +186,7 @@ export function RunFromJSONTyped(json: any, ignoreDiscriminator: boolean): Run {
         'progress': ProgressFromJSON(json['progress']),
         'created_at': (json['created_at'] == null ? json['created_at'] : parseDateTime(json['created_at'])),
         'updated_at': (json['updated_at'] == null ? json['updated_at'] : parseDateTime(json['updated_at'])),
+        'attempts_by_submitter': json['attempts_by_submitter'] == null ? undefined : json['attempts_by_submitter'],
     };
 }
 
@@ -216,5 +221,6 @@ export function RunToJSONTyped(value?: Run | null, ignoreDiscriminator: boolean 
         'progress': ProgressToJSON(value['progress']),
         'created_at': value['created_at'] == null ? value['created_at'] : serializeDateTime(value['created_at']),
         'updated_at': value['updated_at'] == null ? value['updated_at'] : serializeDateTime(value['updated_at']),
+        'attempts_by_submitter': value['attempts_by_submitter'],
     };
 }

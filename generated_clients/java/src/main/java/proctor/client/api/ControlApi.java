@@ -23,6 +23,7 @@ import proctor.client.model.Benchmark;
 import proctor.client.model.BenchmarkList;
 import proctor.client.model.Comparison;
 import proctor.client.model.EpisodeList;
+import proctor.client.model.KeyList;
 import proctor.client.model.Problem;
 import proctor.client.model.Run;
 import proctor.client.model.RunList;
@@ -1128,6 +1129,141 @@ public class ControlApi {
 
         okhttp3.Call localVarCall = listEpisodesValidateBeforeCall(runId, cursor, limit, proctorVersion, _callback);
         Type localVarReturnType = new TypeToken<EpisodeList>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for listKeys
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> All keys, the newest first. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call listKeysCall(@javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/keys";
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] {  };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call listKeysValidateBeforeCall(@javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        return listKeysCall(proctorVersion, _callback);
+
+    }
+
+    /**
+     * The public keys with which this host signs records
+     * Offered with the profile &#x60;record&#x60;. Needs no token, so that anybody can check a record.
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return KeyList
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> All keys, the newest first. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public KeyList listKeys(@javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<KeyList> localVarResp = listKeysWithHttpInfo(proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * The public keys with which this host signs records
+     * Offered with the profile &#x60;record&#x60;. Needs no token, so that anybody can check a record.
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;KeyList&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> All keys, the newest first. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<KeyList> listKeysWithHttpInfo(@javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = listKeysValidateBeforeCall(proctorVersion, null);
+        Type localVarReturnType = new TypeToken<KeyList>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * The public keys with which this host signs records (asynchronously)
+     * Offered with the profile &#x60;record&#x60;. Needs no token, so that anybody can check a record.
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> All keys, the newest first. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call listKeysAsync(@javax.annotation.Nullable String proctorVersion, final ApiCallback<KeyList> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = listKeysValidateBeforeCall(proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<KeyList>(){}.getType();
         localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
         return localVarCall;
     }

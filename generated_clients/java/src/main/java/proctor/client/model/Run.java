@@ -83,6 +83,9 @@ public class Run {
   @javax.annotation.Nonnull
   private OffsetDateTime updatedAt;
 
+  @SerializedName("attempts_by_submitter")
+  private Integer attemptsBySubmitter;
+
   public String getRunId() {
     return runId;
   }
@@ -334,6 +337,20 @@ public class Run {
 
   public void setUpdatedAt(OffsetDateTime updatedAt) {
     this.updatedAt = updatedAt;
+  }
+
+  /** How many runs of this benchmark its submitter had submitted, this one included; for the profile &#x60;record&#x60;. */
+  public Integer getAttemptsBySubmitter() {
+    return attemptsBySubmitter;
+  }
+
+  public Run attemptsBySubmitter(Integer attemptsBySubmitter) {
+    this.attemptsBySubmitter = attemptsBySubmitter;
+    return this;
+  }
+
+  public void setAttemptsBySubmitter(Integer attemptsBySubmitter) {
+    this.attemptsBySubmitter = attemptsBySubmitter;
   }
 
   public static Run fromJson(String text) {

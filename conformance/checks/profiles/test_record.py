@@ -1,0 +1,351 @@
+"""Recordings and signed records: the profile `record` (REC).
+
+The kit knows which actions it sent and what was answered, so it knows what a true
+recording says. `play_everything` plays each kind of episode once.
+"""
+
+import base64
+from dataclasses import dataclass, field
+from typing import Any
+
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient, WorkerClient
+from conformance.exchanges.answer import file_of
+from conformance.profiles.record_files import (
+    RecordFiles,
+    RecordingMessages,
+    fetched_record,
+    fetched_recording,
+    keyid_of,
+)
+from conformance.runner.requirement import requirement
+from conformance.verdicts import expect
+
+RESULT_MEMBERS = ("outcome", "score", "steps")
+
+
+@dataclass
+class PlayedTurn:
+    """A turn that the kit received, and what was executed in it."""
+
+    attempt: int
+    seq: int
+    actions: list[dict[str, list[float]]]
+    rewards: list[float]
+
+
+@dataclass
+class PlayedRun:
+    """A run, and the turns that each of its episodes had, by index."""
+
+    run: RunClient
+    turns: dict[int, list[PlayedTurn]] = field(default_factory=dict)
+
+    def predict(self, worker: WorkerClient, *actions: dict[str, Any]) -> dict[str, Any]:
+        """Play a chunk and note what it executes."""
+        before = worker.turn["episode"]
+        turn = worker.predict(*actions)
+        played = PlayedTurn(
+            before["attempt"],
+            worker.seq,
+            [as_executed(action) for action in actions[: turn["executed_steps"]]],
+            turn["rewards"],
+        )
+        self.turns.setdefault(before["index"], []).append(played)
+        return turn
+
+    def recording(self, index: int) -> RecordingMessages:
+        """Fetch the recording of an episode."""
+        episode_id = self.run.episodes()[index]["episode_id"]
+        answer = self.run.call("fetch_recording", episode_id=episode_id)
+        return fetched_recording(answer)
+
+    def record(self) -> RecordFiles:
+        """Fetch the record."""
+        return fetched_record(self.run.call("fetch_record"))
+
+
+def as_executed(action: dict[str, Any]) -> dict[str, list[float]]:
+    """Give the values of an action after clipping: only `clipped` has such a range."""
+    values: dict[str, list[float]] = dict(action["values"])
+    values["clipped"] = [min(1.0, max(-1.0, v)) for v in values["clipped"]]
+    return values
+
+
+def ramp(first: float) -> list[float]:
+    """Give a vector in which each number is another one."""
+    return [first + place / 8 for place in range(8)]
+
+
+def play_everything(context: CheckContext) -> PlayedRun:
+    """Play an episode with a repeat, a takeover and actions behind its end, one with a
+    fault and two attempts, and one that is abandoned."""
+    run = context.submit("score", "fault", "score", max_attempts=2)
+    played = PlayedRun(run)
+    worker = run.worker()
+    worker.attach()
+    play_with_repeat_and_takeover(context, played, worker)
+    play_with_fault_and_attempts(context, played, worker)
+    for _ in range(2):
+        played.predict(worker, context.action(score=0.25))
+        worker.detach()
+        if run.get()["state"] != "completed":
+            worker.attach()
+    run.until("completed")
+    return played
+
+
+def play_with_repeat_and_takeover(
+    context: CheckContext, played: PlayedRun, worker: WorkerClient
+) -> None:
+    """Play the first episode."""
+    chunk = [context.action(score=0.5, clipped=[3, 0.5]), context.action(score=0.125)]
+    played.predict(worker, *chunk)
+    again = worker.run.context.require(
+        lambda: worker.try_predict(*chunk, seq=worker.seq), 200, "predict"
+    )
+    assert again is not None
+    worker.attach(takeover=True)
+    played.predict(worker, context.action(score=0.75, clipped=[-3, 1], vector=ramp(5)))
+    played.predict(worker, context.action(score=1, end=1), context.action(score=0.5))
+
+
+def play_with_fault_and_attempts(
+    context: CheckContext, played: PlayedRun, worker: WorkerClient
+) -> None:
+    """Play the second episode: a fault, an attempt that ends early, a success."""
+    played.predict(worker, context.action(vector=ramp(1)))
+    worker.predict(context.action(fault=1))
+    played.predict(worker, context.action(vector=ramp(2)))
+    worker.detach()
+    worker.attach()
+    played.predict(
+        worker, context.action(vector=ramp(3)), context.action(success=1, end=1)
+    )
+
+
+@requirement("REC-101")
+def test_rec_101_keys_need_no_token(context: CheckContext) -> None:
+    """The keys are read without a token, and a record is fetched.
+
+    Expect its key among them, keyids that fit, and one key in use.
+    """
+    answer = context.call("list_keys", http_client=without_token(context))
+    keys = expect.ok(answer)["keys"]
+    for key in keys:
+        public_key = base64.b64decode(key["public_key"])
+        expect.equal(len(public_key), 32, "bytes of a key")
+        expect.equal(key["keyid"], keyid_of(public_key), "keyid")
+    in_use = [key["keyid"] for key in keys if key["retired_at"] is None]
+    expect.equal(len(in_use), 1, "number of keys in use")
+    host = play_everything(context).record().predicate["host"]
+    expect.true(host["keyid"] in in_use, "the record is signed by the key in use", host)
+
+
+def without_token(context: CheckContext) -> Any:
+    """Give a client that sends no token."""
+    return context.client_with_token(None)
+
+
+@requirement("REC-102")
+def test_rec_102_a_record_names_its_run(context: CheckContext) -> None:
+    """A record is fetched. Expect its signature, its files, and the run it is of."""
+    played = play_everything(context)
+    record, run = played.record(), played.run.get()
+    predicate = record.predicate
+    expect.equal(predicate["run"]["run_id"], run["run_id"], "run_id")
+    digest = run["manifest_sha256"]
+    expect.equal(predicate["manifest_sha256"], digest, "manifest_sha256")
+    expect.equal(predicate["policy"]["name"], run["policy"]["name"], "policy.name")
+    benchmark = predicate["benchmark"]
+    expect.equal(benchmark["benchmark_id"], run["benchmark_id"], "benchmark_id")
+    expect.equal(benchmark["version"], run["benchmark_version"], "version")
+    files = {
+        member["name"]: member["digest"]["sha256"]
+        for member in record.statement["subject"]
+    }
+    expect.equal(files["manifest.json"], digest, "SHA-256 of manifest.json")
+    expect.equal(len(record.lines), 3, "number of lines")
+    keys = expect.ok(context.call("list_keys"))["keys"]
+    signed = {key["keyid"]: key["public_key"] for key in keys}
+    keyid, public_key = predicate["host"]["keyid"], predicate["host"]["public_key"]
+    expect.equal(signed.get(keyid), public_key, "the key in list_keys")
+
+
+@requirement("REC-103")
+def test_rec_103_nothing_before_the_result(context: CheckContext) -> None:
+    """A run is asked for its record while it is ready, running and stopped, and for
+    recordings of an episode in play, a pending one and one that it does not have.
+
+    Expect refusals, and both of them when the run is completed.
+    """
+    run = context.submit("score", "score")
+    expect.refused(run.call("fetch_record"), "illegal_transition")
+    worker = run.worker()
+    worker.attach()
+    worker.predict(context.action())
+    for episode_id in ("e0000", "e0001", "e0002", "e9999", "0", "e00000"):
+        refused = run.call("fetch_recording", episode_id=episode_id)
+        expect.refused(refused, "not_found")
+    worker.play()
+    expect.refused(run.call("fetch_record"), "illegal_transition")
+    fetched_recording(run.call("fetch_recording", episode_id="e0000"))
+    expect.refused(run.call("fetch_recording", episode_id="e0001"), "not_found")
+    run.stop()
+    expect.refused(run.call("fetch_record"), "illegal_transition")
+    run.resume()
+    run.until("ready")
+    worker.attach()
+    worker.play()
+    fetched_record(run.call("fetch_record"))
+    expect.refused(run.call("fetch_recording", episode_id="e0002"), "not_found")
+
+
+@requirement("REC-104")
+def test_rec_104_every_turn_once_as_executed(context: CheckContext) -> None:
+    """Episodes are played with a repeat, a takeover, values that are clipped, actions
+    behind the end, a fault, and several attempts.
+
+    Expect the turns of each recording to be those that were received.
+    """
+    played = play_everything(context)
+    for index, turns in played.turns.items():
+        found = played.recording(index).turns
+        what = f"episode {index}"
+        expect.equal(len(found), len(turns), f"number of turns, {what}")
+        for turn, expected in zip(found, turns, strict=True):
+            expect.equal(turn["actions"], expected.actions, f"actions, {what}")
+            expect.equal(turn["rewards"], expected.rewards, f"rewards, {what}")
+            expect.equal(turn["steps"], len(expected.actions), f"steps, {what}")
+            expect.equal(turn["seq"], expected.seq, f"seq, {what}")
+            expect.equal(turn["attempt"], expected.attempt, f"attempt, {what}")
+
+
+@requirement("REC-105")
+def test_rec_105_every_attempt_and_fault(context: CheckContext) -> None:
+    """Episodes are played with one attempt, with a fault and two, and abandoned.
+
+    Expect each start, each end without a result, and each fault.
+    """
+    played = play_everything(context)
+    starts, ends, faults = [], [], []
+    for index in range(3):
+        recording = played.recording(index)
+        starts.append([m["attempt"] for m in recording.started])
+        ends.append(
+            [
+                m["attempt"]
+                for m in recording.of("/attempt")
+                if m["event"] == "ended" and m.get("reason") != "scored"
+            ]
+        )
+        faults.append([m["attempt"] for m in recording.of("/fault")])
+    expect.equal(starts, [[1], [1, 1, 2], [1, 2]], "attempts that started")
+    expect.equal(ends, [[], [1], [1, 2]], "attempts that ended without a result")
+    expect.equal(faults, [[], [1], []], "attempts with a fault")
+
+
+@requirement("REC-106")
+def test_rec_106_results_are_those_of_the_run(context: CheckContext) -> None:
+    """A run with a failure, a success and an abandoned episode has its record.
+
+    Expect the results of `list_episodes` in it, and the score of `get_score`.
+    """
+    played = play_everything(context)
+    record = played.record()
+    expect.equal(record.predicate["score"], played.run.score(), "score")
+    for episode in played.run.episodes():
+        line, result = record.lines[episode["index"]], episode["result"]
+        recorded = record.recording(episode["index"]).result
+        for member in RESULT_MEMBERS:
+            expect.equal(line[member], result[member], f"{member} of a line")
+            expect.equal(recorded[member], result[member], f"{member} of a recording")
+        expect.equal(line["attempts"], result["attempt"], "attempts of a line")
+        expect.equal(recorded["attempts"], result["attempt"], "attempts of a recording")
+        expect.equal(line["episode_id"], episode["episode_id"], "episode_id")
+        expect.equal(line["task"], episode["task"], "task")
+        expect.equal(line["split"], episode["split"], "split")
+
+
+@requirement("REC-107")
+def test_rec_107_a_record_has_the_recordings_that_are_sent(
+    context: CheckContext,
+) -> None:
+    """Each recording is fetched alone and in the record. Expect the same bytes."""
+    played = play_everything(context)
+    record = played.record()
+    for index in range(3):
+        alone = played.recording(index)
+        inside = record.files[record.lines[index]["recording"]["path"]]
+        expect.true(alone.data == inside, f"the same bytes of episode {index}")
+
+
+@requirement("REC-108")
+def test_rec_108_not_for_other_accounts(context: CheckContext) -> None:
+    """Another account asks for a record and a recording, then the run's own.
+
+    Expect `not_found`, and both for its own account.
+    """
+    run = play_everything(context).run
+    other = context.second_account
+    for operation_id, how in [
+        ("fetch_record", {}),
+        ("fetch_recording", {"episode_id": "e0000"}),
+    ]:
+        refused = run.call(operation_id, http_client=other, **how)
+        expect.refused(refused, "not_found")
+        expect.ok(run.call(operation_id, **how))
+
+
+@requirement("REC-109")
+def test_rec_109_a_record_stays_the_same(context: CheckContext) -> None:
+    """A record is fetched, then that of another run, then the first one again.
+
+    Expect the same bytes, and another record of the other run.
+    """
+    runs = [play_everything(context).run, play_everything(context).run]
+    first, other, again = (
+        file_of(run.call("fetch_record")) for run in (runs[0], runs[1], runs[0])
+    )
+    expect.true(first, "a record")
+    expect.true(first == again, "the same bytes")
+    expect.true(first != other, "other bytes of another run")
+
+
+@requirement("REC-110")
+def test_rec_110_attempts_are_counted(context: CheckContext) -> None:
+    """Two runs of a benchmark are submitted, the first is stopped, a third is played.
+
+    Expect numbers that grow, the same in every view, and at least that in the record.
+    """
+    runs = [context.submit("score") for _ in range(2)]
+    runs[0].stop()
+    played = play_everything(context)
+    numbers = [run.get()["attempts_by_submitter"] for run in (*runs, played.run)]
+    expect.true(numbers[0] >= 1, "the first counts itself", numbers)
+    expect.true(numbers == sorted(set(numbers)), "each is larger", numbers)
+    listed = context.require(lambda: context.call("list_runs"), 200, "list_runs")
+    by_id = {run["run_id"]: run for run in listed["runs"]}
+    views = [by_id.get(run.id, {}) for run in (*runs, played.run)]
+    for view, number in zip(views, numbers, strict=True):
+        expect.equal(view.get("attempts_by_submitter", number), number, "in list_runs")
+    said = played.record().predicate["attempts_by_submitter"]
+    expect.true(said >= numbers[2], "at least that in the record", said)
+
+
+@requirement("REC-111")
+def test_rec_111_starts_have_equal_digests(context: CheckContext) -> None:
+    """An episode starts three times. Expect equal state digests, and those of the
+    lines: the first of its first start, the last of its last turn."""
+    played = play_everything(context)
+    record = played.record()
+    for index in range(3):
+        recording = record.recording(index)
+        digests = {start["state_digest"] for start in recording.started}
+        expect.equal(len(digests), 1, f"number of different starts, episode {index}")
+        facts = record.lines[index]["recording"]
+        expect.true(facts["first_digest"] in digests, "first_digest", facts)
+        turns = recording.of("/turn")
+        expect.true(turns, f"a turn of episode {index}")
+        last = turns[-1]["state_digest"]
+        expect.equal(facts["last_digest"], last, "last_digest")

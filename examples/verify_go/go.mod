@@ -1,0 +1,5 @@
+module proctor-verify
+
+go 1.24
+
+require github.com/klauspost/compress v1.18.0

@@ -1,0 +1,24 @@
+/* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
+
+#pragma once
+
+#include <cstdint>
+#include "PublicKey.h"
+#include <map>
+#include <vector>
+#include "../members.h"
+
+namespace proctor {
+
+
+struct KeyList {
+    using IsMessage = void;
+
+    std::vector<PublicKey> keys{};
+
+    template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
+        visitor.required("keys", self.keys);
+    }
+};
+
+} // namespace proctor

@@ -1,0 +1,197 @@
+"""The commands export and verify: fetch the record of a run, check any record.
+
+`verify` reads a file alone; it asks a server only for the keys of its host.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from reference_client.command import control
+from reference_client.command.exit_codes import DONE, UsageError
+from reference_client.command.output import Printer
+from reference_client.command.text_tables import TextTable, fact_table
+from reference_client.protocol.connection import Connection
+from reference_client.protocol.record_client import fetch_keys, fetch_record
+from reference_client.protocol.retry_policy import RetryPolicy
+from reference_record.broken import BrokenRecord
+from reference_record.export import save_blocks
+from reference_record.formats.bundle import open_bundle
+from reference_record.replay_verdict import ReplayVerdict
+from reference_record.verification import Report, verify
+
+BROKEN = 1
+SUFFIX = ".proctor"
+_KEY = re.compile(r"(?:(?P<name>[^=]{1,64})=)?(?P<keyid>SHA256:[0-9a-f]{64})")
+_NOT_SHOWN = (
+    "whether the actions came from this policy: only evaluating it again shows that"
+)
+
+
+def export(args: argparse.Namespace, printer: Printer) -> int:
+    run_id = args.run or args.run_id
+    if run_id is None:
+        raise UsageError("export needs the id of a run: proctor export RUN")
+    control.check_run_id(run_id)
+    path = Path(args.output or f"run-{run_id}{SUFFIX}")
+    if path.exists() and not args.force:
+        raise UsageError(f"{path} exists; --force replaces it")
+    with _connect(args.url, args.token, args, printer) as (connection, retry_policy):
+        with _usable(path):
+            save_blocks(path, fetch_record(connection, retry_policy, run_id))
+        keys = _names_of_host(connection, retry_policy)
+    return _verify(path, keys, printer)
+
+
+def check(args: argparse.Namespace, printer: Printer) -> int:
+    """`proctor verify`."""
+    keys = _keys_of(args.key or [])
+    if args.server is not None:
+        with _connect(args.server, None, args, printer) as connected:
+            keys = {**_names_of_host(*connected), **keys}
+    return _verify(Path(args.file), keys, printer)
+
+
+def _verify(path: Path, keys: Mapping[str, str], printer: Printer) -> int:
+    try:
+        with _usable(path):
+            report = verify(open_bundle(path), keys)
+    except BrokenRecord as broken:
+        return _print_broken(path, broken, printer)
+    if keys and report.signer is None:
+        detail = f"it is signed by {report.keyid}, which is none of the keys named"
+        wrong_key = BrokenRecord("statement.dsse.json", "REC-031", detail)
+        return _print_broken(path, wrong_key, printer)
+    printer.answer(_as_json(report), _facts(path, report))
+    return DONE
+
+
+def _print_broken(path: Path, broken: BrokenRecord, printer: Printer) -> int:
+    printer.say(f"proctor: {path}: do not trust it: {broken}")
+    if printer.as_json:
+        printer.answer(
+            {
+                "levels": [],
+                "file": broken.file,
+                "rule": broken.rule,
+                "detail": broken.detail,
+            }
+        )
+    return BROKEN
+
+
+def _facts(path: Path, report: Report) -> TextTable:
+    said = report.evaluation
+    counts = said.score["counts"]
+    scored = counts["total"] - counts["unscored"]
+    interval = said.score["success_interval"]
+    version = f", version {said.policy.version}" if said.policy.version else ""
+    return fact_table(
+        {
+            "file": str(path),
+            "level": _level_text(report),
+            "score": _score_text(said.score),
+            "success": f"{counts['success']} of {scored} scored, 95 % interval "
+            f"{interval['low']:.4f} to {interval['high']:.4f}",
+            "policy": f"{said.policy.name}{version}",
+            "benchmark": f"{said.benchmark.benchmark_id}, "
+            f"version {said.benchmark.version}",
+            "manifest": said.manifest_sha256,
+            "run": f"{said.run.run_id}, number {said.attempts_by_submitter} of its "
+            "submitter on this benchmark",
+            "finished": said.finished_at,
+            "checked": f"signature, {report.episodes} episodes, "
+            f"{report.recordings} recordings with {report.turns} turns, the score",
+            "replays": "; ".join(map(_verdict_text, report.replayed_by)) or "none",
+            "not shown": _NOT_SHOWN,
+        }
+    )
+
+
+def _level_text(report: Report) -> str:
+    """REC-031: the level, and what it rests on."""
+    if report.signer is None:
+        return (
+            f"reported: whose key {report.keyid} is, nothing says here; "
+            "see --key and --server"
+        )
+    return f"{', '.join(report.levels)}; key {report.keyid}"
+
+
+def _score_text(score: Mapping[str, Any]) -> str:
+    if score["score"] is None:
+        low, high = score["score_low"], score["score_high"]
+        return f"not complete: between {low:.4f} and {high:.4f}"
+    return f"{score['score']:.4f}"
+
+
+def _verdict_text(named: tuple[str | None, ReplayVerdict]) -> str:
+    who, verdict = named
+    replay = verdict.replay
+    text = f"{who or f'unknown key {verdict.keyid}'}: {replay.result}, "
+    text += f"{replay.episodes} episodes, {verdict.created_at}"
+    if where := replay.first_divergence:
+        text += (
+            f"; diverged at episode {where.episode_index}, attempt {where.attempt}, "
+            f"step {where.step}"
+        )
+    return text
+
+
+def _as_json(report: Report) -> dict[str, Any]:
+    return {
+        "levels": report.levels,
+        "keyid": report.keyid,
+        "statement_sha256": report.statement_sha256,
+        "episodes": report.episodes,
+        "recordings": report.recordings,
+        "turns": report.turns,
+        "replays": [
+            {"by": who, "keyid": one.keyid, **msgspec.to_builtins(one.replay)}
+            for who, one in report.replayed_by
+        ],
+        "statement": msgspec.to_builtins(report.evaluation),
+    }
+
+
+def _keys_of(texts: list[str]) -> dict[str, str]:
+    """keyid → name, of what was given as --key."""
+    keys = {}
+    for text in texts:
+        found = _KEY.fullmatch(text)
+        if found is None:
+            raise UsageError(
+                f"--key {text}: expected SHA256:… with 64 hexadecimal digits, "
+                "or NAME=SHA256:…"
+            )
+        keys[found["keyid"]] = found["name"] or f"the owner of {found['keyid'][:15]}…"
+    return keys
+
+
+def _names_of_host(connection: Connection, retry_policy: RetryPolicy) -> dict[str, str]:
+    """keyid → the host, by the keys that it publishes."""
+    host = connection.url.partition("://")[2]
+    return dict.fromkeys(fetch_keys(connection, retry_policy), host)
+
+
+@contextmanager
+def _connect(
+    url: str, token: str | None, args: argparse.Namespace, printer: Printer
+) -> Iterator[tuple[Connection, RetryPolicy]]:
+    with Connection(url, token, requests=1) as connection:
+        yield connection, control.retry_policy_of(connection, args, printer)
+
+
+@contextmanager
+def _usable(path: Path) -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        raise UsageError(f"{path}: {error.strerror or error}") from error

@@ -1,0 +1,190 @@
+"""Makes the record of a finished run: its files, the signed statement, the stream.
+
+Recordings are read in blocks, twice: once for their digests, once to be sent.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import zlib
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+import msgspec
+
+from reference_record.broken import UnusableRecord
+from reference_record.formats.archive import (
+    BLOCK_BYTES,
+    Content,
+    archive_size,
+    stream_archive,
+)
+from reference_record.formats.bundle import FOLDERS, Bundle
+from reference_record.formats.envelope import sign_envelope
+from reference_record.formats.names import (
+    EPISODES,
+    EPISODES_MAX,
+    MANIFEST,
+    STATEMENT,
+    order,
+    verdict_name,
+)
+from reference_record.keys import SigningKey
+from reference_record.statement import (
+    PREDICATE_TYPE,
+    EpisodeLine,
+    Evaluation,
+    Host,
+    write_statement,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """A record that can be sent or saved. contents: name → what stands in the file."""
+
+    contents: Mapping[str, Content]
+    statement_sha256: str
+
+    @property
+    def size(self) -> int:
+        """Bytes of the archive; raises UnusableRecord where there can be none."""
+        return archive_size(self.contents.items())
+
+    def stream(self) -> Iterator[bytes]:
+        """REC-002: the archive, block by block, in constant memory."""
+        return stream_archive(self.contents.items())
+
+    def save_directory(self, path: Path) -> None:
+        """REC-003: the same files in a new directory. Raises OSError."""
+        path.mkdir()
+        for name in sorted(self.contents, key=order):
+            target = path / name
+            target.parent.mkdir(exist_ok=True)
+            with target.open("xb") as file:
+                file.writelines(self.contents[name].blocks())
+
+
+def host_of(name: str, key: SigningKey) -> Host:
+    return Host(name, key.keyid, base64.b64encode(key.public_key).decode())
+
+
+def build_record(
+    evaluation: Evaluation,
+    *,
+    manifest: bytes,
+    lines: Iterable[EpisodeLine],
+    recordings: Mapping[str, Path],
+    key: SigningKey,
+) -> Record:
+    """Sign the record of a run.
+
+    recordings: name in the record → file on this machine. Raises UnusableRecord if one
+    does not have the digest that its line says, and OSError if it cannot be read.
+    """
+    contents, digests = _contents(manifest, list(lines), recordings)
+    if digests[MANIFEST] != evaluation.manifest_sha256:
+        raise UnusableRecord("the manifest has another digest than the run")
+    subjects = sorted(digests.items(), key=lambda item: order(item[0]))
+    payload = write_statement(subjects, PREDICATE_TYPE, evaluation)
+    return _with_statement(contents, sign_envelope(payload, key))
+
+
+def reopen_record(
+    statement: bytes,
+    *,
+    manifest: bytes,
+    lines: Iterable[EpisodeLine],
+    recordings: Mapping[str, Path],
+) -> Record:
+    """The record that was signed before, from its statement. Raises as build_record."""
+    contents, _ = _contents(manifest, list(lines), recordings)
+    return _with_statement(contents, statement)
+
+
+def _with_statement(contents: Mapping[str, Content], statement: bytes) -> Record:
+    digest = hashlib.sha256(statement).hexdigest()
+    return Record({**contents, STATEMENT: _of_bytes(statement)}, digest)
+
+
+def _contents(
+    manifest: bytes, all_lines: list[EpisodeLine], recordings: Mapping[str, Path]
+) -> tuple[dict[str, Content], dict[str, str]]:
+    """All files but the statement, and their digests, by name."""
+    encoder = msgspec.json.Encoder()
+    episodes = b"".join(encoder.encode(line) + b"\n" for line in all_lines)
+    contents = {MANIFEST: _of_bytes(manifest), EPISODES: _of_bytes(episodes)}
+    digests = {
+        MANIFEST: hashlib.sha256(manifest).hexdigest(),
+        EPISODES: hashlib.sha256(episodes).hexdigest(),
+    }
+    for line in all_lines:
+        if line.recording is not None:
+            name = line.recording.path
+            contents[name], digests[name] = _of_file(recordings[name])
+            if digests[name] != line.recording.sha256:
+                raise UnusableRecord(f"{name} is not what was recorded")
+    if len(all_lines) > EPISODES_MAX:
+        raise UnusableRecord(f"a record has at most {EPISODES_MAX} episodes")
+    return contents, digests
+
+
+def add_verdict(bundle: Bundle, path: Path, name: str, verdict: bytes) -> None:
+    """Put a verdict into the record at `path`; one of the same name is replaced.
+
+    The record is whole at every moment. Raises OSError.
+    """
+    file = verdict_name(name)
+    if path.is_dir():
+        (path / FOLDERS[1]).mkdir(exist_ok=True)
+        _replace(path / file, [verdict])
+        return
+    contents = {one: _of_bundle(bundle, one) for one in bundle.sizes}
+    contents[file] = _of_bytes(verdict)
+    _replace(path, stream_archive(contents.items()))
+
+
+def save_blocks(path: Path, blocks: Iterable[bytes]) -> None:
+    """Write a file that has its name only when it is whole. Raises OSError."""
+    _replace(path, blocks)
+
+
+def _replace(path: Path, blocks: Iterable[bytes]) -> None:
+    draft = path.with_name(f".{path.name}.part")
+    try:
+        with draft.open("wb") as file:
+            file.writelines(blocks)
+        draft.replace(path)
+    finally:
+        with suppress(FileNotFoundError):
+            draft.unlink()
+
+
+def _of_bytes(data: bytes) -> Content:
+    return Content(len(data), zlib.crc32(data), lambda: [data])
+
+
+def _of_file(path: Path) -> tuple[Content, str]:
+    size, crc, digest = 0, 0, hashlib.sha256()
+    for block in blocks_of(path):
+        size, crc = size + len(block), zlib.crc32(block, crc)
+        digest.update(block)
+    return Content(size, crc, partial(blocks_of, path)), digest.hexdigest()
+
+
+def _of_bundle(bundle: Bundle, name: str) -> Content:
+    crc = 0
+    for block in bundle.blocks(name):
+        crc = zlib.crc32(block, crc)
+    return Content(bundle.sizes[name], crc, partial(bundle.blocks, name))
+
+
+def blocks_of(path: Path) -> Iterator[bytes]:
+    """The bytes of a file, a block at a time."""
+    with path.open("rb") as file:
+        while block := file.read(BLOCK_BYTES):
+            yield block

@@ -1,0 +1,39 @@
+"""JSON of unknown origin into typed structures: UTF-8, and no member twice.
+
+Two readers of one text must see the same (REC-004), so what libraries decide
+differently is refused.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any, TypeVar
+
+import msgspec
+
+from reference_record.broken import BrokenRecord
+
+T = TypeVar("T")
+# Text that is not UTF-8 is a ValueError.
+UNREADABLE = (msgspec.MsgspecError, ValueError, RecursionError)
+
+
+def read_json(file: str, data: bytes, type_: type[T], where: str = "") -> T:
+    """The structure in a text; raises BrokenRecord that names the file.
+
+    where: begins what is said of an error, such as `line 3: `.
+    """
+    try:
+        value = msgspec.json.decode(data, type=type_)
+        json.loads(data, object_pairs_hook=_refuse_repeated)
+    except UNREADABLE as error:
+        detail = f"{where}{str(error) or 'it nests too deeply'}"
+        raise BrokenRecord(file, "REC-004", detail) from error
+    return value
+
+
+def _refuse_repeated(pairs: list[tuple[str, Any]]) -> None:
+    names = [name for name, _ in pairs]
+    if len(set(names)) < len(names):
+        twice = next(name for name in names if names.count(name) > 1)
+        raise ValueError(f"the member {twice[:64]!r} stands twice")

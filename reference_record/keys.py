@@ -1,0 +1,89 @@
+"""Ed25519 keys: the pair that signs records, the name of a public key, the key file."""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import hashlib
+import os
+from pathlib import Path
+from typing import Final
+
+from cryptography.exceptions import InvalidSignature
+from cryptography.hazmat.primitives.asymmetric.ed25519 import (
+    Ed25519PrivateKey,
+    Ed25519PublicKey,
+)
+
+from reference_record.broken import UnusableRecord
+
+PUBLIC_KEY_BYTES: Final = 32
+SIGNATURE_BYTES: Final = 64
+KEYID_PREFIX: Final = "SHA256:"
+
+
+def keyid_of(public_key: bytes) -> str:
+    """REC-006: the name of a public key of 32 bytes."""
+    return KEYID_PREFIX + hashlib.sha256(public_key).hexdigest()
+
+
+def is_signature(public_key: bytes, signature: bytes, message: bytes) -> bool:
+    """Whether the owner of the key signed the message (REC-006)."""
+    if len(public_key) != PUBLIC_KEY_BYTES or len(signature) != SIGNATURE_BYTES:
+        return False
+    try:
+        Ed25519PublicKey.from_public_bytes(public_key).verify(signature, message)
+    except (InvalidSignature, ValueError):
+        return False
+    return True
+
+
+class SigningKey:
+    """A pair of keys. seed: the 32 secret bytes."""
+
+    def __init__(self, seed: bytes) -> None:
+        self._key = Ed25519PrivateKey.from_private_bytes(seed)
+        self.public_key = self._key.public_key().public_bytes_raw()
+        self.keyid = keyid_of(self.public_key)
+
+    def sign(self, message: bytes) -> bytes:
+        return self._key.sign(message)
+
+
+def make_key() -> SigningKey:
+    """A new pair, in memory alone."""
+    return SigningKey(Ed25519PrivateKey.generate().private_bytes_raw())
+
+
+def load_or_make(path: Path) -> SigningKey:
+    """The key in a file that its owner alone may read; made when there is none.
+
+    The file is complete before it has its name: of two processes that begin at the same
+    time, both get the key of the one that was first. Raises UnusableRecord.
+    """
+    if not path.exists():
+        _make(path)
+    if os.name == "posix" and path.stat().st_mode & 0o077:
+        raise UnusableRecord(f"{path} can be read by others: chmod 600 {path}")
+    try:
+        return SigningKey(base64.b64decode(path.read_bytes().strip(), validate=True))
+    except (ValueError, binascii.Error) as error:
+        raise UnusableRecord(f"{path} holds no signing key") from error
+
+
+def _make(path: Path) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    draft = path.with_name(f"{path.name}.{os.getpid()}")
+    seed = Ed25519PrivateKey.generate().private_bytes_raw()
+    descriptor = os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+    try:
+        with os.fdopen(descriptor, "wb") as file:
+            file.write(base64.b64encode(seed) + b"\n")
+            file.flush()
+            os.fsync(file.fileno())
+        try:
+            os.link(draft, path)
+        except FileExistsError:
+            return
+    finally:
+        draft.unlink()

@@ -1,0 +1,247 @@
+"""What a recording says: its channels, their messages, and MCAP's records of them.
+
+A recording is one MCAP file for one episode, with all its attempts. It knows neither
+HTTP nor databases nor simulators. While the episode is played its messages are
+appended to parts (`recording_parts.py`); when it has a result, the parts become one
+compressed file (`recording_file.py`).
+
+MCAP is written here and not by its library: a turn is recorded in a few microseconds,
+and a part that was cut anywhere is read up to the last whole message.
+"""
+
+from __future__ import annotations
+
+import struct
+import time
+import zlib
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from typing import Any
+
+import msgspec
+
+Actions = Sequence[Mapping[str, Sequence[float]]]
+
+
+class AttemptEvent(msgspec.Struct, omit_defaults=True):
+    """An attempt begins at step 0 (event "started"), or is over (event "ended").
+
+    state_digest: of the state at step 0. reason: why it ended.
+    """
+
+    attempt: int
+    event: str
+    at: str
+    reason: str | None = None
+    state_digest: str | None = None
+
+
+class Turn(msgspec.Struct):
+    """A turn that was executed.
+
+    actions: those that were executed, after clipping, with a reward each. steps: how
+    many. score, success, ended, state_digest: of the episode after them. think_ms: from
+    the answer to the turn before to this request.
+    """
+
+    attempt: int
+    seq: int
+    actions: Actions
+    rewards: Sequence[float]
+    steps: int
+    score: float
+    success: bool
+    ended: bool
+    state_digest: str
+    simulate_ms: float
+    think_ms: float
+    at: str
+
+
+class Fault(msgspec.Struct):
+    """What broke. code: simulator_fault or policy_fault. seq: 0 outside of a turn."""
+
+    attempt: int
+    seq: int
+    code: str
+    detail: str
+    at: str
+
+
+class EpisodeResult(msgspec.Struct):
+    """The result of the episode; the last message."""
+
+    outcome: str
+    success: bool
+    score: float
+    steps: int
+    attempts: int
+    at: str
+
+
+class Picture(msgspec.Struct):
+    """What a camera showed; `data` is encoded in Base64, as JSON needs."""
+
+    timestamp: dict[str, int]
+    frame_id: str
+    data: bytes
+    format: str
+
+
+Message = AttemptEvent | Turn | Fault | EpisodeResult | Picture
+
+_NUMBER, _TEXT, _WHOLE, _FLAG = (
+    {"type": kind} for kind in ("number", "string", "integer", "boolean")
+)
+_NUMBERS = {"type": "array", "items": _NUMBER}
+
+
+def _schema(properties: Mapping[str, Any], optional: Sequence[str] = ()) -> bytes:
+    required = [name for name in properties if name not in optional]
+    schema = {"type": "object", "properties": properties, "required": required}
+    return msgspec.json.encode(schema)
+
+
+# topic → name of its schema and the schema; the position is the channel's id, from 1.
+CHANNELS: Mapping[str, tuple[str, bytes]] = {
+    "/attempt": (
+        "proctor.Attempt",
+        _schema(
+            {
+                "attempt": _WHOLE,
+                "event": {"enum": ["started", "ended"]},
+                "at": _TEXT,
+                "reason": _TEXT,
+                "state_digest": _TEXT,
+            },
+            optional=("reason", "state_digest"),
+        ),
+    ),
+    "/turn": (
+        "proctor.Turn",
+        _schema(
+            {
+                "attempt": _WHOLE,
+                "seq": _WHOLE,
+                "actions": {
+                    "type": "array",
+                    "items": {"type": "object", "additionalProperties": _NUMBERS},
+                },
+                "rewards": _NUMBERS,
+                "steps": _WHOLE,
+                "score": _NUMBER,
+                "success": _FLAG,
+                "ended": _FLAG,
+                "state_digest": _TEXT,
+                "simulate_ms": _NUMBER,
+                "think_ms": _NUMBER,
+                "at": _TEXT,
+            }
+        ),
+    ),
+    "/fault": (
+        "proctor.Fault",
+        _schema(
+            {
+                "attempt": _WHOLE,
+                "seq": _WHOLE,
+                "code": {"enum": ["simulator_fault", "policy_fault"]},
+                "detail": _TEXT,
+                "at": _TEXT,
+            }
+        ),
+    ),
+    "/result": (
+        "proctor.Result",
+        _schema(
+            {
+                "outcome": {"enum": ["success", "failure", "abandoned"]},
+                "success": _FLAG,
+                "score": _NUMBER,
+                "steps": _WHOLE,
+                "attempts": _WHOLE,
+                "at": _TEXT,
+            }
+        ),
+    ),
+}
+CAMERA = "/camera/"
+# Known to viewers of MCAP files, so that they show the pictures.
+CAMERA_SCHEMA = (
+    "foxglove.CompressedImage",
+    _schema(
+        {
+            "timestamp": {
+                "type": "object",
+                "properties": {"sec": _WHOLE, "nsec": _WHOLE},
+            },
+            "frame_id": _TEXT,
+            "data": {"type": "string", "contentEncoding": "base64"},
+            "format": _TEXT,
+        }
+    ),
+)
+TOPIC_IDS = {topic: number for number, topic in enumerate(CHANNELS, 1)}
+
+# --- MCAP ---
+
+MAGIC = b"\x89MCAP0\r\n"
+HEADER, FOOTER, SCHEMA, CHANNEL, MESSAGE, CHUNK = range(1, 7)
+MESSAGE_INDEX, CHUNK_INDEX, STATISTICS, SUMMARY_OFFSET, DATA_END = 7, 8, 11, 14, 15
+RECORD_HEAD = struct.Struct("<BQ")
+# channel id, sequence, log time, publish time
+MESSAGE_HEAD = struct.Struct("<HIQQ")
+_WHOLE_HEAD = struct.Struct("<BQHIQQ")
+
+_encode = msgspec.json.Encoder().encode
+
+
+def record(kind: int, content: bytes) -> bytes:
+    return RECORD_HEAD.pack(kind, len(content)) + content
+
+
+def message_record(channel: int, at_ns: int, message: Message) -> bytes:
+    """Its sequence number is the checksum of its data, until it is in a file."""
+    data = _encode(message)
+    length, checksum = MESSAGE_HEAD.size + len(data), zlib.crc32(data)
+    return _WHOLE_HEAD.pack(MESSAGE, length, channel, checksum, at_ns, at_ns) + data
+
+
+def is_whole(content: bytes) -> bool:
+    """Whether the content of a message record is what was written."""
+    checksum = MESSAGE_HEAD.unpack_from(content)[1]
+    return bool(checksum == zlib.crc32(memoryview(content)[MESSAGE_HEAD.size :]))
+
+
+def schema_record(topic: str, number: int) -> bytes:
+    name, schema = CHANNELS.get(topic, CAMERA_SCHEMA)
+    head = struct.pack("<H", number)
+    return record(SCHEMA, head + text(name) + text("jsonschema") + _sized(schema))
+
+
+def channel_record(topic: str, number: int) -> bytes:
+    """Its schema has the same number."""
+    head = struct.pack("<HH", number, number)
+    return record(CHANNEL, head + text(topic) + text("json") + _sized(b""))
+
+
+def text(value: str) -> bytes:
+    return _sized(value.encode())
+
+
+def _sized(content: bytes) -> bytes:
+    return struct.pack("<I", len(content)) + content
+
+
+# --- times ---
+
+
+def timestamp(at_ns: int) -> str:
+    """RFC 3339 in UTC, to the millisecond, of nanoseconds since 1970."""
+    second, milliseconds = divmod(at_ns // 1_000_000, 1000)
+    return f"{_format_second(second)}.{milliseconds:03d}Z"
+
+
+@lru_cache(maxsize=8)
+def _format_second(second: int) -> str:
+    return time.strftime("%Y-%m-%dT%H:%M:%S", time.gmtime(second))

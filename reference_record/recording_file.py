@@ -1,0 +1,304 @@
+"""Joins the parts of a recording into one MCAP file with compressed chunks.
+
+The file is complete and on disk before its name exists; the parts stay until its caller
+removes them. Memory is bounded by a chunk, whatever the length of the episode.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import struct
+import zlib
+from collections.abc import Sequence
+from pathlib import Path
+from typing import BinaryIO
+
+import msgspec
+import zstandard
+
+from reference_record.recording import (
+    CHANNEL,
+    CHANNELS,
+    CHUNK,
+    CHUNK_INDEX,
+    DATA_END,
+    FOOTER,
+    HEADER,
+    MAGIC,
+    MESSAGE,
+    MESSAGE_HEAD,
+    MESSAGE_INDEX,
+    RECORD_HEAD,
+    SCHEMA,
+    STATISTICS,
+    SUMMARY_OFFSET,
+    AttemptEvent,
+    Message,
+    channel_record,
+    message_record,
+    record,
+    schema_record,
+    text,
+)
+from reference_record.recording_parts import parts_of, read_part
+
+CHUNK_BYTES = 1 << 20
+_LEVEL = 3
+
+
+class Latency(msgspec.Struct, frozen=True):
+    """Quantiles over the turns of an episode, milliseconds; 0 without a turn."""
+
+    think_ms_p50: float
+    think_ms_p99: float
+    simulate_ms_p50: float
+    simulate_ms_p99: float
+
+
+class RecordingSummary(msgspec.Struct, frozen=True):
+    """A finished recording: its file's hash and size, and what others list of it.
+
+    first_digest: of the state at the first step 0. last_digest: of the state after the
+    last turn; of the last step 0 if there was none. None: no attempt was begun.
+    """
+
+    sha256: str
+    bytes: int
+    turns: int
+    first_digest: str | None
+    last_digest: str | None
+    latency: Latency
+
+
+class _TurnFigures(msgspec.Struct):
+    state_digest: str
+    simulate_ms: float
+    think_ms: float
+
+
+_TURN = msgspec.json.Decoder(_TurnFigures)
+_ATTEMPT = msgspec.json.Decoder(AttemptEvent)
+
+
+def join_parts(
+    folder: Path, target: Path, last: Sequence[tuple[str, int, Message]]
+) -> RecordingSummary:
+    """Write all parts in `folder`, and then these messages, to the file `target`.
+
+    last: topic, nanoseconds since 1970, message. Raises OSError; then `target` is what
+    it was.
+    """
+    draft = target.with_suffix(".draft")
+    try:
+        target.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        with draft.open("wb") as file:
+            os.fchmod(file.fileno(), 0o600)
+            summary = _write_all(file, folder, last)
+            file.flush()
+            os.fsync(file.fileno())
+        draft.replace(target)
+    except OSError:
+        draft.unlink(missing_ok=True)
+        raise
+    _sync_folder(target.parent)
+    return summary
+
+
+def _write_all(
+    file: BinaryIO, folder: Path, last: Sequence[tuple[str, int, Message]]
+) -> RecordingSummary:
+    writer, figures = _RecordingWriter(file), _Figures()
+    for part in parts_of(folder):
+        for topic, message in read_part(part):
+            figures.add(topic, message)
+            writer.add(topic, message)
+    for topic, at_ns, said in last:
+        content = memoryview(message_record(0, at_ns, said))
+        writer.add(topic, content[RECORD_HEAD.size :])
+    writer.finish()
+    return figures.summary(writer.digest, writer.size)
+
+
+def _sync_folder(folder: Path) -> None:
+    """Make the name of a new file last, too."""
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
+
+
+class _Figures:
+    """What is known of a recording without reading it again."""
+
+    def __init__(self) -> None:
+        self._first: str | None = None
+        self._last: str | None = None
+        self._think: list[float] = []
+        self._simulate: list[float] = []
+
+    def add(self, topic: str, message: memoryview) -> None:
+        if topic == "/turn":
+            turn = _TURN.decode(message[MESSAGE_HEAD.size :])
+            self._last = turn.state_digest
+            self._think.append(turn.think_ms)
+            self._simulate.append(turn.simulate_ms)
+        elif topic == "/attempt":
+            event = _ATTEMPT.decode(message[MESSAGE_HEAD.size :])
+            if event.event == "started":
+                self._first = self._first or event.state_digest
+                if not self._think:
+                    self._last = event.state_digest
+
+    def summary(self, sha256: str, size: int) -> RecordingSummary:
+        latency = Latency(*_quantiles(self._think), *_quantiles(self._simulate))
+        return RecordingSummary(
+            sha256, size, len(self._think), self._first, self._last, latency
+        )
+
+
+def _quantiles(values: list[float]) -> tuple[float, float]:
+    """The median and the 99th percentile, each one of the values."""
+    if not values:
+        return 0.0, 0.0
+    values.sort()
+    last = len(values) - 1
+    return values[last // 2], values[-(-last * 99 // 100)]
+
+
+class _RecordingWriter:
+    """Writes MCAP: chunks with an index each, and the summary that finds them."""
+
+    def __init__(self, file: BinaryIO) -> None:
+        self._file = file
+        self._hash = hashlib.sha256()
+        self._at = 0  # bytes written
+        self._compressor = zstandard.ZstdCompressor(level=_LEVEL)
+        self._topics = {topic: number for number, topic in enumerate(CHANNELS, 1)}
+        self._counts: dict[int, int] = {}
+        self._chunk_indexes: list[bytes] = []
+        self._span = _Span()
+        self._begin_chunk()
+        self._write(MAGIC)
+        self._write(record(HEADER, text("") + text("proctor")))
+        for topic, channel in self._topics.items():
+            self._declare(topic, channel)
+
+    @property
+    def size(self) -> int:
+        return self._at
+
+    @property
+    def digest(self) -> str:
+        return self._hash.hexdigest()
+
+    def add(self, topic: str, message: memoryview) -> None:
+        """message: the content of a message record; its numbers are set here."""
+        channel = self._topics.get(topic)
+        if channel is None:
+            channel = self._topics[topic] = len(self._topics) + 1
+            self._end_chunk()
+            self._declare(topic, channel)
+        _, _, at_ns, _ = MESSAGE_HEAD.unpack_from(message)
+        count = self._counts.get(channel, 0)
+        self._counts[channel] = count + 1
+        self._offsets.setdefault(channel, []).append((at_ns, len(self._chunk)))
+        self._chunk += RECORD_HEAD.pack(MESSAGE, len(message))
+        self._chunk += MESSAGE_HEAD.pack(channel, count, at_ns, at_ns)
+        self._chunk += message[MESSAGE_HEAD.size :]
+        self._chunk_span.add(at_ns)
+        self._span.add(at_ns)
+        if len(self._chunk) >= CHUNK_BYTES:
+            self._end_chunk()
+
+    def finish(self) -> None:
+        """Nothing can be added any more."""
+        self._end_chunk()
+        self._write(record(DATA_END, struct.pack("<I", 0)))
+        start, offsets = self._at, b""
+        for kind, records in (
+            (SCHEMA, [schema_record(*one) for one in self._topics.items()]),
+            (CHANNEL, [channel_record(*one) for one in self._topics.items()]),
+            (STATISTICS, [self._statistics()]),
+            (CHUNK_INDEX, self._chunk_indexes),
+        ):
+            group_start = self._at
+            self._write(b"".join(records))
+            if self._at > group_start:
+                group = struct.pack("<BQQ", kind, group_start, self._at - group_start)
+                offsets += record(SUMMARY_OFFSET, group)
+        offsets_start = self._at
+        self._write(offsets)
+        self._write(record(FOOTER, struct.pack("<QQI", start, offsets_start, 0)))
+        self._write(MAGIC)
+
+    def _begin_chunk(self) -> None:
+        self._chunk = bytearray()
+        self._chunk_span = _Span()
+        self._offsets: dict[int, list[tuple[int, int]]] = {}
+
+    def _end_chunk(self) -> None:
+        if not self._chunk:
+            return
+        packed = self._compressor.compress(self._chunk)
+        span, size = self._chunk_span, len(self._chunk)
+        start = self._at
+        self._write(
+            record(
+                CHUNK,
+                struct.pack(
+                    "<QQQI", span.first, span.last, size, zlib.crc32(self._chunk)
+                )
+                + text("zstd")
+                + struct.pack("<Q", len(packed))
+                + packed,
+            )
+        )
+        length, places = self._at - start, b""
+        for channel, entries in self._offsets.items():
+            places += struct.pack("<HQ", channel, self._at)
+            pairs = b"".join(struct.pack("<QQ", *entry) for entry in entries)
+            content = struct.pack("<HI", channel, len(pairs)) + pairs
+            self._write(record(MESSAGE_INDEX, content))
+        self._chunk_indexes.append(
+            record(
+                CHUNK_INDEX,
+                struct.pack("<QQQQ", span.first, span.last, start, length)
+                + struct.pack("<I", len(places))
+                + places
+                + struct.pack("<Q", self._at - start - length)
+                + text("zstd")
+                + struct.pack("<QQ", len(packed), size),
+            )
+        )
+        self._begin_chunk()
+
+    def _declare(self, topic: str, number: int) -> None:
+        self._write(schema_record(topic, number) + channel_record(topic, number))
+
+    def _statistics(self) -> bytes:
+        channels, chunks = len(self._topics), len(self._chunk_indexes)
+        counts = b"".join(struct.pack("<HQ", *one) for one in self._counts.items())
+        content = struct.pack(
+            "<QHIIIIQQI",
+            *(sum(self._counts.values()), channels, channels, 0, 0, chunks),
+            *(self._span.first, self._span.last, len(counts)),
+        )
+        return record(STATISTICS, content + counts)
+
+    def _write(self, content: bytes) -> None:
+        self._file.write(content)
+        self._hash.update(content)
+        self._at += len(content)
+
+
+class _Span:
+    """The earliest and the latest time; a wall clock may be set back."""
+
+    def __init__(self) -> None:
+        self.first = self.last = 0
+
+    def add(self, at_ns: int) -> None:
+        self.first = min(self.first or at_ns, at_ns)
+        self.last = max(self.last, at_ns)

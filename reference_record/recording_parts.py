@@ -1,0 +1,108 @@
+"""The parts of a recording in progress: messages appended one by one.
+
+A part is a sequence of MCAP's message records and nothing else, in a folder of its
+episode. It has one writer, and each message is one write: when the writer is killed at
+any moment, every message before that can be read. Who goes on writes another part, with
+the next number.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import BinaryIO
+
+from reference_record.recording import (
+    MESSAGE,
+    MESSAGE_HEAD,
+    RECORD_HEAD,
+    TOPIC_IDS,
+    Message,
+    is_whole,
+    message_record,
+    text,
+)
+
+SUFFIX = ".part"
+# The topic of a camera, before the first message with this channel id.
+CAMERA_TOPIC = 0xF0
+_NAME_AT = MESSAGE_HEAD.size + 4
+
+
+class PartWriter:
+    """A new part in `folder`, behind all that are there. Raises OSError."""
+
+    def __init__(self, folder: Path) -> None:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND | os.O_CLOEXEC
+        path = folder / f"{_next_number(folder):06d}{SUFFIX}"
+        self._file = os.open(path, flags, 0o600)
+        self._topics = dict(TOPIC_IDS)
+
+    def write(self, topic: str, message: Message, at_ns: int | None = None) -> None:
+        """On return a reader finds the message, whatever happens to this process."""
+        at_ns = time.time_ns() if at_ns is None else at_ns
+        channel, written = self._topics.get(topic), b""
+        if channel is None:
+            channel = self._topics[topic] = len(self._topics) + 1
+            name = text(topic)
+            named = MESSAGE_HEAD.pack(channel, 0, at_ns, at_ns) + name
+            written = RECORD_HEAD.pack(CAMERA_TOPIC, len(named)) + named
+        written += message_record(channel, at_ns, message)
+        if os.write(self._file, written) != len(written):
+            raise OSError("the disk took a part of a message only")
+
+    def close(self) -> None:
+        os.close(self._file)
+
+
+def append_part(folder: Path, *messages: tuple[str, Message]) -> None:
+    """Write messages of one moment as a part of their own."""
+    part = PartWriter(folder)
+    try:
+        for topic, message in messages:
+            part.write(topic, message)
+    finally:
+        part.close()
+
+
+def parts_of(folder: Path) -> list[Path]:
+    """In the order in which they were begun."""
+    return sorted(folder.glob(f"*{SUFFIX}"))
+
+
+def read_part(path: Path) -> Iterator[tuple[str, memoryview]]:
+    """Topic and message, as the content of an MCAP message record.
+
+    Ends where the part was cut. Raises OSError.
+    """
+    topics = {channel: topic for topic, channel in TOPIC_IDS.items()}
+    with path.open("rb") as file:
+        size = os.fstat(file.fileno()).st_size
+        while (found := _read_record(file, size)) is not None:
+            kind, content = found
+            size -= RECORD_HEAD.size + len(content)
+            channel = int.from_bytes(content[:2], "little")
+            if kind == CAMERA_TOPIC:
+                topics[channel] = content[_NAME_AT:].decode(errors="replace")
+            elif kind == MESSAGE and channel in topics and is_whole(content):
+                yield topics[channel], memoryview(content)
+            else:  # what a power cut leaves of a file
+                return
+
+
+def _read_record(file: BinaryIO, size: int) -> tuple[int, bytes] | None:
+    """None at the end, or where the record is not whole. size: what is left to read."""
+    head = file.read(RECORD_HEAD.size)
+    if len(head) < RECORD_HEAD.size:
+        return None
+    kind, length = RECORD_HEAD.unpack(head)
+    if not MESSAGE_HEAD.size <= length <= size - len(head):
+        return None
+    return kind, file.read(length)
+
+
+def _next_number(folder: Path) -> int:
+    return 1 + max((int(path.stem) for path in parts_of(folder)), default=0)

@@ -1,0 +1,109 @@
+"""The score that follows from the episodes of a record: spec/scoring.md once more.
+
+Not the server's code: who verifies a number must not take it from its author.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, Final, Literal, NamedTuple
+
+Outcome = Literal["success", "failure", "abandoned"]
+_Z: Final = 1.959963984540054
+TOLERANCE: Final = 1e-9
+
+
+class ScoredLine(NamedTuple):
+    """outcome, score: None while the episode is unscored."""
+
+    task: str
+    split: str
+    outcome: Outcome | None
+    score: float | None
+
+
+def compute_score(episodes: Sequence[ScoredLine]) -> dict[str, Any]:
+    """REC-011: the members of a score that follow from the episodes, at least one."""
+    group = _group(episodes)
+    total, unscored = len(episodes), group["counts"]["unscored"]
+    low = _sum(episodes) / total
+    return {
+        "complete": unscored == 0,
+        "score": None if unscored else low,
+        "score_low": low,
+        "score_high": low + unscored / total,
+        **group,
+        "success_interval": _wilson(group["success_rate"], total - unscored),
+        "mean_interval": _wilson(group["mean"], total - unscored),
+        "by_task": _by(episodes, lambda episode: episode.task),
+        "by_split": _by(episodes, lambda episode: episode.split),
+    }
+
+
+def first_difference(expected: Any, found: Any, path: str = "") -> str | None:
+    """The first member of `expected` that `found` has otherwise, with both values.
+
+    Numbers may differ by TOLERANCE. A score may have members of its own beside those of
+    `expected`, but no further task, split or count.
+    """
+    if isinstance(expected, Mapping):
+        if not isinstance(found, Mapping):
+            return f"{path} is no object"
+        if path and (more := sorted(set(found) - set(expected))):
+            return f"{path}/{more[0]} has no episode"
+        for name, value in expected.items():
+            if name not in found:
+                return f"{path}/{name} is missing"
+            if difference := first_difference(value, found[name], f"{path}/{name}"):
+                return difference
+        return None
+    return None if _equal(expected, found) else f"{path} is {found}, not {expected}"
+
+
+def _equal(expected: Any, found: Any) -> bool:
+    if expected is None or isinstance(expected, bool) or isinstance(found, bool):
+        return expected is found
+    if not isinstance(found, int | float):
+        return False
+    return bool(abs(expected - found) <= TOLERANCE)
+
+
+def _wilson(rate: float | None, n: int) -> dict[str, float]:
+    if rate is None:
+        return {"low": 0.0, "high": 1.0}
+    z2 = _Z * _Z
+    centre = (rate + z2 / (2 * n)) / (1 + z2 / n)
+    root = math.sqrt(max(0.0, rate * (1 - rate)) / n + z2 / (4 * n * n))
+    half = _Z / (1 + z2 / n) * root
+    return {"low": max(0.0, centre - half), "high": min(1.0, centre + half)}
+
+
+def _sum(episodes: Iterable[ScoredLine]) -> float:
+    return math.fsum(episode.score or 0.0 for episode in episodes)
+
+
+def _group(episodes: Sequence[ScoredLine]) -> dict[str, Any]:
+    outcomes = [episode.outcome for episode in episodes]
+    counts = {
+        name: outcomes.count(name) for name in ("success", "failure", "abandoned")
+    }
+    scored = sum(counts.values())
+    return {
+        "counts": {
+            "total": len(outcomes),
+            **counts,
+            "unscored": len(outcomes) - scored,
+        },
+        "mean": _sum(episodes) / scored if scored else None,
+        "success_rate": counts["success"] / scored if scored else None,
+    }
+
+
+def _by(
+    episodes: Sequence[ScoredLine], key: Callable[[ScoredLine], str]
+) -> dict[str, Any]:
+    groups: dict[str, list[ScoredLine]] = {}
+    for episode in episodes:
+        groups.setdefault(key(episode), []).append(episode)
+    return {name: _group(members) for name, members in groups.items()}

@@ -1,0 +1,1 @@
+"""Recordings of episodes on disk, and the signed records of runs."""

@@ -1,0 +1,224 @@
+"""The recordings of this server's episodes on disk: begin, continue, finish, delete.
+
+A simulator process appends the turns (`reference_sim/process/recorder.py`). What only
+the server knows (faults, how attempts end, the result) is appended here, in a part of
+its own. No file is touched in the event loop: each episode has one thread that does its
+work in order. What cannot be written is reported when the episode begins again or is
+finished, never dropped.
+
+    RECORDS/RUN_ID/00042.parts/000001.part    an episode in play
+    RECORDS/RUN_ID/00042.mcap                 an episode with its result
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import shutil
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TypeVar
+
+import msgspec
+
+from reference_record.recording import (
+    AttemptEvent,
+    EpisodeResult,
+    Fault,
+    Message,
+    timestamp,
+)
+from reference_record.recording_file import join_parts
+from reference_record.recording_parts import append_part
+from reference_server.rules.run import Episode, Recording, Result, Run
+from reference_server.storage.store import StoreFailed
+from reference_sim.process.pool import RecordingPlan
+
+log = logging.getLogger("proctor.records")
+
+# Episodes whose files are written at once.
+THREADS = 4
+
+Done = TypeVar("Done")
+Key = tuple[str, int]  # run id, index of the episode
+
+
+class RecordingFailed(Exception):
+    """A recording could not be written; what it says is on disk up to the last part."""
+
+
+class Recordings:
+    """All recordings below one folder.
+
+    folder: None for one that is removed by `close`. pictures: what cameras show is
+    recorded, too.
+    """
+
+    def __init__(self, folder: Path | None, *, pictures: bool = False) -> None:
+        self._temporary = None if folder else TemporaryDirectory(prefix="proctor-")
+        self._folder = folder or Path(self._temporary.name if self._temporary else "")
+        self._pictures = pictures
+        # One thread each: what is appended to an episode keeps its order.
+        self._threads = [ThreadPoolExecutor(1, "recordings") for _ in range(THREADS)]
+        self._pending: dict[Key, list[tuple[str, Message]]] = {}
+        self._appending: dict[Key, asyncio.Task[None]] = {}
+
+    def open(self) -> None:
+        """Make the folder, which its owner alone may read. Raises OSError."""
+        self._folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+
+    async def close(self) -> None:
+        """Returns when everything that was begun is written."""
+        while self._appending:
+            await asyncio.wait(self._appending.values())
+        for threads in self._threads:
+            threads.shutdown()
+        if self._temporary is not None:
+            self._temporary.cleanup()
+
+    # --- an episode ---
+
+    async def begin(self, run: Run, episode: Episode) -> RecordingPlan:
+        """Where the next playing of the episode is recorded. Raises RecordingFailed."""
+        await self._write_pending((run.run_id, episode.index))
+        folder = str(self._parts(run.run_id, episode.index))
+        return RecordingPlan(folder, episode.attempt, self._pictures)
+
+    def add_fault(
+        self, run: Run, episode: Episode, seq: int, code: str, detail: str
+    ) -> None:
+        """REC-105: what broke in a turn of the attempt in play; written soon."""
+        now = timestamp(time.time_ns())
+        fault = Fault(episode.attempt, seq, code, detail, now)
+        self._append((run.run_id, episode.index), "/fault", fault)
+
+    def end_attempt(self, run: Run, index: int, attempt: int, reason: str) -> None:
+        """REC-105: an attempt is over without a result; written soon."""
+        now = timestamp(time.time_ns())
+        ended = AttemptEvent(attempt, "ended", now, reason)
+        self._append((run.run_id, index), "/attempt", ended)
+
+    async def finish(self, run: Run, episode: Episode, result: Result) -> Recording:
+        """Join all that was recorded of the episode with its result, durably.
+
+        May be called again, with another result: as long as the parts are there, the
+        last call decides. Raises RecordingFailed.
+        """
+        await self._write_pending((run.run_id, episode.index))
+        at_ns = int(result.finished_at_wall * 1e9)
+        last: list[tuple[str, int, Message]] = []
+        if result.outcome != "abandoned":
+            ended = AttemptEvent(result.attempt, "ended", timestamp(at_ns), "scored")
+            last.append(("/attempt", at_ns, ended))
+        recorded = EpisodeResult(
+            result.outcome,
+            success=result.outcome == "success",
+            score=result.score,
+            steps=result.steps,
+            attempts=result.attempt,
+            at=timestamp(at_ns),
+        )
+        last.append(("/result", at_ns, recorded))
+        key = run.run_id, episode.index
+        parts, target = self._parts(*key), self.path(*key)
+        summary = await self._in_thread(key, partial(join_parts, parts, target, last))
+        latency = msgspec.structs.asdict(summary.latency)
+        return Recording(
+            summary.sha256,
+            summary.bytes,
+            summary.turns,
+            summary.first_digest,
+            summary.last_digest,
+            latency,
+        )
+
+    async def finish_unplayed(self, run: Run) -> None:
+        """Finish the recordings of results that no turn gave: of abandoned episodes.
+
+        On return no changed episode of the run has a result without its recording.
+        """
+        while missing := [
+            (episode, episode.result)
+            for episode in map(run.episodes.__getitem__, run.changed)
+            if episode.result is not None and episode.recording is None
+        ]:
+            for episode, result in missing:
+                try:
+                    episode.recording = await self.finish(run, episode, result)
+                except RecordingFailed as failed:
+                    raise StoreFailed(str(failed)) from failed
+
+    def remove_parts(self, run: Run, stored: set[int]) -> None:
+        """These episodes are stored: where they have a result, the file is final."""
+        for index in stored:
+            if run.episodes[index].recording is not None:
+                folder = self._parts(run.run_id, index)
+                self._threads_of((run.run_id, index)).submit(_remove_folder, folder)
+
+    def path(self, run_id: str, index: int) -> Path:
+        """The file of an episode that has its result."""
+        return self._folder / run_id / f"{index:05d}.mcap"
+
+    def _parts(self, run_id: str, index: int) -> Path:
+        return self._folder / run_id / f"{index:05d}.parts"
+
+    # --- runs ---
+
+    async def remove_run(self, run_id: str) -> None:
+        """Remove all that was recorded of a run."""
+        folder = self._folder / run_id
+        await asyncio.to_thread(_remove_folder, folder)
+
+    def run_ids(self) -> list[str]:
+        """Of the runs that have files here. Reads the folder."""
+        return sorted(path.name for path in self._folder.iterdir())
+
+    # --- writing in order ---
+
+    def _append(self, key: Key, topic: str, message: Message) -> None:
+        self._pending.setdefault(key, []).append((topic, message))
+        if key not in self._appending:
+            task = asyncio.create_task(self._append_soon(key))
+            self._appending[key] = task
+            task.add_done_callback(lambda _: self._appending.pop(key))
+
+    async def _append_soon(self, key: Key) -> None:
+        try:
+            await self._write(key)
+        except RecordingFailed as failed:  # tried again by `_write_pending`
+            log.warning("run %s, episode %d: %s", *key, failed)
+
+    async def _write_pending(self, key: Key) -> None:
+        """What was not written yet, or could not be. Raises RecordingFailed."""
+        if (appending := self._appending.get(key)) is not None:
+            await asyncio.wait([appending])
+        await self._write(key)
+
+    async def _write(self, key: Key) -> None:
+        while messages := self._pending.get(key, []):
+            work = partial(append_part, self._parts(*key), *messages)
+            count = len(messages)
+            await self._in_thread(key, work)
+            del messages[:count]
+        self._pending.pop(key, None)
+
+    def _threads_of(self, key: Key) -> ThreadPoolExecutor:
+        return self._threads[hash(key) % THREADS]
+
+    async def _in_thread(self, key: Key, work: Callable[[], Done]) -> Done:
+        loop, threads = asyncio.get_running_loop(), self._threads_of(key)
+        try:
+            return await loop.run_in_executor(threads, work)
+        except OSError as error:
+            raise RecordingFailed(
+                f"the recording could not be written: {error.strerror}"
+            ) from error
+
+
+def _remove_folder(folder: Path) -> None:
+    """What cannot be removed now costs space, nothing else."""
+    shutil.rmtree(folder, ignore_errors=True)

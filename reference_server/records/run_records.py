@@ -1,0 +1,221 @@
+"""The signed records of completed runs, and the keys that sign them.
+
+A record is signed when it is first fetched. What is stored of it is its statement: all
+other files follow from the run and its recordings. Each statement names the one that
+was signed before it. It decides no rule of runs, and knows no HTTP.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any, Literal
+
+import msgspec
+
+from reference_record.broken import UnusableRecord
+from reference_record.export import Record, build_record, host_of, reopen_record
+from reference_record.formats.names import STATEMENT, recording_name
+from reference_record.keys import load_or_make, make_key
+from reference_record.recording import timestamp
+from reference_record.statement import (
+    BenchmarkFacts,
+    EpisodeLine,
+    Evaluation,
+    PolicyFacts,
+    RecordingFacts,
+    RunFacts,
+)
+from reference_server.generated.protocol_version import PROTOCOL_VERSION
+from reference_server.records.recordings import Recordings
+from reference_server.rules.lifecycle import RESTING_STATES
+from reference_server.rules.run import Episode, PublicKey, RunHead
+from reference_server.storage.store import Store, StoreFailed
+from reference_sim.engine import engine_fingerprint
+
+log = logging.getLogger("proctor.records")
+
+REMOVE_EVERY_S = 3600.0
+RUNS_PER_READ = 200
+
+
+@dataclass(frozen=True, slots=True)
+class HostSettings:
+    """key_path: None for a key in memory. promise: of replays, on the same engine.
+
+    keep_days: after these a run that has ended loses its recordings; 0: never.
+    """
+
+    name: str
+    key_path: Path | None
+    promise: Literal["exact", "outcome"] = "outcome"
+    keep_days: float = 0.0
+
+
+class RecordUnavailable(Exception):
+    """The run has no record: it was not recorded, or its recordings were removed."""
+
+
+class RunRecords:
+    """Records of this server's runs."""
+
+    def __init__(
+        self, store: Store, recordings: Recordings, settings: HostSettings
+    ) -> None:
+        self._store, self._recordings, self._settings = store, recordings, settings
+        # One statement after another: each names the one before.
+        self._signing = asyncio.Lock()
+        self._removing: asyncio.Task[None] | None = None
+
+    async def open(self) -> None:
+        """Read or make the key. Raises UnusableRecord, OSError and StoreFailed."""
+        self._recordings.open()
+        path = self._settings.key_path
+        self._key = make_key() if path is None else load_or_make(path)
+        await self._store.use_key(self._key.keyid, self._key.public_key, time.time())
+        if self._settings.keep_days:
+            self._removing = asyncio.create_task(self._remove_old_for_ever())
+
+    async def close(self) -> None:
+        """Returns when all that was recorded is written."""
+        if self._removing is not None:
+            self._removing.cancel()
+            await asyncio.wait([self._removing])
+        await self._recordings.close()
+
+    async def _remove_old_for_ever(self) -> None:
+        while True:
+            try:
+                await self.remove_old(time.time())
+            except StoreFailed as error:
+                log.warning("old recordings are not removed: %s", error)
+            await asyncio.sleep(REMOVE_EVERY_S)
+
+    async def remove_old(self, now_wall: float) -> None:
+        """Remove the recordings of runs that ended too long ago."""
+        before = now_wall - self._settings.keep_days * 86_400
+        run_ids = await asyncio.to_thread(self._recordings.run_ids)
+        for start in range(0, len(run_ids), RUNS_PER_READ):
+            heads = await self._store.heads(run_ids[start : start + RUNS_PER_READ])
+            for run_id, head in heads.items():
+                if head.state in RESTING_STATES and head.updated_at_wall < before:
+                    await self._recordings.remove_run(run_id)
+
+    async def keys(self) -> list[PublicKey]:
+        """REC-101: every key that signed, the newest first."""
+        return await self._store.keys()
+
+    async def fetch(
+        self, run: RunHead, episodes: Sequence[Episode], score: Mapping[str, Any]
+    ) -> Record:
+        """REC-102: the record of a completed run, signed if it was not (REC-109).
+
+        Raises RecordUnavailable.
+        """
+        manifest = msgspec.json.encode(run.manifest, order="deterministic")
+        lines = [_line(episode) for episode in episodes]
+        recordings = {
+            recording_name(episode.index): self._recordings.path(
+                run.run_id, episode.index
+            )
+            for episode in episodes
+        }
+        reopen = partial(
+            reopen_record, manifest=manifest, lines=lines, recordings=recordings
+        )
+        async with self._signing:
+            try:
+                statement = await self._store.find_statement(run.run_id)
+                if statement is not None:
+                    return await asyncio.to_thread(reopen, statement)
+                sign = partial(
+                    build_record,
+                    await self._evaluation(run, episodes, score),
+                    manifest=manifest,
+                    lines=lines,
+                    recordings=recordings,
+                    key=self._key,
+                )
+                record = await asyncio.to_thread(sign)
+            except (OSError, UnusableRecord) as error:
+                raise RecordUnavailable(
+                    "Its recordings are not there, or not what was recorded."
+                ) from error
+            statement = b"".join(record.contents[STATEMENT].blocks())
+            await self._store.add_statement(
+                run.run_id, statement, record.statement_sha256
+            )
+            return record
+
+    def recording_path(self, run_id: str, index: int) -> Path:
+        """REC-107: the file that a record has, too."""
+        return self._recordings.path(run_id, index)
+
+    async def recording_size(self, run_id: str, episode: Episode) -> int | None:
+        """Bytes of the recording of an episode; None if it has none (any more)."""
+        if episode.recording is None:
+            return None
+        path = self._recordings.path(run_id, episode.index)
+        is_there = await asyncio.to_thread(path.is_file)
+        return episode.recording.bytes if is_there else None
+
+    async def _evaluation(
+        self, run: RunHead, episodes: Sequence[Episode], score: Mapping[str, Any]
+    ) -> Evaluation:
+        last = max(e.result.finished_at_wall for e in episodes if e.result)
+        submission: Mapping[str, Any] = run.submission
+        policy = submission["policy"]
+        return Evaluation(
+            run=RunFacts(
+                run.run_id,
+                "push" if run.is_push else "pull",
+                submission.get("options"),
+                dict(run.images),
+            ),
+            benchmark=BenchmarkFacts(
+                run.manifest["benchmark_id"], run.manifest["version"]
+            ),
+            manifest_sha256=run.manifest_sha256,
+            policy=PolicyFacts(policy["name"], policy.get("version")),
+            score=dict(score),
+            engine=engine_fingerprint(),
+            protocol_version=PROTOCOL_VERSION,
+            host=host_of(self._settings.name, self._key),
+            started_at=timestamp(int(run.created_at_wall * 1e9)),
+            finished_at=timestamp(int(last * 1e9)),
+            attempts_by_submitter=await self._store.count_attempts(run),
+            previous_statement_sha256=await self._store.last_statement_sha256(),
+            promise=self._settings.promise,
+        )
+
+
+def _line(episode: Episode) -> EpisodeLine:
+    """REC-009, REC-106. Raises RecordUnavailable."""
+    result, recording = episode.result, episode.recording
+    if result is None or recording is None or recording.first_digest is None:
+        raise RecordUnavailable(f"{episode.episode_id} was not recorded.")
+    facts = RecordingFacts(
+        recording_name(episode.index),
+        recording.sha256,
+        recording.bytes,
+        recording.first_digest,
+        recording.last_digest or recording.first_digest,
+    )
+    return EpisodeLine(
+        episode_id=episode.episode_id,
+        index=episode.index,
+        task=episode.task,
+        split=episode.split,
+        outcome=result.outcome,
+        success=result.outcome == "success",
+        score=result.score,
+        steps=result.steps,
+        attempts=result.attempt,
+        latency=dict(recording.latency),
+        recording=facts,
+    )

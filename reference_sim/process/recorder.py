@@ -1,0 +1,120 @@
+"""Appends what a simulator executes to the recording of its episode.
+
+In the simulator's own process: a turn is recorded before it is reported, and recording
+costs nothing in the event loop of the server. A recording that cannot be written is an
+error of the simulator.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from reference_record.recording import (
+    CAMERA,
+    AttemptEvent,
+    Message,
+    Picture,
+    Turn,
+    timestamp,
+)
+from reference_record.recording_parts import PartWriter
+from reference_sim.episode import Episode
+from reference_sim.interface import Simulator
+from reference_sim.process.encoding import encode_image
+
+DIGEST_CHARS = 32
+
+
+class RecordingPlan(msgspec.Struct, frozen=True):
+    """Where an attempt is recorded, and whether with what its cameras show."""
+
+    folder: str
+    attempt: int
+    pictures: bool = False
+
+
+class UnwritableRecording(Exception):
+    """The recording could not be written."""
+
+
+def state_digest(simulator: Simulator) -> str:
+    """REC-111: equal for equal states; 128 bits of SHA-256, in hexadecimal."""
+    return hashlib.sha256(simulator.state_bytes()).hexdigest()[:DIGEST_CHARS]
+
+
+class EpisodeRecorder:
+    """Records one attempt from its reset on. All methods raise UnwritableRecording."""
+
+    def __init__(self, plan: RecordingPlan, simulator: Simulator) -> None:
+        self._plan, self._simulator = plan, simulator
+        try:
+            self._part = PartWriter(Path(plan.folder))
+        except OSError as error:
+            raise _failed(error) from error
+        now = time.time_ns()
+        started = AttemptEvent(
+            plan.attempt,
+            "started",
+            timestamp(now),
+            state_digest=state_digest(simulator),
+        )
+        self._write("/attempt", started, now)
+
+    def add_turn(
+        self,
+        *,
+        seq: int,
+        think_ms: float,
+        actions: Sequence[Mapping[str, Sequence[float]]],
+        rewards: Sequence[float],
+        episode: Episode,
+        simulate_s: float,
+    ) -> None:
+        """REC-104: once, as it was executed. actions: those that were."""
+        now = time.time_ns()
+        turn = Turn(
+            attempt=self._plan.attempt,
+            seq=seq,
+            actions=actions,
+            rewards=rewards,
+            steps=len(rewards),
+            score=episode.score,
+            success=episode.success,
+            ended=episode.ended,
+            state_digest=state_digest(self._simulator),
+            simulate_ms=round(simulate_s * 1e3, 4),
+            think_ms=round(think_ms, 4),
+            at=timestamp(now),
+        )
+        self._write("/turn", turn, now)
+
+    def add_pictures(self, images: Mapping[str, NDArray[np.uint8]]) -> None:
+        """What the cameras show, if that was wanted."""
+        if not self._plan.pictures:
+            return
+        now = time.time_ns()
+        stamp = dict(zip(("sec", "nsec"), divmod(now, 10**9), strict=True))
+        for name, pixels in images.items():
+            codec = "jpeg" if pixels.shape[2] in (1, 3) else "png"
+            coded = bytes(encode_image(pixels, codec)["data"])
+            self._write(CAMERA + name, Picture(stamp, name, coded, codec), now)
+
+    def close(self) -> None:
+        self._part.close()
+
+    def _write(self, topic: str, message: Message, at_ns: int) -> None:
+        try:
+            self._part.write(topic, message, at_ns)
+        except OSError as error:
+            raise _failed(error) from error
+
+
+def _failed(error: OSError) -> UnwritableRecording:
+    return UnwritableRecording(f"the recording could not be written: {error.strerror}")

@@ -1,0 +1,1 @@
+"""`proctor replay`: the recorded actions of a record, simulated again."""

@@ -1,0 +1,172 @@
+"""`proctor replay FILE`: simulates the recorded actions again on this machine.
+
+Says for the record whether every state digest was the same (exact), the results alone
+(outcome), or where it diverged, and puts a signed verdict into the record. Exit codes:
+0 exact or outcome; 1 diverged, or the record is broken; 2 it cannot be replayed here.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import platform
+import re
+import sys
+import time
+from pathlib import Path
+
+import msgspec
+
+from reference_record.broken import BrokenRecord, UnusableRecord
+from reference_record.export import add_verdict
+from reference_record.formats.bundle import open_bundle
+from reference_record.formats.names import MANIFEST
+from reference_record.keys import load_or_make
+from reference_record.recording import timestamp
+from reference_record.replay_verdict import ReplaySummary, write_verdict
+from reference_record.verification import Report, verify
+from reference_sim import benchmark_registry
+from reference_sim.gymnasium import BadBenchmark
+from reference_sim.replay.episode_replay import EpisodeReplay
+from reference_sim.replay.record_replay import replay_record, resolve
+
+SAME, DIVERGED, IMPOSSIBLE = 0, 1, 2
+REPORT_EVERY_S = 10.0
+
+
+def main(arguments: list[str] | None = None) -> int:
+    args = _parser().parse_args(arguments)
+    try:
+        return _replay(args)
+    except BrokenRecord as broken:
+        _say(f"{args.file}: do not trust it: {broken}")
+        return DIVERGED
+    except (UnusableRecord, BadBenchmark) as error:
+        _say(str(error))
+    except OSError as error:
+        _say(f"{error.filename or args.file}: {error.strerror}")
+    return IMPOSSIBLE
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="proctor replay",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    parser.add_argument("file", metavar="FILE", help="the record, or its directory")
+    parser.add_argument(
+        "--episodes", type=_indices, metavar="I,J,…", help="only these (default: all)"
+    )
+    parser.add_argument(
+        "--processes", type=int, default=os.cpu_count() or 1, metavar="N",
+        help="how many simulate at once (default: one for each CPU)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--benchmarks", default="", metavar="REF,…",
+        help="your own benchmarks, as for the server",
+    )  # fmt: skip
+    parser.add_argument(
+        "--name", default=platform.node() or "unnamed", help="who replays (host name)"
+    )
+    parser.add_argument(
+        "--signing-key", type=Path, metavar="FILE",
+        default=Path.home() / ".config" / "proctor" / "signing-key",
+        help="key that signs the verdict, made if it does not exist (%(default)s)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--no-verdict", action="store_true", help="leave the record as it is"
+    )
+    parser.add_argument("--json", action="store_true", help="print one JSON value")
+    return parser
+
+
+def _indices(text: str) -> list[int]:
+    if not re.fullmatch(r"\d{1,5}(,\d{1,5})*", text):
+        raise argparse.ArgumentTypeError(f"{text}: expected indices such as 0,3,12")
+    return [int(index) for index in text.split(",")]
+
+
+def _replay(args: argparse.Namespace) -> int:
+    bundle = open_bundle(Path(args.file))
+    report = verify(bundle)
+    benchmark_registry.add(args.benchmarks, _say)
+    benchmark = resolve(report.evaluation, bundle.read(MANIFEST))
+    replay = replay_record(
+        Path(args.file),
+        benchmark,
+        only=args.episodes,
+        processes=max(args.processes, 1),
+        report=_Progress(report.episodes),
+    )
+    if not args.no_verdict:
+        _add_verdict(args, report, replay)
+    _print(replay, report, as_json=args.json)
+    return DIVERGED if replay.result == "diverged" else SAME
+
+
+def _add_verdict(
+    args: argparse.Namespace, report: Report, replay: ReplaySummary
+) -> None:
+    key = load_or_make(args.signing_key)
+    verdict = write_verdict(
+        replay,
+        statement_sha256=report.statement_sha256,
+        name=args.name,
+        at=timestamp(time.time_ns()),
+        key=key,
+    )
+    path = Path(args.file)
+    add_verdict(open_bundle(path), path, key.keyid[7:23], verdict)
+    _say(f"signed by {key.keyid}: give it to those who shall trust this verdict")
+
+
+class _Progress:
+    """Says what diverged at once, and how far it is every REPORT_EVERY_S seconds."""
+
+    def __init__(self, total: int) -> None:
+        self._total = total
+        self._done = 0
+        self._said_at = time.monotonic()
+
+    def __call__(self, index: int, one: EpisodeReplay) -> None:
+        self._done += 1
+        if one.result == "diverged":
+            step = one.where.step if one.where else 0
+            _say(f"episode {index} diverged at step {step} {one.error or ''}".rstrip())
+        if time.monotonic() - self._said_at > REPORT_EVERY_S:
+            self._said_at = time.monotonic()
+            _say(f"{self._done} of {self._total} episodes")
+
+
+def _print(replay: ReplaySummary, report: Report, *, as_json: bool) -> None:
+    if as_json:
+        sys.stdout.write(json.dumps(msgspec.to_builtins(replay), indent=2) + "\n")
+        return
+    packages = ", ".join(f"{k} {v}" for k, v in replay.engine["packages"].items())
+    counts = f"{replay.exact} of {replay.episodes} episodes exact, "
+    counts += f"{replay.outcome} with the same outcome, {replay.diverged} diverged"
+    lines = [
+        f"{replay.result}: {counts}",
+        f"promised on the same engine: {report.evaluation.promise}; here: {packages}",
+        "A replay does not show whether the actions came from the policy.",
+    ]
+    if where := replay.first_divergence:
+        lines.insert(
+            1,
+            f"diverged first at episode {where.episode_index}, attempt {where.attempt},"
+            f" step {where.step}",
+        )
+    sys.stdout.write("\n".join(lines) + "\n")
+
+
+def _say(line: str) -> None:
+    """To stderr, without control characters: texts of a record may have them."""
+    shown = "".join(c if c.isprintable() else "?" for c in line)
+    sys.stderr.write(f"proctor replay: {shown}\n")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,137 @@
+"""A record, simulated again by several processes; each has its own simulator."""
+
+from __future__ import annotations
+
+import hashlib
+import multiprocessing
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from reference_record.broken import UnusableRecord
+from reference_record.formats.bundle import Bundle, open_bundle
+from reference_record.formats.mcap_reader import McapReader
+from reference_record.formats.names import EPISODES, MANIFEST
+from reference_record.formats.strict_json import read_json
+from reference_record.replay_verdict import ReplaySummary, replay_of
+from reference_record.statement import EpisodeLine, Evaluation, read_lines
+from reference_sim import benchmark_registry
+from reference_sim.engine import engine_fingerprint
+from reference_sim.episode import Episode
+from reference_sim.interface import Simulator
+from reference_sim.replay.episode_replay import EpisodeReplay, Replayer
+
+
+@dataclass(frozen=True, slots=True)
+class ReplayedBenchmark:
+    """The benchmark of a record, as this machine has it."""
+
+    manifest: dict[str, Any]
+    config: benchmark_registry.SimulatorConfig
+
+
+class _Limits(msgspec.Struct):
+    max_chunk: int
+
+
+def resolve(evaluation: Evaluation, manifest: bytes) -> ReplayedBenchmark:
+    """Raises UnusableRecord where this machine has another benchmark, or none."""
+    max_chunk = read_json(MANIFEST, manifest, _Limits).max_chunk
+    benchmark_id = evaluation.benchmark.benchmark_id
+    run = evaluation.run
+    try:
+        reason = benchmark_registry.unavailable_reason(benchmark_id)
+        found = benchmark_registry.resolve(
+            benchmark_id, run.options, run.images, max_chunk=max_chunk
+        )
+    except benchmark_registry.UnknownBenchmark as error:
+        raise UnusableRecord(
+            f"this machine has no benchmark {benchmark_id}; --benchmarks adds yours"
+        ) from error
+    except (LookupError, TypeError, ValueError, AttributeError) as error:
+        # Nothing has checked the options of a record before.
+        raise UnusableRecord(
+            f"{benchmark_id} has not the options of the record: {error}"
+        ) from error
+    if reason is not None:
+        raise UnusableRecord(f"{benchmark_id} cannot be simulated here: {reason}")
+    canonical = msgspec.json.encode(found.manifest, order="deterministic")
+    if hashlib.sha256(canonical).hexdigest() != evaluation.manifest_sha256:
+        raise UnusableRecord(
+            f"{benchmark_id} is another one here: its manifest has another SHA-256. "
+            "Install the version of the record: proctor verify shows it"
+        )
+    return ReplayedBenchmark(found.manifest, found.world)
+
+
+def replay_record(
+    path: Path,
+    benchmark: ReplayedBenchmark,
+    *,
+    only: Sequence[int] | None = None,
+    processes: int = 1,
+    report: Callable[[int, EpisodeReplay], None] = lambda *_: None,
+) -> ReplaySummary:
+    """Simulate a verified record again. only: indices of episodes; None for all.
+
+    report: called with each episode when it is done.
+    """
+    lines = [line for line in _lines(open_bundle(path)) if line.recording is not None]
+    if only is not None:
+        lines = [line for line in lines if line.index in set(only)]
+    found: dict[int, EpisodeReplay] = {}
+    work = partial(_replay_one, path, benchmark)
+    context = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(min(processes, len(lines) or 1), context) as pool:
+        pending = {pool.submit(work, line): line.index for line in lines}
+        for done in as_completed(pending):
+            index = pending[done]
+            found[index] = done.result()
+            report(index, found[index])
+    results = {index: (one.result, one.where) for index, one in found.items()}
+    return replay_of(results, engine_fingerprint())
+
+
+def _lines(bundle: Bundle) -> Iterator[EpisodeLine]:
+    return read_lines(bundle.blocks(EPISODES))
+
+
+_SIMULATORS: dict[str, Simulator] = {}  # of this process, one
+
+
+def _replay_one(
+    path: Path, benchmark: ReplayedBenchmark, line: EpisodeLine
+) -> EpisodeReplay:
+    simulator = _simulator(benchmark)
+    manifest = benchmark.manifest
+    planned = manifest["episodes"][line.index]
+
+    def begin() -> Episode:
+        return Episode(
+            simulator,
+            planned["task"],
+            planned["seed"],
+            split=planned["split"],
+            max_steps=manifest["max_steps"],
+            success_rule=manifest["success_rule"],
+            score_is_success=planned["task"] in benchmark.config.success_scored_tasks,
+        )
+
+    bundle = open_bundle(path)
+    assert line.recording is not None
+    name = line.recording.path
+    with bundle.open(name) as file:
+        messages = McapReader(name, file, bundle.sizes[name]).messages()
+        return Replayer(simulator, begin, line).play(messages)
+
+
+def _simulator(benchmark: ReplayedBenchmark) -> Simulator:
+    name = benchmark.config.benchmark_id
+    if name not in _SIMULATORS:
+        _SIMULATORS[name] = benchmark_registry.make(benchmark.config)
+    return _SIMULATORS[name]

@@ -1,0 +1,90 @@
+"""`proctor verify`: what people read, what scripts read, and the exit codes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from reference_client.command.main import main
+from tests.support.paths import ROOT
+
+VECTORS = ROOT / "spec" / "vectors" / "record"
+KEYS = json.loads((VECTORS / "records.json").read_text())["keys"]
+HOST, OTHER = (next(k for k in KEYS if KEYS[k] == name) for name in KEYS.values())
+GOOD = str(VECTORS / "good_replayed.proctor")
+
+
+@pytest.mark.parametrize(
+    ("keys", "level"),
+    [
+        ([], "reported: whose key"),
+        ([HOST], "signed by the owner of SHA256:"),
+        ([f"a lab={HOST}"], "signed by a lab; key"),
+        ([f"a lab={HOST}", f"R={OTHER}"], "signed by a lab, replayed by R (exact)"),
+    ],
+)
+def test_a_level_stands_beside_the_score(
+    keys: list[str], level: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    given = [word for key in keys for word in ("--key", key)]
+    assert main(["verify", GOOD, *given]) == 0
+    shown = dict(
+        line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()
+    )
+    assert shown["level"].startswith(level)
+    assert shown["score"] == "0.5625"
+    assert "verified" not in str(shown)
+
+
+def test_scripts_read_one_value(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["verify", GOOD, "--json", "--key", f"H={HOST}"]) == 0
+    value = json.loads(capsys.readouterr().out)
+    assert value["levels"] == ["signed by H"]
+    assert (value["episodes"], value["turns"]) == (4, 7)
+    assert value["replays"][0]["by"] is None
+    assert value["statement"]["run"]["run_id"] == "r-1"
+
+
+def test_a_broken_record_is_named(capsys: pytest.CaptureFixture[str]) -> None:
+    broken = str(VECTORS / "recording_changed.proctor")
+    assert main(["verify", broken, "--json"]) == 1
+    out, err = capsys.readouterr()
+    said = json.loads(out)
+    assert (said["file"], said["rule"]) == ("episodes/00000.mcap", "REC-008")
+    assert "do not trust it: episodes/00000.mcap: its SHA-256" in err
+
+
+def test_another_key_is_no_success(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["verify", GOOD, "--key", f"H={'SHA256:' + '0' * 64}"]) == 1
+    assert "none of the keys named" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        (["verify", "absent.proctor"], "absent.proctor: No such file"),
+        (["verify", GOOD, "--key", "abc"], "--key abc: expected SHA256:"),
+        (["verify", GOOD, "--server", "nowhere"], "url must be like"),
+        (["export"], "export needs the id of a run"),
+        (["export", "a/b"], "a/b"),
+    ],
+)
+def test_mistakes_are_one_line(
+    words: list[str], text: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(words) == 2
+    said = capsys.readouterr().err
+    assert text in said
+    assert said.count("\n") == 1
+
+
+def test_a_file_is_not_replaced_unasked(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "run.proctor"
+    path.write_text("mine")
+    assert main(["export", "r-1", "--output", str(path)]) == 2
+    assert "--force replaces it" in capsys.readouterr().err
+    assert path.read_text() == "mine"

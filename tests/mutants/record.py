@@ -1,0 +1,233 @@
+"""Mutants of recordings and records: what is missing, doubled, or not theirs."""
+
+from __future__ import annotations
+
+import itertools
+import secrets
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import sqlalchemy as sa
+from starlette.responses import Response
+
+from reference_record import export, recording_file, recording_parts
+from reference_record.recording import MESSAGE_HEAD
+from reference_record.statement import EpisodeLine, Evaluation
+from reference_server.http import handlers
+from reference_server.http.dispatch import OperationCall
+from reference_server.http.handlers import Handlers
+from reference_server.records import run_records
+from reference_server.records.recordings import Recordings
+from reference_server.records.run_records import RunRecords
+from reference_server.runs import service
+from reference_server.storage import store
+from reference_server.storage.store import Store
+from reference_server.views import run_views
+from tests.mutants import mutant, put
+
+Json = dict[str, Any]
+Entry = tuple[str, memoryview]
+
+
+def change_parts(change: Callable[[list[Entry]], list[Entry]]) -> None:
+    """Let `change` spoil what is read of each part of a recording."""
+    right = recording_parts.read_part
+
+    def wrong(path: Path) -> Iterator[Entry]:
+        return iter(change(list(right(path))))
+
+    put(recording_file, "read_part", wrong)
+
+
+def change_messages(topic: str, change: Callable[[Json], None]) -> None:
+    """Let `change(message)` spoil each message of a topic."""
+
+    def change_one(entry: Entry) -> Entry:
+        if entry[0] != topic:
+            return entry
+        head, data = entry[1][: MESSAGE_HEAD.size], entry[1][MESSAGE_HEAD.size :]
+        message = msgspec.json.decode(data)
+        change(message)
+        return topic, memoryview(bytes(head) + msgspec.json.encode(message))
+
+    change_parts(lambda entries: [change_one(entry) for entry in entries])
+
+
+def change_evaluation(change: Callable[[Evaluation], None]) -> None:
+    """Let `change(predicate)` spoil what a record states of its run."""
+    right = RunRecords._evaluation
+
+    async def wrong(self: RunRecords, *arguments: Any) -> Evaluation:
+        evaluation = await right(self, *arguments)
+        change(evaluation)
+        return evaluation
+
+    put(RunRecords, "_evaluation", wrong)
+
+
+@mutant("REC-101")
+def shows_every_key_as_retired() -> None:
+    """A reader takes a record that was signed today for one with an old key."""
+    right = run_views.key_view
+
+    def wrong(key: Any) -> Json:
+        body = right(key)
+        return body | {"retired_at": body["created_at"]}
+
+    put(run_views, "key_view", wrong)
+
+
+@mutant("REC-101")
+def names_keys_without_their_digest() -> None:
+    """The key that a statement names is in no list."""
+    right = run_views.key_view
+    put(run_views, "key_view", lambda key: right(key) | {"keyid": "SHA256:key"})
+
+
+@mutant("REC-102")
+def signs_another_run_id() -> None:
+    """A record is published for a run that never was."""
+
+    def wrong(evaluation: Evaluation) -> None:
+        evaluation.run.run_id = "run_other"
+
+    change_evaluation(wrong)
+
+
+@mutant("REC-102")
+def signs_another_policy() -> None:
+    """The score of one policy is shown for another one."""
+
+    def wrong(evaluation: Evaluation) -> None:
+        evaluation.policy.name = "a better policy"
+
+    change_evaluation(wrong)
+
+
+@mutant("REC-103")
+def does_not_refuse_records_of_runs_in_play() -> None:
+    """A run that goes on looks like one that does not exist."""
+    put(service, "refuse_record", lambda _run: None)
+
+
+@mutant("REC-104")
+def loses_the_first_turn_of_each_part() -> None:
+    """A recording shows an episode that began later than it did."""
+
+    def wrong(entries: list[Entry]) -> list[Entry]:
+        turns = [n for n, (topic, _) in enumerate(entries) if topic == "/turn"]
+        left_out = turns[0] if len(turns) > 1 else None
+        return [entry for n, entry in enumerate(entries) if n != left_out]
+
+    change_parts(wrong)
+
+
+@mutant("REC-104")
+def records_rewards_as_zero() -> None:
+    """A reader computes a return that the policy never had."""
+
+    def wrong(turn: Json) -> None:
+        turn["rewards"] = [0.0 for _ in turn["rewards"]]
+
+    change_messages("/turn", wrong)
+
+
+@mutant("REC-104")
+def records_actions_backwards() -> None:
+    """A replay of the recorded actions ends somewhere else."""
+    change_messages("/turn", lambda turn: turn["actions"].reverse())
+
+
+@mutant("REC-105")
+def forgets_faults() -> None:
+    """A simulator that breaks often looks like one that never does."""
+    put(Recordings, "add_fault", lambda *_: None)
+
+
+@mutant("REC-105")
+def forgets_how_attempts_end() -> None:
+    """An attempt that its policy left looks like one that the server lost."""
+    put(Recordings, "end_attempt", lambda *_: None)
+
+
+@mutant("REC-106")
+def adds_a_step_to_each_line() -> None:
+    """The table of a record contradicts the run."""
+    right = run_records._line
+
+    def wrong(episode: Any) -> EpisodeLine:
+        line = right(episode)
+        line.steps += 1
+        return line
+
+    put(run_records, "_line", wrong)
+
+
+@mutant("REC-106")
+def signs_a_higher_score() -> None:
+    """A number that no policy reached carries a signature."""
+
+    def wrong(evaluation: Evaluation) -> None:
+        evaluation.score = evaluation.score | {"mean": 1.0}
+
+    change_evaluation(wrong)
+
+
+@mutant("REC-107")
+def sends_other_bytes_than_the_record_has() -> None:
+    """What was downloaded alone is no evidence for the signed record."""
+    right = export.blocks_of
+
+    def wrong(path: Path) -> Iterator[bytes]:
+        return (block.replace(b"proctor", b"Proctor", 1) for block in right(path))
+
+    put(handlers, "blocks_of", wrong)
+
+
+@mutant("REC-108")
+def sends_records_to_every_account() -> None:
+    """A competitor reads every action of an unpublished policy."""
+    right = Handlers.fetch_record
+
+    async def wrong(self: Handlers, call: OperationCall) -> Response:
+        run = await self.service.registry.get(call.path["run_id"])
+        assert call.caller is not None
+        call.caller = type(call.caller)(run.account, call.caller.scopes)
+        return await right(self, call)
+
+    put(Handlers, "fetch_record", wrong)
+
+
+@mutant("REC-109")
+def signs_a_record_anew_each_time() -> None:
+    """Two people hold two records of one run, and each doubts the other's."""
+    right = Store.add_statement
+
+    async def find(_self: Store, _run_id: str) -> None:
+        return None
+
+    async def add(self: Store, run_id: str, *statement: Any) -> None:
+        await right(self, f"{run_id}-{secrets.token_hex(4)}", *statement)
+
+    put(Store, "find_statement", find)
+    put(Store, "add_statement", add)
+
+
+@mutant("REC-110")
+def counts_every_run_as_the_first() -> None:
+    """The best of a hundred runs looks like the only one."""
+    put(store, "_last_attempt", lambda _run: sa.select(sa.literal(0)))
+
+
+@mutant("REC-111")
+def digests_that_are_never_equal() -> None:
+    """A replay of an honest record is said to diverge at its first step."""
+    numbers = itertools.count()
+
+    def wrong(event: Json) -> None:
+        if event["event"] == "started":
+            event["state_digest"] = f"{next(numbers):032x}"
+
+    change_messages("/attempt", wrong)

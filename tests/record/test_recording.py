@@ -1,0 +1,199 @@
+"""Recordings: parts cut anywhere, joined to a file that MCAP's library reads."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mcap.reader import make_reader
+
+from reference_record.recording import (
+    AttemptEvent,
+    EpisodeResult,
+    Fault,
+    Message,
+    Picture,
+    Turn,
+)
+from reference_record.recording_file import join_parts
+from reference_record.recording_parts import (
+    PartWriter,
+    append_part,
+    parts_of,
+    read_part,
+)
+from tests.support.paths import ROOT
+from tests.support.sim.recorded_turn import make_turn
+
+STARTED = AttemptEvent(1, "started", "t", state_digest="00")
+RESULT = EpisodeResult("success", success=True, score=1.0, steps=3, attempts=1, at="t")
+
+
+def write_part(folder: Path, *messages: tuple[str, Message]) -> None:
+    part = PartWriter(folder)
+    for number, (topic, message) in enumerate(messages, 1):
+        part.write(topic, message, at_ns=1_000 * number)
+    part.close()
+
+
+def read_file(path: Path) -> list[tuple[str, dict[str, Any]]]:
+    """By MCAP's own library, which checks the checksums of the chunks."""
+    with path.open("rb") as file:
+        reader = make_reader(file, validate_crcs=True)
+        return [
+            (channel.topic, json.loads(message.data))
+            for _, channel, message in reader.iter_messages(log_time_order=False)
+        ]
+
+
+def test_a_recording_says_what_was_written(tmp_path: Path) -> None:
+    folder, target = tmp_path / "parts", tmp_path / "e.mcap"
+    write_part(folder, ("/attempt", STARTED), ("/turn", make_turn(1)))
+    append_part(folder, ("/fault", Fault(1, 2, "simulator_fault", "it broke", "t")))
+    write_part(folder, ("/attempt", STARTED), ("/turn", make_turn(7)))
+    joined = join_parts(folder, target, [("/result", 9_000, RESULT)])
+    found = read_file(target)
+    topics = ["/attempt", "/turn", "/fault", "/attempt", "/turn", "/result"]
+    assert [topic for topic, _ in found] == topics
+    assert found[0][1] == {
+        "attempt": 1,
+        "event": "started",
+        "at": "t",
+        "state_digest": "00",
+    }
+    assert found[4][1]["actions"] == [{"arm": [0.1 * 7, -1.0]}]
+    assert joined.sha256 == hashlib.sha256(target.read_bytes()).hexdigest()
+    assert joined.bytes == target.stat().st_size
+    assert (joined.turns, joined.first_digest, joined.last_digest) == (2, "00", "07")
+    assert joined.latency.think_ms_p50 == 2.0
+    assert joined.latency.think_ms_p99 == 14.0
+    assert target.stat().st_mode & 0o777 == 0o600
+
+
+def test_the_summary_counts_and_names_every_channel(tmp_path: Path) -> None:
+    write_part(tmp_path, ("/attempt", STARTED), *[("/turn", make_turn(1))] * 5)
+    join_parts(tmp_path, tmp_path / "e.mcap", [("/result", 1, RESULT)])
+    with (tmp_path / "e.mcap").open("rb") as file:
+        summary = make_reader(file).get_summary()
+    assert summary is not None
+    assert summary.statistics is not None
+    counts = summary.statistics.channel_message_counts
+    named = {summary.channels[i].topic: n for i, n in counts.items()}
+    assert named == {"/attempt": 1, "/turn": 5, "/result": 1}
+    required = json.loads(summary.schemas[2].data)["required"]
+    assert required == list(Turn.__struct_fields__)
+
+
+def test_a_part_that_is_cut_anywhere_is_read_up_to_there(tmp_path: Path) -> None:
+    write_part(tmp_path, *(("/turn", make_turn(n)) for n in range(3)))
+    (part,) = parts_of(tmp_path)
+    whole = part.read_bytes()
+    ends = [len(whole) * n // 3 for n in range(4)]
+    assert len(list(read_part(part))) == 3
+    for size in range(len(whole) + 1):
+        part.write_bytes(whole[:size])
+        assert len(list(read_part(part))) == sum(end <= size for end in ends) - 1
+        part.write_bytes(whole[:size] + bytes(64))  # as a power cut may leave it
+        assert len(list(read_part(part))) == sum(end <= size for end in ends) - 1
+
+
+def test_what_follows_a_cut_part_is_read(tmp_path: Path) -> None:
+    write_part(tmp_path, ("/attempt", STARTED), ("/turn", make_turn(1)))
+    (part,) = parts_of(tmp_path)
+    part.write_bytes(part.read_bytes()[:-1])
+    write_part(tmp_path, ("/attempt", STARTED), ("/turn", make_turn(2)))
+    join_parts(tmp_path, tmp_path / "e.mcap", [])
+    seqs = [m.get("seq") for _, m in read_file(tmp_path / "e.mcap")]
+    assert seqs == [None, None, 2]
+
+
+def test_long_recordings_have_several_chunks(tmp_path: Path) -> None:
+    turn = make_turn(1)
+    turn.actions = [{"arm": [1 / 3] * 5000}]
+    write_part(tmp_path, *[("/turn", turn)] * 40)
+    join_parts(tmp_path, tmp_path / "e.mcap", [("/result", 1, RESULT)])
+    assert len(read_file(tmp_path / "e.mcap")) == 41
+    with (tmp_path / "e.mcap").open("rb") as file:
+        summary = make_reader(file).get_summary()
+    assert summary is not None
+    assert len(summary.chunk_indexes) == 4
+
+
+def test_pictures_have_a_channel_for_each_camera(tmp_path: Path) -> None:
+    stamp = {"sec": 1, "nsec": 2}
+    for _ in range(2):
+        write_part(
+            tmp_path,
+            ("/camera/left", Picture(stamp, "left", b"\xff\xd8", "jpeg")),
+            ("/turn", make_turn(1)),
+            ("/camera/right", Picture(stamp, "right", b"\xff", "jpeg")),
+        )
+    join_parts(tmp_path, tmp_path / "e.mcap", [])
+    found = read_file(tmp_path / "e.mcap")
+    order = ["/camera/left", "/turn", "/camera/right"] * 2
+    assert sorted(topic for topic, _ in found) == sorted(order)
+    assert ("/camera/left", "/9g=") in [(t, m.get("data")) for t, m in found]
+
+
+def test_a_disk_that_is_full_leaves_no_file_and_every_part(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_part(tmp_path, ("/turn", make_turn(1)))
+
+    def refuse(_: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", refuse)
+    with pytest.raises(OSError, match="No space"):
+        join_parts(tmp_path, tmp_path / "e.mcap", [])
+    assert [path.name for path in tmp_path.iterdir()] == ["000001.part"]
+
+
+def test_a_write_that_stops_half_way_is_an_error(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    part, write = PartWriter(tmp_path), os.write
+    monkeypatch.setattr(os, "write", lambda file, data: write(file, data[:-1]))
+    with pytest.raises(OSError, match="part of a message"):
+        part.write("/turn", make_turn(1))
+    part.close()
+    assert list(read_part(parts_of(tmp_path)[0])) == []
+
+
+WRITE_AND_SAY = """
+import sys
+from pathlib import Path
+from tests.support.sim.recorded_turn import make_turn
+from reference_record.recording_parts import PartWriter
+part = PartWriter(Path(sys.argv[1]))
+for seq in range(1_000_000):
+    part.write("/turn", make_turn(seq))
+    print(seq, flush=True)
+"""
+
+
+def test_a_writer_that_is_killed_loses_nothing_that_it_reported(
+    tmp_path: Path,
+) -> None:
+    writer = subprocess.Popen(
+        [sys.executable, "-c", WRITE_AND_SAY, str(tmp_path)],
+        cwd=ROOT,
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    assert writer.stdout is not None
+    for _ in range(50):
+        writer.stdout.readline()
+    writer.send_signal(signal.SIGKILL)
+    reported = 49 + len(writer.stdout.read().splitlines())
+    writer.wait()
+    writer.stdout.close()
+    (part,) = parts_of(tmp_path)
+    assert len(list(read_part(part))) > reported

@@ -1,0 +1,199 @@
+"""What is recorded of a run, and what happens when it cannot be."""
+
+from __future__ import annotations
+
+import asyncio
+import errno
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mcap.records import Channel, Message
+from mcap.stream_reader import StreamReader
+
+from reference_record import recording_file, recording_parts
+from reference_server.records import recordings as recordings_module
+from reference_server.records.recordings import Recordings
+from reference_server.rules.lifecycle import Attach
+from reference_server.rules.refusal import Refused
+from reference_server.rules.run import Run
+from tests.support.server.server_parts import (
+    ServerParts,
+    calibration_run,
+    open_server_parts,
+    predict_command,
+    stop_run,
+)
+from tests.support.servers import TIMEOUT_S
+
+Story = Callable[[ServerParts, Recordings], Awaitable[None]]
+
+
+def play(path: Path, *stories: Story) -> None:
+    """Each story with a server of its own, over the same database and recordings."""
+
+    async def run() -> None:
+        for story in stories:
+            recordings = Recordings(path / "records")
+            async with asyncio.timeout(TIMEOUT_S):
+                async with open_server_parts(
+                    path / "proctor.sqlite", recordings=recordings
+                ) as parts:
+                    recordings.open()
+                    await story(parts, recordings)
+
+    asyncio.run(run())
+
+
+async def attach(parts: ServerParts, run: Run, key: str = "key") -> dict[str, Any]:
+    return await parts.executor.attach(run, Attach("w", key))
+
+
+async def submit(parts: ServerParts) -> Run:
+    return await parts.registry.add(calibration_run("score"), None, "")
+
+
+def topics(path: Path) -> list[str]:
+    """Of all messages of a recording, in order."""
+    names: dict[int, str] = {}
+    found = []
+    with path.open("rb") as file:
+        for record in StreamReader(file).records:
+            if isinstance(record, Channel):
+                names[record.id] = record.topic
+            elif isinstance(record, Message):
+                found.append(names[record.channel_id])
+    return found
+
+
+def test_a_result_is_stored_with_the_digest_of_its_recording(tmp_path: Path) -> None:
+    async def first(parts: ServerParts, _: Recordings) -> None:
+        run = await submit(parts)
+        turn = await attach(parts, run)
+        turn = await parts.executor.predict(run, predict_command(turn, score=0.5))
+        await parts.executor.predict(run, predict_command(turn, end=1))
+        recording = run.episodes[0].recording
+        assert recording is not None
+        assert recording.turns == 2
+
+    async def second(parts: ServerParts, recordings: Recordings) -> None:
+        run = await parts.registry.get("run_1")
+        recording = run.episodes[0].recording
+        assert recording is not None
+        path = recordings.path("run_1", 0)
+        assert recording.bytes == path.stat().st_size
+        expected = ["/attempt", "/turn", "/turn", "/attempt", "/result"]
+        assert topics(path) == expected
+        assert [one.name for one in path.parent.iterdir()] == ["00000.mcap"]
+        assert recordings.run_ids() == ["run_1"]
+        await recordings.remove_run("run_1")
+        assert recordings.run_ids() == []
+
+    play(tmp_path, first, second)
+
+
+def test_a_recording_goes_on_after_a_restart(tmp_path: Path) -> None:
+    async def first(parts: ServerParts, _: Recordings) -> None:
+        run = await submit(parts)
+        await parts.executor.predict(run, predict_command(await attach(parts, run)))
+
+    async def second(parts: ServerParts, recordings: Recordings) -> None:
+        run = await parts.registry.get("run_1")
+        turn = await attach(parts, run, "another")
+        await parts.executor.predict(run, predict_command(turn, end=1))
+        of_turns = ["/attempt", "/turn", "/attempt"]
+        assert topics(recordings.path("run_1", 0)) == [*of_turns * 2, "/result"]
+
+    play(tmp_path, first, second)
+
+
+def test_an_abandoned_episode_is_stored_with_its_recording(tmp_path: Path) -> None:
+    async def story(parts: ServerParts, recordings: Recordings) -> None:
+        run = await submit(parts)
+        for key in "abc":
+            turn = await attach(parts, run, key)
+            await parts.executor.predict(run, predict_command(turn))
+            stop_run(parts, run)
+            await parts.registry.commit(run)
+            if run.state != "completed":
+                await parts.service.resume_run(run.account, run.run_id)
+        result = run.episodes[0].result
+        assert result is not None
+        assert result.outcome == "abandoned"
+        of_turns = ["/attempt", "/turn", "/attempt"]
+        assert topics(recordings.path("run_1", 0)) == [*of_turns * 3, "/result"]
+
+    play(tmp_path, story)
+
+
+def test_what_cannot_be_recorded_fails_the_run_and_costs_no_attempt(
+    tmp_path: Path,
+) -> None:
+    async def story(parts: ServerParts, _: Recordings) -> None:
+        (tmp_path / "records" / "run_1").write_text("in the way")
+        run = await submit(parts)
+        with pytest.raises(Refused):
+            await attach(parts, run)
+        assert (run.state, run.retryable) == ("failed", True)
+        assert "recording could not be written" in str(run.reason)
+        assert run.episodes[0].attempt == 1
+
+    play(tmp_path, story)
+
+
+def test_a_result_whose_recording_fails_does_not_count(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Once the disk is full at the end; the episode begins again and is scored."""
+    right, failures = recording_file.join_parts, iter([True])
+
+    def join(*arguments: Any) -> Any:
+        if next(failures, False):
+            raise OSError(errno.ENOSPC, "No space left on device")
+        return right(*arguments)
+
+    monkeypatch.setattr(recordings_module, "join_parts", join)
+
+    async def story(parts: ServerParts, recordings: Recordings) -> None:
+        run = await submit(parts)
+        turn = await attach(parts, run)
+        turn = await parts.executor.predict(run, predict_command(turn, end=1))
+        assert turn["fault"]["faults"] == 1
+        assert "No space left" in turn["fault"]["detail"]
+        assert run.scored == 0
+        turn = await parts.executor.predict(run, predict_command(turn, end=1))
+        assert turn["episode_result"]["attempt"] == 1
+        expected = ["/attempt", "/turn", "/fault", "/attempt", "/turn"]
+        found = topics(recordings.path("run_1", 0))
+        assert found == [*expected, "/attempt", "/result"]
+
+    play(tmp_path, story)
+
+
+def test_what_could_not_be_appended_is_appended_later(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The end of an attempt meets a full disk, and is in the recording all the same."""
+    right, failures = recording_parts.append_part, iter([True])
+
+    def append(*arguments: Any) -> None:
+        if next(failures, False):
+            raise OSError(errno.ENOSPC, "No space left on device")
+        right(*arguments)
+
+    monkeypatch.setattr(recordings_module, "append_part", append)
+
+    async def story(parts: ServerParts, recordings: Recordings) -> None:
+        run = await submit(parts)
+        turn = await attach(parts, run)
+        await parts.executor.predict(run, predict_command(turn))
+        stop_run(parts, run)
+        await parts.registry.commit(run)
+        await parts.service.resume_run(run.account, run.run_id)
+        turn = await attach(parts, run, "another")
+        await parts.executor.predict(run, predict_command(turn, end=1))
+        of_turns = ["/attempt", "/turn", "/attempt"]
+        assert topics(recordings.path("run_1", 0)) == [*of_turns * 2, "/result"]
+
+    play(tmp_path, story)

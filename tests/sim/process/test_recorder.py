@@ -1,0 +1,105 @@
+"""A simulator process records what it executes, before it reports it."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from reference_record.recording import MESSAGE_HEAD
+from reference_record.recording_parts import parts_of, read_part
+from reference_sim.benchmark_registry import resolve
+from reference_sim.process.pool import (
+    RecordingPlan,
+    SimulatorFault,
+    SimulatorHandle,
+    SimulatorPool,
+)
+from tests.support.sim.calibration_action import calibration_action as action
+
+
+def play(story: Callable[[SimulatorHandle], Awaitable[None]]) -> None:
+    """Play a story of a simulator of `calibration`, in a process of its own."""
+
+    async def run() -> None:
+        pool = SimulatorPool(1, 0)
+        try:
+            await story(await pool.acquire(resolve("calibration").world))
+        finally:
+            await pool.close()
+
+    asyncio.run(run())
+
+
+async def begin(handle: SimulatorHandle, plan: RecordingPlan, task: str) -> None:
+    await handle.begin(task, 7, max_steps=3, success_rule="any_step", recording=plan)
+
+
+def read(folder: Path) -> list[tuple[str, dict[str, object]]]:
+    return [
+        (topic, msgspec.json.decode(message[MESSAGE_HEAD.size :]))
+        for part in parts_of(folder)
+        for topic, message in read_part(part)
+    ]
+
+
+def test_a_turn_is_recorded_as_it_was_executed(tmp_path: Path) -> None:
+    async def story(handle: SimulatorHandle) -> None:
+        plan = RecordingPlan(str(tmp_path), 2)
+        await begin(handle, plan, "score")
+        chunk = [action(score=score) for score in (0.25, 0.5)]
+        await handle.play(chunk, observe_all=False, seq=1, think_ms=1.5)
+        (_, started), (_, first) = read(tmp_path)
+        assert started["event"] == "started"
+        assert started["attempt"] == first["attempt"] == 2
+        assert first["actions"] == chunk
+        assert first["rewards"] == [0.25, 0.5]
+        assert (first["seq"], first["steps"], first["score"]) == (1, 2, 0.5)
+        assert (first["think_ms"], first["ended"]) == (1.5, False)
+        await handle.play(chunk, observe_all=True, seq=2)
+        _, last = read(tmp_path)[-1]
+        assert last["actions"] == chunk[:1]
+        assert (last["steps"], last["ended"]) == (1, True)
+        digests = {started["state_digest"], first["state_digest"]}
+        assert len(digests | {last["state_digest"]}) == 3
+
+    play(story)
+
+
+def test_equal_actions_give_equal_digests_in_another_part(tmp_path: Path) -> None:
+    async def story(handle: SimulatorHandle) -> None:
+        for _ in range(2):
+            await begin(handle, RecordingPlan(str(tmp_path), 1), "score")
+            await handle.play([action(score=0.5)], observe_all=False, seq=1)
+        assert len(parts_of(tmp_path)) == 2
+        digests = [message["state_digest"] for _, message in read(tmp_path)]
+        assert digests[:2] == digests[2:]
+        await handle.begin("score", 7, max_steps=3, success_rule="any_step")
+        await handle.play([action(score=0.5)], observe_all=False)
+        assert len(read(tmp_path)) == 4
+
+    play(story)
+
+
+def test_pictures_are_recorded_when_they_are_wanted(tmp_path: Path) -> None:
+    async def story(handle: SimulatorHandle) -> None:
+        await begin(handle, RecordingPlan(str(tmp_path), 1, pictures=True), "echo")
+        await handle.play([action()] * 2, observe_all=True, seq=1)
+        topics = [topic for topic, _ in read(tmp_path)]
+        assert topics == ["/attempt", *["/camera/pattern"] * 3, "/turn"]
+
+    play(story)
+
+
+def test_a_recording_that_cannot_be_written_is_a_fault(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("in the way")
+
+    async def story(handle: SimulatorHandle) -> None:
+        plan = RecordingPlan(str(tmp_path / "file" / "parts"), 1)
+        with pytest.raises(SimulatorFault, match="recording could not be written: Not"):
+            await begin(handle, plan, "score")
+
+    play(story)

@@ -1,0 +1,197 @@
+"""Records of benchmarks, played and recorded as by the server."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from reference_record.export import build_record, host_of, save_blocks
+from reference_record.formats.names import recording_name
+from reference_record.recording import EpisodeResult, Message, Turn
+from reference_record.recording_file import join_parts
+from reference_record.recording_parts import append_part, parts_of, read_part
+from reference_record.score import Outcome, compute_score
+from reference_record.statement import (
+    BenchmarkFacts,
+    EpisodeLine,
+    Evaluation,
+    PolicyFacts,
+    RecordingFacts,
+    RunFacts,
+)
+from reference_sim import benchmark_registry
+from reference_sim.engine import engine_fingerprint
+from reference_sim.episode import Episode
+from reference_sim.interface import Simulator
+from reference_sim.process.recorder import EpisodeRecorder, RecordingPlan
+from tests.support.record.sample_records import HOST_KEY, at
+from tests.support.sim.calibration_action import calibration_action
+
+OPTIONS = {"tasks": ["score", "count", "echo"]}
+Change = Callable[[int, int, Turn], Turn]
+Chunk = Sequence[Mapping[str, Sequence[float]]]
+# Episode, simulator → the chunks to execute, while the episode has not ended.
+Player = Callable[[Episode, Simulator], Iterable[Chunk]]
+# Two turns of two steps each; the last one ends with success.
+CHUNKS: Sequence[Chunk] = (
+    [calibration_action(), calibration_action(score=0.25)],
+    [calibration_action(score=0.5), calibration_action(score=1, success=1, end=1)],
+)
+
+
+def keep(_index: int, _turn: int, turn: Turn) -> Turn:
+    return turn
+
+
+def play_chunks(_episode: Episode, _simulator: Simulator) -> Iterable[Chunk]:
+    return CHUNKS
+
+
+def save_calibration_record(path: Path, folder: Path, change: Change = keep) -> Path:
+    """Every episode of `calibration` with CHUNKS.
+
+    change: (index, number of the turn, turn) → the turn as it is recorded.
+    """
+    found = benchmark_registry.resolve("calibration", OPTIONS, None)
+    return save_played_record(path, folder, found, play_chunks, change=change)
+
+
+def save_played_record(
+    path: Path,
+    folder: Path,
+    found: benchmark_registry.ResolvedBenchmark,
+    player: Player,
+    *,
+    only: Container[int] = range(10**5),
+    change: Change = keep,
+) -> Path:
+    """Play episodes, sign the record, save it. only: indices; others have no result."""
+    manifest = msgspec.json.encode(found.manifest, order="deterministic")
+    lines, recordings = [], {}
+    for index in range(len(found.episodes)):
+        if index not in only:
+            lines.append(_unplayed(found, index))
+            continue
+        name = recording_name(index)
+        recordings[name] = folder / f"{index}.mcap"
+        lines.append(_play(found, index, recordings[name], player, change))
+    evaluation = _evaluation(found, manifest, lines)
+    record = build_record(
+        evaluation, manifest=manifest, lines=lines, recordings=recordings, key=HOST_KEY
+    )
+    save_blocks(path, record.stream())
+    return path
+
+
+def _unplayed(found: benchmark_registry.ResolvedBenchmark, index: int) -> EpisodeLine:
+    plan = found.episodes[index]
+    line = f"e{index}", index, plan.task, plan.split
+    return EpisodeLine(*line, None, False, None, 0, 0, None, None)
+
+
+def _play(
+    found: benchmark_registry.ResolvedBenchmark,
+    index: int,
+    path: Path,
+    player: Player,
+    change: Change,
+) -> EpisodeLine:
+    simulator, plan = benchmark_registry.make(found.world), found.episodes[index]
+    episode = Episode(
+        simulator,
+        plan.task,
+        plan.seed,
+        split=plan.split,
+        max_steps=found.manifest["max_steps"],
+        success_rule=found.manifest["success_rule"],
+        score_is_success=plan.task in found.world.success_scored_tasks,
+    )
+    parts = path.with_suffix("")
+    recorder = EpisodeRecorder(RecordingPlan(str(parts), 1), simulator)
+    for seq, chunk in enumerate(player(episode, simulator), 1):
+        recorder.add_turn(
+            seq=seq,
+            think_ms=1.0,
+            actions=chunk,
+            rewards=list(episode.play(chunk)),
+            episode=episode,
+            simulate_s=0.001,
+        )
+    recorder.close()
+    outcome: Outcome = "success" if episode.success else "failure"
+    result = EpisodeResult(
+        outcome, episode.success, episode.score, episode.steps, 1, at(9)
+    )
+    _change_turns(parts, index, change)
+    summary = join_parts(parts, path, [("/result", 0, result)])
+    assert summary.first_digest is not None
+    assert summary.last_digest is not None
+    return EpisodeLine(
+        f"e{index}",
+        index,
+        plan.task,
+        plan.split,
+        outcome,
+        episode.success,
+        episode.score,
+        episode.steps,
+        1,
+        None,
+        RecordingFacts(
+            recording_name(index),
+            summary.sha256,
+            summary.bytes,
+            summary.first_digest,
+            summary.last_digest,
+        ),
+    )
+
+
+def _change_turns(parts: Path, index: int, change: Change) -> None:
+    messages: list[tuple[str, Message]] = []
+    number = 0
+    for part in parts_of(parts):
+        for topic, content in read_part(part):
+            type_ = Turn if topic == "/turn" else msgspec.Raw
+            said: Any = msgspec.json.decode(content[22:], type=type_)
+            if isinstance(said, Turn):
+                number += 1
+                said = change(index, number, said)
+            messages.append((topic, said))
+        part.unlink()
+    append_part(parts, *messages)
+
+
+def _evaluation(
+    found: benchmark_registry.ResolvedBenchmark,
+    manifest: bytes,
+    lines: Sequence[EpisodeLine],
+) -> Evaluation:
+    sha256 = hashlib.sha256(manifest).hexdigest()
+    benchmark_id = found.manifest["benchmark_id"]
+    score = compute_score([line.scored for line in lines])
+    score |= {"run_id": "r", "benchmark_id": benchmark_id, "manifest_sha256": sha256}
+    return Evaluation(
+        run=RunFacts(
+            "r",
+            "pull",
+            OPTIONS if benchmark_id == "calibration" else None,
+            found.images,
+        ),
+        benchmark=BenchmarkFacts(benchmark_id, found.manifest["version"]),
+        manifest_sha256=sha256,
+        policy=PolicyFacts("p"),
+        score=score,
+        engine=engine_fingerprint(),
+        protocol_version="1.0",
+        host=host_of("a host", HOST_KEY),
+        started_at=at(0),
+        finished_at=at(9),
+        attempts_by_submitter=1,
+        previous_statement_sha256=None,
+        promise="exact",
+    )

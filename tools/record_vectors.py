@@ -1,0 +1,77 @@
+"""Writes spec/vectors/record/: good records, and broken ones with what is wrong.
+
+`python -m tools.record_vectors` writes them again; a test compares every byte.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from tests.support.record.broken_records import (
+    broken_records,
+    good_archive_with_verdict,
+)
+from tests.support.record.sample_records import HOST_KEY, OTHER_KEY, make_archive
+
+FOLDER = Path(__file__).resolve().parents[1] / "spec" / "vectors" / "record"
+
+
+def files() -> dict[str, bytes]:
+    """Name → content of every file of the folder."""
+    broken = broken_records()
+    listed = {
+        "description": "Records; `file` and `rule` are what a verifier names, null in "
+        "good ones. `keys`: keyid → whose key it is.",
+        "keys": {HOST_KEY.keyid: "example host", OTHER_KEY.keyid: "another lab"},
+        "records": [
+            {
+                "record": "good.proctor",
+                "file": None,
+                "rule": None,
+                "levels": ["signed by example host"],
+                "description": "Nothing is wrong.",
+            },
+            {
+                "record": "good_replayed.proctor",
+                "file": None,
+                "rule": None,
+                "levels": [
+                    "signed by example host",
+                    "replayed by another lab (exact)",
+                ],
+                "description": "Nothing is wrong, and another lab replayed it.",
+            },
+            *(
+                {
+                    "record": f"{name}.proctor",
+                    "file": one.file,
+                    "rule": one.rule,
+                    "levels": [],
+                    "description": one.description,
+                }
+                for name, one in broken.items()
+            ),
+        ],
+    }
+    text = json.dumps(listed, indent=2, ensure_ascii=False) + "\n"
+    return {
+        "records.json": text.encode(),
+        "good.proctor": make_archive(),
+        "good_replayed.proctor": good_archive_with_verdict(),
+        **{f"{name}.proctor": one.archive for name, one in broken.items()},
+    }
+
+
+def main() -> None:
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    wanted = files()
+    for path in FOLDER.iterdir():
+        if path.name not in wanted:
+            path.unlink()
+    for name, data in wanted.items():
+        (FOLDER / name).write_bytes(data)
+
+
+if __name__ == "__main__":
+    main()
