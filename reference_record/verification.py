@@ -65,7 +65,8 @@ class Report:
         if self.signer is None:
             return ["reported"]
         replays = [
-            f"replayed by {who} ({verdict.replay.result})"
+            f"replayed by {who} ({verdict.replay.result}, "
+            f"{verdict.replay.episodes} of {self.episodes} episodes)"
             for who, verdict in self.replayed_by
             if who is not None and verdict.replay.result != "diverged"
         ]
@@ -90,7 +91,7 @@ def verify(bundle: Bundle, trusted: Mapping[str, str] | None = None) -> Report:
     _check_score(lines, evaluation)
     sha256 = hashlib.sha256(data).hexdigest()
     verdicts = [
-        read_verdict(name, bundle.read(name), sha256)
+        read_verdict(name, bundle.read(name), sha256, len(lines))
         for name in bundle.sizes
         if is_verdict(name)
     ]
