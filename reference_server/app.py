@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import AsyncIterator, Callable, Mapping
-from contextlib import asynccontextmanager
+from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from typing import Any
 
 from starlette.requests import Request
@@ -111,8 +111,18 @@ def build(settings: Settings, tokens: Tokens) -> Application:
             await store.close()
 
     table = handlers.table() | profile_tables(handlers)
+    router = _router_of(table, tokens, settings, lifespan)
+    return Application(router, registry.release_waiters)
+
+
+def _router_of(
+    table: Mapping[str, Mapping[str, Operation]],
+    tokens: Tokens,
+    settings: Settings,
+    lifespan: Callable[[Any], AbstractAsyncContextManager[None]],
+) -> Router:
     hosts = AllowedHosts.parse(settings.allowed_hosts)
-    router = Router(
+    return Router(
         routes=[
             Route(path, _Endpoint(operations, tokens, settings.max_body_bytes, hosts))
             for path, operations in table.items()
@@ -121,7 +131,6 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         redirect_slashes=False,
         lifespan=lifespan,
     )
-    return Application(router, registry.release_waiters)
 
 
 def _recordings_of(settings: Settings) -> Recordings | None:

@@ -101,13 +101,13 @@ class Recordings:
     def add_fault(
         self, run: Run, episode: Episode, seq: int, code: str, detail: str
     ) -> None:
-        """What broke in a turn of the attempt in play; written soon."""
+        """REC-105: what broke in a turn of the attempt in play; written soon."""
         now = timestamp(time.time_ns())
         fault = Fault(episode.attempt, seq, code, detail, now)
         self._append((run.run_id, episode.index), "/fault", fault)
 
     def end_attempt(self, run: Run, index: int, attempt: int, reason: str) -> None:
-        """An attempt is over without a score; written soon."""
+        """REC-105: an attempt is over without a result; written soon."""
         now = timestamp(time.time_ns())
         ended = AttemptEvent(attempt, "ended", now, reason)
         self._append((run.run_id, index), "/attempt", ended)

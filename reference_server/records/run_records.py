@@ -113,7 +113,7 @@ class RunRecords:
     async def fetch(
         self, run: RunHead, episodes: Sequence[Episode], score: Mapping[str, Any]
     ) -> Record:
-        """The record of a completed run, signed if it was not (REC-109).
+        """REC-102: the record of a completed run, signed if it was not (REC-109).
 
         Raises RecordUnavailable.
         """
@@ -153,6 +153,7 @@ class RunRecords:
             return record
 
     def recording_path(self, run_id: str, index: int) -> Path:
+        """REC-107: the file that a record has, too."""
         return self._recordings.path(run_id, index)
 
     async def recording_size(self, run_id: str, episode: Episode) -> int | None:

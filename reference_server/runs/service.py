@@ -246,7 +246,7 @@ class RunService:
         return await self._require_records().keys()
 
     async def fetch_record(self, account: str, run_id: str) -> Record:
-        """The signed record of a completed run."""
+        """The signed record of a completed run that the account may see (REC-108)."""
         records = self._require_records()
         run, episodes = await self.registry.read_view(
             run_id, account, lambda run, all_: (run, all_), end=None

@@ -315,7 +315,7 @@ class SessionExecutor:
     async def _finish_recording(
         self, resources: SessionResources, played: ChunkReply, now_wall: float
     ) -> None:
-        """REC-103: the recording is complete on disk before its result counts."""
+        """The recording is complete on disk before its result counts."""
         session, episode = resources.session, resources.session.episode
         if self._recordings is None or episode is None:
             return

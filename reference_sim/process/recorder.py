@@ -45,7 +45,7 @@ class UnwritableRecording(Exception):
 
 
 def state_digest(simulator: Simulator) -> str:
-    """Equal for equal states: the first 128 bits of SHA-256, in hexadecimal."""
+    """REC-111: equal for equal states; 128 bits of SHA-256, in hexadecimal."""
     return hashlib.sha256(simulator.state_bytes()).hexdigest()[:DIGEST_CHARS]
 
 
@@ -77,7 +77,7 @@ class EpisodeRecorder:
         episode: Episode,
         simulate_s: float,
     ) -> None:
-        """actions: those that were executed."""
+        """REC-104: once, as it was executed. actions: those that were."""
         now = time.time_ns()
         turn = Turn(
             attempt=self._plan.attempt,

@@ -96,8 +96,8 @@ SAME_FILE_NAME = {
 SAME_CLASS = {
     "Attach Detach Heartbeat Predict Resume Stop": "commands: the server's, and those "
     "of the kit's model, which may not know the server",
-    "Answer Episode Observation Operation PolicySession Result Session": "nouns of the "
-    "protocol, on each side of the wire",
+    "Answer Episode Observation Operation PolicySession Result Session Turn": "nouns "
+    "of the protocol, on each side of the wire and in recordings",
     "Settings": "of the kit and of the server",
     "Task": "a task of the protocol: of a file, and of MuJoCo",
     # Different subjects; to be renamed.
@@ -117,6 +117,7 @@ MORE_SIBLINGS = {
     "benchmarks/contenders": "a file for each contender",
     "benchmarks/libraries": "a file for each library compared",
     "reference_sim/benchmarks/mobile_bimanual": "the parts of one benchmark",
+    "reference_server": "a folder for each rule on imports, and what joins them",
     "spec/vectors/record": "a file for each way in which a record can be broken",
     "tests": "a folder for each package, and what judges the kit",
     "tests/mutants": "a file for each area of the rules",

@@ -11,9 +11,9 @@ from typing import Any
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.exchanges.answer import file_of
-from conformance.profiles.records import (
+from conformance.profiles.record_files import (
     RecordFiles,
-    Recording,
+    RecordingMessages,
     fetched_record,
     fetched_recording,
     keyid_of,
@@ -54,7 +54,7 @@ class PlayedRun:
         self.turns.setdefault(before["index"], []).append(played)
         return turn
 
-    def recording(self, index: int) -> Recording:
+    def recording(self, index: int) -> RecordingMessages:
         """Fetch the recording of an episode."""
         episode_id = self.run.episodes()[index]["episode_id"]
         answer = self.run.call("fetch_recording", episode_id=episode_id)

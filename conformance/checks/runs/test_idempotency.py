@@ -136,7 +136,8 @@ def test_run_005_key_of_another_account_has_no_effect(context: CheckContext) -> 
 
 @requirement("RUN-026")
 def test_run_026_keys_differ_in_any_character(context: CheckContext) -> None:
-    """Keys that differ in the case of letters, in one character, or in length.
+    """Keys that differ in the case of letters, in one character, or in length; one of a
+    single character, which others may have used before.
 
     Expect a run of its own for each, although the bodies differ.
     """
@@ -152,6 +153,10 @@ def test_run_026_keys_differ_in_any_character(context: CheckContext) -> None:
         )
         ids.add(run["run_id"])
     expect.equal(len(ids), len(keys), "runs of different keys")
+    headers = {"Idempotency-Key": "k"}
+    shortest = submit(context, uniquely_named_body(context), headers=headers)
+    if shortest.code != "idempotency_conflict":
+        expect.ok(shortest, 201)
 
 
 @requirement("RUN-027")

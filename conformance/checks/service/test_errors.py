@@ -149,8 +149,8 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
             answer = send_body(worker, sample, sample[1]["json"] | {name: 1})
             expect.refused(answer, "invalid_request", pointer=f"/{name}")
         # RFC 6901 writes these two signs otherwise.
-        answer = send_body(worker, sample, sample[1]["json"] | {"a/b~c": 1})
-        expect.refused(answer, "invalid_request", pointer="/a~1b~0c")
+        answer = send_body(worker, sample, sample[1]["json"] | {"a/b~c/d~": 1})
+        expect.refused(answer, "invalid_request", pointer="/a~1b~0c~1d~0")
     body = context.submit_body(options={"surprise": 1})
     answer = submit(context, body)
     expect.refused(answer, "invalid_request", pointer="/options/surprise")

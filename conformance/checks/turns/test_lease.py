@@ -33,8 +33,11 @@ NOTICE_S = 5
 
 def lease_of(context: CheckContext) -> float:
     """Give a short lease, of which a request can surely use nine tenths."""
-    shortest: float = context.limits["idle_timeout_s_min"]
-    return max(2.0, shortest, 8 * context.tolerance_s)
+    limits = context.limits
+    lease_s: float = max(2.0, limits["idle_timeout_s_min"], 8 * context.tolerance_s)
+    if lease_s > limits["idle_timeout_s_max"]:
+        raise Inconclusive("the network is too slow for the leases of this server")
+    return lease_s
 
 
 def attach_with_lease(
@@ -201,8 +204,10 @@ def test_lease_005_execution_does_not_count(context: CheckContext) -> None:
     require_duration(turn, 1.5 * lease_s)
     worker.seq += 1
     probe = worker.try_predict(context.action())
-    late_s = max(probe.ended_at, heartbeat.ended_at) - turn.ended_at
-    if late_s > lease_s / 2 and not probe.status == heartbeat.status == 200:
+    # When the answer to the long turn left the server is not known, but no sooner.
+    surely_until = turn.started_at + 2.5 * lease_s
+    late_s = max(probe.ended_at, heartbeat.ended_at) - surely_until
+    if late_s > 0 and not probe.status == heartbeat.status == 200:
         raise Inconclusive("the turn after the long one came late")
     expect.ok(probe)
     expect.ok(heartbeat)

@@ -29,7 +29,7 @@ _STARTED = "started"
 
 
 @dataclass(frozen=True)
-class Recording:
+class RecordingMessages:
     """The messages of a recording, in the order of the file: topic and members."""
 
     data: bytes
@@ -81,13 +81,13 @@ class RecordFiles:
         assert isinstance(predicate, dict)
         return predicate
 
-    def recording(self, index: int) -> Recording:
+    def recording(self, index: int) -> RecordingMessages:
         """Read the recording of an episode."""
         name = self.lines[index]["recording"]["path"]
         return read_recording(self.files[name])
 
 
-def fetched_recording(answer: Answer) -> Recording:
+def fetched_recording(answer: Answer) -> RecordingMessages:
     """Read the answer to `fetch_recording`."""
     expect.ok(answer)
     return read_recording(file_of(answer))
@@ -105,7 +105,7 @@ def fetched_record(answer: Answer) -> RecordFiles:
     return RecordFiles(data, files, statement, lines)
 
 
-def read_recording(data: bytes) -> Recording:
+def read_recording(data: bytes) -> RecordingMessages:
     """Read an MCAP file, with its checksums."""
     topics: dict[int, str] = {}
     messages = []
@@ -119,7 +119,7 @@ def read_recording(data: bytes) -> Recording:
                     messages.append((topic, _object(record.data)))
     except (McapError, EOFError, KeyError, ValueError) as error:
         raise expect.Violation("a recording in MCAP", repr(error)) from error
-    return Recording(data, messages)
+    return RecordingMessages(data, messages)
 
 
 def _files_of(data: bytes) -> Iterator[tuple[str, bytes]]:
