@@ -16,9 +16,8 @@ import asyncio
 import logging
 import shutil
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -50,15 +49,6 @@ Key = tuple[str, int]  # run id, index of the episode
 
 class RecordingFailed(Exception):
     """A recording could not be written; what it says is on disk up to the last part."""
-
-
-@dataclass(frozen=True, slots=True)
-class DiskUse:
-    """Of one run: its files and their bytes."""
-
-    run_id: str
-    files: int
-    bytes: int
 
 
 class Recordings:
@@ -186,14 +176,6 @@ class Recordings:
     def run_ids(self) -> list[str]:
         """Of the runs that have files here. Reads the folder."""
         return sorted(path.name for path in self._folder.iterdir())
-
-    def disk_use(self) -> Iterator[DiskUse]:
-        """Of each run, by its id. Reads the folder: not for the event loop."""
-        if not self._folder.is_dir():
-            return
-        for run in sorted(self._folder.iterdir()):
-            sizes = [path.stat().st_size for path in run.rglob("*") if path.is_file()]
-            yield DiskUse(run.name, len(sizes), sum(sizes))
 
     # --- writing in order ---
 

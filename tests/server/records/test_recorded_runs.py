@@ -86,7 +86,7 @@ def test_a_result_is_stored_with_the_digest_of_its_recording(tmp_path: Path) -> 
         expected = ["/attempt", "/turn", "/turn", "/attempt", "/result"]
         assert topics(path) == expected
         assert [one.name for one in path.parent.iterdir()] == ["00000.mcap"]
-        assert [use.run_id for use in recordings.disk_use()] == ["run_1"]
+        assert recordings.run_ids() == ["run_1"]
         await recordings.remove_run("run_1")
         assert recordings.run_ids() == []
 
