@@ -108,8 +108,13 @@ def write_verdict(
     return sign_envelope(write_statement(subject, SVR_TYPE, predicate), key)
 
 
-def read_verdict(file: str, data: bytes, statement_sha256: str) -> ReplayVerdict:
-    """REC-014: raise BrokenRecord unless it is whole and about this record."""
+def read_verdict(
+    file: str, data: bytes, statement_sha256: str, episodes: int
+) -> ReplayVerdict:
+    """REC-014: raise BrokenRecord unless it is whole and about this record.
+
+    episodes: how many the record has.
+    """
     envelope = read_envelope(file, data)
     envelope.check_signature(public_key_in(envelope))
     statement = read_json(file, envelope.payload, Statement[SvrPredicate])
@@ -121,6 +126,9 @@ def read_verdict(file: str, data: bytes, statement_sha256: str) -> ReplayVerdict
         raise BrokenRecord(file, "REC-014", "it is about another record")
     replay = said.replay
     counted = replay.exact + replay.outcome + replay.diverged
+    if not 0 < counted <= episodes:
+        detail = f"it counts {counted} episodes of {episodes}"
+        raise BrokenRecord(file, "REC-014", detail)
     if said.properties != PROPERTIES[replay.result] or counted != replay.episodes:
         raise BrokenRecord(file, "REC-014", "what it says contradicts itself")
     if replay.result != _result_of(replay):

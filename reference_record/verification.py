@@ -65,7 +65,8 @@ class Report:
         if self.signer is None:
             return ["reported"]
         replays = [
-            f"replayed by {who} ({verdict.replay.result})"
+            f"replayed by {who} ({verdict.replay.result}, "
+            f"{verdict.replay.episodes} of {self.episodes} episodes)"
             for who, verdict in self.replayed_by
             if who is not None and verdict.replay.result != "diverged"
         ]
@@ -81,16 +82,19 @@ def verify(bundle: Bundle, trusted: Mapping[str, str] | None = None) -> Report:
     data = bundle.read(STATEMENT)
     statement, keyid = read_statement(data)
     evaluation = statement.predicate
-    _check_files(bundle, digests_by_name(statement), statement)
-    _check_manifest_digest(bundle, evaluation)
+    digests = digests_by_name(statement)
+    _check_files(bundle, digests, statement)
+    if digests[MANIFEST] != evaluation.manifest_sha256:
+        detail = "its SHA-256 is not the manifest_sha256 of the run"
+        raise BrokenRecord(MANIFEST, "REC-008", detail)
     manifest = read_json(MANIFEST, bundle.read(MANIFEST), RecordManifest)
     _check_benchmark(manifest, evaluation)
-    lines = list(_checked_lines(bundle, manifest, digests_by_name(statement)))
+    lines = list(_checked_lines(bundle, manifest, digests))
     turns = sum(_check_recordings(bundle, lines))
     _check_score(lines, evaluation)
     sha256 = hashlib.sha256(data).hexdigest()
     verdicts = [
-        read_verdict(name, bundle.read(name), sha256)
+        read_verdict(name, bundle.read(name), sha256, len(lines))
         for name in bundle.sizes
         if is_verdict(name)
     ]
@@ -141,12 +145,6 @@ def _check_files(
         if bundle.sha256(name) != digests[name]:
             detail = "its SHA-256 is not that in the statement"
             raise BrokenRecord(name, "REC-008", detail)
-
-
-def _check_manifest_digest(bundle: Bundle, evaluation: Evaluation) -> None:
-    if bundle.sha256(MANIFEST) != evaluation.manifest_sha256:
-        detail = "its SHA-256 is not the manifest_sha256 of the run"
-        raise BrokenRecord(MANIFEST, "REC-008", detail)
 
 
 def _check_benchmark(manifest: RecordManifest, evaluation: Evaluation) -> None:

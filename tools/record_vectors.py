@@ -38,7 +38,7 @@ def files() -> dict[str, bytes]:
                 "rule": None,
                 "levels": [
                     "signed by example host",
-                    "replayed by another lab (exact)",
+                    "replayed by another lab (exact, 4 of 4 episodes)",
                 ],
                 "description": "Nothing is wrong, and another lab replayed it.",
             },

@@ -37,8 +37,8 @@ func verify(path string, keys map[string]string) (levels []string, err error) {
 	}
 	records := openArchive(file, status.Size())
 	data := records.read(statementName)
-	keyid := checkRecord(records, data)
-	replays := checkVerdicts(records, hexDigest(data), keys)
+	keyid, episodes := checkRecord(records, data)
+	replays := checkVerdicts(records, hexDigest(data), episodes, keys)
 	name, known := keys[keyid]
 	if !known {
 		return []string{"reported"}, nil
@@ -46,7 +46,7 @@ func verify(path string, keys map[string]string) (levels []string, err error) {
 	return append([]string{"signed by " + name}, replays...), nil
 }
 
-func checkRecord(records *archive, data []byte) (keyid string) {
+func checkRecord(records *archive, data []byte) (keyid string, episodes int) {
 	statement, keyid := openEnvelope(statementName, data, "host")
 	checkTypes(statement, recordType)
 	digests := checkFiles(records, statement)
@@ -77,7 +77,7 @@ func checkRecord(records *archive, data []byte) (keyid string) {
 	if difference := differ(computeScore(lines), score.members, ""); difference != "" {
 		refuse(statementName, "REC-013", "its score does not follow: %s", difference)
 	}
-	return keyid
+	return keyid, len(lines)
 }
 
 func checkTypes(statement *object, predicateType string) {
@@ -186,7 +186,7 @@ func checkLink(line *object, number int, digests map[string]string) {
 }
 
 // checkVerdicts gives the replays by those whose keys are known (REC-014).
-func checkVerdicts(records *archive, sha256 string, keys map[string]string) (replays []string) {
+func checkVerdicts(records *archive, sha256 string, episodes int, keys map[string]string) (replays []string) {
 	for _, one := range records.entries {
 		if !isVerdict(one.name) {
 			continue
@@ -198,15 +198,15 @@ func checkVerdicts(records *archive, sha256 string, keys map[string]string) (rep
 			subjects[0].object("digest").text("sha256") != sha256 {
 			refuse(one.name, "REC-014", "it is about another record")
 		}
-		result := checkReplay(statement.object("predicate"))
+		result, count := checkReplay(statement.object("predicate"), episodes)
 		if who, known := keys[keyid]; known && result != "diverged" {
-			replays = append(replays, "replayed by "+who+" ("+result+")")
+			replays = append(replays, fmt.Sprintf("replayed by %s (%s, %d of %d episodes)", who, result, count, episodes))
 		}
 	}
 	return replays
 }
 
-func checkReplay(predicate *object) string {
+func checkReplay(predicate *object, episodes int) (string, int64) {
 	replay := predicate.object("replay")
 	exact, outcome, diverged := replay.count("exact"), replay.count("outcome"), replay.count("diverged")
 	result, properties := "exact", []any{"PROCTOR_REPLAYED_EXACT", "PROCTOR_REPLAYED_OUTCOME"}
@@ -216,9 +216,10 @@ func checkReplay(predicate *object) string {
 		result, properties = "outcome", []any{"PROCTOR_REPLAYED_OUTCOME"}
 	}
 	said, _ := predicate.members["properties"].([]any)
-	if exact+outcome+diverged != replay.count("episodes") || replay.text("result") != result ||
+	count := replay.count("episodes")
+	if exact+outcome+diverged != count || count == 0 || count > int64(episodes) || replay.text("result") != result ||
 		!slices.Equal(said, properties) {
 		refuse(predicate.file, "REC-014", "what it says contradicts itself")
 	}
-	return result
+	return result, count
 }

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from reference_record.broken import BrokenRecord
-from reference_record.keys import KEYID_PREFIX, SigningKey, is_signature, keyid_of
+from reference_record.keys import SigningKey, is_signature, keyid_of
 
 PAYLOAD_TYPE: Final = "application/vnd.in-toto+json"
 _FORM = re.compile(
@@ -22,7 +22,6 @@ _FORM = re.compile(
     rb'"signatures":\[\{"keyid":"(?P<keyid>SHA256:[0-9a-f]{64})",'
     rb'"sig":"(?P<sig>[A-Za-z0-9+/]{86}==)"\}\]\}'
 )
-assert KEYID_PREFIX == "SHA256:"
 
 
 @dataclass(frozen=True, slots=True)

@@ -28,7 +28,6 @@ LINE_BYTES_MAX: Final = 2**16
 VERDICT_BYTES_MAX: Final = 2**20
 # REC-030: the most bytes that a file of each kind may have.
 _FIXED_BYTES_MAX: Final = {STATEMENT: 2**25, MANIFEST: 2**25, EPISODES: 2**28}
-RECORDING_BYTES_MAX: Final = ARCHIVE_BYTES_MAX
 
 
 def recording_name(index: int) -> str:
@@ -67,7 +66,7 @@ def check_name(name: str, size: int) -> None:
     if name in FIXED:
         most = _FIXED_BYTES_MAX[name]
     elif is_recording(name):
-        most = RECORDING_BYTES_MAX
+        most = ARCHIVE_BYTES_MAX
     elif is_verdict(name):
         most = VERDICT_BYTES_MAX
     else:

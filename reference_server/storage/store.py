@@ -272,8 +272,9 @@ class Store:
 
         CRASH-001, CRASH-004: every answer that shows them is sent after that.
         """
+        await self._before_save(run)  # while others write
         async with self._write_lock:
-            await self._before_save(run)
+            await self._before_save(run)  # what came since then
             # Read inside the lock and before any other await: a later save never
             # overtakes an earlier one, and state and episodes are of one moment.
             if run.lost:

@@ -163,8 +163,8 @@ def test_a_verdict_is_added_and_replaced(as_directory: bool, tmp_path: Path) -> 
         path.write_bytes(archive)
     trusted = {HOST_KEY.keyid: "H", OTHER_KEY.keyid: "R"}
     for key, levels in (
-        (HOST_KEY, ["signed by H", "replayed by H (exact)"]),
-        (OTHER_KEY, ["signed by H", "replayed by R (exact)"]),
+        (HOST_KEY, ["signed by H", "replayed by H (exact, 4 of 4 episodes)"]),
+        (OTHER_KEY, ["signed by H", "replayed by R (exact, 4 of 4 episodes)"]),
     ):
         add_verdict(open_bundle(path), path, "r", make_verdict(archive, key=key))
         assert verify(open_bundle(path), trusted).levels == levels

@@ -22,7 +22,10 @@ GOOD = str(VECTORS / "good_replayed.proctor")
         ([], "reported: whose key"),
         ([HOST], "signed by the owner of SHA256:"),
         ([f"a lab={HOST}"], "signed by a lab; key"),
-        ([f"a lab={HOST}", f"R={OTHER}"], "signed by a lab, replayed by R (exact)"),
+        (
+            [f"a lab={HOST}", f"R={OTHER}"],
+            "signed by a lab, replayed by R (exact, 4 of 4",
+        ),
     ],
 )
 def test_a_level_stands_beside_the_score(

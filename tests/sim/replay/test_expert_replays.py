@@ -31,7 +31,8 @@ def test_experts_replay_exactly(benchmark: str, processes: int, tmp_path: Path) 
         policy.reset(episode.instruction)
         while not episode.ended and not episode.success:
             state = simulator.observe().state
-            yield [policy.act({k: v.tolist() for k, v in state.items()})]
+            action = policy.act({name: v.tolist() for name, v in state.items()})
+            yield [{name: [*map(float, values)] for name, values in action.items()}]
 
     path = tmp_path / "run.proctor"
     (tmp_path / "recordings").mkdir()

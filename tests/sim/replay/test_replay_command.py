@@ -38,7 +38,7 @@ def test_an_honest_record_is_exact_and_says_by_whom(tmp_path: Path) -> None:
     assert replay(path) == 0
     trusted = {HOST_KEY.keyid: "H", load_or_make(path.with_name("key")).keyid: "R"}
     report = verify(open_bundle(path), trusted)
-    assert report.levels == ["signed by H", "replayed by R (exact)"]
+    assert report.levels == ["signed by H", "replayed by R (exact, 3 of 3 episodes)"]
     assert report.replayed_by[0][1].replay.episodes == 3
     # Again: the verdict of the same key is replaced.
     assert replay(path, "--name", "later") == 0

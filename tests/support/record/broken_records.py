@@ -35,6 +35,7 @@ from tests.support.record.sample_records import (
     content_of,
     contents_of,
     failure,
+    good_replay,
     make_archive,
     make_verdict,
     success,
@@ -405,9 +406,12 @@ def _broken_verdicts() -> dict[str, Broken]:
     contents = contents_of(good)
     verdict = make_verdict(good)
     foreign = make_verdict(good, statement_sha256="0" * 64)
+    five = msgspec.structs.replace(good_replay(), episodes=5, exact=5)
+    too_many = make_verdict(good, five)
     changed = bytearray(verdict)
     changed[20] = ord("B") if changed[20] == ord("A") else ord("A")
     cases = {
+        "verdict_on_more_episodes": (too_many, "REC-014", "It counts 5 episodes of 4."),
         "verdict_on_another_record": (
             foreign,
             "REC-014",
