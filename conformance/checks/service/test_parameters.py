@@ -16,7 +16,7 @@ from conformance.checks.support.submissions import (
     uniquely_named_body,
 )
 from conformance.client.check_context import CheckContext
-from conformance.client.run_client import WorkerClient
+from conformance.client.run_client import RunClient, WorkerClient
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
@@ -29,6 +29,21 @@ LISTED_SOMEWHERE = {
     "Idempotency-Key": "x" * 200,
     "Last-Event-ID": "no id!",
 }
+
+
+def expect_pages_in_range(run: RunClient) -> None:
+    """Expect lists to refuse limits and cursors that break their schema."""
+    for operation_id in ("list_runs", "list_episodes"):
+        for limit in ("0", "-1", "1001", "ten", "1.5", "", "9" * 20):
+            answer = run.call(operation_id, params={"limit": limit})
+            expect.refused(answer, "invalid_request")
+        for cursor in ("no cursor!", "x" * 129, ""):
+            answer = run.call(operation_id, params={"cursor": cursor})
+            expect.refused(answer, "invalid_request")
+        # The text leaves the answer to this one free, but not its form.
+        run.call(operation_id, params={"cursor": "from-no-page"})
+        for limit in ("1", "1000"):
+            expect.ok(run.call(operation_id, params={"limit": limit}))
 
 
 @requirement("ERR-014")
@@ -46,17 +61,7 @@ def test_err_014_cannot_send_parameters_that_break_their_schema(
         nameless = run.call("detach_worker", worker_id=worker.id, params=session)
         expect.refused(nameless, "invalid_request")
     worker.detach()
-    for operation_id in ("list_runs", "list_episodes"):
-        for limit in ("0", "-1", "1001", "ten", "1.5", "", "9" * 20):
-            answer = run.call(operation_id, params={"limit": limit})
-            expect.refused(answer, "invalid_request")
-        for cursor in ("no cursor!", "x" * 129, ""):
-            answer = run.call(operation_id, params={"cursor": cursor})
-            expect.refused(answer, "invalid_request")
-        # The text leaves the answer to this one free, but not its form.
-        run.call(operation_id, params={"cursor": "from-no-page"})
-        for limit in ("1", "1000"):
-            expect.ok(run.call(operation_id, params={"limit": limit}))
+    expect_pages_in_range(run)
     wrong_preferences = ("wait=soon", "wait=-1", "respond-async", "wait=", "wait=1.5")
     for wrong in (*wrong_preferences, "wait=12345", "wait=1, respond-async"):
         answer = run.call("get_run", headers={"Prefer": wrong})
