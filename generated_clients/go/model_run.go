@@ -22,6 +22,9 @@ type Run struct {
 	// A `RunMode`, or one of a later version; `pull` when absent.
 	Mode *string `json:"mode,omitzero" validate:"regexp=^[a-z][a-z0-9_]{0\\,63}$"`
 	PolicyServer *PolicyServerView `json:"policy_server,omitzero"`
+	// Whether workers may play for another policy than `policy`; for the profile `attribution`.
+	AnyPolicy *bool `json:"any_policy,omitzero"`
+	Select *SelectionView `json:"select,omitzero"`
 	MaxWorkers int32 `json:"max_workers"`
 	IdleTimeoutS float64 `json:"idle_timeout_s"`
 	Images ImageChoice `json:"images"`
