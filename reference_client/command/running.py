@@ -35,6 +35,7 @@ from reference_client.command.episode_facts import players_of
 from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
+    WRONG_USAGE_OR_NO_SERVER,
     UsageError,
     exit_code_of,
     message_of,
@@ -114,10 +115,12 @@ def _repeat(
         raise UsageError("--repeat makes new runs; it cannot continue --run-id")
     scores: list[Score] = []
     ended: dict[str, Any] = {}
+    worst = DONE
     for number in range(1, args.repeat + 1):
         printer.say(f"Repetition {number} of {args.repeat}")
         command = _EvaluationCommand(args, printer, server)
         code, score = command.run_evaluation(plan, mapping)
+        worst = max(worst, code)
         if score is None:
             ended = command.ended
             printer.say(f"{len(scores)} of {args.repeat} repetitions have a score.")
@@ -129,7 +132,7 @@ def _repeat(
         value["mean"], value["stdev"] = output.mean_and_spread(scores)
         value["runs"] = [one.to_dict() for one in scores]
     printer.answer(value | ended, *(output.repeat_tables(scores) if scores else []))
-    return code
+    return worst
 
 
 def resume_command(
@@ -225,10 +228,8 @@ class _EvaluationCommand:
                 raise self._report_refusal(error) from error
             except Exception as error:
                 raise self._report_policy_error(error) from error
-        with open_control_client(self._args, self._printer) as control_client:
-            self._episodes = control_client.episodes(score.run_id)
-            if self._args.save is not None:
-                self._save(control_client, score)
+        if not self._read_episodes(score):
+            return WRONG_USAGE_OR_NO_SERVER, score
         is_as_wanted = score.complete or self._args.episodes is not None
         return DONE if is_as_wanted else NOT_COMPLETE, score
 
@@ -269,6 +270,21 @@ class _EvaluationCommand:
         self._progress_display(progress)
         if self._view is not None:
             self._view.progress = progress
+
+    def _read_episodes(self, score: Score) -> bool:
+        """Read them, and save them with the score; says why if that fails."""
+        try:
+            with open_control_client(self._args, self._printer) as control_client:
+                self._episodes = control_client.episodes(score.run_id)
+                if self._args.save is not None:
+                    self._save(control_client, score)
+        except ProctorError as error:
+            self._printer.say(f"proctor: {message_of(error)}")
+        except UsageError as error:
+            self._printer.say(f"proctor: {error}")
+        else:
+            return True
+        return False
 
     def _save(self, control_client: ControlClient, score: Score) -> None:
         """With --repeat, in a folder of the run."""

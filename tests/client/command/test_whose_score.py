@@ -144,6 +144,22 @@ def test_scores_of_repetitions_outlive_one_that_ends(proctor: ProctorCommand) ->
     assert "out of memory" in found["error"]["detail"]
 
 
+def test_a_score_outlives_a_folder_that_is_gone(proctor: ProctorCommand) -> None:
+    """The policy replaces the folder. Expect the score, the reason, and exit code 2."""
+    Path("remove.py").write_text(
+        "import pathlib\nimport policies\n\n\ndef act(observation):\n"
+        "    folder = pathlib.Path('out')\n"
+        "    if folder.is_dir():\n"
+        "        folder.rmdir()\n"
+        "        folder.write_text('')\n"
+        "    return policies.best(observation)\n"
+    )
+    run = ["run", "--no-dry-turn", "--policy", "remove.py:act", *options("score")]
+    assert proctor(*run, "--save", "out") == 2
+    assert "--save out" in proctor.err
+    assert "1.0000" in proctor.out
+
+
 # --- servers without the profiles ---
 
 
