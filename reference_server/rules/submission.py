@@ -73,11 +73,12 @@ def select_episodes(manifest: Manifest, select: Selection | None) -> Manifest | 
         return manifest
     episodes = manifest["episodes"]
     wanted = {"task": select.get("tasks"), "split": select.get("splits")}
+    known = {"task": manifest["tasks"], "split": manifest["splits"]}
     errors = tuple(
-        (f"/select/{member}s", f"the benchmark has no {member} {name!r}")
+        (f"/select/{member}s", f"{name!r}: there is {', '.join(known[member])}")
         for member, names in wanted.items()
         for name in names or ()
-        if name not in manifest[f"{member}s"]  # type: ignore[literal-required]
+        if name not in known[member]
     )
     kept = [
         episode
