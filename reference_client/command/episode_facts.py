@@ -70,10 +70,10 @@ def _counted(episodes: Sequence[Episode]) -> list[tuple[Player, int]]:
 
 
 def _return(results: Sequence[EpisodeResult]) -> str | None:
-    """Nothing where the return is the score, as in most benchmarks with tasks."""
+    """Nothing where there are no rewards, or where the return is the score."""
     played = [r for r in results if r.outcome.value != "abandoned"]
     returns = [r.total_reward for r in played if r.total_reward is not None]
-    if not returns or all(r.total_reward == r.score for r in played):
+    if not any(returns) or all(r.total_reward == r.score for r in played):
         return None
     spread = statistics.stdev(returns) if len(returns) > 1 else 0.0
     return (
