@@ -1,7 +1,6 @@
 """The benchmark that a policy server is judged on: a file, or a name and a server.
 
-The evaluation server is asked for its description of the benchmark; nothing is played
-on it.
+The evaluation server describes the benchmark; nothing is played on it.
 """
 
 import json
