@@ -66,6 +66,32 @@ func (o *Run) SetPolicyServer(v PolicyServerView) {
 	o.PolicyServer = &v
 }
 
+// GetAnyPolicy returns any_policy, or the zero value when it is absent.
+func (o *Run) GetAnyPolicy() (v bool) {
+	if o != nil && o.AnyPolicy != nil {
+		v = *o.AnyPolicy
+	}
+	return v
+}
+
+// SetAnyPolicy sets any_policy.
+func (o *Run) SetAnyPolicy(v bool) {
+	o.AnyPolicy = &v
+}
+
+// GetSelect returns select, or the zero value when it is absent.
+func (o *Run) GetSelect() (v SelectionView) {
+	if o != nil && o.Select != nil {
+		v = *o.Select
+	}
+	return v
+}
+
+// SetSelect sets select.
+func (o *Run) SetSelect(v SelectionView) {
+	o.Select = &v
+}
+
 // GetAttemptsBySubmitter returns attempts_by_submitter, or the zero value when it is absent.
 func (o *Run) GetAttemptsBySubmitter() (v int32) {
 	if o != nil && o.AttemptsBySubmitter != nil {

@@ -49,7 +49,7 @@ class Run(BaseModel):
     updated_at: datetime
     attempts_by_submitter: Optional[Annotated[int, Field(strict=True, ge=1)]] = Field(default=None, description="How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.")
     additional_properties: Dict[str, Any] = {}
-    __properties: ClassVar[List[str]] = ["run_id", "state", "reason", "retryable", "benchmark_id", "benchmark_version", "manifest_sha256", "policy", "mode", "policy_server", "max_workers", "idle_timeout_s", "images", "endpoint", "queue_position", "live_workers", "progress", "created_at", "updated_at", "attempts_by_submitter"]
+    __properties: ClassVar[List[str]] = ["run_id", "state", "reason", "retryable", "benchmark_id", "benchmark_version", "manifest_sha256", "policy", "mode", "policy_server", "any_policy", "select", "max_workers", "idle_timeout_s", "images", "endpoint", "queue_position", "live_workers", "progress", "created_at", "updated_at", "attempts_by_submitter"]
 
     @field_validator('manifest_sha256', mode="before")
     def manifest_sha256_validate_regular_expression(cls, value):
