@@ -35,6 +35,9 @@ class CheckContext(RequestContext):
         idle_timeout_s: float | None = None,
         images: Mapping[str, Any] | None = None,
         headers: Mapping[str, str] | None = None,
+        policy: Mapping[str, Any] | None = None,
+        any_policy: bool | None = None,
+        select: Mapping[str, Any] | None = None,
         **options: Any,
     ) -> RunClient:
         """Submit a calibration run, one episode per task; wait until it is ready."""
@@ -45,6 +48,9 @@ class CheckContext(RequestContext):
             "idle_timeout_s": idle_timeout_s,
             "images": images,
             "options": options or None,
+            "policy": policy,
+            "any_policy": any_policy,
+            "select": select,
         }
         body = self.submit_body(**members)
         faults = self.spec.request_faults(self.spec.operations["submit_run"], body)

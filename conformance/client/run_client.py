@@ -179,6 +179,7 @@ class WorkerClient:
         takeover: bool = False,
         attach_key: str | None = None,
         assumes: Mapping[str, Any] | None = None,
+        player: Mapping[str, Any] | None = None,
         **how: Any,
     ) -> Answer:
         """Send `attach_worker`, with a new key unless one is given."""
@@ -187,6 +188,8 @@ class WorkerClient:
             body["takeover"] = True
         if assumes is not None:
             body["assumes"] = assumes
+        if player is not None:
+            body["player"] = player
         return self._call("attach_worker", json=body, **how)
 
     def attach(

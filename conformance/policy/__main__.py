@@ -5,12 +5,10 @@ the options, the preflight and the checks (POL, against policy.yaml) differ.
 """
 
 import argparse
-import json
 import os
 import random
 import sys
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 from conformance.cli.arguments import BadArguments
@@ -18,10 +16,10 @@ from conformance.cli.console import Terminal
 from conformance.cli.kit_run import run_kit
 from conformance.client.check_context import CheckContext
 from conformance.client.request_context import SharedContext
-from conformance.policy.turn_builder import calibration
+from conformance.policy.benchmark_source import DEFAULT_SERVER, read_benchmark
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge
-from conformance.specification.document import load_policy_spec, spec_name
+from conformance.specification.document import spec_name
 from conformance.specification.ledger import POLICY, load_ledger
 from conformance.verdicts.expect import Violation, describe_answer
 from conformance.verdicts.result import Result, conclude
@@ -52,9 +50,16 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--key", help="its API key, if it has one [PROCTOR_POLICY_KEY]")
     parser.add_argument(
         "--benchmark",
-        metavar="FILE",
-        help="JSON file with the get_benchmark response of the benchmark; "
-        "default: calibration",
+        metavar="NAME",
+        help="id of a benchmark of the evaluation server, or a JSON file with its "
+        "get_benchmark response; default: calibration",
+    )
+    parser.add_argument(
+        "--server",
+        metavar="URL",
+        default=os.environ.get("PROCTOR_URL") or DEFAULT_SERVER,
+        help="evaluation server that describes the benchmark; its token is "
+        f"PROCTOR_TOKEN [PROCTOR_URL, or {DEFAULT_SERVER}]",
     )
     parser.add_argument("--only", metavar="ID,...", help="rule ids or id prefixes")
     parser.add_argument("--seed", type=int, help="seed of the session ids")
@@ -80,22 +85,10 @@ def _settings(options: argparse.Namespace) -> Settings:
         profiles=[POLICY],
         report=options.report,
         seed=random.randrange(10**6) if seed is None else seed,
-        benchmark=_benchmark(options.benchmark),
+        benchmark=read_benchmark(
+            options.benchmark, options.server, os.environ.get("PROCTOR_TOKEN")
+        ),
     )
-
-
-def _benchmark(path: str | None) -> dict[str, Any]:
-    if path is None:
-        return calibration()
-    try:
-        benchmark: dict[str, Any] = json.loads(Path(path).read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise BadArguments(f"--benchmark {path}: {error}") from error
-    schema = load_policy_spec().schema("Benchmark")
-    missing = set(schema["required"]) - set(benchmark)
-    if missing:
-        raise BadArguments(f"--benchmark {path}: missing {', '.join(sorted(missing))}")
-    return benchmark
 
 
 def _judge(result: Result, terminal: Terminal) -> None:

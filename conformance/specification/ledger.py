@@ -26,7 +26,8 @@ _FIRST_RULE_OF_OPERATIONS = 100
 _OF_FILES = "a rule of a file, which the vectors in vectors/record/ judge"
 _OF_VERIFIERS = "a rule of who reads a file, which the vectors in vectors/record/ judge"
 PROFILES = (
-    *("core", "msgpack", "compare", "events", "push", "limits", "record", "crash"),
+    *("core", "msgpack", "compare", "events", "push", "limits", "record"),
+    *("attribution", "subsets", "crash"),
     *("ebench", "flageval"),
 )
 POLICY = "policy"  # of policy servers, which are checked by a command of their own

@@ -9,6 +9,7 @@ type AttachWorker struct {
 	// Fence out a live session; false when absent.
 	Takeover *bool `json:"takeover,omitzero"`
 	Assumes *Assumptions `json:"assumes,omitzero"`
+	Player *Player `json:"player,omitzero"`
 }
 
 // GetTakeover returns takeover, or the zero value when it is absent.
@@ -35,4 +36,17 @@ func (o *AttachWorker) GetAssumes() (v Assumptions) {
 // SetAssumes sets assumes.
 func (o *AttachWorker) SetAssumes(v Assumptions) {
 	o.Assumes = &v
+}
+
+// GetPlayer returns player, or the zero value when it is absent.
+func (o *AttachWorker) GetPlayer() (v Player) {
+	if o != nil && o.Player != nil {
+		v = *o.Player
+	}
+	return v
+}
+
+// SetPlayer sets player.
+func (o *AttachWorker) SetPlayer(v Player) {
+	o.Player = &v
 }

@@ -22,6 +22,9 @@ type Run struct {
 	// A `RunMode`, or one of a later version; `pull` when absent.
 	Mode *string `json:"mode,omitzero" validate:"regexp=^[a-z][a-z0-9_]{0\\,63}$"`
 	PolicyServer *PolicyServerView `json:"policy_server,omitzero"`
+	// Whether workers may play for another policy than `policy`; for the profile `attribution`.
+	AnyPolicy *bool `json:"any_policy,omitzero"`
+	Select *SelectionView `json:"select,omitzero"`
 	MaxWorkers int32 `json:"max_workers"`
 	IdleTimeoutS float64 `json:"idle_timeout_s"`
 	Images ImageChoice `json:"images"`
@@ -61,6 +64,32 @@ func (o *Run) GetPolicyServer() (v PolicyServerView) {
 // SetPolicyServer sets policy_server.
 func (o *Run) SetPolicyServer(v PolicyServerView) {
 	o.PolicyServer = &v
+}
+
+// GetAnyPolicy returns any_policy, or the zero value when it is absent.
+func (o *Run) GetAnyPolicy() (v bool) {
+	if o != nil && o.AnyPolicy != nil {
+		v = *o.AnyPolicy
+	}
+	return v
+}
+
+// SetAnyPolicy sets any_policy.
+func (o *Run) SetAnyPolicy(v bool) {
+	o.AnyPolicy = &v
+}
+
+// GetSelect returns select, or the zero value when it is absent.
+func (o *Run) GetSelect() (v SelectionView) {
+	if o != nil && o.Select != nil {
+		v = *o.Select
+	}
+	return v
+}
+
+// SetSelect sets select.
+func (o *Run) SetSelect(v SelectionView) {
+	o.Select = &v
 }
 
 // GetAttemptsBySubmitter returns attempts_by_submitter, or the zero value when it is absent.

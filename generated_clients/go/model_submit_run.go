@@ -14,6 +14,9 @@ type SubmitRun struct {
 	Options *CalibrationOptions `json:"options,omitzero"`
 	Mode *RunMode `json:"mode,omitzero"`
 	PolicyServer *PolicyServer `json:"policy_server,omitzero"`
+	// Workers may play for another policy than `policy`; false when absent; for the profile `attribution`.
+	AnyPolicy *bool `json:"any_policy,omitzero"`
+	Select *EpisodeSelection `json:"select,omitzero"`
 }
 
 // GetMaxWorkers returns max_workers, or the zero value when it is absent.
@@ -92,4 +95,30 @@ func (o *SubmitRun) GetPolicyServer() (v PolicyServer) {
 // SetPolicyServer sets policy_server.
 func (o *SubmitRun) SetPolicyServer(v PolicyServer) {
 	o.PolicyServer = &v
+}
+
+// GetAnyPolicy returns any_policy, or the zero value when it is absent.
+func (o *SubmitRun) GetAnyPolicy() (v bool) {
+	if o != nil && o.AnyPolicy != nil {
+		v = *o.AnyPolicy
+	}
+	return v
+}
+
+// SetAnyPolicy sets any_policy.
+func (o *SubmitRun) SetAnyPolicy(v bool) {
+	o.AnyPolicy = &v
+}
+
+// GetSelect returns select, or the zero value when it is absent.
+func (o *SubmitRun) GetSelect() (v EpisodeSelection) {
+	if o != nil && o.Select != nil {
+		v = *o.Select
+	}
+	return v
+}
+
+// SetSelect sets select.
+func (o *SubmitRun) SetSelect(v EpisodeSelection) {
+	o.Select = &v
 }

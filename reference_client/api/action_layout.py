@@ -16,13 +16,18 @@ _ROUNDING = 1e-6
 
 @dataclass(frozen=True, slots=True, eq=False)
 class VectorLayout:
-    """One named vector. low, high: the range outside which the server clips, if any."""
+    """One named vector.
+
+    low, high: the range outside which the server clips, if any, widened by rounding.
+    declared: the lowest and the highest number of the range, as the benchmark has it.
+    """
 
     name: str
     size: int
     unit: str = ""
     low: tuple[float, ...] | None = None
     high: tuple[float, ...] | None = None
+    declared: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -89,10 +94,10 @@ class ActionLayout:
     def range_of(self, name: str) -> str:
         """`[-2.9, 2.9] rad`, the widest range of the vector's numbers."""
         (vector,) = [v for v in self.vectors if v.name == name]
-        assert vector.low is not None
-        assert vector.high is not None
+        assert vector.declared is not None
+        low, high = vector.declared
         unit = "" if vector.unit in ("", "1") else f" {vector.unit}"
-        return f"[{min(vector.low):.4g}, {max(vector.high):.4g}]{unit}"
+        return f"[{low:.4g}, {high:.4g}]{unit}"
 
 
 def _vector(name: str, space: Mapping[str, Any]) -> VectorLayout:
@@ -107,6 +112,7 @@ def _vector(name: str, space: Mapping[str, Any]) -> VectorLayout:
         unit,
         tuple(a - s for a, s in zip(low, slack, strict=True)),
         tuple(b + s for b, s in zip(high, slack, strict=True)),
+        (min(low), max(high)),
     )
 
 

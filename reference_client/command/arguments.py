@@ -266,6 +266,17 @@ def _add_submission_options(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--submitter", metavar="NAME", help="name of the submitter")
     group.add_argument("--homepage", metavar="URL", help="homepage of the submitter")
     group.add_argument(
+        "--any-policy",
+        action="store_true",
+        help="other policies may play the new run, too; each result says which did",
+    )
+    group.add_argument(
+        "--tasks", type=_names, metavar="A,B", help="only episodes of these tasks"
+    )
+    group.add_argument(
+        "--split", type=_names, metavar="A,B", help="only episodes of these splits"
+    )
+    group.add_argument(
         "--max-workers", type=_count, metavar="N", help="maximum simultaneous workers"
     )
     group.add_argument(
@@ -356,6 +367,13 @@ def _count(text: str) -> int:
     if not text.isdecimal() or int(text) < 1:
         raise argparse.ArgumentTypeError(f"{text}: expected an integer >= 1")
     return int(text)
+
+
+def _names(text: str) -> list[str]:
+    names = [name for part in text.split(",") if (name := part.strip())]
+    if not names:
+        raise argparse.ArgumentTypeError("expected names with commas between them")
+    return names
 
 
 def _seconds(text: str) -> float:

@@ -19,6 +19,7 @@ from typing import Any
 from proctor_client import PolicyInfo, Run, Score, StopMode, SubmitRun
 
 from reference_client.command import output, saving
+from reference_client.command.episode_facts import played_by, players_of
 from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
@@ -27,6 +28,7 @@ from reference_client.command.exit_codes import (
 )
 from reference_client.command.output import Printer, ProgressDisplay
 from reference_client.evaluation import parameters
+from reference_client.evaluation.declared_policy import DeclaredPolicy, check_offered
 from reference_client.evaluation.status_board import Progress
 from reference_client.policies.policy_server_client import PolicyServerClient
 from reference_client.protocol.connection import Connection
@@ -62,12 +64,13 @@ def retry_policy_of(
 
 def submit(args: argparse.Namespace, printer: Printer) -> int:
     with open_control_client(args, printer) as control_client:
-        control_client.check_service(args.max_workers or 1)
+        service = control_client.check_service(args.max_workers or 1)
         if args.run_id is not None:
             check_run_id(args.run_id)
             run = control_client.resume_if_needed(args.run_id)
         else:
             submission = submission_of(args)
+            check_offered(submission, service)
             control_client.check(submission.benchmark_id)
             run = control_client.submit(submission)
         if args.wait:
@@ -89,8 +92,11 @@ def status(args: argparse.Namespace, printer: Printer) -> int:
             if args.watch
             else control_client.read(run_id)
         )
-        score = control_client.score(run_id) if run.progress.episodes_scored else None
-    printer.answer(_with_score(run, score), output.run_facts(run, score))
+        is_scored = run.progress.episodes_scored > 0
+        score = control_client.score(run_id) if is_scored else None
+        episodes = control_client.episodes(run_id) if is_scored else []
+    value = _with_score(run, score) | {"players": players_of(episodes)}
+    printer.answer(value, output.run_facts(run, score, episodes))
     state = run.state.value
     failed = state == "failed" or (args.watch and state != "completed")
     return NOT_COMPLETE if failed else DONE
@@ -148,13 +154,13 @@ def results(args: argparse.Namespace, printer: Printer) -> int:
     run_id = _required_run_id(args)
     with open_control_client(args, printer) as control_client:
         score = control_client.score(run_id)
-        episodes = control_client.episodes(run_id) if args.episodes else None
+        episodes = control_client.episodes(run_id)
         if args.save is not None:
             saving.save_result(control_client, score, args.save)
             printer.say(f"Saved: {args.save}")
-    value: dict[str, Any] = score.to_dict()
-    tables = output.score_tables(score)
-    if episodes is not None:
+    value: dict[str, Any] = score.to_dict() | {"players": players_of(episodes)}
+    tables = output.score_tables(score, episodes)
+    if args.episodes:
         value["episodes"] = [episode.to_dict() for episode in episodes]
         tables.append(output.episode_list(episodes))
     printer.answer(value, *tables)
@@ -166,10 +172,16 @@ def compare(args: argparse.Namespace, printer: Printer) -> int:
         check_run_id(run_id)
     with open_control_client(args, printer) as control_client:
         found = control_client.compare(args.baseline, args.runs, args.tolerance)
+        run_ids = {found.baseline, *(run.run_id for run in found.runs)}
+        episodes = {run_id: control_client.episodes(run_id) for run_id in run_ids}
+    names = {run_id: played_by(of_run) for run_id, of_run in episodes.items()}
     tables = [
-        table for run in found.runs for table in output.comparison_tables(found, run)
+        table
+        for run in found.runs
+        for table in output.comparison_tables(found, run, names)
     ]
-    printer.answer(found.to_dict(), *tables)
+    players = {run_id: players_of(of_run) for run_id, of_run in episodes.items()}
+    printer.answer(found.to_dict() | {"players": players}, *tables)
     return DONE if all(run.release for run in found.runs) else NOT_RELEASED
 
 
@@ -192,13 +204,13 @@ def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRu
             "--benchmark NAME (`proctor benchmarks` lists names) or --run-id RUN is "
             "required"
         )
-    name = args.name or name or _described_name(args) or "unnamed"
+    policy = policy_of(args, name or _described_name(args) or "unnamed")
     try:
         return parameters.submission(
             args.benchmark,
             PolicyInfo(
-                name=f"{name} ({args.type})" if args.type else name,
-                version=args.policy_version,
+                name=policy.info.name,
+                version=policy.version,
                 submitter=args.submitter,
                 homepage=args.homepage,
             ),
@@ -207,9 +219,20 @@ def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRu
             idle_timeout_s=args.idle_timeout_s,
             max_workers=args.max_workers,
             policy_server=_policy_server(getattr(args, "push", None)),
+            any_policy=args.any_policy,
+            tasks=args.tasks,
+            splits=args.split,
         )
     except ValueError as error:
         raise UsageError(str(error)) from error
+
+
+def policy_of(args: argparse.Namespace, program: str) -> DeclaredPolicy:
+    """The policy that the flags describe; program: the name of its code."""
+    name = args.name
+    if args.type:
+        name = f"{name or program} ({args.type})"
+    return DeclaredPolicy(program, name, args.policy_version)
 
 
 def _described_name(args: argparse.Namespace) -> str | None:

@@ -31,6 +31,7 @@ _CANNOT = frozenset(
         "idempotency_conflict",
         "illegal_transition",
         "not_found",
+        "policy_mismatch",
         "unauthenticated",
         "unsupported_version",
     }
@@ -41,6 +42,12 @@ _ARGUMENTS = {
     "`takeover=True` with the run's `run_id`": "--takeover with --run-id",
     "`takeover=True`": "--takeover",
     "takeover=True": "--takeover",
+    "`any_policy=True`": "--any-policy",
+    "any_policy: ": "--any-policy: ",
+    "tasks, splits: ": "--tasks, --split: ",
+    "episodes=N ": "--episodes N ",
+    "`name=": "`--name ",
+    "`version=": "`--policy-version ",
 }
 
 

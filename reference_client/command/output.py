@@ -19,14 +19,17 @@ from proctor_client import (
     ComparedRun,
     Comparison,
     Episode,
+    EpisodeResult,
     GroupScore,
     Run,
     Score,
+    SelectionView,
 )
 from rich.console import Console
 from rich.progress import BarColumn, TaskID, TextColumn, TimeElapsedColumn
 from rich.progress import Progress as Bars
 
+from reference_client.command.episode_facts import episode_facts, label_of, played_by
 from reference_client.command.exit_codes import with_flag_names
 from reference_client.command.text_tables import TablePrinter, TextTable, fact_table
 from reference_client.evaluation.status_board import Pace, Progress
@@ -148,7 +151,9 @@ def mean_of(progress: Progress) -> str:
     return "no score yet" if progress.mean is None else f"mean {progress.mean:.3f}"
 
 
-def run_facts(run: Run, score: Score | None = None) -> TextTable:
+def run_facts(
+    run: Run, score: Score | None = None, episodes: Sequence[Episode] = ()
+) -> TextTable:
     progress = run.progress
     return fact_table(
         {
@@ -156,8 +161,11 @@ def run_facts(run: Run, score: Score | None = None) -> TextTable:
             "state": run.state.value,
             "reason": run.reason,
             "benchmark": f"{run.benchmark_id}, version {run.benchmark_version}",
+            "part": part_text(run.select),
             "policy": run.policy.name
-            + (f", version {run.policy.version}" if run.policy.version else ""),
+            + (f", version {run.policy.version}" if run.policy.version else "")
+            + ("; others may play, too" if run.any_policy else ""),
+            "played by": played_by(episodes),
             "score": None if score is None else _headline(score),
             "episodes": f"{progress.episodes_scored} of {progress.episodes_total} "
             f"scored, {progress.episodes_in_progress} in progress",
@@ -184,7 +192,7 @@ def run_list(
         table.add(
             run.run_id,
             run.state.value,
-            run.benchmark_id,
+            run.benchmark_id + ("" if run.select is None else " (a part)"),
             run.policy.name,
             f"{scored}/{total}",
             score_text(scores.get(run.run_id)),
@@ -200,7 +208,7 @@ def score_text(score: Score | None) -> str:
     return f"({score.mean:.3f})" if score.score is None else f"{score.score:.3f}"
 
 
-def score_facts(score: Score) -> TextTable:
+def score_facts(score: Score, episodes: Sequence[Episode] = ()) -> TextTable:
     counts = score.counts
     mean, rate = score.mean_interval, score.success_interval
     scored = counts.total - counts.unscored
@@ -209,6 +217,7 @@ def score_facts(score: Score) -> TextTable:
             "run": score.run_id,
             "state": score.state.value,
             "benchmark": score.benchmark_id,
+            "part": part_text(score.select),
             "score": _headline(score),
             "mean": f"{score.mean:.4f}, 95 % interval {mean.low:.4f} to {mean.high:.4f}"
             if score.mean is not None
@@ -218,9 +227,19 @@ def score_facts(score: Score) -> TextTable:
             "episodes": f"{counts.total}: {counts.success} success, "
             f"{counts.failure} failure, {counts.abandoned} abandoned, "
             f"{counts.unscored} unscored",
+            **episode_facts(episodes),
             "manifest": score.manifest_sha256,
         }
     )
+
+
+def part_text(select: SelectionView | None) -> str | None:
+    """`tasks lift, push; splits test, and nothing else`; None is the whole."""
+    if select is None:
+        return None
+    named = {"tasks": select.tasks, "splits": select.splits}
+    parts = [f"{what} {', '.join(names)}" for what, names in named.items() if names]
+    return "; ".join(parts) + ", and nothing else" if parts else None
 
 
 def _headline(score: Score) -> str:
@@ -230,14 +249,20 @@ def _headline(score: Score) -> str:
             f"partial, {scored} of {score.counts.total} episodes; not complete: "
             f"between {score.score_low:.4f} and {score.score_high:.4f}"
         )
-    mixed = f" over {len(score.by_split)} splits" if len(score.by_split) > 1 else ""
-    return f"{score.score:.4f}{mixed}"
+    part = " of a part of the benchmark" if part_text(score.select) else ""
+    if len(score.by_split) > 1:  # a mix of splits is no result to quote
+        splits = ", ".join(
+            f"{name} {0.0 if group.mean is None else group.mean:.4f}"
+            for name, group in score.by_split.items()
+        )
+        return f"{splits}{part} (all {score.score:.4f})"
+    return f"{score.score:.4f}{part}"
 
 
-def score_tables(score: Score) -> list[TextTable]:
-    """The facts, then splits before tasks: a mix of splits is no result to quote."""
+def score_tables(score: Score, episodes: Sequence[Episode] = ()) -> list[TextTable]:
+    """The facts, then splits before tasks."""
     return [
-        score_facts(score),
+        score_facts(score, episodes),
         group_table("split", score.by_split),
         group_table("task", score.by_task),
     ]
@@ -284,17 +309,21 @@ def group_table(title: str, by_name: Mapping[str, GroupScore]) -> TextTable:
     return table
 
 
-def comparison_tables(comparison: Comparison, run: ComparedRun) -> list[TextTable]:
+def comparison_tables(
+    comparison: Comparison, run: ComparedRun, players: Mapping[str, str | None]
+) -> list[TextTable]:
     """One run compared with the baseline: a summary, and a row for each task.
 
     Plus is better: a difference is run minus baseline, although the protocol's member
-    `difference` is baseline minus run.
+    `difference` is baseline minus run. players: who played, by run id.
     """
     alone = f"{run.wins} wins, {run.losses} losses, {run.ties} ties"
     head = fact_table(
         {
             "run": run.run_id,
+            "played by": players.get(run.run_id),
             "baseline": comparison.baseline,
+            "baseline played by": players.get(comparison.baseline),
             "benchmark": comparison.benchmark_id,
             "pairs": f"{run.paired} episodes are scored in both"
             + ("" if run.complete else "; incomplete"),
@@ -334,8 +363,11 @@ def _release(comparison: Comparison, run: ComparedRun) -> str:
 
 def episode_list(episodes: Sequence[Episode]) -> TextTable:
     table = TextTable(
-        ("episode", "task", "split", "status", ">score", ">steps", ">attempt"),
-        dispensable=("attempt", "steps", "split"),
+        (
+            *("episode", "task", "split", "status", ">score", ">steps", ">attempt"),
+            *(">clipped", ">return", "played by"),
+        ),
+        dispensable=("return", "attempt", "clipped", "played by", "steps", "split"),
     )
     for episode in episodes:
         result = episode.result
@@ -347,8 +379,23 @@ def episode_list(episodes: Sequence[Episode]) -> TextTable:
             f"{result.score:.3f}" if result else "–",
             str(result.steps) if result else "–",
             str(episode.attempt),
+            *_of_attempt(result),
         )
+    for name in ("clipped", "return", "played by"):  # what the server does not say
+        if {row[table.names.index(name)] for row in table.rows} <= {"–"}:
+            table = table.without(name)
     return table
+
+
+def _of_attempt(result: EpisodeResult | None) -> tuple[str, str, str]:
+    if result is None or result.clipped_actions is None:
+        return "–", "–", "–"
+    total = result.total_reward
+    return (
+        str(result.clipped_actions),
+        "–" if total is None else f"{total:.3f}",
+        label_of(result.player),
+    )
 
 
 def benchmark_list(benchmarks: Sequence[BenchmarkSummary]) -> TextTable:

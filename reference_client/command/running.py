@@ -20,7 +20,7 @@ from pathlib import Path
 from types import FrameType
 from typing import Any, Self
 
-from proctor_client import Assumptions, Benchmark, Run, Score
+from proctor_client import Assumptions, Benchmark, Episode, Run, Score
 
 from reference_client.api.policy import Policy
 from reference_client.command import output, saving
@@ -28,11 +28,14 @@ from reference_client.command.arguments import DEFAULT_URL
 from reference_client.command.control import (
     check_run_id,
     open_control_client,
+    policy_of,
     submission_of,
 )
+from reference_client.command.episode_facts import players_of
 from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
+    WRONG_USAGE_OR_NO_SERVER,
     UsageError,
     exit_code_of,
     message_of,
@@ -58,6 +61,7 @@ from reference_client.policies import (
 from reference_client.policies.error_origin import describe_policy_error
 from reference_client.policies.lerobot_policy import LerobotPolicies
 from reference_client.policies.policy_server_client import PolicyServerClient
+from reference_client.protocol.control_client import ControlClient
 from reference_client.view.server import View
 
 RETRY_TIMEOUT_S = 300.0
@@ -91,6 +95,8 @@ def run(args: argparse.Namespace, printer: Printer) -> int:
     code, score = command.run_evaluation(plan, mapping)
     if score is not None:
         command.print_score(score)
+    elif printer.as_json:
+        printer.answer(command.ended)
     return code
 
 
@@ -101,22 +107,32 @@ def _repeat(
     plan: EvaluationPlan,
     mapping: PolicyMapping | None,
 ) -> int:
-    """Evaluate in several runs; ends with the first that has no score."""
+    """Evaluate in several runs; ends with the first that has no score.
+
+    The scores before it are printed all the same.
+    """
     if args.run_id is not None:
         raise UsageError("--repeat makes new runs; it cannot continue --run-id")
     scores: list[Score] = []
+    ended: dict[str, Any] = {}
+    worst = DONE
     for number in range(1, args.repeat + 1):
         printer.say(f"Repetition {number} of {args.repeat}")
         command = _EvaluationCommand(args, printer, server)
         code, score = command.run_evaluation(plan, mapping)
+        worst = max(worst, code)
         if score is None:
-            return code
+            ended = command.ended
+            printer.say(f"{len(scores)} of {args.repeat} repetitions have a score.")
+            break
         scores.append(score)
         plan = replace(plan, dry_turn=False)
-    mean, spread = output.mean_and_spread(scores)
-    value = {"mean": mean, "stdev": spread, "runs": [one.to_dict() for one in scores]}
-    printer.answer(value, *output.repeat_tables(scores))
-    return code
+    value: dict[str, Any] = {}
+    if scores:
+        value["mean"], value["stdev"] = output.mean_and_spread(scores)
+        value["runs"] = [one.to_dict() for one in scores]
+    printer.answer(value | ended, *(output.repeat_tables(scores) if scores else []))
+    return worst
 
 
 def resume_command(
@@ -128,6 +144,9 @@ def resume_command(
     """
     command = ["proctor", "run", "--run-id", run_id, "--policy", args.policy]
     flags: list[tuple[str, Any, Any]] = [
+        ("--name", args.name, None),
+        ("--type", args.type, None),
+        ("--policy-version", args.policy_version, None),
         ("--mapping", args.mapping, None),
         ("--workers", args.workers, None),
         ("--worker-ids", args.worker_ids, None),
@@ -164,6 +183,8 @@ class _EvaluationCommand:
         self._run: Run | None = None
         self._view: View | None = None
         self._board = StatusBoard()
+        self._episodes: list[Episode] = []
+        self.ended: dict[str, Any] = {}  # why there is no score, as JSON
 
     def run_evaluation(
         self, plan: EvaluationPlan, mapping: PolicyMapping | None
@@ -172,6 +193,7 @@ class _EvaluationCommand:
         try:
             return self._evaluate(plan, mapping)
         except _EvaluationEnded as ended:
+            self.ended = ended.value
             return ended.code, None
 
     def _evaluate(
@@ -206,8 +228,8 @@ class _EvaluationCommand:
                 raise self._report_refusal(error) from error
             except Exception as error:
                 raise self._report_policy_error(error) from error
-        if self._args.save is not None:
-            self._save(score)
+        if not self._read_episodes(score):
+            return WRONG_USAGE_OR_NO_SERVER, score
         is_as_wanted = score.complete or self._args.episodes is not None
         return DONE if is_as_wanted else NOT_COMPLETE, score
 
@@ -249,13 +271,27 @@ class _EvaluationCommand:
         if self._view is not None:
             self._view.progress = progress
 
-    def _save(self, score: Score) -> None:
+    def _read_episodes(self, score: Score) -> bool:
+        """Read them, and save them with the score; says why if that fails."""
+        try:
+            with open_control_client(self._args, self._printer) as control_client:
+                self._episodes = control_client.episodes(score.run_id)
+                if self._args.save is not None:
+                    self._save(control_client, score)
+        except ProctorError as error:
+            self._printer.say(f"proctor: {message_of(error)}")
+        except UsageError as error:
+            self._printer.say(f"proctor: {error}")
+        else:
+            return True
+        return False
+
+    def _save(self, control_client: ControlClient, score: Score) -> None:
         """With --repeat, in a folder of the run."""
         folder = Path(self._args.save)
         if self._args.repeat is not None:
             folder = folder / score.run_id
-        with open_control_client(self._args, self._printer) as control_client:
-            saving.save_result(control_client, score, folder, {"clips": self._clips()})
+        saving.save_result(control_client, score, folder, {"clips": self._clips()})
         self._printer.say(f"Saved: {folder}")
 
     def _clips(self) -> dict[str, Any]:
@@ -264,7 +300,8 @@ class _EvaluationCommand:
 
     def print_score(self, score: Score) -> None:
         value = score.to_dict() | {"clips": self._clips()}
-        self._printer.answer(value, *output.score_tables(score))
+        value["players"] = players_of(self._episodes)
+        self._printer.answer(value, *output.score_tables(score, self._episodes))
         if not score.complete and self._run is not None:
             args = argparse.Namespace(**vars(self._args) | {"episodes": None})
             self._printer.say(
@@ -310,17 +347,18 @@ class _EvaluationCommand:
                     self._args, run_id, takeover=bool(left)
                 )
                 say(f"To continue:\n  {value['resume']}")
-        if self._printer.as_json:
-            self._printer.answer(value)
-        return _EvaluationEnded(code)
+        return _EvaluationEnded(code, value)
 
 
 class _EvaluationEnded(Exception):
-    """The evaluation has no score; that was printed. code: the exit code."""
+    """The evaluation has no score; why is printed. code: the exit code.
 
-    def __init__(self, code: int) -> None:
+    value: the reason as JSON.
+    """
+
+    def __init__(self, code: int, value: dict[str, Any]) -> None:
         super().__init__(code)
-        self.code = code
+        self.code, self.value = code, value
 
 
 class Signals:
@@ -394,12 +432,13 @@ def _plan(
         worker_ids = tuple(
             f"{args.worker_prefix}-{i}" for i in range(args.workers or 1)
         )
-    is_new = args.run_id is None
+    is_new, name = args.run_id is None, _policy_name(args.policy)
     return EvaluationPlan(
         url=args.url,
         token=args.token,
         worker_ids=worker_ids,
-        submission=submission_of(args, _policy_name(args.policy)) if is_new else None,
+        policy=policy_of(args, name),
+        submission=submission_of(args, name) if is_new else None,
         run_id=args.run_id,
         benchmark=args.benchmark,
         takeover=args.takeover,

@@ -17,8 +17,9 @@ from reference_client.protocol.control_client import ControlClient
 EPISODE_COLUMNS = ("episode_id", "index", "task", "split", "status", "attempt")
 RESULT_COLUMNS = (
     *("outcome", "score", "steps", "terminated", "truncated", "faults", "seed"),
-    *("think_s", "finished_at"),
+    *("think_s", "finished_at", "clipped_actions", "total_reward"),
 )
+PLAYER_COLUMNS = ("name", "version", "client")  # of its player
 
 
 def check_folder(folder: str | Path) -> None:
@@ -59,11 +60,14 @@ def save_result(
 def _write_episodes(episodes: list[Episode], path: Path) -> None:
     with path.open("w", newline="") as file:
         writer = csv.writer(file)
-        writer.writerow([*EPISODE_COLUMNS, *RESULT_COLUMNS])
+        players = [f"player_{name}" for name in PLAYER_COLUMNS]
+        writer.writerow([*EPISODE_COLUMNS, *RESULT_COLUMNS, *players])
         for episode in episodes:
             members = to_jsonable_python(episode.to_dict())
             result = members.get("result") or {}
+            player = result.get("player") or {}
             writer.writerow(
                 [members.get(name, "") for name in EPISODE_COLUMNS]
                 + [result.get(name, "") for name in RESULT_COLUMNS]
+                + [player.get(name, "") for name in PLAYER_COLUMNS]
             )

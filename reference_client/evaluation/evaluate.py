@@ -9,13 +9,14 @@ from __future__ import annotations
 import logging
 import sys
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from proctor_client import Assumptions, PolicyInfo, Run, Score
+from proctor_client import Assumptions, Benchmark, Run, Score
 
 from reference_client.api.policy import Policy
 from reference_client.errors import ProctorError, RunFailed, RunStopped, how_to_resume
+from reference_client.evaluation.declared_policy import DeclaredPolicy
 from reference_client.evaluation.parameters import (
     EvaluationPlan,
     parse_strictly,
@@ -57,6 +58,10 @@ def evaluate(
     takeover: bool = False,
     assumes: Mapping[str, Any] | None = None,
     name: str | None = None,
+    version: str | None = None,
+    any_policy: bool = False,
+    tasks: Sequence[str] | None = None,
+    splits: Sequence[str] | None = None,
     images: Mapping[str, Any] | None = None,
     idle_timeout_s: float | None = None,
     options: Mapping[str, Any] | None = None,
@@ -73,11 +78,11 @@ def evaluate(
     run_id: continue this run instead. It is resumed if it is stopped or failed.
     workers: number of episodes played at a time, each in a thread.
     worker_prefix: of the worker ids; must differ between programs that share a run.
-    takeover: take over the sessions of a crashed program's workers immediately, with
-        their episodes, instead of waiting until their leases expire.
+    takeover: take over the sessions of a crashed program's workers, and do not wait.
     assumes: conventions that the policy assumes, as in schema Assumptions.
-    name: name of the policy; that of its class when absent.
-    images, idle_timeout_s, options: of a new run, as in schema SubmitRun.
+    name, version: of the policy, which finishes the run; else the name of its class.
+    tasks, splits: of the episodes that are played; the run is then of that part.
+    images, idle_timeout_s, options, any_policy: of a new run, as in schema SubmitRun.
     retry_timeout_s: how long an unreachable server is retried, seconds.
     progress: called in this thread at every change. Without it, progress is one line
         on stderr if that is a terminal.
@@ -86,31 +91,27 @@ def evaluate(
 
     Raises ProctorError (RunFailed and RunStopped when the run ends without a score),
     ValueError for invalid arguments, and whatever the policy raises. The run remains;
-    `run_id` continues it, and `takeover` the episodes in play, at their step: only a
-    lease that ends costs an attempt. A ProctorError that a program does not catch ends
-    it with its text alone, or with PROCTOR_DEBUG=1 with the traceback.
+    `run_id` continues it, and `takeover` the episodes in play, at their step. An
+    uncaught ProctorError ends the program with its text; PROCTOR_DEBUG=1 adds more.
     """
+    declared = DeclaredPolicy(_name_of(policy), name, version)
+    chosen: dict[str, Any] = {"images": images, "tasks": tasks, "splits": splits}
+    chosen |= {"idle_timeout_s": idle_timeout_s, "any_policy": any_policy}
+    chosen["options"] = options
     plan = EvaluationPlan(
         url=url,
         token=find_token(url, token),
         worker_ids=tuple(f"{worker_prefix}-{i}" for i in range(workers)),
+        policy=declared,
         submission=None
         if benchmark is None or run_id is not None
-        else submission(
-            benchmark,
-            PolicyInfo(name=name or _name_of(policy)),
-            images=images,
-            options=options,
-            idle_timeout_s=idle_timeout_s,
-        ),
+        else submission(benchmark, declared.info, **chosen),
         run_id=run_id,
         benchmark=benchmark,
         takeover=takeover,
         assumes=parse_strictly(Assumptions, "assumes", assumes),
         retry_timeout_s=retry_timeout_s,
-        check_benchmark=policy.check
-        if isinstance(policy, PolicyServerClient | LerobotPolicies)
-        else None,
+        check_benchmark=_check_of(policy),
         episodes=episodes,
         dry_turn=dry_turn,
     )
@@ -176,16 +177,19 @@ def run_evaluation(
         )
         control_client = ControlClient(connection.control, retry_policy)
         try:
-            control_client.check_service(workers)
-            run, benchmark = plan.open(
+            service = control_client.check_service(workers)
+            run, benchmark, player = plan.open(
                 control_client,
+                service,
                 lambda: worker_pool.prepare(plan.worker_ids),
                 worker_pool.play_dry_turn,
             )
             on_run(run)
             board.max_attempts = plan.max_attempts(benchmark)
             run_workers = worker_pool.make_workers(
-                EvaluationContext(plan, run, connection, retry_policy, board, benchmark)
+                EvaluationContext(
+                    plan, run, connection, retry_policy, board, benchmark, player
+                )
             )
             score = EvaluationRounds(
                 run,
@@ -211,6 +215,13 @@ def _how_to_continue(run: Run, board: StatusBoard) -> str:
         f"{describe_left(left, board.max_attempts)}." for left in board.left.values()
     ]
     return "\n".join([*waiting, f"Run {run.run_id} remains on the server; {how}."])
+
+
+def _check_of(policy: Callable[[], Policy]) -> Callable[[Benchmark], None] | None:
+    """What compares a policy with a benchmark, where it knows what it needs."""
+    if isinstance(policy, PolicyServerClient | LerobotPolicies):
+        return policy.check
+    return None
 
 
 def _name_of(policy: Callable[[], Policy]) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
@@ -16,17 +16,25 @@ from proctor_client import (
     Assumptions,
     Benchmark,
     CalibrationOptions,
+    EpisodeSelection,
     ImageChoice,
+    Player,
     PolicyInfo,
     PolicyServer,
     Run,
     RunMode,
+    Service,
     SubmitRun,
 )
 from pydantic import ValidationError
 from pydantic_core import to_jsonable_python
 
 from reference_client.errors import ProctorError
+from reference_client.evaluation.declared_policy import (
+    DeclaredPolicy,
+    check_offered,
+    declare_player,
+)
 from reference_client.protocol.control_client import ControlClient
 
 # The pattern of the parameter WorkerId: a refusal would leave an unused run behind.
@@ -39,6 +47,7 @@ Model = TypeVar("Model", Assumptions, CalibrationOptions, ImageChoice, PolicySer
 class EvaluationPlan:
     """A run, new or existing, and the workers that play it.
 
+    policy: what the workers play.
     submission: of a new run, or None for the run `run_id`, which must be of `benchmark`
         if that is given.
     worker_ids: one worker each.
@@ -52,6 +61,7 @@ class EvaluationPlan:
     url: str
     token: str | None
     worker_ids: tuple[str, ...]
+    policy: DeclaredPolicy
     submission: SubmitRun | None = None
     run_id: str | None = None
     benchmark: str | None = None
@@ -83,17 +93,19 @@ class EvaluationPlan:
     def open(
         self,
         control_client: ControlClient,
+        service: Service,
         prepare: Callable[[], None],
         play_dry_turn: Callable[[dict[str, Any]], None],
-    ) -> tuple[Run, dict[str, Any] | None]:
+    ) -> tuple[Run, dict[str, Any] | None, Player | None]:
         """Submit or resume the run; `prepare`, which loads the policies, comes before.
 
         So a policy that fails to load, or in the dry turn, leaves no run behind. What
         the server would refuse is checked before policies are loaded. Returns the run,
-        and its benchmark as JSON, if the server has it.
+        its benchmark as JSON, if the server has it, and what the workers declare.
         """
         if self.run_id is None:
             assert self.submission is not None
+            check_offered(self.submission, service)
             benchmark = control_client.check(self.submission.benchmark_id)
             if self.check_benchmark is not None:
                 self.check_benchmark(benchmark)
@@ -101,8 +113,11 @@ class EvaluationPlan:
             described = _as_json(benchmark)
             if self.dry_turn:
                 play_dry_turn(described)
-            return control_client.submit(self.submission), described
+            run = control_client.submit(self.submission)
+            player = declare_player(self.policy, run, service, control_client)
+            return run, described, player
         run = control_client.read(self.run_id)
+        player = declare_player(self.policy, run, service, control_client)
         if self.benchmark not in (None, run.benchmark_id):
             raise ValueError(
                 f"run {self.run_id} is of benchmark {run.benchmark_id!r}, "
@@ -113,7 +128,7 @@ class EvaluationPlan:
             self.check_benchmark(known)
         prepare()
         resumed = control_client.resume_if_needed(self.run_id)
-        return resumed, None if known is None else _as_json(known)
+        return resumed, None if known is None else _as_json(known), player
 
     def max_attempts(self, benchmark: dict[str, Any] | None) -> int | None:
         """Of an episode; None where it cannot be known."""
@@ -150,6 +165,9 @@ def submission(
     idle_timeout_s: float | None = None,
     max_workers: int | None = None,
     policy_server: Mapping[str, Any] | None = None,
+    any_policy: bool = False,
+    tasks: Sequence[str] | None = None,
+    splits: Sequence[str] | None = None,
 ) -> SubmitRun:
     """A new run, in mode `push` if `policy_server` is given; ValueError if invalid."""
     try:
@@ -162,9 +180,23 @@ def submission(
             options=parse_strictly(CalibrationOptions, "options", options),
             mode=None if policy_server is None else RunMode.PUSH,
             policy_server=parse_strictly(PolicyServer, "policy_server", policy_server),
+            any_policy=any_policy or None,
+            select=_selection(tasks, splits),
         )
     except ValidationError as error:
         raise ValueError(_fault_texts(error)) from error
+
+
+def _selection(
+    tasks: Sequence[str] | None, splits: Sequence[str] | None
+) -> EpisodeSelection | None:
+    """The part of the benchmark; None is all of it."""
+    if tasks is None and splits is None:
+        return None
+    return EpisodeSelection(
+        tasks=None if tasks is None else [*tasks],
+        splits=None if splits is None else [*splits],
+    )
 
 
 # Type of a fault → what to say in place of the library's sentence and pattern.

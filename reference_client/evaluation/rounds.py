@@ -43,6 +43,9 @@ class RunWorker(Protocol):
     def leave_session(self) -> None:
         """Give up the session, even while `play` is still running."""
 
+    def end_session(self) -> None:
+        """End the session after `play`, so that others play its episode at once."""
+
 
 @dataclass
 class EvaluationRounds:
@@ -145,6 +148,7 @@ class EvaluationRounds:
             if isinstance(error, ProctorError) and error.code in _WORKER_ENDING_CODES:
                 # Its episode returns to the queue, and another worker plays it.
                 self._ended_workers[worker.worker_id] = error
+                worker.end_session()
                 self.say(error.detail)
             else:
                 self._failures.append(error)

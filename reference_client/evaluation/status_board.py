@@ -97,6 +97,10 @@ class StatusBoard:
         """A worker has left its session to the lease."""
         self.left[left.worker_id] = left
 
+    def on_ended(self, worker_id: str) -> None:
+        """The session of a worker has ended, also one that it had left."""
+        self.left.pop(worker_id, None)
+
     def pop_notes(self) -> list[str]:
         """The warnings since the last call."""
         with self._lock:

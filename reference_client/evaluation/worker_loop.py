@@ -94,6 +94,12 @@ class WorkerLoop:
     def request_stop(self) -> None:
         """Nothing to do: every wait ends with the event `stop` of the retry policy."""
 
+    def end_session(self) -> None:
+        """End a session that was left: the evaluation goes on without this worker."""
+        if self._session is not None:
+            self._session.end()
+            self._board.on_ended(self.worker_id)
+
     def leave_session(self) -> None:
         """Give up the session; also called by a thread that does not wait for `play`.
 

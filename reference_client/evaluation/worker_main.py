@@ -18,7 +18,7 @@ from collections.abc import Callable
 from dataclasses import asdict
 from typing import Any, TextIO
 
-from proctor_client import Assumptions, Run
+from proctor_client import Assumptions, Player, Run
 
 from reference_client.api.action_layout import ActionLayout, ClipCount
 from reference_client.api.policy import Policy
@@ -166,7 +166,12 @@ def _worker(
     assert run is not None
     connection = Connection(order["url"], order["token"], requests=3)
     return WorkerLoop(
-        WorkerSlot(connection.data(run.endpoint), run, worker_id),
+        WorkerSlot(
+            connection.data(run.endpoint),
+            run,
+            worker_id,
+            Player.from_dict(order["player"]) if order["player"] else None,
+        ),
         policy,
         RetryPolicy(
             connection.url,

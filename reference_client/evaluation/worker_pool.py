@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from proctor_client import Run
+from proctor_client import Player, Run
 
 from reference_client.api.action_layout import ActionLayout
 from reference_client.api.policy import Policy
@@ -29,6 +29,7 @@ class EvaluationContext:
     """The run to play, and what its workers need.
 
     benchmark: as JSON; None if the server does not have it any more.
+    player: what the workers declare, where the server reads it.
     """
 
     plan: EvaluationPlan
@@ -37,6 +38,7 @@ class EvaluationContext:
     retry_policy: RetryPolicy
     board: StatusBoard
     benchmark: dict[str, Any] | None
+    player: Player | None
 
     @property
     def layout(self) -> ActionLayout | None:
@@ -45,7 +47,8 @@ class EvaluationContext:
         return ActionLayout.of(self.run.benchmark_id, self.benchmark["action_space"])
 
     def slot(self, worker_id: str) -> WorkerSlot:
-        return WorkerSlot(self.connection.data(self.run.endpoint), self.run, worker_id)
+        data = self.connection.data(self.run.endpoint)
+        return WorkerSlot(data, self.run, worker_id, self.player)
 
 
 class WorkerPool(Protocol):

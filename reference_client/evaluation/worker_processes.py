@@ -141,6 +141,7 @@ class WorkerProcess:
                 "retry_timeout_s": plan.retry_timeout_s,
                 "benchmark": context.benchmark,
                 "episodes": plan.episodes,
+                "player": context.player and context.player.to_dict(),
             }
         )
         self.is_playing = True
@@ -171,6 +172,12 @@ class WorkerProcess:
     def leave_session(self) -> None:
         """Kill the process, which has not left its session: it ends with its lease."""
         self.process.kill()
+
+    def end_session(self) -> None:
+        """Detach: the process has ended, or has left its session."""
+        self._detach()
+        if self._context is not None:
+            self._context.board.on_ended(self.worker_id)
 
     def end(self, deadline: float) -> None:
         """Wait for the process until `deadline` (monotonic clock), then kill it."""
@@ -213,7 +220,6 @@ class WorkerProcess:
 
     def _handle_death(self) -> ProctorError:
         code = self.process.wait()
-        self._detach()
         how = f"exit code {code}"
         if code < 0:
             how = signal.Signals(-code).name

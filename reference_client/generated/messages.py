@@ -36,6 +36,26 @@ class EpisodeResult(Struct):
         float, Meta(description="Time between turns that the policy took.", ge=0.0)
     ]
     finished_at: str
+    player: PlayerView | UnsetType = UNSET
+    clipped_actions: (
+        Annotated[
+            int,
+            Meta(
+                description="Actions of the attempt with a number outside of a range that is declared `clip`; for the profile `attribution`.",
+                ge=0,
+            ),
+        ]
+        | UnsetType
+    ) = UNSET
+    total_reward: (
+        Annotated[
+            float,
+            Meta(
+                description="Sum of the rewards of the attempt, its return; for the profile `attribution`."
+            ),
+        ]
+        | UnsetType
+    ) = UNSET
 
 
 class EpisodeView(Struct):
@@ -89,6 +109,16 @@ class Observation(Struct):
 
 
 Outcome: TypeAlias = Literal["success", "failure", "abandoned"]
+
+
+class PlayerView(Struct):
+    """
+    The `player` of an `attach_worker`.
+    """
+
+    name: str
+    version: str | UnsetType = UNSET
+    client: str | UnsetType = UNSET
 
 
 ShapeItem: TypeAlias = Annotated[int, Meta(ge=0)]

@@ -19,7 +19,7 @@ from typing import Any, SupportsFloat, cast
 
 import gymnasium
 import msgspec
-from proctor_client import Assumptions, Observe, PolicyInfo, Run
+from proctor_client import Assumptions, Observe, Player, Run
 from pydantic_core import to_jsonable_python
 
 from reference_client.api.observation import (
@@ -29,6 +29,7 @@ from reference_client.api.observation import (
 )
 from reference_client.api.policy import chunk_of
 from reference_client.errors import ProctorError
+from reference_client.evaluation.declared_policy import DeclaredPolicy, declare_player
 from reference_client.evaluation.parameters import parse_strictly, submission
 from reference_client.generated.messages import Turn
 from reference_client.gymnasium_env import spaces
@@ -83,7 +84,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         options: Mapping[str, Any] | None = None,
         images: Mapping[str, Any] | None = None,
         idle_timeout_s: float | None = None,
-        name: str = "RemoteEnv",
+        name: str | None = None,
         worker_id: str = "env-0",
         takeover: bool = False,
         assumes: Mapping[str, Any] | None = None,
@@ -114,14 +115,16 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
             connection.url, retry_timeout_s, threading.Event(), lambda _why: None
         )
         self._control_client = ControlClient(connection.control, self._retry_policy)
-        self._control_client.check_service(1)
+        service = self._control_client.check_service(1)
+        self._service, self._policy = service, DeclaredPolicy("RemoteEnv", name)
         if run_id is not None:
+            self._declare(self._control_client.read(run_id))
             self._run = self._control_client.resume_if_needed(run_id)
             benchmark = self._run.benchmark_id
         manifest = self._control_client.benchmark(str(benchmark))
         self._submission = submission(
             manifest.benchmark_id,
-            PolicyInfo(name=name),
+            self._policy.info,
             images=images,
             options=options,
             idle_timeout_s=idle_timeout_s,
@@ -135,6 +138,9 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
     def run_id(self) -> str | None:
         """The id of the run; None before the first `reset` of a new one."""
         return None if self._run is None else self._run.run_id
+
+    def _declare(self, run: Run) -> Player | None:
+        return declare_player(self._policy, run, self._service, self._control_client)
 
     def score(self) -> dict[str, Any]:
         """The run's score so far, as schema Score. RuntimeError before the first."""
@@ -244,7 +250,8 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
     def _attach(self, run: Run) -> None:
         if run.endpoint not in self._planes:  # shared by all sessions and runs
             self._planes[run.endpoint] = self._connection.data(run.endpoint)
-        slot = WorkerSlot(self._planes[run.endpoint], run, self._worker_id)
+        plane = self._planes[run.endpoint]
+        slot = WorkerSlot(plane, run, self._worker_id, self._declare(run))
         session = Session.attach(
             slot, self._retry_policy, takeover=self._takeover, assumes=self._assumes
         )

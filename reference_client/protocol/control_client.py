@@ -18,6 +18,7 @@ from proctor_client import (
     Episode,
     Run,
     Score,
+    Service,
     StopMode,
     StopRun,
     SubmitRun,
@@ -44,8 +45,8 @@ class ControlClient:
         self._control = control
         self._retry_policy = retry_policy
 
-    def check_service(self, workers: int) -> None:
-        """Check that the server is reachable and allows this number of workers."""
+    def check_service(self, workers: int) -> Service:
+        """What the server says of itself; checks that it allows so many workers."""
         first = replace(
             self._retry_policy, total_s=min(FIRST_CONTACT_S, self._retry_policy.total_s)
         )
@@ -58,6 +59,7 @@ class ControlClient:
                 f"{workers} workers requested; {self._retry_policy.url} allows "
                 f"{service.limits.max_workers} per run.",
             )
+        return service
 
     def benchmarks(self) -> list[BenchmarkSummary]:
         return self._retry_policy.call(

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Self
 
-from proctor_client import Assumptions, AttachWorker, Heartbeat, Observe, Run
+from proctor_client import Assumptions, AttachWorker, Heartbeat, Observe, Player, Run
 
 from reference_client.api.policy import WireAction
 from reference_client.errors import ProctorError, from_failure
@@ -34,11 +34,12 @@ SESSION_END_CODES = frozenset({"session_ended", "session_superseded"})
 
 @dataclass(frozen=True, slots=True)
 class WorkerSlot:
-    """A worker of a run, and the data plane to use."""
+    """A worker of a run, the data plane to use, and what the worker declares."""
 
     data: DataPlane
     run: Run
     worker_id: str
+    player: Player | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +82,10 @@ class Session:
     ) -> Self:
         """Waits while the run is at its worker limit, or an earlier session lives."""
         request = AttachWorker(
-            attach_key=uuid.uuid4().hex, takeover=takeover, assumes=assumes
+            attach_key=uuid.uuid4().hex,
+            takeover=takeover,
+            assumes=assumes,
+            player=slot.player,
         )
         run = slot.run
         turn = retry_policy.call(
@@ -150,6 +154,11 @@ class Session:
         """
         if self._ended:
             return
+        self._ended = True
+        detach(self._slot, self._retry_policy.url, self.turn.session_id)
+
+    def end(self) -> None:
+        """End the session also if it was left to its lease; never raises."""
         self._ended = True
         detach(self._slot, self._retry_policy.url, self.turn.session_id)
 

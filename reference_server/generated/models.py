@@ -60,6 +60,7 @@ class AttachWorker(BaseModel):
         Field(description="Fence out a live session; false when absent."),
     ] = MISSING
     assumes: Assumptions | MISSING = MISSING
+    player: Player | MISSING = MISSING
 
 
 class Benchmark(BaseModel):
@@ -296,6 +297,34 @@ class EpisodeResult(BaseModel):
         float, Field(description="Time between turns that the policy took.", ge=0.0)
     ]
     finished_at: str
+    player: PlayerView | MISSING = MISSING
+    clipped_actions: Annotated[
+        int | MISSING,
+        Field(
+            description="Actions of the attempt with a number outside of a range that is declared `clip`; for the profile `attribution`.",
+            ge=0,
+        ),
+    ] = MISSING
+    total_reward: Annotated[
+        float | MISSING,
+        Field(
+            description="Sum of the rewards of the attempt, its return; for the profile `attribution`."
+        ),
+    ] = MISSING
+
+
+class EpisodeSelection(BaseModel):
+    """
+    The part of a benchmark that is played, all of it where a member is absent; for the profile `subsets`.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    tasks: Annotated[list[Task] | MISSING, Field(max_length=1000, min_length=1)] = (
+        MISSING
+    )
+    splits: Annotated[list[Split] | MISSING, Field(max_length=1000, min_length=1)] = (
+        MISSING
+    )
 
 
 EpisodeStatus = TypeAliasType(
@@ -508,6 +537,40 @@ class OutcomeCounts(BaseModel):
     failure: int
     abandoned: int
     unscored: int
+
+
+class Player(BaseModel):
+    """
+    Who plays, by its own words; for the profile `attribution`.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    name: Annotated[
+        str,
+        Field(
+            description="Of the policy, as in `policy` of the run.",
+            max_length=200,
+            min_length=1,
+        ),
+    ]
+    version: Annotated[
+        str | MISSING, Field(description="Of the policy.", max_length=200)
+    ] = MISSING
+    client: Annotated[
+        str | MISSING,
+        Field(description="The program that attaches and its version.", max_length=200),
+    ] = MISSING
+
+
+class PlayerView(BaseModel):
+    """
+    The `player` of an `attach_worker`.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    name: str
+    version: str | MISSING = MISSING
+    client: str | MISSING = MISSING
 
 
 class PolicyDescription(BaseModel):
@@ -776,6 +839,13 @@ class Run(BaseModel):
         ),
     ] = MISSING
     policy_server: PolicyServerView | MISSING = MISSING
+    any_policy: Annotated[
+        bool | MISSING,
+        Field(
+            description="Whether workers may play for another policy than `policy`; for the profile `attribution`."
+        ),
+    ] = MISSING
+    select: SelectionView | MISSING = MISSING
     max_workers: int
     idle_timeout_s: float
     images: ImageChoice
@@ -833,6 +903,7 @@ class Score(BaseModel):
     run_id: str
     benchmark_id: str
     manifest_sha256: Sha256
+    select: SelectionView | MISSING = MISSING
     state: RunState
     complete: bool
     score: Annotated[float | None, Field(description="Null until complete.")]
@@ -845,6 +916,16 @@ class Score(BaseModel):
     mean_interval: Interval
     by_task: dict[str, GroupScore]
     by_split: dict[str, GroupScore]
+
+
+class SelectionView(BaseModel):
+    """
+    The `select` of a run, as it was submitted.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    tasks: list[str] | MISSING = MISSING
+    splits: list[str] | MISSING = MISSING
 
 
 class Service(BaseModel):
@@ -907,6 +988,9 @@ class SimulatorInfo(BaseModel):
     ] = MISSING
 
 
+Split = TypeAliasType("Split", Annotated[str, Field(max_length=200)])
+
+
 StopMode = TypeAliasType(
     "StopMode",
     Annotated[Literal["abort", "drain"], Field(description="`abort` when absent.")],
@@ -942,9 +1026,19 @@ class SubmitRun(BaseModel):
     options: CalibrationOptions | MISSING = MISSING
     mode: RunMode | MISSING = MISSING
     policy_server: PolicyServer | MISSING = MISSING
+    any_policy: Annotated[
+        bool | MISSING,
+        Field(
+            description="Workers may play for another policy than `policy`; false when absent; for the profile `attribution`."
+        ),
+    ] = MISSING
+    select: EpisodeSelection | MISSING = MISSING
 
 
 SuccessRule = TypeAliasType("SuccessRule", Literal["any_step", "last_step"])
+
+
+Task = TypeAliasType("Task", Annotated[str, Field(max_length=200)])
 
 
 class Tensor(BaseModel):

@@ -78,6 +78,13 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "title": "The worker has a live session",
         "act": "Wait until its lease ends, or attach with `takeover`.",
     },
+    "policy_mismatch": {
+        "status": 409,
+        "retryable": False,
+        "side_effects": "none",
+        "title": "The run is of another policy",
+        "act": "Submit a run for this policy, or one with `any_policy` for several.",
+    },
     "convention_mismatch": {
         "status": 409,
         "retryable": False,

@@ -42,6 +42,7 @@ PAGE = 100  # RUN-025: items on a page when no limit is sent
 # RUN-032: `push` is always among them, and so are its members of a submit.
 PROFILES: tuple[models.Profile, ...] = (
     *("core", "msgpack", "compare", "events", "push", "limits"),
+    *("attribution", "subsets"),
 )
 
 
@@ -279,6 +280,7 @@ class Handlers:
             body["attach_key"],
             body.get("takeover", False),
             body.get("assumes"),
+            player=body.get("player"),
         )
         return call.answer(
             await self.service.attach_worker(call.account, call.path["run_id"], command)

@@ -61,6 +61,18 @@ def clip_actions(
     ]
 
 
+def count_clipped(
+    sent: Sequence[Values], clipped: Sequence[Values], executed: int
+) -> int:
+    """How many of the first `executed` actions `clip_actions` has changed (ATR-004)."""
+    if clipped is sent:
+        return 0
+    return sum(
+        any(before[name] != vector for name, vector in after.items())
+        for before, after in zip(sent[:executed], clipped[:executed], strict=True)
+    )
+
+
 def convention_errors(
     assumes: Mapping[str, Any], manifest: Mapping[str, Any]
 ) -> SpaceErrors:

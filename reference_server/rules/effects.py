@@ -31,12 +31,14 @@ SERVER_LEASE_S = 86_400.0
 class ChunkOutcome(Protocol):
     """What the rules read of the simulator's reply to a chunk.
 
-    executed: how many of its actions. ended: the episode has ended. The others are of
-    the episode after the last executed action.
+    executed: how many of its actions. rewards: of each of these. ended: the episode has
+    ended. The others are of the episode after the last executed action.
     """
 
     @property
     def executed(self) -> int: ...
+    @property
+    def rewards(self) -> Sequence[float]: ...
     @property
     def ended(self) -> bool: ...
     @property
@@ -88,10 +90,15 @@ def open_session(run: Run, command: Attach, session_id: str, now: float) -> Sess
         expires_at=now + idle_timeout_s,
         busy="opening",
         max_attempts=command.max_attempts,
+        player=command.player,
+        attempt_player=command.player,
     )
     if old is not None and not old.done:
         session.episode, session.instruction = old.episode, old.instruction
         session.steps, session.think_s = old.steps, old.think_s
+        session.clipped, session.reward = old.clipped, old.reward
+        if old.attempt_player != command.player:  # ATR-003
+            session.attempt_player = None
     else:
         session.episode = run.take_pending()
     session.done = session.episode is None  # ATT-012
@@ -115,9 +122,15 @@ def begin_turn(session: Session, command: Predict, now: float) -> None:
 
 
 def end_turn(
-    run: Run, session: Session, played: ChunkOutcome, now_wall: float
+    run: Run,
+    session: Session,
+    played: ChunkOutcome,
+    now_wall: float,
+    clipped: int = 0,
 ) -> Episode | None:
     """Account for an executed chunk. Returns the episode it ended, if it did.
+
+    clipped: how many of its executed actions were clipped (ATR-004).
 
     Then `session.episode` is the next one, or the session is done (PRED-008, PRED-009).
     In a stopping run the episode is played to its end and scored (STOP-003).
@@ -125,10 +138,14 @@ def end_turn(
     session.busy = "turning"
     if not played.ended:
         session.steps += played.executed
+        session.clipped += clipped
+        session.reward += sum(played.rewards)
         return None
     episode = _episode_of(session)
-    _record_result(run, episode, result_of(session, played, now_wall))
-    session.steps, session.think_s = 0, 0.0
+    _record_result(run, episode, result_of(session, played, now_wall, clipped))
+    _forget_attempt(session)
+    session.think_s = 0.0
+    session.attempt_player = session.player
     # STOP-004: a stopping run hands out nothing any more.
     session.episode = run.take_pending() if may_hand_out(run) else None
     if session.episode is None:
@@ -137,7 +154,9 @@ def end_turn(
     return episode
 
 
-def result_of(session: Session, played: ChunkOutcome, now_wall: float) -> Result:
+def result_of(
+    session: Session, played: ChunkOutcome, now_wall: float, clipped: int = 0
+) -> Result:
     """The result that `end_turn` gives the session's episode, which has ended."""
     return Result(
         outcome="success" if played.success else "failure",
@@ -148,6 +167,9 @@ def result_of(session: Session, played: ChunkOutcome, now_wall: float) -> Result
         truncated=played.truncated,
         think_s=session.think_s,
         finished_at_wall=now_wall,
+        player=session.attempt_player,
+        clipped_actions=session.clipped + clipped,
+        total_reward=session.reward + sum(played.rewards),
     )
 
 
@@ -286,7 +308,7 @@ def record_fault(
     episode = _episode_of(session)
     episode.faults += 1
     run.changed.add(episode.index)
-    session.steps = 0
+    _forget_attempt(session)
     if not unplayable:
         # LIFE-806, LIFE-807, FAULT-010: those before the last resume do not count.
         since_resume = episode.faults - episode.faults_forgiven
@@ -309,6 +331,11 @@ def admit(run: Run, now_wall: float) -> bool:
         return False
     apply_event(run, "capacity")
     return True
+
+
+def _forget_attempt(session: Session) -> None:
+    """What was executed belongs to an attempt that has ended, or begins again."""
+    session.steps, session.clipped, session.reward = 0, 0, 0.0
 
 
 def _episode_of(session: Session) -> Episode:
@@ -365,6 +392,9 @@ def _close_attempt(
         truncated=False,
         think_s=session.think_s,
         finished_at_wall=now_wall,
+        player=session.attempt_player,
+        clipped_actions=session.clipped,
+        total_reward=session.reward,
     )
     _record_result(run, episode, abandoned)
 

@@ -21,7 +21,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias, get_args
 
 from reference_server.rules import action_space
-from reference_server.rules.run import Observe, Run, RunHead, Session, State
+from reference_server.rules.run import Observe, Player, Run, RunHead, Session, State
 
 Event: TypeAlias = Literal[
     "attach_worker",
@@ -105,6 +105,7 @@ class Attach:
     assumes: Mapping[str, Any] | None = None
     by_server: bool = False
     max_attempts: int | None = None  # None for the manifest's
+    player: Player | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -336,6 +337,26 @@ def _conventions_agree(run: Run, command: Attach, _now: float) -> Verdict | None
     )
 
 
+def _player_is_of_the_run(run: Run, command: Attach, _now: float) -> Verdict | None:
+    """ATR-001; ATR-002: a version is compared where both have one."""
+    if run.any_policy or command.player is None:
+        return None
+    policy, player = run.submission["policy"], command.player
+    errors = tuple(
+        (f"/player/{member}", f"the run is of {policy[member]!r}")
+        for member in ("name", "version")
+        if member in player and player[member] != policy.get(member, player[member])
+    )
+    if not errors:
+        return None
+    return Refuse(
+        "policy_mismatch",
+        "The run was submitted for another policy than the one that attaches.",
+        "ATR-001",
+        errors,
+    )
+
+
 def _session_is_live(
     run: Run, command: Predict | Heartbeat, now: float
 ) -> Verdict | None:
@@ -444,6 +465,7 @@ GUARDS: dict[type[Command], tuple[Callable[[Run, Any, float], Verdict | None], .
         _mode_allows_caller,
         _same_attach_key,
         _event_is_legal,
+        _player_is_of_the_run,
         _conventions_agree,
         _worker_is_free,
         _below_worker_limit,

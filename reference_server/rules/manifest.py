@@ -39,6 +39,8 @@ class Manifest(TypedDict):
     version: str
     title: str
     episodes_total: int
+    tasks: Sequence[str]
+    splits: Sequence[str]
     episodes: Sequence[ManifestEpisode]
     control_rate_hz: float
     max_steps: int
@@ -62,3 +64,5 @@ class Submission(TypedDict):
     max_workers: NotRequired[int]
     idle_timeout_s: NotRequired[float]
     policy_server: NotRequired[Mapping[str, Any]]
+    any_policy: NotRequired[bool]
+    select: NotRequired[Mapping[str, list[str]]]

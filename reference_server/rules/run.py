@@ -23,6 +23,7 @@ SessionEnd: TypeAlias = Literal[
 ]
 Observe: TypeAlias = Literal["last", "all"]
 Busy: TypeAlias = Literal["opening", "playing", "turning"]
+Player: TypeAlias = Mapping[str, str]  # schema Player
 
 # How many ended sessions a run remembers, to say why they ended.
 ENDED_SESSIONS_MAX = 256
@@ -30,7 +31,11 @@ ENDED_SESSIONS_MAX = 256
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """The result of one episode; written once and never changed."""
+    """The result of one episode; written once and never changed.
+
+    player: as declared, or None (ATR-003). clipped_actions, total_reward: None in
+    results that were stored without them.
+    """
 
     outcome: Outcome
     score: float
@@ -40,6 +45,9 @@ class Result:
     truncated: bool
     think_s: float
     finished_at_wall: float
+    player: Player | None = None
+    clipped_actions: int | None = None
+    total_reward: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +110,10 @@ class Episode:
 class Session:
     """One attachment of a worker.
 
-    steps: actions executed in the attempt in play.
+    steps, clipped, reward: actions executed in the attempt in play, those of them in
+    which a number was clipped, and the sum of their rewards.
+    player: as this session declared it; attempt_player: of the attempt in play, None
+    when its sessions differ.
     busy: what the server is executing for it; its lease stands still meanwhile.
     max_attempts: of an episode whose attempt ends in it; None for the manifest's.
     request, turn: the last predict and its answer, kept to be repeated.
@@ -117,6 +128,10 @@ class Session:
     episode: Episode | None = None
     instruction: str = ""
     steps: int = 0
+    clipped: int = 0
+    reward: float = 0.0
+    player: Player | None = None
+    attempt_player: Player | None = None
     think_s: float = 0.0
     answered_at: float = 0.0
     seq: int = 0
@@ -162,6 +177,11 @@ class RunHead:
     def is_push(self) -> bool:
         """PUSH-003: whether this server calls the policy; no worker may attach then."""
         return self.submission.get("mode") == "push"
+
+    @property
+    def any_policy(self) -> bool:
+        """ATR-001: whether workers may play for another policy than the run's."""
+        return self.submission.get("any_policy", False)
 
     @property
     def live_sessions(self) -> list[Session]:

@@ -1,4 +1,4 @@
-"""What a submit decides: limits, defaults, idempotency. Pure.
+"""What a submit decides: limits, defaults, the part to play, idempotency. Pure.
 
 Whether the benchmark offers what is chosen is decided in `runs/benchmarks.py`; how a
 policy server may be called, in `push/`.
@@ -6,10 +6,14 @@ policy server may be called, in `push/`.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TypeAlias, cast
 
 from reference_server.rules.lifecycle import Refuse
-from reference_server.rules.manifest import Submission
+from reference_server.rules.manifest import Manifest, Submission
+
+Selection: TypeAlias = Mapping[str, list[str]]  # schema EpisodeSelection
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +61,42 @@ def queue_until(submission: Submission, stored_wall: float, now_wall: float) -> 
     Never longer than its submitter asked for, wherever the clock was set meanwhile.
     """
     return min(stored_wall, now_wall + queue_s(submission))
+
+
+def select_episodes(manifest: Manifest, select: Selection | None) -> Manifest | Refuse:
+    """The manifest with the selected episodes alone, in their order (SUB-001).
+
+    It differs from the benchmark's in its episodes and nothing else, so that the same
+    episodes have the same digest, however they were selected (SUB-004).
+    """
+    if not select:
+        return manifest
+    episodes = manifest["episodes"]
+    wanted = {"task": select.get("tasks"), "split": select.get("splits")}
+    known = {"task": manifest["tasks"], "split": manifest["splits"]}
+    errors = tuple(
+        (f"/select/{member}s", f"{name!r}: there is {', '.join(known[member])}")
+        for member, names in wanted.items()
+        for name in names or ()
+        if name not in known[member]
+    )
+    kept = [
+        episode
+        for episode in episodes
+        if all(
+            names is None or episode[member] in names  # type: ignore[literal-required]
+            for member, names in wanted.items()
+        )
+    ]
+    if not errors and not kept:
+        errors = (("/select", "no episode has such a task and such a split"),)
+    if errors:
+        return Refuse(
+            "invalid_request", "The benchmark has no such part.", "SUB-002", errors
+        )
+    if len(kept) == len(episodes):
+        return manifest
+    return cast("Manifest", {**manifest, "episodes": kept, "episodes_total": len(kept)})
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,9 +13,12 @@ from typing import Any, cast
 
 import msgspec
 
+from reference_server.rules import submission as submission_rules
+from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.manifest import Manifest, Submission
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
+from reference_server.rules.submission import Selection
 from reference_sim import benchmark_registry
 
 CACHED_CONFIGS_MAX = 256
@@ -86,7 +89,9 @@ class Benchmarks:
             raise Refused("benchmark_unavailable", f"{benchmark_id}: {reason}.")
         options, images = submission.get("options"), submission.get("images")
         try:
-            return self._resolved(benchmark_id, options, images)
+            return self._resolved(
+                benchmark_id, options, images, submission.get("select")
+            )
         except benchmark_registry.InvalidChoice as error:  # RUN-007, RUN-017
             raise Refused(
                 "invalid_request",
@@ -99,11 +104,15 @@ class Benchmarks:
         benchmark_id: str,
         options: Mapping[str, Any] | None,
         images: Mapping[str, Any] | None,
+        select: Selection | None = None,
     ) -> ResolvedRun:
         found = benchmark_registry.resolve(
             benchmark_id, options, images, max_chunk=self._max_chunk
         )
-        manifest = cast("Manifest", found.manifest)  # schema Benchmark
+        whole = cast("Manifest", found.manifest)  # schema Benchmark
+        manifest = submission_rules.select_episodes(whole, select)
+        if isinstance(manifest, Refuse):
+            raise Refused.from_verdict(manifest)
         return ResolvedRun(manifest, digest(manifest), found.images)
 
 
@@ -145,7 +154,9 @@ def _simulator_config(run: Run) -> benchmark_registry.SimulatorConfig:
         run.images,
         max_chunk=run.manifest["max_chunk"],
     )
-    if digest(found.manifest) != run.manifest_sha256:
+    whole = cast("Manifest", found.manifest)
+    manifest = submission_rules.select_episodes(whole, submission.get("select"))
+    if isinstance(manifest, Refuse) or digest(manifest) != run.manifest_sha256:
         raise Refused(
             "benchmark_unavailable",
             f"{benchmark_id} has changed since this run was submitted: what it offers "

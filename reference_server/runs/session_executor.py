@@ -222,15 +222,16 @@ class SessionExecutor:
                 seq=seq,
                 think_ms=think_ms,
             )
-            now_wall = time.time()
+            now_wall, executed = time.time(), played.executed
+            clipped = action_space.count_clipped(command.actions, actions, executed)
             if played.ended:
                 self._ensure_live(resources)
-                await self._finish_recording(resources, played, now_wall)
+                await self._finish_recording(resources, played, now_wall, clipped)
         except _FAULTS as error:
             await self._fault(resources, error)
             return await self._begin_turn(resources, started)
         self._ensure_live(resources)
-        ended = effects.end_turn(run, session, played, now_wall)
+        ended = effects.end_turn(run, session, played, now_wall, clipped)
         observation, spent = played.observation, turn_view.timing(0.0, played.timing)
         if ended is not None:
             # The result is on disk before any response shows it (CRASH-001).
@@ -313,13 +314,17 @@ class SessionExecutor:
         return plan
 
     async def _finish_recording(
-        self, resources: SessionResources, played: ChunkReply, now_wall: float
+        self,
+        resources: SessionResources,
+        played: ChunkReply,
+        now_wall: float,
+        clipped: int,
     ) -> None:
         """The recording is complete on disk before its result counts."""
         session, episode = resources.session, resources.session.episode
         if self._recordings is None or episode is None:
             return
-        result = effects.result_of(session, played, now_wall)
+        result = effects.result_of(session, played, now_wall, clipped)
         recording = await self._recordings.finish(resources.run, episode, result)
         self._ensure_live(resources)
         episode.recording, resources.recorded = recording, None

@@ -58,6 +58,9 @@ def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> dict[st
     )
     if run.attempts_by_submitter is not None:
         view.attempts_by_submitter = run.attempts_by_submitter
+    view.any_policy = run.any_policy  # ATR-005
+    if (select := run.submission.get("select")) is not None:  # SUB-003
+        view.select = models.SelectionView(**select)
     if run.is_push:
         view.policy_server = PolicyServerConfig.from_run(run).view()
     return view.model_dump()
@@ -67,7 +70,7 @@ def result_view(episode: Episode) -> dict[str, Any]:
     """Schema EpisodeResult of a scored episode."""
     result = episode.result
     assert result is not None
-    return models.EpisodeResult(
+    view = models.EpisodeResult(
         episode_id=episode.episode_id,
         index=episode.index,
         task=episode.task,
@@ -82,7 +85,14 @@ def result_view(episode: Episode) -> dict[str, Any]:
         truncated=result.truncated,
         think_s=result.think_s,
         finished_at=timestamp(result.finished_at_wall),
-    ).model_dump()
+    )
+    if result.player is not None:  # ATR-003
+        view.player = models.PlayerView(**result.player)
+    if result.clipped_actions is not None:  # ATR-004
+        view.clipped_actions = result.clipped_actions
+    if result.total_reward is not None:  # ATR-006
+        view.total_reward = result.total_reward
+    return view.model_dump()
 
 
 def episode_view(episode: Episode) -> dict[str, Any]:
@@ -145,10 +155,12 @@ def scored_episodes(episodes: Sequence[Episode]) -> list[ScoredEpisode]:
 
 def score_view(run: RunHead, episodes: Sequence[Episode]) -> dict[str, Any]:
     """Schema Score, of all episodes of the run (SCORE-014)."""
+    select = run.submission.get("select")
     return {
         "run_id": run.run_id,
         "benchmark_id": run.manifest["benchmark_id"],
         "manifest_sha256": run.manifest_sha256,
+        **({} if select is None else {"select": select}),  # SUB-003
         "state": run.state,
         **score_of(scored_episodes(episodes)),
     }

@@ -27,6 +27,7 @@ from reference_client.policies.policy_http_app import PolicyApp, Refusal
 from tests.support.client import policy_apps
 from tests.support.client.policy_apps import ACTION, KEY, CountingPolicy, make_app
 from tests.support.paths import ROOT
+from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.slow("starts policy servers and kits")
 
@@ -272,6 +273,28 @@ def test_a_benchmark_of_ones_own_is_played(tmp_path: Path) -> None:
     assert failed == ["POL-005"]
 
 
+def test_a_benchmark_is_read_from_a_server_by_its_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Expect the kit to play it, to name what a server does not have, and to ask for
+    a token."""
+    with (
+        ReferenceServer(tmp_path) as server,
+        policy_apps.run_app(make_app().app) as url,
+    ):
+        flags = ["--server", server.url, "--only", "POL-005", "--benchmark"]
+        monkeypatch.setenv("PROCTOR_TOKEN", TOKENS["alice"])
+        code, rows = run_policy_kit(url, tmp_path, *flags, "calibration")
+        assert (code, rows["POL-005"]) == (0, "passed")
+        code, rows = run_policy_kit(url, tmp_path, *flags, "tabletop_state")
+        assert (code, rows["POL-005"]) == (2, "not_verified")
+        code, found = run_policy_kit(url, tmp_path, *flags, "tabletopp")
+        assert (code, "has no such benchmark" in found["problem"]) == (2, True)
+        monkeypatch.delenv("PROCTOR_TOKEN")
+        code, found = run_policy_kit(url, tmp_path, *flags, "calibration")
+        assert (code, "set PROCTOR_TOKEN" in found["problem"]) == (2, True)
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
@@ -279,6 +302,13 @@ def test_a_benchmark_of_ones_own_is_played(tmp_path: Path) -> None:
         (["ftp://127.0.0.1"], "not an http or https URL"),
         (["http://127.0.0.1:1", "--only", "PRED"], "no rule id starts with PRED"),
         (["http://127.0.0.1:1", "--benchmark", "nowhere.json"], "nowhere.json"),
+        (
+            [
+                "http://127.0.0.1:1",
+                *("--benchmark", "tabletop", "--server", "http://127.0.0.1:1"),
+            ],
+            "no description from http://127.0.0.1:1",
+        ),
     ],
 )
 def test_what_cannot_be_judged_ends_with_2(

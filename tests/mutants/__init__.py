@@ -67,12 +67,14 @@ def load() -> dict[str, Mutant]:
         invalid_requests,
         lifecycle,
         long_lists,
+        players,
         push,
         record,
         restarts,
         sessions,
         shown_members,
         simulators,
+        subsets,
         turns,
     )
 

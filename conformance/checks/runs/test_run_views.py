@@ -12,7 +12,7 @@ from conformance.checks.support.given_states import (
     without,
 )
 from conformance.checks.support.long_run import EPISODES, long_run
-from conformance.checks.support.submissions import submit
+from conformance.checks.support.submissions import find_listed, submit
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
 from conformance.runner.requirement import background, on_long_run, requirement
@@ -22,7 +22,6 @@ from conformance.verdicts.expect import SetUpFailed
 # Between two answers a run may leave the queue by itself.
 _CHANGES_BY_ITSELF = ("state", "queue_position", "updated_at")
 _CLOCK_TOLERANCE = timedelta(seconds=1)
-_PAGES_MAX = 10
 # Every short escape of JSON, a control character, and letters of every length in UTF-8.
 _NAME = '\b\f\n\r\t/\\"\x01 r\u00e9gie re\u0301gie \u673a\u5668\u4eba \U0001f916 '
 
@@ -95,22 +94,6 @@ def test_run_018_shows_what_was_submitted(context: CheckContext) -> None:
     for step in (run.worker().attach, run.stop, run.resume):
         step()
         expect_shown(expect.ok(run.call("get_run")), chosen, "later")
-
-
-def find_listed(context: CheckContext, ids: set[str]) -> dict[str, dict[str, Any]]:
-    """Find runs in the pages of `list_runs`, newest first."""
-    found: dict[str, dict[str, Any]] = {}
-    params: dict[str, Any] = {"limit": 100}
-    for _ in range(_PAGES_MAX):
-        page = expect.ok(context.call("list_runs", params=params))
-        found |= {r["run_id"]: r for r in page["runs"] if r["run_id"] in ids}
-        if ids <= set(found) or page["next_cursor"] is None:
-            break
-        params["cursor"] = page["next_cursor"]
-    missing = ids - set(found)
-    if missing:
-        raise SetUpFailed(f"`list_runs` does not show {missing}; see RUN-009")
-    return found
 
 
 @requirement("RUN-019")

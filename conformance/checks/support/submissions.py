@@ -4,7 +4,12 @@ import uuid
 from typing import Any
 
 from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
+from conformance.verdicts import expect
+from conformance.verdicts.expect import SetUpFailed
+
+_PAGES_MAX = 10
 
 
 def submit(context: CheckContext, body: dict[str, Any], **how: Any) -> Answer:
@@ -49,3 +54,35 @@ def whole_submission(context: CheckContext) -> dict[str, Any]:
         options=options,
         mode="pull" if context.offers("push") else None,
     )
+
+
+def find_listed(context: CheckContext, ids: set[str]) -> dict[str, dict[str, Any]]:
+    """Find runs in the pages of `list_runs`, newest first."""
+    found: dict[str, dict[str, Any]] = {}
+    params: dict[str, Any] = {"limit": 100}
+    for _ in range(_PAGES_MAX):
+        page = expect.ok(context.call("list_runs", params=params))
+        found |= {r["run_id"]: r for r in page["runs"] if r["run_id"] in ids}
+        if ids <= set(found) or page["next_cursor"] is None:
+            break
+        params["cursor"] = page["next_cursor"]
+    missing = ids - set(found)
+    if missing:
+        raise SetUpFailed(f"`list_runs` does not show {missing}; see RUN-009")
+    return found
+
+
+def submit_and_show(
+    context: CheckContext, **members: Any
+) -> tuple[RunClient, dict[str, dict[str, Any]]]:
+    """Submit a run with members; give it as each operation shows it, by operation."""
+    answer = context.call("submit_run", json=context.submit_body(**members))
+    submitted = expect.ok(answer, 201)
+    run = context.adopt(submitted)
+    return run, {
+        "submit_run": submitted,
+        "get_run": expect.ok(run.call("get_run")),
+        "list_runs": find_listed(context, {run.id})[run.id],
+        "stop_run": expect.ok(run.call("stop_run", json={})),
+        "resume_run": expect.ok(run.call("resume_run")),
+    }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include "Player.h"
 #include <vector>
 #include "Assumptions.h"
 #include "../members.h"
@@ -17,11 +18,13 @@ struct AttachWorker {
     std::string attach_key{}; // New for every attachment; repeated only to repeat a lost request.
     std::optional<bool> takeover{}; // Fence out a live session; false when absent.
     std::optional<Assumptions> assumes{};
+    std::optional<Player> player{};
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("attach_key", self.attach_key);
         visitor.optional("takeover", self.takeover);
         visitor.optional("assumes", self.assumes);
+        visitor.optional("player", self.player);
     }
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include "PlayerView.h"
 #include <string>
 #include "Outcome.h"
 #include <map>
@@ -29,6 +30,9 @@ struct EpisodeResult {
     bool truncated{};
     double think_s{}; // Time between turns that the policy took.
     std::string finished_at{};
+    std::optional<PlayerView> player{};
+    std::optional<std::int32_t> clipped_actions{}; // Actions of the attempt with a number outside of a range that is declared `clip`; for the profile `attribution`.
+    std::optional<double> total_reward{}; // Sum of the rewards of the attempt, its return; for the profile `attribution`.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("episode_id", self.episode_id);
@@ -45,6 +49,9 @@ struct EpisodeResult {
         visitor.required("truncated", self.truncated);
         visitor.required("think_s", self.think_s);
         visitor.required("finished_at", self.finished_at);
+        visitor.optional("player", self.player);
+        visitor.optional("clipped_actions", self.clipped_actions);
+        visitor.optional("total_reward", self.total_reward);
     }
 };
 

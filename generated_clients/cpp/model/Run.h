@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include "SelectionView.h"
 #include <string>
 #include "RunState.h"
 #include "PolicyServerView.h"
@@ -29,6 +30,8 @@ struct Run {
     PolicyInfo policy{};
     std::optional<std::string> mode{}; // A `RunMode`, or one of a later version; `pull` when absent.
     std::optional<PolicyServerView> policy_server{};
+    std::optional<bool> any_policy{}; // Whether workers may play for another policy than `policy`; for the profile `attribution`.
+    std::optional<SelectionView> select{};
     std::int32_t max_workers{};
     double idle_timeout_s{};
     ImageChoice images{};
@@ -51,6 +54,8 @@ struct Run {
         visitor.required("policy", self.policy);
         visitor.optional("mode", self.mode);
         visitor.optional("policy_server", self.policy_server);
+        visitor.optional("any_policy", self.any_policy);
+        visitor.optional("select", self.select);
         visitor.required("max_workers", self.max_workers);
         visitor.required("idle_timeout_s", self.idle_timeout_s);
         visitor.required("images", self.images);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include "GroupScore.h"
+#include "SelectionView.h"
 #include <string>
 #include "RunState.h"
 #include "Interval.h"
@@ -21,6 +22,7 @@ struct Score {
     std::string run_id{};
     std::string benchmark_id{};
     std::string manifest_sha256{}; // The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.
+    std::optional<SelectionView> select{};
     RunState state{};
     bool complete{};
     std::optional<double> score{}; // Null until complete.
@@ -38,6 +40,7 @@ struct Score {
         visitor.required("run_id", self.run_id);
         visitor.required("benchmark_id", self.benchmark_id);
         visitor.required("manifest_sha256", self.manifest_sha256);
+        visitor.optional("select", self.select);
         visitor.required("state", self.state);
         visitor.required("complete", self.complete);
         visitor.required("score", self.score);

@@ -7,6 +7,7 @@
 #include "CalibrationOptions.h"
 #include "RunMode.h"
 #include <string>
+#include "EpisodeSelection.h"
 #include "PolicyInfo.h"
 #include <vector>
 #include "ImageChoice.h"
@@ -26,6 +27,8 @@ struct SubmitRun {
     std::optional<CalibrationOptions> options{};
     std::optional<RunMode> mode{};
     std::optional<PolicyServer> policy_server{};
+    std::optional<bool> any_policy{}; // Workers may play for another policy than `policy`; false when absent; for the profile `attribution`.
+    std::optional<EpisodeSelection> select{};
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("benchmark_id", self.benchmark_id);
@@ -36,6 +39,8 @@ struct SubmitRun {
         visitor.optional("options", self.options);
         visitor.optional("mode", self.mode);
         visitor.optional("policy_server", self.policy_server);
+        visitor.optional("any_policy", self.any_policy);
+        visitor.optional("select", self.select);
     }
 };
 

@@ -35,6 +35,7 @@ __all__ = [
     "Episode",
     "EpisodeList",
     "EpisodeResult",
+    "EpisodeSelection",
     "EpisodeStatus",
     "EpisodeView",
     "Fault",
@@ -53,6 +54,8 @@ __all__ = [
     "Observe",
     "Outcome",
     "OutcomeCounts",
+    "Player",
+    "PlayerView",
     "PolicyDescription",
     "PolicyInfo",
     "PolicyProtocol",
@@ -71,6 +74,7 @@ __all__ = [
     "RunMode",
     "RunState",
     "Score",
+    "SelectionView",
     "Service",
     "SideEffects",
     "SimulatorInfo",
@@ -116,6 +120,7 @@ from proctor_client.models.comparison import Comparison as Comparison
 from proctor_client.models.episode import Episode as Episode
 from proctor_client.models.episode_list import EpisodeList as EpisodeList
 from proctor_client.models.episode_result import EpisodeResult as EpisodeResult
+from proctor_client.models.episode_selection import EpisodeSelection as EpisodeSelection
 from proctor_client.models.episode_status import EpisodeStatus as EpisodeStatus
 from proctor_client.models.episode_view import EpisodeView as EpisodeView
 from proctor_client.models.fault import Fault as Fault
@@ -134,6 +139,8 @@ from proctor_client.models.observation_space import ObservationSpace as Observat
 from proctor_client.models.observe import Observe as Observe
 from proctor_client.models.outcome import Outcome as Outcome
 from proctor_client.models.outcome_counts import OutcomeCounts as OutcomeCounts
+from proctor_client.models.player import Player as Player
+from proctor_client.models.player_view import PlayerView as PlayerView
 from proctor_client.models.policy_description import PolicyDescription as PolicyDescription
 from proctor_client.models.policy_info import PolicyInfo as PolicyInfo
 from proctor_client.models.policy_protocol import PolicyProtocol as PolicyProtocol
@@ -152,6 +159,7 @@ from proctor_client.models.run_list import RunList as RunList
 from proctor_client.models.run_mode import RunMode as RunMode
 from proctor_client.models.run_state import RunState as RunState
 from proctor_client.models.score import Score as Score
+from proctor_client.models.selection_view import SelectionView as SelectionView
 from proctor_client.models.service import Service as Service
 from proctor_client.models.side_effects import SideEffects as SideEffects
 from proctor_client.models.simulator_info import SimulatorInfo as SimulatorInfo

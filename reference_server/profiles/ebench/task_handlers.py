@@ -322,6 +322,9 @@ class EbenchHandlers:
             return _Step(partial(self._repeat_long, run, session, long))
         if self.long_chunks.is_played(session):
             raise Refused("worker_busy", "A list of steps of the worker is executed.")
+        failed = self.long_chunks.find_failed(session, digest)
+        if failed is not None:
+            return self._play_long(run, session, digest, failed.turns, failed.executed)
         command = self.lost_answers.find_repeated_turn(session, digest)
         if command is None and session.done and not session.busy:  # EBE-010
             return _Step(partial(self._last_turn, session))
@@ -347,12 +350,23 @@ class EbenchHandlers:
             )
             raise chunk.translate_refusal(verdict)
         turns = long_chunks.split(command, run.manifest["max_chunk"])
+        return self._play_long(run, session, digest, turns)
+
+    def _play_long(
+        self,
+        run: Run,
+        session: Session,
+        digest: str,
+        turns: Sequence[Predict],
+        executed: Sequence[int] = (),
+    ) -> _Step:
         play = partial(self.service.predict, run.account, run.run_id)
 
         async def work() -> Turn:
-            return await self.long_chunks.start(session, digest, turns, play).result()
+            chunk = self.long_chunks.start(session, digest, turns, play, executed)
+            return await chunk.result()
 
-        return _Step(work, turns[0])
+        return _Step(work, turns[len(executed)])
 
     async def _repeat_long(self, run: Run, session: Session, long: LongChunk) -> Turn:
         """EBE-013: the answer again; its last turn is repeated as by any client."""

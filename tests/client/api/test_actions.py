@@ -137,6 +137,10 @@ def test_numbers_outside_a_range_that_clips_are_counted() -> None:
     assert count.numbers == {"joint_position": 3}
     assert count.is_most
     assert ARM.range_of("joint_position") == "[-1, 2] rad"
+    grip = {"size": 1, "unit": "1", "out_of_range": "clip"}
+    layout = ActionLayout.of("b", {"grip": grip | {"minimum": [0.0], "maximum": [1.0]}})
+    assert layout is not None
+    assert layout.range_of("grip") == "[0, 1]"
 
 
 def test_a_space_of_some_tasks_has_no_fixed_shape() -> None:

@@ -109,6 +109,7 @@ def test_every_command_of_the_page_runs(
 
 def _replace_names(words: list[str], run_id: str) -> list[str]:
     exchanged = {"tabletop_state": "calibration", "RUN": run_id}
+    exchanged |= {"val_train": "even", "lift_cube": "score"}
     rate = '{"control_rate_hz": 20}'
     exchanged[rate] = '{"control_rate_hz": 10}'
     return [exchanged.get(word, word) for word in words]

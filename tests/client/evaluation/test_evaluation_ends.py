@@ -10,6 +10,7 @@ import re
 import signal
 import subprocess
 import sys
+import threading
 from collections import deque
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -25,7 +26,7 @@ from reference_client import (
     RunStopped,
     evaluate,
 )
-from reference_client.errors import PolicyFailed
+from reference_client.errors import WORKER_DIED, PolicyFailed
 from reference_client.evaluation.uncaught_errors import _print_text
 from tests.support.client.direct_client import DirectClient
 from tests.support.client.evaluations import (
@@ -113,6 +114,7 @@ def test_a_stopped_run_is_reported_and_resumes(
         evaluate,
         lambda: policy,
         url=server.url,
+        name="counter",
         **calibration_evaluation("count", "count"),
     )
     assert policy.is_acting.wait(TIMEOUT_S)
@@ -129,6 +131,7 @@ def test_a_stopped_run_is_reported_and_resumes(
         token=TOKENS["alice"],
         benchmark="calibration",
         run_id=run_id,
+        name="counter",
         progress=ignore_progress,
     )
     assert score.score == 1.0
@@ -146,6 +149,40 @@ def test_a_completed_run_has_its_score_at_once(server: ReferenceServer) -> None:
         progress=ignore_progress,
     )
     assert again == first
+
+
+def test_a_worker_that_ends_alone_gives_its_episode_back(
+    server: ReferenceServer, direct_client: DirectClient
+) -> None:
+    """One of two workers ends in the middle of an episode, and the other plays on.
+
+    Expect it to play that episode, too, long before the lease is over.
+    """
+    may_end = threading.Event()
+    made: list[GradedPolicy] = []
+
+    class EndingPolicy(GradedPolicy):
+        def act(self, observation: Observation) -> Actions:
+            if made[0] is self and observation.step == 1:
+                may_end.wait(TIMEOUT_S)
+                raise ProctorError(WORKER_DIED, "the device was lost")
+            if made[1] is self:
+                may_end.set()
+            return super().act(observation)
+
+    def make() -> GradedPolicy:
+        made.append(EndingPolicy())
+        return made[-1]
+
+    score = run_in_thread(
+        evaluate,
+        make,
+        url=server.url,
+        workers=2,
+        **calibration_evaluation(*["score"] * 4),
+    ).result(TIMEOUT_S)
+    assert score.complete
+    assert sum(direct_client.attempts(score.run_id)) == 5
 
 
 def test_a_policy_that_raises_leaves_no_session(

@@ -1,9 +1,12 @@
 """Lost answers of EBench: which step repeats the last one, and which is new."""
 
+import asyncio
 import gc
+from typing import Any
 
 import pytest
 
+from reference_server.profiles.ebench.long_chunks import LongChunks, split
 from reference_server.profiles.ebench.lost_answers import LostAnswers
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Predict, Replay, decide
@@ -74,3 +77,70 @@ def test_sessions_that_are_dropped_are_not_kept() -> None:
     run.workers.clear()
     gc.collect()
     assert len(lost_answers) == 0
+
+
+# --- lists of steps that are longer than a turn ---
+
+
+class FailingSession:
+    """Plays turns; the turn with the seq `fails` fails once, before or after it ran."""
+
+    def __init__(self, fails: int, *, is_begun: bool) -> None:
+        self.session = Session("s", "w", "key", 10.0, 100, NOW)
+        self.executed: list[int] = []
+        self._fails, self._is_begun = fails, is_begun
+
+    async def play(self, command: Predict) -> dict[str, Any]:
+        is_failing = command.seq == self._fails
+        if is_failing:
+            self._fails = 0
+        if is_failing and not self._is_begun:
+            raise RuntimeError("no simulator is free")
+        if command.seq == self.session.seq + 1:  # else it is answered again
+            self.session.seq = command.seq
+            self.executed.append(len(command.actions))
+        if is_failing:
+            raise RuntimeError("the answer was lost")
+        steps = len(command.actions)
+        return {"seq": command.seq, "executed_steps": steps, "done": False}
+
+
+@pytest.mark.parametrize("is_begun", [False, True])
+@pytest.mark.parametrize("fails", [1, 2, 3])
+def test_a_list_that_failed_goes_on_with_the_failed_turn(
+    fails: int, is_begun: bool
+) -> None:
+    """Expect each action to be executed once, and an answer that counts them all."""
+
+    async def repeat() -> None:
+        player, chunks = FailingSession(fails, is_begun=is_begun), LongChunks()
+        session = player.session
+        turns = split(Predict("w", "s", 1, [ACTION] * 10), 4)
+        with pytest.raises(RuntimeError):
+            await chunks.start(session, "digest", turns, player.play).result()
+        assert chunks.find_repeated(session, "digest") is None
+        assert chunks.find_failed(session, "another") is None
+        failed = chunks.find_failed(session, "digest")
+        assert failed is not None
+        again = chunks.start(
+            session, "digest", failed.turns, player.play, failed.executed
+        )
+        turn = await again.result()
+        assert player.executed == [4, 4, 2]
+        assert (turn["executed_steps"], turn["stopped_early"]) == (10, False)
+        assert chunks.find_failed(session, "digest") is None
+        assert chunks.find_repeated(session, "digest") is again
+
+    asyncio.run(repeat())
+
+
+def test_a_list_that_failed_is_over_when_something_else_was_played() -> None:
+    async def play_another() -> None:
+        player, chunks = FailingSession(2, is_begun=False), LongChunks()
+        turns = split(Predict("w", "s", 1, [ACTION] * 10), 4)
+        with pytest.raises(RuntimeError):
+            await chunks.start(player.session, "digest", turns, player.play).result()
+        player.session.seq += 2
+        assert chunks.find_failed(player.session, "digest") is None
+
+    asyncio.run(play_another())

@@ -100,6 +100,18 @@ def test_values_inside_the_range_are_unchanged(value: float) -> None:
     assert clipped["head"] == [value]
 
 
+def test_actions_with_a_clipped_number_are_counted_as_far_as_executed() -> None:
+    sent = [
+        ACTION | {"head": [1.5]},
+        ACTION | {"head": [1.0]},
+        ACTION | {"head": [-1.0]},
+    ]
+    clipped = action_space.clip_actions(sent, MANIFEST)
+    counts = [action_space.count_clipped(sent, clipped, n) for n in range(4)]
+    assert counts == [0, 1, 1, 2]
+    assert action_space.count_clipped(sent, sent, 3) == 0
+
+
 # --- conventions ---
 
 

@@ -10,7 +10,7 @@ from reference_server.rules.lifecycle import (
     Attach,
     Predict,
 )
-from reference_server.rules.run import Result, Session, State
+from reference_server.rules.run import Result, Run, Session, State
 from tests.support.server.play_turns import WALL, chunk_result, play_turn, start_session
 from tests.support.server.runs import ACTION, NOW, add_session, make_run
 
@@ -100,6 +100,40 @@ def test_a_turn_within_an_episode_counts_its_steps() -> None:
     assert run.scored == 0
 
 
+def attach_as(run: Run, player: dict[str, str] | None) -> Session:
+    """A session of worker `w`; a live one is taken over."""
+    command = Attach("w", "key", takeover=True, player=player)
+    return effects.open_session(run, command, "session", NOW)
+
+
+def test_a_result_has_the_player_of_its_attempt() -> None:
+    run = make_run(4)
+    one, other = {"name": "one"}, {"name": "other"}
+    ended = chunk_result(1, ended=True)
+    play_turn(run, attach_as(run, one), ended)
+    play_turn(run, attach_as(run, other), ended)
+    play_turn(run, attach_as(run, other), ended)
+    attach_as(run, one)
+    play_turn(run, attach_as(run, other), ended)
+    players = [e.result.player if e.result else None for e in run.episodes]
+    assert players == [one, None, other, None]
+
+
+def test_clipped_actions_are_counted_from_the_beginning_of_an_attempt() -> None:
+    run = make_run(max_workers=1)
+    session = start_session(run)
+    effects.end_turn(run, session, chunk_result(2), WALL, 2)
+    session = attach_as(run, None)
+    effects.end_turn(run, session, chunk_result(3, ended=True), WALL, 1)
+    effects.end_turn(run, session, chunk_result(1), WALL, 1)
+    effects.record_fault(run, session, "broke", unplayable=False, now_wall=WALL)
+    effects.end_turn(run, session, chunk_result(1, ended=True), WALL, 0)
+    counted = [e.result.clipped_actions for e in run.episodes if e.result]
+    assert counted == [3, 0]
+    rewards = [e.result.total_reward for e in run.episodes if e.result]
+    assert rewards == [2.5, 0.5]
+
+
 @pytest.mark.parametrize(
     ("success", "outcome"), [(True, "success"), (False, "failure")]
 )
@@ -110,7 +144,9 @@ def test_an_episode_that_ends_is_scored(success: bool, outcome: str) -> None:
     last = chunk_result(3, ended=True, success=success, score=0.25, truncated=True)
     ended = play_turn(run, session, last, NOW + 3)
     assert ended is run.episodes[0]
-    assert ended.result == Result(cast(Any, outcome), 0.25, 1, 5, True, True, 3.0, WALL)
+    assert ended.result == Result(
+        cast(Any, outcome), 0.25, 1, 5, True, True, 3.0, WALL, None, 0, 2.5
+    )
     assert session.episode is run.episodes[1]
     assert (session.steps, session.think_s, session.done) == (0, 0.0, False)
     assert run.changed == {0}
@@ -178,7 +214,7 @@ def test_the_last_attempt_is_abandoned() -> None:
         play_turn(run, session, chunk_result(4), NOW + 1)
         effects.close_session(run, session, "detached", WALL)
     assert run.episodes[0].result == Result(
-        "abandoned", 0.0, 2, 4, False, False, 1.0, WALL
+        "abandoned", 0.0, 2, 4, False, False, 1.0, WALL, None, 0, 2.0
     )
     assert run.state == "ready"
     assert start_session(run).episode is run.episodes[1]

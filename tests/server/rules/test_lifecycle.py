@@ -179,6 +179,41 @@ def test_cannot_assume_other_conventions() -> None:
     assert [at for at, _ in refused.errors] == ["/assumes/state/joints/unit"]
 
 
+POLICY = {"name": "p", "version": "1"}
+
+
+@pytest.mark.parametrize(
+    ("player", "pointers"),
+    [
+        (None, []),
+        ({"name": "p"}, []),
+        ({"name": "p", "version": "1", "client": "c"}, []),
+        ({"name": "q", "version": "1"}, ["/player/name"]),
+        ({"name": "p", "version": "2"}, ["/player/version"]),
+        ({"name": "", "version": ""}, ["/player/name", "/player/version"]),
+    ],
+)
+def test_cannot_attach_for_another_policy(
+    player: dict[str, str] | None, pointers: list[str]
+) -> None:
+    command = Attach("w", "key", player=player)
+    submission: dict[str, Any] = {"benchmark_id": "calibration", "policy": POLICY}
+    run = make_run(submission=submission)
+    if pointers:
+        refused = expect_refuse(run, command)
+        assert (refused.code, refused.requirement) == ("policy_mismatch", "ATR-001")
+        assert [at for at, _ in refused.errors] == pointers
+    else:
+        assert decide(run, command, NOW) == Accept()
+    run = make_run(submission=submission | {"any_policy": True})
+    assert decide(run, command, NOW) == Accept()
+
+
+def test_a_version_is_compared_where_both_have_one() -> None:
+    player = {"name": "p", "version": "2"}
+    assert decide(make_run(), Attach("w", "key", player=player), NOW) == Accept()
+
+
 # --- sessions ---
 
 

@@ -1,10 +1,11 @@
 """What a submit decides: limits, defaults, keys, and which account sees a run."""
 
-from typing import Any
+from typing import Any, cast
 
 import pytest
 
 from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.manifest import Manifest
 from reference_server.rules.submission import (
     GrantedLimits,
     KeyUse,
@@ -14,6 +15,7 @@ from reference_server.rules.submission import (
     may_see_run,
     queue_s,
     queue_until,
+    select_episodes,
 )
 
 LIMITS = SubmissionLimits(4, 60.0)
@@ -85,3 +87,59 @@ def test_a_restart_holds_a_run_no_longer_than_its_submitter(
 ) -> None:
     held = submission(options={"queue_s": 2})
     assert queue_until(held, stored_wall, 1000.0) == until
+
+
+# --- a part of a benchmark ---
+
+EPISODES = [
+    {"task": "lift", "split": "train", "seed": 7},
+    {"task": "lift", "split": "test", "seed": 8},
+    {"task": "push", "split": "train", "seed": 9},
+]
+MANIFEST = cast(
+    Manifest,
+    {
+        "tasks": ["lift", "push", "stack"],
+        "splits": ["train", "test"],
+        "episodes": EPISODES,
+        "episodes_total": 3,
+    },
+)
+
+
+@pytest.mark.parametrize(
+    ("select", "seeds"),
+    [
+        (None, [7, 8, 9]),
+        ({}, [7, 8, 9]),
+        ({"tasks": ["lift", "push"]}, [7, 8, 9]),
+        ({"tasks": ["push", "stack"]}, [9]),
+        ({"splits": ["train"]}, [7, 9]),
+        ({"tasks": ["lift"], "splits": ["train"]}, [7]),
+    ],
+)
+def test_episodes_are_selected_in_their_order(select: Any, seeds: list[int]) -> None:
+    found = select_episodes(MANIFEST, select)
+    assert not isinstance(found, Refuse)
+    assert [episode["seed"] for episode in found["episodes"]] == seeds
+    assert found["episodes_total"] == len(seeds)
+    assert (found is MANIFEST) == (len(seeds) == 3)
+
+
+@pytest.mark.parametrize(
+    ("select", "pointers"),
+    [
+        ({"tasks": ["train"]}, ["/select/tasks"]),
+        (
+            {"tasks": ["lift", "x"], "splits": ["y", "z"]},
+            ["/select/tasks", "/select/splits", "/select/splits"],
+        ),
+        ({"tasks": ["stack"]}, ["/select"]),
+        ({"tasks": ["push"], "splits": ["test"]}, ["/select"]),
+    ],
+)
+def test_cannot_select_what_is_not_there(select: Any, pointers: list[str]) -> None:
+    refused = select_episodes(MANIFEST, select)
+    assert isinstance(refused, Refuse)
+    assert (refused.code, refused.requirement) == ("invalid_request", "SUB-002")
+    assert [at for at, _ in refused.errors] == pointers

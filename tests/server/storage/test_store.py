@@ -58,7 +58,10 @@ def test_the_files_are_their_owners_alone(tmp_path: Path) -> None:
 
 
 def test_a_run_is_loaded_as_it_was_saved(tmp_path: Path) -> None:
-    result = Result("failure", 0.1 + 0.2, 2, 7, False, True, 5e-324, 1e9 + 1 / 3)
+    player = {"name": "p", "client": "é"}
+    result = Result(
+        "failure", 0.1 + 0.2, 2, 7, False, True, 5e-324, 1e9 + 1 / 3, player, 3, -0.5
+    )
 
     async def save(parts: ServerParts) -> None:
         run = calibration_run("score", "echo", "count", queue_until_wall=0.1)

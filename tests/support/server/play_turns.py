@@ -23,6 +23,7 @@ Draw = Callable[[st.SearchStrategy[Any]], Any]
 @dataclass(frozen=True)
 class Played:
     executed: int
+    rewards: tuple[float, ...]
     ended: bool
     terminated: bool
     truncated: bool
@@ -34,7 +35,8 @@ def chunk_result(
     executed: int = 1, *, ended: bool = False, **changes: Any
 ) -> ChunkOutcome:
     facts = {"terminated": ended, "truncated": False, "success": False, "score": 0.5}
-    return Played(executed, ended, **facts | changes)
+    rewards = (0.5,) * executed
+    return Played(executed, rewards, ended, **facts | changes)
 
 
 def start_session(run: Run, worker_id: str = "w", now: float = NOW) -> Session:

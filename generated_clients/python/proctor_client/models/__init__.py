@@ -19,6 +19,7 @@ from proctor_client.models.comparison import Comparison
 from proctor_client.models.episode import Episode
 from proctor_client.models.episode_list import EpisodeList
 from proctor_client.models.episode_result import EpisodeResult
+from proctor_client.models.episode_selection import EpisodeSelection
 from proctor_client.models.episode_status import EpisodeStatus
 from proctor_client.models.episode_view import EpisodeView
 from proctor_client.models.fault import Fault
@@ -37,6 +38,8 @@ from proctor_client.models.observation_space import ObservationSpace
 from proctor_client.models.observe import Observe
 from proctor_client.models.outcome import Outcome
 from proctor_client.models.outcome_counts import OutcomeCounts
+from proctor_client.models.player import Player
+from proctor_client.models.player_view import PlayerView
 from proctor_client.models.policy_description import PolicyDescription
 from proctor_client.models.policy_info import PolicyInfo
 from proctor_client.models.policy_protocol import PolicyProtocol
@@ -55,6 +58,7 @@ from proctor_client.models.run_list import RunList
 from proctor_client.models.run_mode import RunMode
 from proctor_client.models.run_state import RunState
 from proctor_client.models.score import Score
+from proctor_client.models.selection_view import SelectionView
 from proctor_client.models.service import Service
 from proctor_client.models.side_effects import SideEffects
 from proctor_client.models.simulator_info import SimulatorInfo

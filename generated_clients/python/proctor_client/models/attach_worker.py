@@ -12,6 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field, StrictBool
 from typing import Any, ClassVar, Dict, List, Optional
 from typing_extensions import Annotated
 from proctor_client.models.assumptions import Assumptions
+from proctor_client.models.player import Player
 from typing import Optional, Set
 from typing_extensions import Self
 from pydantic_core import to_jsonable_python
@@ -23,7 +24,8 @@ class AttachWorker(BaseModel):
     attach_key: Annotated[str, Field(min_length=1, strict=True, max_length=128)] = Field(description="New for every attachment; repeated only to repeat a lost request.")
     takeover: Optional[StrictBool] = Field(default=None, description="Fence out a live session; false when absent.")
     assumes: Optional[Assumptions] = None
-    __properties: ClassVar[List[str]] = ["attach_key", "takeover", "assumes"]
+    player: Optional[Player] = None
+    __properties: ClassVar[List[str]] = ["attach_key", "takeover", "assumes", "player"]
 
     model_config = ConfigDict(
         validate_by_name=True,
@@ -67,6 +69,9 @@ class AttachWorker(BaseModel):
         # override the default output from pydantic by calling `to_dict()` of assumes
         if self.assumes:
             _dict['assumes'] = self.assumes.to_dict()
+        # override the default output from pydantic by calling `to_dict()` of player
+        if self.player:
+            _dict['player'] = self.player.to_dict()
         return _dict
 
     @classmethod
@@ -81,6 +86,7 @@ class AttachWorker(BaseModel):
         _obj = cls.model_validate({
             "attach_key": obj.get("attach_key"),
             "takeover": obj.get("takeover"),
-            "assumes": Assumptions.from_dict(obj["assumes"]) if obj.get("assumes") is not None else None
+            "assumes": Assumptions.from_dict(obj["assumes"]) if obj.get("assumes") is not None else None,
+            "player": Player.from_dict(obj["player"]) if obj.get("player") is not None else None
         })
         return _obj

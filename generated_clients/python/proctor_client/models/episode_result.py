@@ -9,10 +9,11 @@ import re  # noqa: F401
 import json
 
 from datetime import datetime
-from pydantic import BaseModel, ConfigDict, Field, StrictBool, StrictStr
-from typing import Any, ClassVar, Dict, List, Union
+from pydantic import BaseModel, ConfigDict, Field, StrictBool, StrictFloat, StrictInt, StrictStr
+from typing import Any, ClassVar, Dict, List, Optional, Union
 from typing_extensions import Annotated
 from proctor_client.models.outcome import Outcome
+from proctor_client.models.player_view import PlayerView
 from typing import Optional, Set
 from typing_extensions import Self
 from pydantic_core import to_jsonable_python
@@ -35,8 +36,11 @@ class EpisodeResult(BaseModel):
     truncated: StrictBool
     think_s: Union[Annotated[float, Field(strict=True, ge=0)], Annotated[int, Field(strict=True, ge=0)]] = Field(description="Time between turns that the policy took.")
     finished_at: datetime
+    player: Optional[PlayerView] = None
+    clipped_actions: Optional[Annotated[int, Field(strict=True, ge=0)]] = Field(default=None, description="Actions of the attempt with a number outside of a range that is declared `clip`; for the profile `attribution`.")
+    total_reward: Optional[Union[StrictFloat, StrictInt]] = Field(default=None, description="Sum of the rewards of the attempt, its return; for the profile `attribution`.")
     additional_properties: Dict[str, Any] = {}
-    __properties: ClassVar[List[str]] = ["episode_id", "index", "task", "split", "seed", "attempt", "faults", "outcome", "score", "steps", "terminated", "truncated", "think_s", "finished_at"]
+    __properties: ClassVar[List[str]] = ["episode_id", "index", "task", "split", "seed", "attempt", "faults", "outcome", "score", "steps", "terminated", "truncated", "think_s", "finished_at", "player", "clipped_actions", "total_reward"]
 
     model_config = ConfigDict(
         validate_by_name=True,
@@ -79,6 +83,9 @@ class EpisodeResult(BaseModel):
             exclude=excluded_fields,
             exclude_none=True,
         )
+        # override the default output from pydantic by calling `to_dict()` of player
+        if self.player:
+            _dict['player'] = self.player.to_dict()
         # puts key-value pairs in additional_properties in the top level
         if self.additional_properties is not None:
             for _key, _value in self.additional_properties.items():
@@ -109,7 +116,10 @@ class EpisodeResult(BaseModel):
             "terminated": obj.get("terminated"),
             "truncated": obj.get("truncated"),
             "think_s": obj.get("think_s"),
-            "finished_at": obj.get("finished_at")
+            "finished_at": obj.get("finished_at"),
+            "player": PlayerView.from_dict(obj["player"]) if obj.get("player") is not None else None,
+            "clipped_actions": obj.get("clipped_actions"),
+            "total_reward": obj.get("total_reward")
         })
         # store additional fields in additional_properties
         for _key in obj.keys():

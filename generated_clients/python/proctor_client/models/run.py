@@ -17,6 +17,7 @@ from proctor_client.models.policy_info import PolicyInfo
 from proctor_client.models.policy_server_view import PolicyServerView
 from proctor_client.models.progress import Progress
 from proctor_client.models.run_state import RunState
+from proctor_client.models.selection_view import SelectionView
 from typing import Optional, Set
 from typing_extensions import Self
 from pydantic_core import to_jsonable_python
@@ -35,6 +36,8 @@ class Run(BaseModel):
     policy: PolicyInfo
     mode: Optional[Annotated[str, Field(strict=True)]] = Field(default=None, description="A `RunMode`, or one of a later version; `pull` when absent.")
     policy_server: Optional[PolicyServerView] = None
+    any_policy: Optional[StrictBool] = Field(default=None, description="Whether workers may play for another policy than `policy`; for the profile `attribution`.")
+    select: Optional[SelectionView] = None
     max_workers: StrictInt
     idle_timeout_s: Union[StrictFloat, StrictInt]
     images: ImageChoice
@@ -46,7 +49,7 @@ class Run(BaseModel):
     updated_at: datetime
     attempts_by_submitter: Optional[Annotated[int, Field(strict=True, ge=1)]] = Field(default=None, description="How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.")
     additional_properties: Dict[str, Any] = {}
-    __properties: ClassVar[List[str]] = ["run_id", "state", "reason", "retryable", "benchmark_id", "benchmark_version", "manifest_sha256", "policy", "mode", "policy_server", "max_workers", "idle_timeout_s", "images", "endpoint", "queue_position", "live_workers", "progress", "created_at", "updated_at", "attempts_by_submitter"]
+    __properties: ClassVar[List[str]] = ["run_id", "state", "reason", "retryable", "benchmark_id", "benchmark_version", "manifest_sha256", "policy", "mode", "policy_server", "any_policy", "select", "max_workers", "idle_timeout_s", "images", "endpoint", "queue_position", "live_workers", "progress", "created_at", "updated_at", "attempts_by_submitter"]
 
     @field_validator('manifest_sha256', mode="before")
     def manifest_sha256_validate_regular_expression(cls, value):
@@ -112,6 +115,9 @@ class Run(BaseModel):
         # override the default output from pydantic by calling `to_dict()` of policy_server
         if self.policy_server:
             _dict['policy_server'] = self.policy_server.to_dict()
+        # override the default output from pydantic by calling `to_dict()` of select
+        if self.select:
+            _dict['select'] = self.select.to_dict()
         # override the default output from pydantic by calling `to_dict()` of images
         if self.images:
             _dict['images'] = self.images.to_dict()
@@ -160,6 +166,8 @@ class Run(BaseModel):
             "policy": PolicyInfo.from_dict(obj["policy"]) if obj.get("policy") is not None else None,
             "mode": obj.get("mode"),
             "policy_server": PolicyServerView.from_dict(obj["policy_server"]) if obj.get("policy_server") is not None else None,
+            "any_policy": obj.get("any_policy"),
+            "select": SelectionView.from_dict(obj["select"]) if obj.get("select") is not None else None,
             "max_workers": obj.get("max_workers"),
             "idle_timeout_s": obj.get("idle_timeout_s"),
             "images": ImageChoice.from_dict(obj["images"]) if obj.get("images") is not None else None,

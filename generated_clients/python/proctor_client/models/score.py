@@ -15,6 +15,7 @@ from proctor_client.models.group_score import GroupScore
 from proctor_client.models.interval import Interval
 from proctor_client.models.outcome_counts import OutcomeCounts
 from proctor_client.models.run_state import RunState
+from proctor_client.models.selection_view import SelectionView
 from typing import Optional, Set
 from typing_extensions import Self
 from pydantic_core import to_jsonable_python
@@ -26,6 +27,7 @@ class Score(BaseModel):
     run_id: StrictStr
     benchmark_id: StrictStr
     manifest_sha256: Annotated[str, Field(strict=True)] = Field(description="The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.")
+    select: Optional[SelectionView] = None
     state: RunState
     complete: StrictBool
     score: Optional[Union[StrictFloat, StrictInt]] = Field(description="Null until complete.")
@@ -39,7 +41,7 @@ class Score(BaseModel):
     by_task: Dict[str, GroupScore]
     by_split: Dict[str, GroupScore]
     additional_properties: Dict[str, Any] = {}
-    __properties: ClassVar[List[str]] = ["run_id", "benchmark_id", "manifest_sha256", "state", "complete", "score", "score_low", "score_high", "counts", "success_rate", "success_interval", "mean", "mean_interval", "by_task", "by_split"]
+    __properties: ClassVar[List[str]] = ["run_id", "benchmark_id", "manifest_sha256", "select", "state", "complete", "score", "score_low", "score_high", "counts", "success_rate", "success_interval", "mean", "mean_interval", "by_task", "by_split"]
 
     @field_validator('manifest_sha256', mode="before")
     def manifest_sha256_validate_regular_expression(cls, value):
@@ -89,6 +91,9 @@ class Score(BaseModel):
             exclude=excluded_fields,
             exclude_none=True,
         )
+        # override the default output from pydantic by calling `to_dict()` of select
+        if self.select:
+            _dict['select'] = self.select.to_dict()
         # override the default output from pydantic by calling `to_dict()` of counts
         if self.counts:
             _dict['counts'] = self.counts.to_dict()
@@ -145,6 +150,7 @@ class Score(BaseModel):
             "run_id": obj.get("run_id"),
             "benchmark_id": obj.get("benchmark_id"),
             "manifest_sha256": obj.get("manifest_sha256"),
+            "select": SelectionView.from_dict(obj["select"]) if obj.get("select") is not None else None,
             "state": obj.get("state"),
             "complete": obj.get("complete"),
             "score": obj.get("score"),

@@ -8,10 +8,11 @@ import pprint
 import re  # noqa: F401
 import json
 
-from pydantic import BaseModel, ConfigDict, Field, field_validator
+from pydantic import BaseModel, ConfigDict, Field, StrictBool, field_validator
 from typing import Any, ClassVar, Dict, List, Optional, Union
 from typing_extensions import Annotated
 from proctor_client.models.calibration_options import CalibrationOptions
+from proctor_client.models.episode_selection import EpisodeSelection
 from proctor_client.models.image_choice import ImageChoice
 from proctor_client.models.policy_info import PolicyInfo
 from proctor_client.models.policy_server import PolicyServer
@@ -32,7 +33,9 @@ class SubmitRun(BaseModel):
     options: Optional[CalibrationOptions] = None
     mode: Optional[RunMode] = None
     policy_server: Optional[PolicyServer] = None
-    __properties: ClassVar[List[str]] = ["benchmark_id", "policy", "max_workers", "idle_timeout_s", "images", "options", "mode", "policy_server"]
+    any_policy: Optional[StrictBool] = Field(default=None, description="Workers may play for another policy than `policy`; false when absent; for the profile `attribution`.")
+    select: Optional[EpisodeSelection] = None
+    __properties: ClassVar[List[str]] = ["benchmark_id", "policy", "max_workers", "idle_timeout_s", "images", "options", "mode", "policy_server", "any_policy", "select"]
 
     @field_validator('benchmark_id', mode="before")
     def benchmark_id_validate_regular_expression(cls, value):
@@ -92,6 +95,9 @@ class SubmitRun(BaseModel):
         # override the default output from pydantic by calling `to_dict()` of policy_server
         if self.policy_server:
             _dict['policy_server'] = self.policy_server.to_dict()
+        # override the default output from pydantic by calling `to_dict()` of select
+        if self.select:
+            _dict['select'] = self.select.to_dict()
         return _dict
 
     @classmethod
@@ -111,6 +117,8 @@ class SubmitRun(BaseModel):
             "images": ImageChoice.from_dict(obj["images"]) if obj.get("images") is not None else None,
             "options": CalibrationOptions.from_dict(obj["options"]) if obj.get("options") is not None else None,
             "mode": obj.get("mode"),
-            "policy_server": PolicyServer.from_dict(obj["policy_server"]) if obj.get("policy_server") is not None else None
+            "policy_server": PolicyServer.from_dict(obj["policy_server"]) if obj.get("policy_server") is not None else None,
+            "any_policy": obj.get("any_policy"),
+            "select": EpisodeSelection.from_dict(obj["select"]) if obj.get("select") is not None else None
         })
         return _obj

@@ -13,6 +13,8 @@ pub struct AttachWorker {
     pub takeover: Option<bool>,
     #[serde(rename = "assumes", skip_serializing_if = "Option::is_none")]
     pub assumes: Option<Box<models::Assumptions>>,
+    #[serde(rename = "player", skip_serializing_if = "Option::is_none")]
+    pub player: Option<Box<models::Player>>,
 }
 
 impl AttachWorker {
@@ -21,6 +23,7 @@ impl AttachWorker {
             attach_key,
             takeover: None,
             assumes: None,
+            player: None,
         }
     }
 }

@@ -34,6 +34,14 @@ pub struct EpisodeResult {
     pub think_s: f64,
     #[serde(rename = "finished_at")]
     pub finished_at: chrono::DateTime<chrono::FixedOffset>,
+    #[serde(rename = "player", skip_serializing_if = "Option::is_none")]
+    pub player: Option<models::PlayerView>,
+    /// Actions of the attempt with a number outside of a range that is declared `clip`; for the profile `attribution`.
+    #[serde(rename = "clipped_actions", skip_serializing_if = "Option::is_none")]
+    pub clipped_actions: Option<i32>,
+    /// Sum of the rewards of the attempt, its return; for the profile `attribution`.
+    #[serde(rename = "total_reward", skip_serializing_if = "Option::is_none")]
+    pub total_reward: Option<f64>,
 }
 
 impl EpisodeResult {
@@ -53,6 +61,9 @@ impl EpisodeResult {
             truncated,
             think_s,
             finished_at,
+            player: None,
+            clipped_actions: None,
+            total_reward: None,
         }
     }
 }

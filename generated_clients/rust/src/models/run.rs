@@ -29,6 +29,11 @@ pub struct Run {
     pub mode: Option<String>,
     #[serde(rename = "policy_server", skip_serializing_if = "Option::is_none")]
     pub policy_server: Option<models::PolicyServerView>,
+    /// Whether workers may play for another policy than `policy`; for the profile `attribution`.
+    #[serde(rename = "any_policy", skip_serializing_if = "Option::is_none")]
+    pub any_policy: Option<bool>,
+    #[serde(rename = "select", skip_serializing_if = "Option::is_none")]
+    pub select: Option<models::SelectionView>,
     #[serde(rename = "max_workers")]
     pub max_workers: i32,
     #[serde(rename = "idle_timeout_s")]
@@ -67,6 +72,8 @@ impl Run {
             policy: Box::new(policy),
             mode: None,
             policy_server: None,
+            any_policy: None,
+            select: None,
             max_workers,
             idle_timeout_s,
             images: Box::new(images),

@@ -13,6 +13,8 @@ pub struct Score {
     /// The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.
     #[serde(rename = "manifest_sha256")]
     pub manifest_sha256: String,
+    #[serde(rename = "select", skip_serializing_if = "Option::is_none")]
+    pub select: Option<models::SelectionView>,
     #[serde(rename = "state")]
     pub state: models::RunState,
     #[serde(rename = "complete")]
@@ -48,6 +50,7 @@ impl Score {
             run_id,
             benchmark_id,
             manifest_sha256,
+            select: None,
             state,
             complete,
             score,

@@ -23,6 +23,11 @@ pub struct SubmitRun {
     pub mode: Option<models::RunMode>,
     #[serde(rename = "policy_server", skip_serializing_if = "Option::is_none")]
     pub policy_server: Option<Box<models::PolicyServer>>,
+    /// Workers may play for another policy than `policy`; false when absent; for the profile `attribution`.
+    #[serde(rename = "any_policy", skip_serializing_if = "Option::is_none")]
+    pub any_policy: Option<bool>,
+    #[serde(rename = "select", skip_serializing_if = "Option::is_none")]
+    pub select: Option<Box<models::EpisodeSelection>>,
 }
 
 impl SubmitRun {
@@ -36,6 +41,8 @@ impl SubmitRun {
             options: None,
             mode: None,
             policy_server: None,
+            any_policy: None,
+            select: None,
         }
     }
 }

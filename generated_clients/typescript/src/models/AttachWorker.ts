@@ -5,6 +5,13 @@
  */
 
 import { mapValues } from '../runtime';
+import type { Player } from './Player';
+import {
+    PlayerFromJSON,
+    PlayerFromJSONTyped,
+    PlayerToJSON,
+    PlayerToJSONTyped,
+} from './Player';
 import type { Assumptions } from './Assumptions';
 import {
     AssumptionsFromJSON,
@@ -31,6 +38,10 @@ export interface AttachWorker {
      *
      */
     assumes?: Assumptions;
+    /**
+     *
+     */
+    player?: Player;
 }
 
 /**
@@ -54,6 +65,7 @@ export function AttachWorkerFromJSONTyped(json: any, ignoreDiscriminator: boolea
         'attach_key': json['attach_key'],
         'takeover': json['takeover'] == null ? undefined : json['takeover'],
         'assumes': json['assumes'] == null ? undefined : AssumptionsFromJSON(json['assumes']),
+        'player': json['player'] == null ? undefined : PlayerFromJSON(json['player']),
     };
 }
 
@@ -71,5 +83,6 @@ export function AttachWorkerToJSONTyped(value?: AttachWorker | null, ignoreDiscr
         'attach_key': value['attach_key'],
         'takeover': value['takeover'],
         'assumes': AssumptionsToJSON(value['assumes']),
+        'player': PlayerToJSON(value['player']),
     };
 }

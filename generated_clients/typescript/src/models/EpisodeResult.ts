@@ -12,6 +12,13 @@ import {
     OutcomeToJSON,
     OutcomeToJSONTyped,
 } from './Outcome';
+import type { PlayerView } from './PlayerView';
+import {
+    PlayerViewFromJSON,
+    PlayerViewFromJSONTyped,
+    PlayerViewToJSON,
+    PlayerViewToJSONTyped,
+} from './PlayerView';
 
 /**
  *
@@ -76,6 +83,18 @@ export interface EpisodeResult {
      *
      */
     finished_at: Date;
+    /**
+     *
+     */
+    player?: PlayerView;
+    /**
+     * Actions of the attempt with a number outside of a range that is declared `clip`; for the profile `attribution`.
+     */
+    clipped_actions?: number;
+    /**
+     * Sum of the rewards of the attempt, its return; for the profile `attribution`.
+     */
+    total_reward?: number;
 }
 
 
@@ -126,6 +145,9 @@ export function EpisodeResultFromJSONTyped(json: any, ignoreDiscriminator: boole
         'truncated': json['truncated'],
         'think_s': json['think_s'],
         'finished_at': (json['finished_at'] == null ? json['finished_at'] : parseDateTime(json['finished_at'])),
+        'player': json['player'] == null ? undefined : PlayerViewFromJSON(json['player']),
+        'clipped_actions': json['clipped_actions'] == null ? undefined : json['clipped_actions'],
+        'total_reward': json['total_reward'] == null ? undefined : json['total_reward'],
     };
 }
 
@@ -155,5 +177,8 @@ export function EpisodeResultToJSONTyped(value?: EpisodeResult | null, ignoreDis
         'truncated': value['truncated'],
         'think_s': value['think_s'],
         'finished_at': value['finished_at'] == null ? value['finished_at'] : serializeDateTime(value['finished_at']),
+        'player': PlayerViewToJSON(value['player']),
+        'clipped_actions': value['clipped_actions'],
+        'total_reward': value['total_reward'],
     };
 }

@@ -26,6 +26,13 @@ import {
     PolicyServerViewToJSON,
     PolicyServerViewToJSONTyped,
 } from './PolicyServerView';
+import type { SelectionView } from './SelectionView';
+import {
+    SelectionViewFromJSON,
+    SelectionViewFromJSONTyped,
+    SelectionViewToJSON,
+    SelectionViewToJSONTyped,
+} from './SelectionView';
 import type { ImageChoice } from './ImageChoice';
 import {
     ImageChoiceFromJSON,
@@ -88,6 +95,14 @@ export interface Run {
      *
      */
     policy_server?: PolicyServerView;
+    /**
+     * Whether workers may play for another policy than `policy`; for the profile `attribution`.
+     */
+    any_policy?: boolean;
+    /**
+     *
+     */
+    select?: SelectionView;
     /**
      *
      */
@@ -177,6 +192,8 @@ export function RunFromJSONTyped(json: any, ignoreDiscriminator: boolean): Run {
         'policy': PolicyInfoFromJSON(json['policy']),
         'mode': json['mode'] == null ? undefined : json['mode'],
         'policy_server': json['policy_server'] == null ? undefined : PolicyServerViewFromJSON(json['policy_server']),
+        'any_policy': json['any_policy'] == null ? undefined : json['any_policy'],
+        'select': json['select'] == null ? undefined : SelectionViewFromJSON(json['select']),
         'max_workers': json['max_workers'],
         'idle_timeout_s': json['idle_timeout_s'],
         'images': ImageChoiceFromJSON(json['images']),
@@ -212,6 +229,8 @@ export function RunToJSONTyped(value?: Run | null, ignoreDiscriminator: boolean 
         'policy': PolicyInfoToJSON(value['policy']),
         'mode': value['mode'],
         'policy_server': PolicyServerViewToJSON(value['policy_server']),
+        'any_policy': value['any_policy'],
+        'select': SelectionViewToJSON(value['select']),
         'max_workers': value['max_workers'],
         'idle_timeout_s': value['idle_timeout_s'],
         'images': ImageChoiceToJSON(value['images']),

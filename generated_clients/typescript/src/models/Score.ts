@@ -19,6 +19,13 @@ import {
     GroupScoreToJSON,
     GroupScoreToJSONTyped,
 } from './GroupScore';
+import type { SelectionView } from './SelectionView';
+import {
+    SelectionViewFromJSON,
+    SelectionViewFromJSONTyped,
+    SelectionViewToJSON,
+    SelectionViewToJSONTyped,
+} from './SelectionView';
 import type { OutcomeCounts } from './OutcomeCounts';
 import {
     OutcomeCountsFromJSON,
@@ -53,6 +60,10 @@ export interface Score {
      * The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.
      */
     manifest_sha256: string;
+    /**
+     *
+     */
+    select?: SelectionView;
     /**
      *
      */
@@ -141,6 +152,7 @@ export function ScoreFromJSONTyped(json: any, ignoreDiscriminator: boolean): Sco
         'run_id': json['run_id'],
         'benchmark_id': json['benchmark_id'],
         'manifest_sha256': json['manifest_sha256'],
+        'select': json['select'] == null ? undefined : SelectionViewFromJSON(json['select']),
         'state': RunStateFromJSON(json['state']),
         'complete': json['complete'],
         'score': json['score'],
@@ -171,6 +183,7 @@ export function ScoreToJSONTyped(value?: Score | null, ignoreDiscriminator: bool
         'run_id': value['run_id'],
         'benchmark_id': value['benchmark_id'],
         'manifest_sha256': value['manifest_sha256'],
+        'select': SelectionViewToJSON(value['select']),
         'state': RunStateToJSON(value['state']),
         'complete': value['complete'],
         'score': value['score'],

@@ -5,6 +5,13 @@
  */
 
 import { mapValues } from '../runtime';
+import type { EpisodeSelection } from './EpisodeSelection';
+import {
+    EpisodeSelectionFromJSON,
+    EpisodeSelectionFromJSONTyped,
+    EpisodeSelectionToJSON,
+    EpisodeSelectionToJSONTyped,
+} from './EpisodeSelection';
 import type { PolicyServer } from './PolicyServer';
 import {
     PolicyServerFromJSON,
@@ -79,6 +86,14 @@ export interface SubmitRun {
      *
      */
     policy_server?: PolicyServer;
+    /**
+     * Workers may play for another policy than `policy`; false when absent; for the profile `attribution`.
+     */
+    any_policy?: boolean;
+    /**
+     *
+     */
+    select?: EpisodeSelection;
 }
 
 
@@ -110,6 +125,8 @@ export function SubmitRunFromJSONTyped(json: any, ignoreDiscriminator: boolean):
         'options': json['options'] == null ? undefined : CalibrationOptionsFromJSON(json['options']),
         'mode': json['mode'] == null ? undefined : RunModeFromJSON(json['mode']),
         'policy_server': json['policy_server'] == null ? undefined : PolicyServerFromJSON(json['policy_server']),
+        'any_policy': json['any_policy'] == null ? undefined : json['any_policy'],
+        'select': json['select'] == null ? undefined : EpisodeSelectionFromJSON(json['select']),
     };
 }
 
@@ -132,5 +149,7 @@ export function SubmitRunToJSONTyped(value?: SubmitRun | null, ignoreDiscriminat
         'options': CalibrationOptionsToJSON(value['options']),
         'mode': RunModeToJSON(value['mode']),
         'policy_server': PolicyServerToJSON(value['policy_server']),
+        'any_policy': value['any_policy'],
+        'select': EpisodeSelectionToJSON(value['select']),
     };
 }

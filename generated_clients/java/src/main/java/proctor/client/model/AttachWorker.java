@@ -22,6 +22,9 @@ public class AttachWorker {
   @SerializedName("assumes")
   private Assumptions assumes;
 
+  @SerializedName("player")
+  private Player player;
+
   /** New for every attachment; repeated only to repeat a lost request. */
   public String getAttachKey() {
     return attachKey;
@@ -61,6 +64,19 @@ public class AttachWorker {
 
   public void setAssumes(Assumptions assumes) {
     this.assumes = assumes;
+  }
+
+  public Player getPlayer() {
+    return player;
+  }
+
+  public AttachWorker player(Player player) {
+    this.player = player;
+    return this;
+  }
+
+  public void setPlayer(Player player) {
+    this.player = player;
   }
 
   public static AttachWorker fromJson(String text) {

@@ -68,6 +68,15 @@ public class EpisodeResult {
   @javax.annotation.Nonnull
   private OffsetDateTime finishedAt;
 
+  @SerializedName("player")
+  private PlayerView player;
+
+  @SerializedName("clipped_actions")
+  private Integer clippedActions;
+
+  @SerializedName("total_reward")
+  private Double totalReward;
+
   public String getEpisodeId() {
     return episodeId;
   }
@@ -249,6 +258,47 @@ public class EpisodeResult {
 
   public void setFinishedAt(OffsetDateTime finishedAt) {
     this.finishedAt = finishedAt;
+  }
+
+  public PlayerView getPlayer() {
+    return player;
+  }
+
+  public EpisodeResult player(PlayerView player) {
+    this.player = player;
+    return this;
+  }
+
+  public void setPlayer(PlayerView player) {
+    this.player = player;
+  }
+
+  /** Actions of the attempt with a number outside of a range that is declared &#x60;clip&#x60;; for the profile &#x60;attribution&#x60;. */
+  public Integer getClippedActions() {
+    return clippedActions;
+  }
+
+  public EpisodeResult clippedActions(Integer clippedActions) {
+    this.clippedActions = clippedActions;
+    return this;
+  }
+
+  public void setClippedActions(Integer clippedActions) {
+    this.clippedActions = clippedActions;
+  }
+
+  /** Sum of the rewards of the attempt, its return; for the profile &#x60;attribution&#x60;. */
+  public Double getTotalReward() {
+    return totalReward;
+  }
+
+  public EpisodeResult totalReward(Double totalReward) {
+    this.totalReward = totalReward;
+    return this;
+  }
+
+  public void setTotalReward(Double totalReward) {
+    this.totalReward = totalReward;
   }
 
   public static EpisodeResult fromJson(String text) {

@@ -48,6 +48,12 @@ public class Run {
   @SerializedName("policy_server")
   private PolicyServerView policyServer;
 
+  @SerializedName("any_policy")
+  private Boolean anyPolicy;
+
+  @SerializedName("select")
+  private SelectionView select;
+
   @SerializedName("max_workers")
   @javax.annotation.Nonnull
   private Integer maxWorkers;
@@ -218,6 +224,33 @@ public class Run {
 
   public void setPolicyServer(PolicyServerView policyServer) {
     this.policyServer = policyServer;
+  }
+
+  /** Whether workers may play for another policy than &#x60;policy&#x60;; for the profile &#x60;attribution&#x60;. */
+  public Boolean getAnyPolicy() {
+    return anyPolicy;
+  }
+
+  public Run anyPolicy(Boolean anyPolicy) {
+    this.anyPolicy = anyPolicy;
+    return this;
+  }
+
+  public void setAnyPolicy(Boolean anyPolicy) {
+    this.anyPolicy = anyPolicy;
+  }
+
+  public SelectionView getSelect() {
+    return select;
+  }
+
+  public Run select(SelectionView select) {
+    this.select = select;
+    return this;
+  }
+
+  public void setSelect(SelectionView select) {
+    this.select = select;
   }
 
   public Integer getMaxWorkers() {

@@ -25,6 +25,9 @@ public class Score {
   @javax.annotation.Nonnull
   private String manifestSha256;
 
+  @SerializedName("select")
+  private SelectionView select;
+
   @SerializedName("state")
   @javax.annotation.Nonnull
   private RunState state;
@@ -108,6 +111,19 @@ public class Score {
 
   public void setManifestSha256(String manifestSha256) {
     this.manifestSha256 = manifestSha256;
+  }
+
+  public SelectionView getSelect() {
+    return select;
+  }
+
+  public Score select(SelectionView select) {
+    this.select = select;
+    return this;
+  }
+
+  public void setSelect(SelectionView select) {
+    this.select = select;
   }
 
   public RunState getState() {

@@ -38,6 +38,12 @@ public class SubmitRun {
   @SerializedName("policy_server")
   private PolicyServer policyServer;
 
+  @SerializedName("any_policy")
+  private Boolean anyPolicy;
+
+  @SerializedName("select")
+  private EpisodeSelection select;
+
   public String getBenchmarkId() {
     return benchmarkId;
   }
@@ -142,6 +148,33 @@ public class SubmitRun {
 
   public void setPolicyServer(PolicyServer policyServer) {
     this.policyServer = policyServer;
+  }
+
+  /** Workers may play for another policy than &#x60;policy&#x60;; false when absent; for the profile &#x60;attribution&#x60;. */
+  public Boolean getAnyPolicy() {
+    return anyPolicy;
+  }
+
+  public SubmitRun anyPolicy(Boolean anyPolicy) {
+    this.anyPolicy = anyPolicy;
+    return this;
+  }
+
+  public void setAnyPolicy(Boolean anyPolicy) {
+    this.anyPolicy = anyPolicy;
+  }
+
+  public EpisodeSelection getSelect() {
+    return select;
+  }
+
+  public SubmitRun select(EpisodeSelection select) {
+    this.select = select;
+    return this;
+  }
+
+  public void setSelect(EpisodeSelection select) {
+    this.select = select;
   }
 
   public static SubmitRun fromJson(String text) {

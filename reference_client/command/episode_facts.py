@@ -1,0 +1,91 @@
+"""What the episodes of a run say of it: who played, what was clipped, the return.
+
+Servers without the profile `attribution` say none of it; then these facts are left out.
+"""
+
+from __future__ import annotations
+
+import statistics
+from collections import Counter
+from collections.abc import Sequence
+from typing import Any
+
+from proctor_client import Episode, EpisodeResult, PlayerView
+
+Player = PlayerView | None
+
+
+def players_of(episodes: Sequence[Episode]) -> list[dict[str, Any]]:
+    """For JSON: each player with its number of scored episodes, the most first.
+
+    `player` is None where none was declared, or several played an episode.
+    """
+    return [
+        {"player": player and player.to_dict(), "episodes": number}
+        for player, number in _counted(episodes)
+    ]
+
+
+def episode_facts(episodes: Sequence[Episode]) -> dict[str, str | None]:
+    """Facts for a table; None where there is nothing to say."""
+    results = [episode.result for episode in episodes if episode.result]
+    return {
+        "played by": played_by(episodes),
+        "return": _return(results),
+        "clipped": _clipped(results),
+    }
+
+
+def played_by(episodes: Sequence[Episode]) -> str | None:
+    """`hold with proctor-eval/0.1.0 (hold): 6 episodes; not declared: 2 episodes`."""
+    counted = _counted(episodes)
+    if not counted:
+        return None
+    return "; ".join(
+        f"{label_of(player)}: {number} episode{'s' * (number > 1)}"
+        for player, number in counted
+    )
+
+
+def label_of(player: Player) -> str:
+    if player is None:
+        return "not declared"
+    version = f" {player.version}" if player.version else ""
+    client = f" with {player.client}" if player.client else ""
+    return f"{player.name}{version}{client}"
+
+
+def _counted(episodes: Sequence[Episode]) -> list[tuple[Player, int]]:
+    """Nothing where the server does not record players."""
+    results = [episode.result for episode in episodes if episode.result]
+    if all(result.clipped_actions is None for result in results):
+        return []
+    by_label: dict[str, Player] = {}
+    numbers: Counter[str] = Counter()
+    for result in results:
+        label = label_of(result.player)
+        by_label.setdefault(label, result.player)
+        numbers[label] += 1
+    return [(by_label[label], number) for label, number in numbers.most_common()]
+
+
+def _return(results: Sequence[EpisodeResult]) -> str | None:
+    """Nothing where there are no rewards, or where the return is the score."""
+    played = [r for r in results if r.outcome.value != "abandoned"]
+    returns = [r.total_reward for r in played if r.total_reward is not None]
+    if not any(returns) or all(r.total_reward == r.score for r in played):
+        return None
+    spread = statistics.stdev(returns) if len(returns) > 1 else 0.0
+    return (
+        f"mean {statistics.mean(returns):.4f}, standard deviation {spread:.4f}, over "
+        f"{len(returns)} episodes"
+    )
+
+
+def _clipped(results: Sequence[EpisodeResult]) -> str | None:
+    clipped = [result for result in results if result.clipped_actions]
+    if not clipped:
+        return None
+    actions = sum(result.clipped_actions or 0 for result in clipped)
+    steps = sum(result.steps for result in results)
+    return f"{actions} of {steps} actions, in {len(clipped)} of {len(results)} episodes"
