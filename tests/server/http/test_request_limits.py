@@ -152,13 +152,18 @@ def test_a_wrong_body_of_the_limit_costs_little(live_run: LiveRun, kind: str) ->
 
 def test_a_body_of_just_the_limit_is_read(live_run: LiveRun) -> None:
     limits = live_run.client.get("/v1").json()["limits"]
-    for extra, code in ((0, "malformed_body"), (1, "body_too_large")):
-        answer = live_run.client.post(
-            "/v1/runs",
-            content=b" " * (limits["max_body_bytes"] + extra),
-            headers={"Content-Type": "application/json"},
-        )
-        assert_problem(answer, code)
+    places = {
+        f"{live_run.worker}/predict": limits["max_body_bytes"],
+        "/v1/runs": limits["max_control_body_bytes"],
+    }
+    for path, size in places.items():
+        for extra, code in ((0, "malformed_body"), (1, "body_too_large")):
+            answer = live_run.client.post(
+                path,
+                content=b" " * (size + extra),
+                headers={"Content-Type": "application/json"},
+            )
+            assert_problem(answer, code)
 
 
 @pytest.mark.parametrize(
