@@ -180,7 +180,8 @@ def test_a_body_nested_a_million_deep_is_malformed(
     live_run: LiveRun, body: bytes, media_type: str
 ) -> None:
     headers = {"Content-Type": media_type}
-    answer = live_run.client.put(live_run.worker, content=body, headers=headers)
+    path = f"{live_run.worker}/predict"
+    answer = live_run.client.post(path, content=body, headers=headers)
     assert_problem(answer, "malformed_body")
 
 
