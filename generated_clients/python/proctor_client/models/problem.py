@@ -30,12 +30,22 @@ class Problem(BaseModel):
     retryable: StrictBool = Field(description="Whether the same request can succeed later.")
     side_effects: SideEffects
     errors: Optional[Annotated[List[ProblemItem], Field(max_length=1000000)]] = None
-    requirement: Optional[StrictStr] = Field(default=None, description="Id of the rule that was enforced.")
+    requirement: Optional[Annotated[str, Field(strict=True)]] = Field(default=None, description="Id of the rule that was enforced.")
     state: Optional[RunState] = None
     expected_seq: Optional[Annotated[int, Field(strict=True, ge=1)]] = None
     ended_by: Optional[Annotated[str, Field(strict=True)]] = Field(default=None, description="What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended.")
     additional_properties: Dict[str, Any] = {}
     __properties: ClassVar[List[str]] = ["type", "title", "status", "detail", "code", "retryable", "side_effects", "errors", "requirement", "state", "expected_seq", "ended_by"]
+
+    @field_validator('requirement', mode="before")
+    def requirement_validate_regular_expression(cls, value):
+        """Validates the regular expression"""
+        if value is None:
+            return value
+
+        if isinstance(value, str) and not re.match(r"^[A-Z]+-[0-9]+$", value):
+            raise ValueError(r"must validate the regular expression /^[A-Z]+-[0-9]+$/")
+        return value
 
     @field_validator('ended_by', mode="before")
     def ended_by_validate_regular_expression(cls, value):
