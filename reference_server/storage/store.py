@@ -124,7 +124,7 @@ _COUNT_SCORED = (
     .scalar_subquery()
 )
 _HEADS = sa.select(
-    *(one for one in _runs.c if one not in (_runs.c.scored, _runs.c.stored_bytes)),
+    *(one for one in _runs.c if one.name not in ("scored", "stored_bytes")),
     sa.func.coalesce(_runs.c.scored, _COUNT_SCORED).label("scored"),
 ).where(_runs.c.run_id.in_(sa.bindparam("run_ids", expanding=True)))
 _MANIFEST = sa.select(_manifests.c.manifest).where(
