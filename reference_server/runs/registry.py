@@ -55,6 +55,8 @@ CACHED_RUNS_MAX = 256
 RELOAD_S = 1.0
 # Read at once of the runs that may be played after a restart.
 HEADS_PER_READ = 200
+# Shown of a page of runs before others are served.
+VIEWS_AT_ONCE = 20
 
 Rendered = TypeVar("Rendered")
 
@@ -232,7 +234,9 @@ class RunRegistry:
         ids = [run_id for _, run_id in await self._store.page(account, before, limit)]
         heads = await self._store.heads([i for i in ids if i not in self._in_memory])
         found = []
-        for run_id in ids:
+        for place, run_id in enumerate(ids):
+            if place % VIEWS_AT_ONCE == 0:
+                await asyncio.sleep(0)  # a page may have a thousand
             head = heads.get(run_id)
             if head is not None and self._is_current(head):
                 found.append(view(head))

@@ -396,22 +396,47 @@ def test_an_account_may_store_so_much(tmp_path: Path) -> None:
 # --- the event loop ---
 
 
+class OtherTask:
+    """Counts how often it was continued."""
+
+    def __init__(self) -> None:
+        self.continued = 0
+        self._task = start_task(self._be_served())
+
+    async def _be_served(self) -> None:
+        while True:
+            self.continued += 1
+            await asyncio.sleep(0)
+
+    def end(self) -> None:
+        self._task.cancel()
+
+
 def test_a_comparison_of_many_runs_leaves_the_loop_to_others(tmp_path: Path) -> None:
     """Sixteen runs of a thousand episodes held it for a sixth of a second."""
 
     async def scenario(parts: ServerParts) -> None:
         run = await submit(parts, "run_1")
-        others_served = 0
-
-        async def be_served() -> None:
-            nonlocal others_served
-            while True:
-                others_served += 1
-                await asyncio.sleep(0)
-
-        other = start_task(be_served())
+        other = OtherTask()
         await parts.service.compare_runs("alice", [run.run_id] * 16)
-        other.cancel()
-        assert others_served > 2 * 15
+        other.end()
+        assert other.continued > 2 * 15
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_long_page_of_runs_leaves_the_loop_to_others(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A thousand runs in memory are shown without a wait."""
+    monkeypatch.setattr(registry, "VIEWS_AT_ONCE", 2)
+
+    async def scenario(parts: ServerParts) -> None:
+        for number in range(9):
+            await submit(parts, f"run_{number}")
+        other = OtherTask()
+        seen = await parts.registry.page("alice", None, 9, lambda _: other.continued)
+        other.end()
+        assert seen[-1] - seen[0] >= 4
 
     run_scenarios(tmp_path, scenario)
