@@ -97,6 +97,9 @@ class BoundedConnection(HttpToolsProtocol):
     def connection_lost(self, exc: Exception | None) -> None:
         super().connection_lost(exc)
         self._limiter.remove(self)
+        self._held = b""
+        if self.cycle is not None:  # in a cycle of references, which lives for long
+            self.cycle.body = bytearray()
 
     def data_received(self, data: bytes) -> None:
         position = 0
