@@ -1020,7 +1020,7 @@ func (r ApiListKeysRequest) Execute() (*KeyList, *http.Response, error) {
 /*
 ListKeys The public keys with which this host signs records
 
-Offered with the profile `record`. Needs no token, so that anybody can check a record.
+Offered with the profile `record`. Needs no token, as checking a record needs none.
 
  @param ctx context.Context - for authentication, logging, cancellation, deadlines, tracing, etc. Passed from http.Request or context.Background().
  @return ApiListKeysRequest

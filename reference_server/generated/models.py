@@ -401,7 +401,7 @@ class Interval(BaseModel):
 
 class KeyList(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    keys: list[PublicKey]
+    keys: Annotated[list[PublicKey], Field(max_length=10000)]
 
 
 class Lease(BaseModel):

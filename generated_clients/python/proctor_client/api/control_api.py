@@ -1374,7 +1374,7 @@ class ControlApi:
     ) -> KeyList:
         """The public keys with which this host signs records
 
-        Offered with the profile `record`. Needs no token, so that anybody can check a record.
+        Offered with the profile `record`. Needs no token, as checking a record needs none.
 
         :param proctor_version: The protocol version the caller was written for.
         :type proctor_version: str
@@ -1427,7 +1427,7 @@ class ControlApi:
     ) -> ApiResponse[KeyList]:
         """The public keys with which this host signs records
 
-        Offered with the profile `record`. Needs no token, so that anybody can check a record.
+        Offered with the profile `record`. Needs no token, as checking a record needs none.
 
         :param proctor_version: The protocol version the caller was written for.
         :type proctor_version: str

@@ -443,7 +443,7 @@ pub async fn list_episodes(configuration: &configuration::Configuration, run_id:
     }
 }
 
-/// Offered with the profile `record`. Needs no token, so that anybody can check a record.
+/// Offered with the profile `record`. Needs no token, as checking a record needs none.
 pub async fn list_keys(configuration: &configuration::Configuration, proctor_version: Option<&str>) -> Result<models::KeyList, Error<ListKeysError>> {
     // add a prefix to parameters to efficiently prevent name collisions
     let p_header_proctor_version = proctor_version;

@@ -662,7 +662,7 @@ export class ControlApi extends runtime.BaseAPI {
     }
 
     /**
-     * Offered with the profile `record`. Needs no token, so that anybody can check a record.
+     * Offered with the profile `record`. Needs no token, as checking a record needs none.
      * The public keys with which this host signs records
      */
     async listKeysRaw(requestParameters: ListKeysRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<KeyList>> {
@@ -673,7 +673,7 @@ export class ControlApi extends runtime.BaseAPI {
     }
 
     /**
-     * Offered with the profile `record`. Needs no token, so that anybody can check a record.
+     * Offered with the profile `record`. Needs no token, as checking a record needs none.
      * The public keys with which this host signs records
      */
     async listKeys(requestParameters: ListKeysRequest = {}, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<KeyList> {

@@ -1205,7 +1205,7 @@ public class ControlApi {
 
     /**
      * The public keys with which this host signs records
-     * Offered with the profile &#x60;record&#x60;. Needs no token, so that anybody can check a record.
+     * Offered with the profile &#x60;record&#x60;. Needs no token, as checking a record needs none.
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @return KeyList
      * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
@@ -1225,7 +1225,7 @@ public class ControlApi {
 
     /**
      * The public keys with which this host signs records
-     * Offered with the profile &#x60;record&#x60;. Needs no token, so that anybody can check a record.
+     * Offered with the profile &#x60;record&#x60;. Needs no token, as checking a record needs none.
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @return ApiResponse&lt;KeyList&gt;
      * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
@@ -1246,7 +1246,7 @@ public class ControlApi {
 
     /**
      * The public keys with which this host signs records (asynchronously)
-     * Offered with the profile &#x60;record&#x60;. Needs no token, so that anybody can check a record.
+     * Offered with the profile &#x60;record&#x60;. Needs no token, as checking a record needs none.
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @param _callback The callback to be executed when the API call finishes
      * @return The request call
