@@ -29,6 +29,7 @@ from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_server_validator import PolicyServerValidator
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
+from reference_server.rules.capacity import Quota
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.submission import SubmissionLimits
@@ -67,7 +68,7 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         on_run_lost,
         on_change,
         unused_s=settings.unused_s_max,
-        open_max=settings.max_open_runs,
+        quota=_quota(settings),
     )
     executor = SessionExecutor(
         registry, pool, settings.unused_s_max, settings.heartbeat_s_max, recordings
@@ -160,6 +161,12 @@ def _records_of(
         settings.records_keep_days,
     )
     return RunRecords(store, recordings, host)
+
+
+def _quota(settings: Settings) -> Quota:
+    return Quota(
+        settings.max_open_runs, settings.max_idempotency_keys, settings.max_stored_bytes
+    )
 
 
 class _Endpoint:

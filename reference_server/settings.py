@@ -165,6 +165,18 @@ class Settings(BaseSettings):
         description="Maximum runs of one account that are queued, ready, running or "
         "stopping.",
     )
+    max_idempotency_keys: int = Field(
+        1_000_000,
+        ge=1,
+        description="Maximum Idempotency-Keys of one account; they are kept for good.",
+    )
+    max_stored_bytes: int = Field(
+        16 * 2**30,
+        ge=1,
+        description="Maximum bytes that the runs of one account may take in the "
+        "database: their submissions, and 512 for each episode. They are kept for "
+        "good.",
+    )
     max_simulators: int = Field(
         64, ge=1, description="Maximum simulator processes, over all runs."
     )
@@ -202,6 +214,12 @@ class Settings(BaseSettings):
     )
     max_body_bytes: int = Field(
         8 * 2**20, ge=2**16, description="Maximum size of a request body."
+    )
+    max_control_body_bytes: int = Field(
+        2**16,
+        ge=2**16,
+        description="Maximum size of the body of a request of this protocol that is no "
+        "predict.",
     )
     max_connections: int = Field(
         2000,

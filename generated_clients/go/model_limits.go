@@ -24,8 +24,14 @@ type Limits struct {
 	HeartbeatSMax *float64 `json:"heartbeat_s_max,omitzero"`
 	// When others wait: the time after which a run without a worker, or a session without a turn, may have to make room; for the profile `limits`.
 	UnusedSMax *float64 `json:"unused_s_max,omitzero"`
+	// Longest body that is read of a request other than `predict`, where it is less than `max_body_bytes`; for the profile `limits`.
+	MaxControlBodyBytes *int64 `json:"max_control_body_bytes,omitzero"`
 	// Most runs of one account that are queued, ready, running or stopping; for the profile `limits`.
 	MaxOpenRuns *int32 `json:"max_open_runs,omitzero"`
+	// Most Idempotency-Keys that one account may use; for the profile `limits`.
+	MaxIdempotencyKeys *int64 `json:"max_idempotency_keys,omitzero"`
+	// Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile `limits`.
+	MaxStoredBytes *int64 `json:"max_stored_bytes,omitzero"`
 }
 
 // GetMaxHeaderBytes returns max_header_bytes, or the zero value when it is absent.
@@ -93,6 +99,19 @@ func (o *Limits) SetUnusedSMax(v float64) {
 	o.UnusedSMax = &v
 }
 
+// GetMaxControlBodyBytes returns max_control_body_bytes, or the zero value when it is absent.
+func (o *Limits) GetMaxControlBodyBytes() (v int64) {
+	if o != nil && o.MaxControlBodyBytes != nil {
+		v = *o.MaxControlBodyBytes
+	}
+	return v
+}
+
+// SetMaxControlBodyBytes sets max_control_body_bytes.
+func (o *Limits) SetMaxControlBodyBytes(v int64) {
+	o.MaxControlBodyBytes = &v
+}
+
 // GetMaxOpenRuns returns max_open_runs, or the zero value when it is absent.
 func (o *Limits) GetMaxOpenRuns() (v int32) {
 	if o != nil && o.MaxOpenRuns != nil {
@@ -104,4 +123,30 @@ func (o *Limits) GetMaxOpenRuns() (v int32) {
 // SetMaxOpenRuns sets max_open_runs.
 func (o *Limits) SetMaxOpenRuns(v int32) {
 	o.MaxOpenRuns = &v
+}
+
+// GetMaxIdempotencyKeys returns max_idempotency_keys, or the zero value when it is absent.
+func (o *Limits) GetMaxIdempotencyKeys() (v int64) {
+	if o != nil && o.MaxIdempotencyKeys != nil {
+		v = *o.MaxIdempotencyKeys
+	}
+	return v
+}
+
+// SetMaxIdempotencyKeys sets max_idempotency_keys.
+func (o *Limits) SetMaxIdempotencyKeys(v int64) {
+	o.MaxIdempotencyKeys = &v
+}
+
+// GetMaxStoredBytes returns max_stored_bytes, or the zero value when it is absent.
+func (o *Limits) GetMaxStoredBytes() (v int64) {
+	if o != nil && o.MaxStoredBytes != nil {
+		v = *o.MaxStoredBytes
+	}
+	return v
+}
+
+// SetMaxStoredBytes sets max_stored_bytes.
+func (o *Limits) SetMaxStoredBytes(v int64) {
+	o.MaxStoredBytes = &v
 }

@@ -74,7 +74,7 @@ class EpisodeView(Struct):
 
 class Fault(Struct):
     """
-    The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed.
+    The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed. A turn that ends an episode has its result instead, and `list_episodes` the faults of the next one.
     """
 
     episode_id: str
@@ -103,9 +103,9 @@ class Lease(Struct):
 
 
 class Observation(Struct):
-    state: dict[str, list[float]]
-    images: dict[str, Image]
-    tensors: dict[str, Tensor]
+    state: Annotated[dict[str, StateAdditionalProperty], Meta(max_length=1024)]
+    images: Annotated[dict[str, Image], Meta(max_length=256)]
+    tensors: Annotated[dict[str, Tensor], Meta(max_length=1024)]
 
 
 Outcome: TypeAlias = Literal["success", "failure", "abandoned"]
@@ -124,13 +124,16 @@ class PlayerView(Struct):
 ShapeItem: TypeAlias = Annotated[int, Meta(ge=0)]
 
 
+StateAdditionalProperty: TypeAlias = Annotated[list[float], Meta(max_length=1000000)]
+
+
 class Tensor(Struct):
     """
     C order, little-endian; a bool is one byte, 0 or 1.
     """
 
     dtype: Dtype
-    shape: list[ShapeItem]
+    shape: Annotated[list[ShapeItem], Meta(max_length=64)]
     data: Blob
 
 
@@ -157,7 +160,9 @@ class Turn(Struct):
     stopped_early: Annotated[
         bool, Meta(description="The episode ended before the chunk did.")
     ]
-    rewards: Annotated[list[float], Meta(description="One per executed action.")]
+    rewards: Annotated[
+        list[float], Meta(description="One per executed action.", max_length=65536)
+    ]
     terminated: Annotated[
         bool, Meta(description="The task ended by itself in this turn.")
     ]
@@ -177,7 +182,10 @@ class Turn(Struct):
     observations: (
         Annotated[
             list[Observation],
-            Meta(description="With `observe` all, one per executed action."),
+            Meta(
+                description="With `observe` all, one per executed action.",
+                max_length=65536,
+            ),
         ]
         | UnsetType
     ) = UNSET

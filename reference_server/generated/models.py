@@ -75,8 +75,8 @@ class Benchmark(BaseModel):
     description: str
     manifest_sha256: Sha256
     episodes_total: Annotated[int, Field(ge=1)]
-    tasks: list[str]
-    splits: list[str]
+    tasks: Annotated[list[str], Field(max_length=100000)]
+    splits: Annotated[list[str], Field(max_length=100000)]
     control_rate_hz: Annotated[
         float, Field(description="Actions per simulated second.")
     ]
@@ -95,19 +95,21 @@ class Benchmark(BaseModel):
     ]
     action_space: Annotated[
         dict[str, VectorSpace],
-        Field(description="Name of an action value → what it means."),
+        Field(description="Name of an action value → what it means.", max_length=64),
     ]
     observation_space: ObservationSpace
     image_sizes: Annotated[
         list[ImageSize],
         Field(
-            description="Sizes that may be chosen at submit; the first is the default."
+            description="Sizes that may be chosen at submit; the first is the default.",
+            max_length=1024,
         ),
     ]
     image_codecs: Annotated[
         list[ImageCodec],
         Field(
-            description="Codecs that may be chosen at submit; the first is the default."
+            description="Codecs that may be chosen at submit; the first is the default.",
+            max_length=256,
         ),
     ]
     simulator: SimulatorInfo
@@ -121,7 +123,7 @@ class Benchmark(BaseModel):
 
 class BenchmarkList(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    benchmarks: list[BenchmarkSummary]
+    benchmarks: Annotated[list[BenchmarkSummary], Field(max_length=10000)]
 
 
 class BenchmarkSummary(BaseModel):
@@ -222,7 +224,8 @@ class ComparedRun(BaseModel):
         float, Field(description="McNemar's exact test, two-sided.", ge=0.0, le=1.0)
     ]
     by_task: Annotated[
-        dict[str, ComparedTask], Field(description="Task → the pairs of its episodes.")
+        dict[str, ComparedTask],
+        Field(description="Task → the pairs of its episodes.", max_length=100000),
     ]
 
 
@@ -248,7 +251,10 @@ class Comparison(BaseModel):
     tolerance: Annotated[float, Field(ge=0.0, le=1.0)]
     runs: Annotated[
         list[ComparedRun],
-        Field(description="One entry per run that was named, in that order."),
+        Field(
+            description="One entry per run that was named, in that order.",
+            max_length=16,
+        ),
     ]
 
 
@@ -275,7 +281,7 @@ class Episode(BaseModel):
 
 class EpisodeList(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    episodes: list[Episode]
+    episodes: Annotated[list[Episode], Field(max_length=1000)]
     next_cursor: str | None
 
 
@@ -349,7 +355,7 @@ class EpisodeView(BaseModel):
 
 class Fault(BaseModel):
     """
-    The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed.
+    The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed. A turn that ends an episode has its result instead, and `list_episodes` the faults of the next one.
     """
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
@@ -409,7 +415,7 @@ class ImageSpace(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     channels: Annotated[int, Field(ge=1, le=4)]
     description: str
-    tasks: list[str] | MISSING = MISSING
+    tasks: Annotated[list[str] | MISSING, Field(max_length=100000)] = MISSING
 
 
 class Interval(BaseModel):
@@ -424,7 +430,7 @@ class Interval(BaseModel):
 
 class KeyList(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    keys: list[PublicKey]
+    keys: Annotated[list[PublicKey], Field(max_length=10000)]
 
 
 class Lease(BaseModel):
@@ -488,6 +494,13 @@ class Limits(BaseModel):
             ge=0.0,
         ),
     ] = MISSING
+    max_control_body_bytes: Annotated[
+        int | MISSING,
+        Field(
+            description="Longest body that is read of a request other than `predict`, where it is less than `max_body_bytes`; for the profile `limits`.",
+            ge=65536,
+        ),
+    ] = MISSING
     max_open_runs: Annotated[
         int | MISSING,
         Field(
@@ -495,20 +508,34 @@ class Limits(BaseModel):
             ge=1,
         ),
     ] = MISSING
+    max_idempotency_keys: Annotated[
+        int | MISSING,
+        Field(
+            description="Most Idempotency-Keys that one account may use; for the profile `limits`.",
+            ge=1,
+        ),
+    ] = MISSING
+    max_stored_bytes: Annotated[
+        int | MISSING,
+        Field(
+            description="Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile `limits`.",
+            ge=1,
+        ),
+    ] = MISSING
 
 
 class Observation(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    state: dict[str, list[float]]
-    images: dict[str, Image]
-    tensors: dict[str, Tensor]
+    state: Annotated[dict[str, StateAdditionalProperty], Field(max_length=1024)]
+    images: Annotated[dict[str, Image], Field(max_length=256)]
+    tensors: Annotated[dict[str, Tensor], Field(max_length=1024)]
 
 
 class ObservationSpace(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    state: dict[str, VectorSpace]
-    images: dict[str, ImageSpace]
-    tensors: dict[str, TensorSpace]
+    state: Annotated[dict[str, VectorSpace], Field(max_length=1024)]
+    images: Annotated[dict[str, ImageSpace], Field(max_length=256)]
+    tensors: Annotated[dict[str, TensorSpace], Field(max_length=1024)]
 
 
 Observe = TypeAliasType(
@@ -702,14 +729,14 @@ class PolicyServerView(BaseModel):
     call_timeout_s: float
     max_concurrent: int
     max_retries: int
-    generation: dict[str, float] | MISSING = MISSING
+    generation: Annotated[dict[str, float] | MISSING, Field(max_length=32)] = MISSING
 
 
 class Predict(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     session_id: Annotated[str, Field(max_length=128, min_length=1)]
     seq: Annotated[int, Field(ge=1, le=9007199254740991)]
-    actions: Annotated[list[Action], Field(min_length=1)]
+    actions: Annotated[list[Action], Field(max_length=65536, min_length=1)]
     observe: Observe | MISSING = MISSING
 
 
@@ -730,7 +757,7 @@ class Problem(BaseModel):
         bool, Field(description="Whether the same request can succeed later.")
     ]
     side_effects: SideEffects
-    errors: list[ProblemItem] | MISSING = MISSING
+    errors: Annotated[list[ProblemItem] | MISSING, Field(max_length=1000000)] = MISSING
     requirement: Annotated[
         str | MISSING,
         Field(
@@ -873,7 +900,7 @@ class Run(BaseModel):
 
 class RunList(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    runs: list[Run]
+    runs: Annotated[list[Run], Field(max_length=1000)]
     next_cursor: str | None
 
 
@@ -914,8 +941,8 @@ class Score(BaseModel):
     success_interval: Interval
     mean: Annotated[float | None, Field(description="Mean over the scored episodes.")]
     mean_interval: Interval
-    by_task: dict[str, GroupScore]
-    by_split: dict[str, GroupScore]
+    by_task: Annotated[dict[str, GroupScore], Field(max_length=100000)]
+    by_split: Annotated[dict[str, GroupScore], Field(max_length=100000)]
 
 
 class SelectionView(BaseModel):
@@ -924,8 +951,8 @@ class SelectionView(BaseModel):
     """
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    tasks: list[str] | MISSING = MISSING
-    splits: list[str] | MISSING = MISSING
+    tasks: Annotated[list[str] | MISSING, Field(max_length=100000)] = MISSING
+    splits: Annotated[list[str] | MISSING, Field(max_length=100000)] = MISSING
 
 
 class Service(BaseModel):
@@ -940,12 +967,15 @@ class Service(BaseModel):
     profiles: Annotated[
         list[Profile],
         Field(
-            description="Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified."
+            description="Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.",
+            max_length=256,
         ),
     ]
     limits: Limits
-    encodings: Annotated[list[str], Field(description="Media types of the data plane.")]
-    image_codecs: list[ImageCodec]
+    encodings: Annotated[
+        list[str], Field(description="Media types of the data plane.", max_length=64)
+    ]
+    image_codecs: Annotated[list[ImageCodec], Field(max_length=256)]
     server_time: Annotated[str, Field(description="The server's clock, UTC.")]
 
 
@@ -989,6 +1019,11 @@ class SimulatorInfo(BaseModel):
 
 
 Split = TypeAliasType("Split", Annotated[str, Field(max_length=200)])
+
+
+StateAdditionalProperty = TypeAliasType(
+    "StateAdditionalProperty", Annotated[list[float], Field(max_length=1000000)]
+)
 
 
 StopMode = TypeAliasType(
@@ -1048,16 +1083,16 @@ class Tensor(BaseModel):
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     dtype: Dtype
-    shape: list[ShapeItem]
+    shape: Annotated[list[ShapeItem], Field(max_length=64)]
     data: Blob
 
 
 class TensorSpace(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     dtype: Dtype
-    shape: list[ShapeItem]
+    shape: Annotated[list[ShapeItem], Field(max_length=64)]
     description: str
-    tasks: list[str] | MISSING = MISSING
+    tasks: Annotated[list[str] | MISSING, Field(max_length=100000)] = MISSING
 
 
 class Timing(BaseModel):
@@ -1085,13 +1120,17 @@ class Turn(BaseModel):
     observation: Observation | MISSING = MISSING
     observations: Annotated[
         list[Observation] | MISSING,
-        Field(description="With `observe` all, one per executed action."),
+        Field(
+            description="With `observe` all, one per executed action.", max_length=65536
+        ),
     ] = MISSING
     executed_steps: Annotated[int, Field(ge=0)]
     stopped_early: Annotated[
         bool, Field(description="The episode ended before the chunk did.")
     ]
-    rewards: Annotated[list[float], Field(description="One per executed action.")]
+    rewards: Annotated[
+        list[float], Field(description="One per executed action.", max_length=65536)
+    ]
     terminated: Annotated[
         bool, Field(description="The task ended by itself in this turn.")
     ]
@@ -1133,13 +1172,16 @@ class VectorSpace(BaseModel):
     gripper_open: Annotated[
         float | MISSING, Field(description="The value that means fully open.")
     ] = MISSING
-    minimum: list[float] | MISSING = MISSING
-    maximum: list[float] | MISSING = MISSING
+    minimum: Annotated[list[float] | MISSING, Field(max_length=1000000)] = MISSING
+    maximum: Annotated[list[float] | MISSING, Field(max_length=1000000)] = MISSING
     out_of_range: OutOfRange
     description: Annotated[
         str | MISSING, Field(description="What the numbers are.")
     ] = MISSING
     tasks: Annotated[
         list[str] | MISSING,
-        Field(description="The tasks that have this entry; all of them when absent."),
+        Field(
+            description="The tasks that have this entry; all of them when absent.",
+            max_length=100000,
+        ),
     ] = MISSING

@@ -146,7 +146,7 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "retryable": False,
         "side_effects": "none",
         "title": "The body is too large",
-        "act": "Stay below max_body_bytes of describe_service.",
+        "act": "Stay below the limits of describe_service for bodies.",
     },
     "unsupported_media_type": {
         "status": 415,

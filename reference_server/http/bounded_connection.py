@@ -97,6 +97,9 @@ class BoundedConnection(HttpToolsProtocol):
     def connection_lost(self, exc: Exception | None) -> None:
         super().connection_lost(exc)
         self._limiter.remove(self)
+        self._held = b""
+        if self.cycle is not None:  # in a cycle of references, which lives for long
+            self.cycle.body = bytearray()
 
     def data_received(self, data: bytes) -> None:
         position = 0
@@ -195,6 +198,8 @@ class BoundedConnection(HttpToolsProtocol):
             return self._refuse(414)
         if len(self.headers) > self._limits.header_count:
             return self._refuse(431)
+        if _names_two_hosts(self.headers):
+            return self._refuse(400)
         super().on_headers_complete()
         self._phase = _BODY
         self._body_left = _declared_length(self.headers)
@@ -416,6 +421,11 @@ class BoundedConnection(HttpToolsProtocol):
 def connection_factory(limiter: ConnectionLimiter) -> Any:
     """For `uvicorn.Config(http=…)`, which calls a class with what each one needs."""
     return partial(BoundedConnection, limiter=limiter)
+
+
+def _names_two_hosts(headers: list[tuple[bytes, bytes]]) -> bool:
+    """RFC 9112, 3.2: a proxy may have chosen by the other one."""
+    return sum(name == b"host" for name, _ in headers) > 1
 
 
 def _declared_length(headers: list[tuple[bytes, bytes]]) -> int | None:

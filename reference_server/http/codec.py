@@ -26,9 +26,9 @@ from reference_server.rules.refusal import Refused
 
 JSON = "application/json"
 MSGPACK = "application/msgpack"
-# An oversized body is read to its end, up to this many times the limit, so that the
-# refusal reaches a client that is still sending.
-DRAIN_FACTOR = 32
+# So much of an oversized body is read beyond the limit, so that the refusal reaches a
+# client that is still sending.
+DRAIN_BYTES = 2**28
 # Longer ones are not split: that would cost more than the operation. Browsers send 150.
 ACCEPT_CHARS_MAX = 512
 # Copying less costs less than sending one part more.
@@ -45,7 +45,7 @@ async def read_body(request: Request, max_bytes: int) -> bytes:
     """The request's body; refused when it is larger than `max_bytes` (ERR-005)."""
     whole = bytearray()  # a list of parts would hold 40 bytes more for each
     size, more = 0, True
-    while more and size <= max_bytes * DRAIN_FACTOR:
+    while more and size <= max_bytes + DRAIN_BYTES:
         message = await request.receive()
         if message["type"] == "http.disconnect":
             raise Refused("malformed_body", "The body ended before its Content-Length.")

@@ -13,6 +13,8 @@ from dataclasses import dataclass
 from ipaddress import IPv6Address, ip_address
 from typing import Protocol
 
+from reference_server.system.freed_memory import FreedMemory
+
 # Of a request line and headers (LIM-001); browsers and proxies send a quarter.
 HEADER_BYTES = 2**15
 # Refused connections that may wait for their 503 at once; others are closed unanswered.
@@ -83,6 +85,7 @@ class SharedMemory:
     def __init__(self, limit: int) -> None:
         self._limit = limit
         self._total = 0
+        self._freed = FreedMemory()
         self._by_connection: dict[Connection, int] = {}  # longest holder first
 
     def hold(self, connection: Connection, size: int) -> None:
@@ -90,6 +93,11 @@ class SharedMemory:
         self._total += size - self._by_connection.pop(connection, 0)
         if size:
             self._by_connection[connection] = size
+            self._freed.note(self._total)
+
+    def give_back_freed(self) -> None:
+        """Call it now and then."""
+        self._freed.look(self._total)
 
     @property
     def is_exceeded(self) -> bool:
@@ -184,6 +192,8 @@ class ConnectionLimiter:
         groups = [*self._by_address.values(), self._leaving]
         for connection in [one for group in groups for one in group]:
             connection.check_deadlines(now)
+        self.bodies.give_back_freed()
+        self.answers.give_back_freed()
         self._timer = None
         if self._count or self._leaving:
             self._schedule_check(loop)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import re
+import sys
 from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -79,7 +80,8 @@ class Operation:
     body: the model of the body. reads, writes: media types, best first; empty without a
     body. query, headers: names that it takes. refusal_response: makes the response of a
     refusal; a problem by default. local_account: that of requests of this machine
-    without a token; they are refused if it is empty.
+    without a token; they are refused if it is empty. max_body_bytes: its own limit, if
+    that is lower than the one of every operation.
     """
 
     handler: Callable[[OperationCall], Awaitable[Response]]
@@ -92,6 +94,7 @@ class Operation:
     headers: tuple[str, ...] = ()
     refusal_response: Callable[[Refused], Response] | None = None
     local_account: str = ""
+    max_body_bytes: int = sys.maxsize
 
 
 @dataclass(slots=True)
@@ -125,22 +128,23 @@ async def perform(
 ) -> Response:
     """Check a request in the fixed order and carry it out; refusals become problems.
 
-    ERR-020: nothing is carried out before everything is checked.
+    ERR-020: nothing is carried out before everything is checked. No variable keeps what
+    was raised: in a cycle of references its frames would keep the body for long.
     """
+    refuse = operation.refusal_response or problem_response
     try:
         if hosts:
             hosts.check(request.headers.get("host", ""))
         call = await _check_request(request, operation, tokens, max_body_bytes)
         return await operation.handler(call)
     except Refused as error:
-        refused = error
+        return refuse(error)
     except StoreFailed as error:
         _failures.report("a request could not use the database", str(error))
-        refused = Refused("unavailable", "The database is not available.")
+        return refuse(Refused("unavailable", "The database is not available."))
     except asyncio.CancelledError:
         # By the server alone, which shuts down and has waited long enough.
-        refused = Refused("unavailable", "The server is shutting down.")
-    return (operation.refusal_response or problem_response)(refused)
+        return refuse(Refused("unavailable", "The server is shutting down."))
 
 
 async def _check_request(
@@ -162,7 +166,9 @@ async def _check_request(
     )
     if operation.body is not None:
         media_type = codec.media_type_of(request, operation.reads)
-        call.raw = await codec.read_body(request, max_body_bytes)
+        # LIM-008: what is longer is not parsed.
+        allowed = min(max_body_bytes, operation.max_body_bytes)
+        call.raw = await codec.read_body(request, allowed)
         call.body = await large_bodies.read_message(
             operation.body, call.raw, media_type
         )

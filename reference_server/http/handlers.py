@@ -59,6 +59,10 @@ class Handlers:
         run, worker = "/v1/runs/{run_id}", "/v1/runs/{run_id}/workers/{worker_id}"
         pages = ("cursor", "limit")
         both = (JSON, MSGPACK)
+        # Everything but a predict is short.
+        control = partial(
+            Operation, max_body_bytes=self.settings.max_control_body_bytes
+        )
         return {
             # Paths are matched in this order; predict is the most frequent one.
             f"{worker}/predict": {
@@ -69,7 +73,7 @@ class Handlers:
             "/v1/benchmarks/{benchmark_id}": {"GET": Operation(self.get_benchmark)},
             "/v1/runs": {
                 "GET": Operation(self.list_runs, query=pages),
-                "POST": Operation(
+                "POST": control(
                     self.submit_run,
                     "run",
                     models.SubmitRun,
@@ -77,7 +81,7 @@ class Handlers:
                 ),
             },
             run: {"GET": Operation(self.get_run, headers=("if-none-match", "prefer"))},
-            f"{run}/stop": {"POST": Operation(self.stop_run, "run", models.StopRun)},
+            f"{run}/stop": {"POST": control(self.stop_run, "run", models.StopRun)},
             f"{run}/resume": {"POST": Operation(self.resume_run, "run")},
             f"{run}/episodes": {"GET": Operation(self.list_episodes, query=pages)},
             f"{run}/events": {
@@ -101,7 +105,7 @@ class Handlers:
                 )
             },
             worker: {
-                "PUT": Operation(
+                "PUT": control(
                     self.attach_worker, "run", models.AttachWorker, both, both
                 ),
                 "DELETE": Operation(
@@ -113,7 +117,7 @@ class Handlers:
                 ),
             },
             f"{worker}/heartbeat": {
-                "POST": Operation(self.heartbeat, "run", models.Heartbeat)
+                "POST": control(self.heartbeat, "run", models.Heartbeat)
             },
         }
 
@@ -144,6 +148,9 @@ class Handlers:
                 heartbeat_s_max=settings.heartbeat_s_max,
                 unused_s_max=settings.unused_s_max,
                 max_open_runs=settings.max_open_runs,
+                max_idempotency_keys=settings.max_idempotency_keys,
+                max_stored_bytes=settings.max_stored_bytes,
+                max_control_body_bytes=settings.max_control_body_bytes,
             ),
             encodings=[JSON, MSGPACK],
             image_codecs=["raw", "png", "jpeg"],

@@ -34,13 +34,15 @@ from reference_server.rules.refusal import Refused
 WHOLE_BYTES_MAX = 2**14
 # Larger ones are read beside the event loop.
 INLINE_BYTES_MAX = 2**18
-# Where a schema has no bound; no setting allows a longer chunk of actions.
+# Where a schema allows more; no setting allows a longer chunk of actions.
 ENTRIES_MAX = 4096
 # Numbers and texts of one body; an action of a robot has dozens.
 VALUES_MAX = 2**19
 # JSON does not say how many entries follow. Before a list or map is read, each entry
 # is credited with as many marks of its kind, which its own members may have, too.
 MARKS_PER_ENTRY = 16
+# Marks outside of strings are counted in parts of this size.
+MARKS_READ_BYTES = 2**16
 
 _FINITE = msgspec.Meta(ge=-sys.float_info.max, le=sys.float_info.max)
 _SCALARS: Mapping[Any, tuple[Any, ...]] = {
@@ -120,8 +122,27 @@ class _Reader:
 
     def check_marks(self, raw: Any, mark: bytes, most: int, at: Path) -> None:
         """MessagePack says how many entries follow: msgspec compares that itself."""
-        if self._is_json and bytes(raw).count(mark) > most:
+        if not self._is_json:
+            return
+        text = bytes(raw)
+        if text.count(mark) > most and _has_more_outside_strings(text, mark, most):
             raise _invalid(at, "has too many entries")
+
+
+def _has_more_outside_strings(text: bytes, mark: bytes, most: int) -> bool:
+    """Whether a JSON text has a mark more than `most` times outside of its strings.
+
+    Part by part, so that memory is bounded and other threads run.
+    """
+    quoted = text.replace(rb"\\", b"").replace(rb"\"", b"")
+    found, is_in_string = 0, False
+    for start in range(0, len(quoted), MARKS_READ_BYTES):
+        pieces = quoted[start : start + MARKS_READ_BYTES].split(b'"')
+        found += b"".join(pieces[is_in_string::2]).count(mark)
+        if found > most:
+            return True
+        is_in_string ^= len(pieces) % 2 == 0
+    return False
 
 
 class _Shape(Protocol):
@@ -286,7 +307,7 @@ def _scalars(annotation: Any) -> Iterable[Any]:
 def _most(metadata: Iterable[Any], otherwise: int) -> int:
     for one in metadata:
         if isinstance(one, MaxLen):
-            return one.max_length
+            return min(one.max_length, ENTRIES_MAX)
         if isinstance(one, FieldInfo):
             return _most(one.metadata, otherwise)
     return otherwise

@@ -18,12 +18,9 @@ from typing import Any
 from pydantic import BaseModel
 
 from reference_server.generated import models
-from reference_server.http.codec import JSON
-from reference_server.http.large_bodies import read_structure
-from reference_server.push.http_calls import HttpCalls, PolicyFault
+from reference_server.push.http_calls import HttpCalls, PolicyFault, read_members
 from reference_server.push.policy_calls import Description, Turn
 from reference_server.rules.policy_server import PolicyServerConfig
-from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 
 NO_ANSWER = -1.0
@@ -38,7 +35,9 @@ _NO_COMPLETION = (
     "The model's answer is not a chat completion: it has no /choices/0/message/content."
 )
 
-_LINE_CHARS_MAX = 4096  # of a text of any length; no answer is longer
+# Of the end of a text of any length: the line that may be an answer, and what is
+# searched for a marked one (FLE-022).
+_LINE_CHARS_MAX, _TEXT_CHARS_MAX = 4096, 2**16
 _REASONING_END = "</think>"
 _LABEL = re.compile(r"answer\s*:\s*", re.IGNORECASE)
 _DECORATION = "*` \t"
@@ -154,7 +153,7 @@ def read_answer(text: str) -> dict[str, list[float]]:
     last_lines = answer_text[-_LINE_CHARS_MAX:].splitlines()
     line = last_lines[-1].strip().strip(_DECORATION) if last_lines else ""
     line = _LABEL.sub("", line, count=1) if _LABEL.match(line) else line
-    values = _read_words(line) or _read_words(_marked(answer_text))
+    values = _read_words(line) or _read_words(_marked(answer_text[-_TEXT_CHARS_MAX:]))
     none = {name: [NO_ANSWER] * size for name, size in ANSWER_SIZES.items()}
     return none | values
 
@@ -220,13 +219,7 @@ class _Completion(BaseModel):
     choices: list[_Choice]
 
 
-def _read(body: bytes) -> Any:
-    try:
-        return read_structure(_Completion, body, JSON, closed=False)
-    except Refused as refused:
-        if refused.code == "malformed_body":
-            raise
-        raise PolicyFault(_NO_COMPLETION) from refused
+_read = read_members(_Completion, lambda _: PolicyFault(_NO_COMPLETION))
 
 
 def _content(answer: Any) -> str:
@@ -251,13 +244,7 @@ class _TextCompletion(BaseModel):
     choices: list[_TextChoice]
 
 
-def _read_text(body: bytes) -> Any:
-    try:
-        return read_structure(_TextCompletion, body, JSON, closed=False)
-    except Refused as refused:
-        if refused.code == "malformed_body":
-            raise
-        raise PolicyFault(_NO_TEXT) from refused
+_read_text = read_members(_TextCompletion, lambda _: PolicyFault(_NO_TEXT))
 
 
 def _text(answer: Any) -> str:

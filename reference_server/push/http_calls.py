@@ -16,9 +16,14 @@ from typing import Any, Self, TypeAlias
 
 import httpcore
 import msgspec
+from pydantic import BaseModel
 
 from reference_server.http.codec import JSON, decode, pointer
-from reference_server.http.large_bodies import INLINE_BYTES_MAX, WHOLE_BYTES_MAX
+from reference_server.http.large_bodies import (
+    INLINE_BYTES_MAX,
+    WHOLE_BYTES_MAX,
+    read_structure,
+)
 from reference_server.http.problems import PROBLEM_JSON
 from reference_server.push.backoff import CALL_PAUSE_MAX_S, Backoff
 from reference_server.push.egress import (
@@ -30,6 +35,9 @@ from reference_server.push.egress import (
 from reference_server.rules.refusal import Refused
 
 _PROBLEM_TEXT_MAX = 200
+# Of an answer; policy.yaml has it as what a server reads at least. Only actions may be
+# longer.
+ANSWER_BYTES_MAX = 2**20
 # The structure in a body; raises Refused. Large bodies are read in another thread.
 ReadAnswer: TypeAlias = Callable[[bytes], Any]
 
@@ -54,9 +62,38 @@ def read_json(body: bytes) -> Any:
     return decode(body, JSON)
 
 
+def read_members(
+    model: type[BaseModel], mismatch: Callable[[Refused], PolicyFault]
+) -> ReadAnswer:
+    """Read what the model has, and nothing else of a large answer.
+
+    mismatch: the fault of an answer that is JSON and has not the form of the model.
+    """
+
+    def read(body: bytes) -> Any:
+        try:
+            return read_structure(model, body, JSON, closed=False)
+        except Refused as refused:
+            if refused.code == "malformed_body":
+                raise
+            raise mismatch(refused) from refused
+
+    return read
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """One request; `content` is encoded once, and sent as it is in every attempt."""
+
+    method: str
+    path: str
+    content: bytes | None
+    max_bytes: int
+
+
 @dataclass(frozen=True, slots=True)
 class CallLimits:
-    """The bounds of a call; `max_bytes` is the maximum size of a response."""
+    """The bounds of a call; `max_bytes` is the maximum size of any response."""
 
     timeout_s: float
     max_concurrent: int
@@ -92,16 +129,20 @@ class HttpCalls:
 
     async def get(self, path: str, read: ReadAnswer = read_json) -> Any:
         """GET a path; the JSON of the response. Raises PolicyFault, and as `read`."""
-        answer = await self._call_with_retries("GET", path, None)
-        return await self._read(path, answer, read)
+        call = Call("GET", path, None, ANSWER_BYTES_MAX)
+        return await self._read(path, await self._call_with_retries(call), read)
 
     async def post(
-        self, path: str, body: Mapping[str, Any], read: ReadAnswer = read_json
+        self,
+        path: str,
+        body: Mapping[str, Any],
+        read: ReadAnswer = read_json,
+        *,
+        max_bytes: int = ANSWER_BYTES_MAX,
     ) -> Any:
         """POST a body; the JSON of the response. Raises PolicyFault, and as `read`."""
-        content = msgspec.json.encode(body)
-        answer = await self._call_with_retries("POST", path, content)
-        return await self._read(path, answer, read)
+        call = Call("POST", path, msgspec.json.encode(body), max_bytes)
+        return await self._read(path, await self._call_with_retries(call), read)
 
     def redact_key(self, text: str) -> str:
         """PUSH-005, FLE-006: a text from the policy server without the API key in it.
@@ -114,31 +155,27 @@ class HttpCalls:
             text = text.replace(reported, "[API key removed]")
         return text
 
-    async def _call_with_retries(
-        self, method: str, path: str, content: bytes | None
-    ) -> bytes:
-        """PUSH-008: each attempt sends the same bytes; `content` is encoded once."""
+    async def _call_with_retries(self, call: Call) -> bytes:
+        """PUSH-008: each attempt sends the same bytes."""
         left = self._limits.max_retries
         backoff = Backoff.between_calls()
         while True:
             try:
                 async with self._slots:
-                    return await self._call_with_deadline(method, path, content)
+                    return await self._call_with_deadline(call)
             except PolicyFault as fault:
                 if not fault.retryable or left == 0:
                     tries = self._limits.max_retries - left + 1
-                    raise _with_context(self._url, path, fault, tries) from fault
+                    raise _with_context(self._url, call.path, fault, tries) from fault
                 after_s = fault.after_s
             left -= 1
             await asyncio.sleep(max(after_s, backoff.next_s()))
 
-    async def _call_with_deadline(
-        self, method: str, path: str, content: bytes | None
-    ) -> bytes:
+    async def _call_with_deadline(self, call: Call) -> bytes:
         timeout_s = self._limits.timeout_s
         try:
             async with asyncio.timeout(timeout_s):  # PUSH-009
-                return await self._send_once(method, path, content)
+                return await self._send_once(call)
         except TimeoutError as error:
             text = f"did not answer completely within {timeout_s:g} s"
             raise PolicyFault(text, retryable=True) from error
@@ -152,30 +189,31 @@ class HttpCalls:
             text = "closed the connection or did not answer with HTTP"
             raise PolicyFault(text, retryable=True) from error
 
-    async def _send_once(self, method: str, path: str, content: bytes | None) -> bytes:
+    async def _send_once(self, call: Call) -> bytes:
         headers = [("Accept", JSON), ("Accept-Encoding", "identity")]
-        if content is not None:
+        if call.content is not None:
             headers.append(("Content-Type", JSON))
         if self._key is not None:  # PUSH-004
             headers.append(("Authorization", f"Bearer {self._key}"))
         async with self._pool.stream(
-            method, self._url + path, headers=headers, content=content
+            call.method, self._url + call.path, headers=headers, content=call.content
         ) as answer:
             named = {name.lower().decode(): value for name, value in answer.headers}
             found = {name: value.decode("latin-1") for name, value in named.items()}
             if 300 <= answer.status < 400:  # PUSH-011
                 raise PolicyFault(f"redirects (status {answer.status})")
-            body = await self._body(answer)
+            body = await self._body(answer, call.max_bytes)
             self._check(answer.status, found, body)
             return body
 
-    async def _body(self, answer: httpcore.Response) -> bytes:
+    async def _body(self, answer: httpcore.Response, max_bytes: int) -> bytes:
+        most = min(max_bytes, self._limits.max_bytes)
         parts: list[bytes] = []
         size = 0
         async for part in answer.aiter_stream():
             size += len(part)
-            if size > self._limits.max_bytes:
-                raise PolicyFault(f"answered more than {self._limits.max_bytes} bytes")
+            if size > most:
+                raise PolicyFault(f"answered more than {most} bytes")
             parts.append(part)
         return b"".join(parts)
 

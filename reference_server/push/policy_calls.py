@@ -8,6 +8,7 @@ runs beyond the manifest, or sessions beyond their turns.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
@@ -19,7 +20,12 @@ from reference_server.generated import models
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http.codec import JSON, pointer, validate
 from reference_server.http.large_bodies import read_structure
-from reference_server.push.http_calls import HttpCalls, PolicyFault, ReadAnswer
+from reference_server.push.http_calls import (
+    HttpCalls,
+    PolicyFault,
+    ReadAnswer,
+    read_members,
+)
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
@@ -97,7 +103,9 @@ class ProctorPolicy:
     async def predict(self, turn: Turn) -> models.Predict:
         read = partial(read_structure, models.Predict, media_type=JSON)
         try:
-            answer = await self._calls.post("/v1/policy/predict", turn, read)
+            answer = await self._calls.post(
+                "/v1/policy/predict", turn, read, max_bytes=sys.maxsize
+            )
             predict = validate(models.Predict, answer)
         except Refused as refused:
             raise answer_fault(refused, self._calls) from refused
@@ -106,17 +114,9 @@ class ProctorPolicy:
         return predict
 
     def _reader(self, model: type[BaseModel], operation: str) -> ReadAnswer:
-        """Reads the members of the schema, and no others of a large response."""
-
-        def read(body: bytes) -> Any:
-            try:
-                return read_structure(model, body, JSON, closed=False)
-            except Refused as refused:
-                if refused.code == "malformed_body":
-                    raise
-                raise self._mismatch(operation, refused.errors) from refused
-
-        return read
+        return read_members(
+            model, lambda refused: self._mismatch(operation, refused.errors)
+        )
 
     def _read(self, model: type[Answer], answer: Any, operation: str) -> Answer:
         """The response as its schema; members that the schema lacks are ignored."""

@@ -4,6 +4,8 @@ Two things are shared: places among the runs that may be played, and simulators.
 goes to the account that has the fewest, and of its runs to the oldest. An account that
 has more than another one that waits gives back what it does not use (LIM-004, LIM-005):
 the place of a run that no worker plays, the simulator of a session that plays no turn.
+What an account may have whether others wait or not is a quota (LIM-007, LIM-009,
+LIM-010).
 """
 
 from __future__ import annotations
@@ -136,12 +138,30 @@ def session_to_end(
     return min(unused, key=lambda session: session.answered_at, default=None)
 
 
+class Quota(NamedTuple):
+    """What one account has, or may have: of runs that are open, and stored for good."""
+
+    open_runs: int = 10_000
+    keys: int = 1_000_000
+    stored_bytes: int = 2**34
+
+
 def below_quota(open_runs: int, open_runs_max: int) -> Refuse | None:
     """LIM-007: one more run of an account may be open."""
     if open_runs < open_runs_max:
         return None
-    return Refuse(
-        "quota_exceeded",
-        f"The account has {open_runs} open runs, which is its maximum.",
-        "LIM-007",
-    )
+    text = f"The account has {open_runs} open runs, which is its maximum."
+    return Refuse("quota_exceeded", text, "LIM-007")
+
+
+def below_storage_quota(has: Quota, most: Quota, *, has_key: bool) -> Refuse | None:
+    """One more run of an account may be stored, with an Idempotency-Key or without."""
+    if has_key and has.keys >= most.keys:  # LIM-009
+        text = (
+            f"The account has used {has.keys} Idempotency-Keys, which is its maximum."
+        )
+        return Refuse("quota_exceeded", text, "LIM-009")
+    if has.stored_bytes >= most.stored_bytes:  # LIM-010
+        text = f"The runs of the account take {has.stored_bytes} bytes, its maximum."
+        return Refuse("quota_exceeded", text, "LIM-010")
+    return None

@@ -36,11 +36,16 @@ class ResolvedRun:
     images: Mapping[str, Any]
 
 
+# Manifests that further runs share with those that were submitted.
+SHARED_MANIFESTS_MAX = 64
+
+
 class Benchmarks:
     """All benchmarks of the simulator's catalogue."""
 
     def __init__(self, max_chunk: int) -> None:
         self._max_chunk = max_chunk
+        self._manifests: dict[str, Manifest] = {}
 
     def summaries(self) -> list[dict[str, Any]]:
         """Schema BenchmarkSummary of each, sorted by id (BEN-001, BEN-004)."""
@@ -113,7 +118,12 @@ class Benchmarks:
         manifest = submission_rules.select_episodes(whole, select)
         if isinstance(manifest, Refuse):
             raise Refused.from_verdict(manifest)
-        return ResolvedRun(manifest, digest(manifest), found.images)
+        sha256 = digest(manifest)
+        if len(self._manifests) >= SHARED_MANIFESTS_MAX:
+            self._manifests.clear()
+        # One for all runs that have it: it is most of what a run takes in memory.
+        manifest = self._manifests.setdefault(sha256, manifest)
+        return ResolvedRun(manifest, sha256, found.images)
 
 
 class SimulatorConfigs:

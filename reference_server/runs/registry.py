@@ -24,7 +24,7 @@ from typing import TypeVar
 from weakref import WeakValueDictionary
 
 from reference_server.rules import effects
-from reference_server.rules.capacity import WaitingRun, below_quota
+from reference_server.rules.capacity import Quota, WaitingRun
 from reference_server.rules.lifecycle import (
     ACTIVE_STATES,
     PLAYABLE_STATES,
@@ -42,6 +42,7 @@ from reference_server.rules.submission import (
     queue_until,
 )
 from reference_server.runs import steady_clock
+from reference_server.runs.account_usage import AccountUsage
 from reference_server.runs.places import Places
 from reference_server.storage.store import Store, StoreFailed
 from reference_server.system.repeated_failures import RepeatedFailures
@@ -54,6 +55,8 @@ CACHED_RUNS_MAX = 256
 RELOAD_S = 1.0
 # Read at once of the runs that may be played after a restart.
 HEADS_PER_READ = 200
+# Shown of a page of runs before others are served.
+VIEWS_AT_ONCE = 20
 
 Rendered = TypeVar("Rendered")
 
@@ -62,9 +65,9 @@ class RunRegistry:
     """All runs of this server, by id.
 
     active_max: places of runs that are played or about to be. unused_s: when others
-    wait, how long a run without a worker keeps its place. open_max: open runs of one
-    account. on_run_lost: ends the sessions of a run whose write failed. on_change: is
-    called with a run whose state may have changed.
+    wait, how long a run without a worker keeps its place. quota: of each account.
+    on_run_lost: ends the sessions of a run whose write failed. on_change: is called
+    with a run whose state may have changed.
     """
 
     def __init__(
@@ -75,13 +78,12 @@ class RunRegistry:
         on_change: Callable[[Run], None],
         *,
         unused_s: float = 120.0,
-        open_max: int = 10_000,
+        quota: Quota | None = None,
     ) -> None:
         self._store = store
         self._on_run_lost, self._on_change = on_run_lost, on_change
         self._places = Places(active_max, unused_s)
-        self._open_max = open_max
-        self._open: dict[str, set[str]] = {}  # ids of the open runs of each account
+        self._usage = AccountUsage(quota or Quota())
         self._in_memory: WeakValueDictionary[str, Run] = WeakValueDictionary()
         self._recent: OrderedDict[str, Run] = OrderedDict()
         self._queued: dict[str, int] = {}  # their numbers, by id
@@ -110,10 +112,11 @@ class RunRegistry:
             self._places.play(run.run_id, run.account)
             self._places.rest(run.run_id, now)
         await self._store.replace_states(STATES_AFTER_RESTART, RESTART_REASON)
+        self._usage.load_stored(*await self._store.sizes_of_accounts())
         for run in await self._store.waiting_runs(*ACTIVE_STATES):
-            self._note_open(run.account, run.run_id, is_open=True)
+            self._usage.note_open(run.account, run.run_id, is_open=True)
         for run in await self._store.waiting_runs(*WAITING_STATES):
-            self._note_open(run.account, run.run_id, is_open=True)
+            self._usage.note_open(run.account, run.run_id, is_open=True)
             if run.queue_until_wall <= steady_clock.now_wall():
                 self._note_queued(run, is_queued=True)
             else:  # seldom, and for seconds: `_adopt` checks it by what was asked for
@@ -187,7 +190,8 @@ class RunRegistry:
         """
         await self._check_quota(run.account, key)
         # At once: what is submitted at the same time counts it.
-        self._note_open(run.account, run.run_id, is_open=True)
+        self._usage.note_open(run.account, run.run_id, is_open=True)
+        self._usage.note_stored(run, key)
         # A request that finds it in the store, even before this one, finds this object.
         self._in_memory[run.run_id] = run
         self._admit(run)  # before it is stored: one submit is one transaction
@@ -197,7 +201,8 @@ class RunRegistry:
         finally:
             if not is_stored:
                 self._in_memory.pop(run.run_id, None)
-                self._note_open(run.account, run.run_id, is_open=False)
+                self._usage.note_open(run.account, run.run_id, is_open=False)
+                self._usage.note_stored(run, key, is_stored=False)
                 self._places.leave(run.run_id)
                 self._admit()
         if is_stored:
@@ -229,7 +234,9 @@ class RunRegistry:
         ids = [run_id for _, run_id in await self._store.page(account, before, limit)]
         heads = await self._store.heads([i for i in ids if i not in self._in_memory])
         found = []
-        for run_id in ids:
+        for place, run_id in enumerate(ids):
+            if place % VIEWS_AT_ONCE == 0:
+                await asyncio.sleep(0)  # a page may have a thousand
             head = heads.get(run_id)
             if head is not None and self._is_current(head):
                 found.append(view(head))
@@ -301,21 +308,15 @@ class RunRegistry:
         self._wake(run.run_id)
         self._admit()
 
-    def check_quota(self, account: str) -> None:
-        """LIM-007: refuse when the account has as many open runs as it may have."""
-        refused = below_quota(len(self._open.get(account, ())), self._open_max)
-        if refused is not None:
-            raise Refused.from_verdict(refused)
-
     def open_again(self, run: Run) -> None:
         """LIM-007: a resume makes a run count at once, or is refused."""
-        self.check_quota(run.account)
-        self._note_open(run.account, run.run_id, is_open=True)
+        self._usage.check_open(run.account)
+        self._usage.note_open(run.account, run.run_id, is_open=True)
 
     async def _check_quota(self, account: str, key: str | None) -> None:
         """A key that is used makes no run (RUN-003)."""
         try:
-            self.check_quota(account)
+            self._usage.check_new(account, has_key=key is not None)
         except Refused:
             if key is None or await self.find_by_key(account, key) is None:
                 raise
@@ -361,15 +362,8 @@ class RunRegistry:
         self._note_queued(WaitingRun.of(run), is_queued=is_queued)
         if state is not None:
             is_open = is_queued or state in ACTIVE_STATES
-            self._note_open(run.account, run.run_id, is_open=is_open)
+            self._usage.note_open(run.account, run.run_id, is_open=is_open)
             self._on_change(run)
-
-    def _note_open(self, account: str, run_id: str, *, is_open: bool) -> None:
-        ids = self._open.setdefault(account, set())
-        if is_open:
-            ids.add(run_id)
-        else:
-            ids.discard(run_id)
 
     def _note_queued(self, run: WaitingRun, *, is_queued: bool) -> None:
         """In the queue or not; those behind it have moved (RUN-008)."""

@@ -250,8 +250,7 @@ class SessionExecutor:
             observations=played.observations if command.observe == "all" else None,
             played=played,
             left=len(actions) - played.executed,
-            ended=ended,
-            fault=resources.fault,
+            ended=ended,  # FAULT-012: a fault at the next beginning is not of this turn
             spent=spent,
         )
         return self._answer(resources, turn, started)

@@ -40,6 +40,8 @@ _COPIED_COLUMNS = (
     "queue_until_wall",
     "attempts_by_submitter",
 )
+# Stored of a run beside its submission, and of an episode: its plan and its result.
+RUN_BYTES, EPISODE_BYTES = 1024, 512
 _RESULT = msgspec.json.Decoder(Result)
 _RECORDING = msgspec.json.Decoder(Recording)
 
@@ -57,7 +59,14 @@ def new_run_row(run: Run) -> dict[str, Any]:
         "created_at_wall": run.created_at_wall,
         "benchmark_id": run.manifest["benchmark_id"],
         "attempts_by_submitter": run.attempts_by_submitter,
+        "stored_bytes": stored_bytes(run),
     }
+
+
+def stored_bytes(run: Run) -> int:
+    """LIM-010: what a run counts for its account; its submission is a part of it."""
+    submission = msgspec.json.encode(run.submission)
+    return RUN_BYTES + len(submission) + EPISODE_BYTES * run.total
 
 
 def run_row(run: Run) -> dict[str, Any]:

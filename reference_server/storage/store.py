@@ -63,6 +63,8 @@ _runs = sa.Table(
     # NULL in rows older than these columns.
     sa.Column("benchmark_id", sa.String(64)),
     sa.Column("attempts_by_submitter", sa.Integer),
+    # What it counts for its account; NULL in rows older than this column.
+    sa.Column("stored_bytes", sa.BigInteger),
     sa.Index("runs_of_account", "account", "number"),
     sa.Index("runs_of_benchmark", "account", "benchmark_id", "attempts_by_submitter"),
 )
@@ -122,7 +124,7 @@ _COUNT_SCORED = (
     .scalar_subquery()
 )
 _HEADS = sa.select(
-    *(column for column in _runs.c if column is not _runs.c.scored),
+    *(one for one in _runs.c if one.name not in ("scored", "stored_bytes")),
     sa.func.coalesce(_runs.c.scored, _COUNT_SCORED).label("scored"),
 ).where(_runs.c.run_id.in_(sa.bindparam("run_ids", expanding=True)))
 _MANIFEST = sa.select(_manifests.c.manifest).where(
@@ -445,6 +447,21 @@ class Store:
         async with self._transaction() as connection:
             found = await connection.execute(query.order_by(_runs.c.number))
             return [WaitingRun(*row) for row in found]
+
+    async def sizes_of_accounts(self) -> tuple[dict[str, int], dict[str, int]]:
+        """Of each account the number of its Idempotency-Keys, and its stored bytes."""
+        size = sa.func.coalesce(
+            _runs.c.stored_bytes, sa.func.length(_runs.c.submission)
+        )
+        counted = ((_keys, sa.func.count()), (_runs, sa.func.sum(size)))
+        async with self._transaction() as connection:
+            keys, sizes = [
+                await connection.execute(
+                    sa.select(table.c.account, count).group_by(table.c.account)
+                )
+                for table, count in counted
+            ]
+            return {a: int(n) for a, n in keys}, {a: int(n) for a, n in sizes}
 
 
 def _last_attempt(run: RunHead) -> sa.Select[Any]:

@@ -337,12 +337,20 @@ def serve(connection: socket.socket) -> Never:
     threading.Thread(target=_exit_with_parent, args=(connection,), daemon=True).start()
     host = _EpisodeHost(connection)
     commands = connection.makefile("rb")
-    connection.sendall(frame(Hello(os.getpid())))
+    _send(connection, Hello(os.getpid()))
     while header := commands.read(HEADER.size):
         (length,) = HEADER.unpack(header)
         command = _commands.decode(commands.read(length))
-        connection.sendall(frame(host.answer(command)))
+        _send(connection, host.answer(command))
     os._exit(0)
+
+
+def _send(connection: socket.socket, message: SimulatorReply) -> None:
+    """Send to the parent; exits the process if it has ended, which is no failure."""
+    try:
+        connection.sendall(frame(message))
+    except ConnectionError:
+        os._exit(0)
 
 
 def _exit_with_parent(connection: socket.socket) -> None:

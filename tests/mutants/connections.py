@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Awaitable
 from dataclasses import replace
 from typing import Any
+
+from starlette.requests import Request
+from starlette.responses import Response
 
 from reference_server import __main__ as server_main
 from reference_server import app
 from reference_server.app import Application
+from reference_server.http import dispatch
 from reference_server.http.auth import Tokens
 from reference_server.http.connection_limits import ConnectionLimits
-from reference_server.rules import effects
+from reference_server.http.dispatch import Operation
+from reference_server.rules import capacity, effects
+from reference_server.rules.capacity import Quota
+from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.run import Session
-from reference_server.runs import registry
+from reference_server.runs import account_usage
 from reference_server.settings import Settings
 from tests.mutants import mutant, put
 
@@ -67,8 +75,46 @@ def lets_a_session_live_on_heartbeats() -> None:
     put(effects, "extend_without_turn", wrong)
 
 
+@mutant("LIM-008")
+def reads_long_bodies_of_every_operation() -> None:
+    """A heartbeat can have the megabytes of a chunk of actions."""
+    right = dispatch.perform
+
+    def wrong(
+        request: Request, operation: Operation, *others: Any
+    ) -> Awaitable[Response]:
+        return right(request, replace(operation, max_body_bytes=LARGE), *others)
+
+    put(app, "perform", wrong)
+
+
 @mutant("LIM-007")
 def opens_any_number_of_runs() -> None:
     """One account fills the database, and the others wait behind its runs."""
     announce(max_open_runs=20)
-    put(registry, "below_quota", lambda _open_runs, _open_runs_max: None)
+    put(account_usage, "below_quota", lambda _open_runs, _open_runs_max: None)
+
+
+@mutant("LIM-009")
+def keeps_any_number_of_keys() -> None:
+    """One account fills the database with keys that are never repeated."""
+    announce(max_idempotency_keys=20)
+    right = capacity.below_storage_quota
+
+    def wrong(has: Quota, most: Quota, *, has_key: bool) -> Refuse | None:
+        del has_key
+        return right(has, most, has_key=False)
+
+    put(account_usage, "below_storage_quota", wrong)
+
+
+@mutant("LIM-010")
+def stores_any_number_of_bytes() -> None:
+    """One account fills the disk, and no result of another one can be stored."""
+    announce(max_stored_bytes=20_000)
+    right = capacity.below_storage_quota
+
+    def wrong(has: Quota, most: Quota, *, has_key: bool) -> Refuse | None:
+        return right(has._replace(stored_bytes=0), most, has_key=has_key)
+
+    put(account_usage, "below_storage_quota", wrong)

@@ -122,6 +122,19 @@ def reports_steps_of_a_chunk_that_broke() -> None:
     change_turn(wrong)
 
 
+@mutant("FAULT-012")
+def reports_the_fault_of_a_beginning_beside_a_result() -> None:
+    """A client takes the steps of an episode that was scored for lost."""
+
+    def wrong(body: dict[str, Any], session: Session) -> None:
+        ended = body.get("episode_result")
+        if ended and ended["faults"] > 1 and session.episode is not None:
+            fault = {"episode_id": session.episode.episode_id, "faults": 1}
+            body["fault"] = fault | {"detail": "The simulator broke."}
+
+    change_turn(wrong)
+
+
 @mutant("FAULT-014")
 def calls_a_failure_a_stop_to_other_workers() -> None:
     """A client believes that a person has stopped the run."""

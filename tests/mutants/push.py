@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import httpcore
 
 from reference_server.push import policy_calls, policy_server_validator
 from reference_server.push.driver import Driver
-from reference_server.push.http_calls import HttpCalls, PolicyFault
+from reference_server.push.http_calls import Call, HttpCalls, PolicyFault
 from reference_server.push.policy_calls import ProctorPolicy
 from reference_server.rules import effects, lifecycle
 from reference_server.rules.policy_server import PolicyServerConfig
@@ -61,11 +62,11 @@ def sends_the_key_only_to_predict() -> None:
     """A policy server that requires its key never gets a run."""
     right = HttpCalls._send_once
 
-    async def wrong(self: HttpCalls, method: str, path: str, content: Any) -> Any:
+    async def wrong(self: HttpCalls, call: Call) -> Any:
         key = self._key
-        self._key = key if path.endswith("/predict") else None
+        self._key = key if call.path.endswith("/predict") else None
         try:
-            return await right(self, method, path, content)
+            return await right(self, call)
         finally:
             self._key = key
 
@@ -115,12 +116,14 @@ def changes_the_body_of_a_repeated_call() -> None:
     right = HttpCalls._call_with_deadline
     sent_bodies: set[bytes] = set()
 
-    async def wrong(self: HttpCalls, method: str, path: str, content: Any) -> Any:
+    async def wrong(self: HttpCalls, call: Call) -> Any:
+        content = call.content
         if content is not None and content in sent_bodies:
             content = content.replace(b'"done":false', b'"done":false,"again":true')
+            call = replace(call, content=content)
         elif content is not None:
             sent_bodies.add(content)
-        return await right(self, method, path, content)
+        return await right(self, call)
 
     put(HttpCalls, "_call_with_deadline", wrong)
 
@@ -129,9 +132,9 @@ def changes_the_body_of_a_repeated_call() -> None:
 def has_no_total_call_timeout() -> None:
     """One byte per second holds a worker and its simulator for days."""
 
-    async def wrong(self: HttpCalls, method: str, path: str, content: Any) -> Any:
+    async def wrong(self: HttpCalls, call: Call) -> Any:
         try:
-            return await self._send_once(method, path, content)
+            return await self._send_once(call)
         except (httpcore.NetworkError, httpcore.RemoteProtocolError, OSError) as error:
             raise PolicyFault("is unreachable", retryable=True) from error
 
@@ -157,18 +160,18 @@ def follows_redirects() -> None:
     """The policy server decides where this server connects next."""
     right = HttpCalls._send_once
 
-    async def wrong(self: HttpCalls, method: str, path: str, content: Any) -> Any:
+    async def wrong(self: HttpCalls, call: Call) -> Any:
         try:
-            return await right(self, method, path, content)
+            return await right(self, call)
         except PolicyFault as fault:
             if not str(fault).startswith("redirects"):
                 raise
         own = [] if self._key is None else [("Authorization", f"Bearer {self._key}")]
         async with self._pool.stream(
-            method, self._url + path, headers=own, content=content
+            call.method, self._url + call.path, headers=own, content=call.content
         ) as answer:
             found = dict(answer.headers)
-        async with self._pool.stream(method, found[b"Location"]) as answer:
+        async with self._pool.stream(call.method, found[b"Location"]) as answer:
             raise PolicyFault(f"redirects (status {answer.status})")
 
     put(HttpCalls, "_send_once", wrong)

@@ -9,6 +9,7 @@ import json
 import re
 from collections import Counter
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import jsonschema
@@ -157,6 +158,15 @@ def generated_names_are_free(document: Json) -> Iterator[str]:
     return iter(taken & document["components"]["schemas"].keys())
 
 
+def lists_and_maps_are_bounded(document: Json) -> Iterator[str]:
+    for at, node in nodes(document):
+        if "array" in types(node) and "maxItems" not in node:
+            yield at
+        is_map = isinstance(node.get("additionalProperties"), dict)
+        if is_map and "maxProperties" not in node:
+            yield at
+
+
 def integers_are_exact(document: Json) -> Iterator[str]:
     limit = 2**53 - 1
     for at, node in request_nodes(document):
@@ -232,6 +242,8 @@ BREACHES = yaml.safe_load("""
 - [references_stand_alone, components schemas Run properties images title, Images]
 - [references_resolve, components schemas Run properties images $ref, "#/nowhere"]
 - [generated_names_are_free, components schemas SubmitRunResponse, {type: object}]
+- [lists_and_maps_are_bounded, components schemas Run properties n, {type: array}]
+- [lists_and_maps_are_bounded, components schemas Blob additionalProperties, {}]
 - [integers_are_exact, components schemas Predict properties seq maximum, 1.0e+16]
 - [operation_ids_are_snake_case, paths /v1/runs post operationId, submitRun]
 - [operation_ids_are_unique, paths /v1/runs post operationId, list_runs]
@@ -245,6 +257,11 @@ CHECKS = [globals()[name] for name in dict.fromkeys(row[0] for row in BREACHES)]
 @pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.__name__)
 def test_the_document_obeys_each_rule(check: Callable[[Json], Iterator[str]]) -> None:
     assert list(check(DOCUMENT)) == []
+
+
+@pytest.mark.parametrize("path", [SPEC / "policy.yaml", *SPEC.glob("profiles/*")])
+def test_lists_and_maps_of_other_documents_are_bounded(path: Path) -> None:
+    assert list(lists_and_maps_are_bounded(load(path.read_text()))) == []
 
 
 @pytest.mark.parametrize(("name", "place", "breach"), BREACHES)

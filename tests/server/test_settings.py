@@ -105,7 +105,7 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
     numbers = ("5", "6") if field.annotation in (int, float) else ("some", "other")
     by_variable, by_flag = examples.get(name, numbers)
     flag, variable = f"--{name.replace('_', '-')}", f"PROCTOR_{name.upper()}"
-    if name == "max_body_bytes":
+    if name in ("max_body_bytes", "max_control_body_bytes"):
         by_variable, by_flag = "70000", "80000"
     if name == "max_connections":
         by_variable, by_flag = "50", "60"
@@ -132,6 +132,9 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         ("idle_timeout_s_max", float("nan")),
         ("wait_s_max", 601),
         ("max_body_bytes", 65535),
+        ("max_control_body_bytes", 65535),
+        ("max_idempotency_keys", 0),
+        ("max_stored_bytes", 0),
         ("max_chunk", 3),
         ("max_chunk", 4097),
         ("ebench_prefixes", "eval"),

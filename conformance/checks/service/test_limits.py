@@ -3,12 +3,22 @@
 A server that other accounts use gets what could disturb those only with `--stress`.
 """
 
+import json
 import time
+import uuid
+from typing import Any
 
+from conformance.checks.support.bodies.invalid_bodies import pad_body
+from conformance.checks.support.operation_samples import (
+    attach_live_worker,
+    samples_with_body,
+    send_body,
+)
 from conformance.client.check_context import CheckContext
 from conformance.client.http_client import HttpClient
 from conformance.client.raw_connection import open_raw_connection
 from conformance.client.run_client import RunClient, WorkerClient
+from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, NotApplicable, SetUpFailed
@@ -20,6 +30,8 @@ SMALL_HEADER_BYTES = 1000
 # A server with longer times or more runs is not judged by these rows.
 WAITED_S = 40.0
 OPENED_RUNS = 50
+STORED_BYTES = 100_000
+TASKS_STORED = 300
 
 
 def provoked_limit(context: CheckContext, name: str) -> float:
@@ -138,6 +150,30 @@ def test_lim_006_cannot_live_on_heartbeats_alone(context: CheckContext) -> None:
     expect.ok(control.try_heartbeat())
 
 
+@requirement("LIM-008")
+def test_lim_008_cannot_send_long_control_bodies(context: CheckContext) -> None:
+    """Every request with a body but `predict`, one byte longer than the limit.
+
+    Expect `body_too_large`; success with a body of the limit, and with a `predict` that
+    is longer.
+    """
+    limit = int(announced_limit(context, "max_control_body_bytes"))
+    if limit >= context.limits["max_body_bytes"]:
+        raise NotApplicable("`limits.max_body_bytes` is no higher")
+    worker = attach_live_worker(context)
+    for sample in samples_with_body(worker):
+        at_limit, longer = (
+            b"".join(pad_body(sample[1]["json"], size)) for size in (limit, limit + 1)
+        )
+        answer = send_body(worker, sample, longer)
+        if sample[0] == "predict":
+            expect.ok(answer)
+        else:
+            expect.refused(answer, "body_too_large")
+            status = 201 if sample[0] == "submit_run" else 200
+            expect.ok(send_body(worker, sample, at_limit), status)
+
+
 @requirement("LIM-007")
 def test_lim_007_cannot_open_more_runs_than_announced(context: CheckContext) -> None:
     """An account has as many open runs as it may have.
@@ -163,6 +199,78 @@ def test_lim_007_cannot_open_more_runs_than_announced(context: CheckContext) -> 
     expect.refused(stopped.call("resume_run"), "quota_exceeded")
     opened[-1].stop()
     expect.ok(stopped.call("resume_run"))
+
+
+@requirement("LIM-009")
+def test_lim_009_cannot_use_more_keys_than_announced(context: CheckContext) -> None:
+    """An account has used as many Idempotency-Keys as it may, and stopped those runs.
+
+    Expect a new key to be refused with `quota_exceeded` twice; the run of an old key,
+    and a run without a key.
+    """
+    limit = int(provoked_limit(context, "max_idempotency_keys"))
+    if limit > OPENED_RUNS:
+        raise SetUpFailed(
+            f"`limits.max_idempotency_keys` is more than {OPENED_RUNS}", allowed=True
+        )
+    account, body = context.second_account, context.submit_body()
+    used: dict[str, RunClient] = {}
+    while len(used) < limit:
+        key = uuid.uuid4().hex
+        answer = submit_with_key(context, account, body, key)
+        if answer.status != 201:
+            break
+        used[key] = context.adopt(answer.json, account)
+        used[key].stop()
+    if not used:
+        raise SetUpFailed("no run could be submitted with a key")
+    key = uuid.uuid4().hex
+    for _ in range(2):
+        one_more = submit_with_key(context, account, body, key)
+        if one_more.status == 201:
+            context.adopt(one_more.json, account)
+        expect.refused(one_more, "quota_exceeded")
+    for key, run in used.items():
+        again = expect.ok(submit_with_key(context, account, body, key), 201)
+        expect.equal(again["run_id"], run.id, "run_id of a used key")
+    answer = context.call("submit_run", json=body, http_client=account)
+    context.adopt(expect.ok(answer, 201), account)
+
+
+@requirement("LIM-010")
+def test_lim_010_cannot_store_more_than_announced(context: CheckContext) -> None:
+    """An account submits runs, and stops them, until their bodies reach the limit.
+
+    Expect one more to be refused with `quota_exceeded`, or one before, for a server may
+    count more; and the first run again for its key.
+    """
+    limit = int(provoked_limit(context, "max_stored_bytes"))
+    if limit > STORED_BYTES:
+        raise SetUpFailed(
+            f"`limits.max_stored_bytes` is more than {STORED_BYTES}", allowed=True
+        )
+    account, key = context.second_account, uuid.uuid4().hex
+    body = context.submit_body(options={"tasks": ["score"] * TASKS_STORED})
+    size = len(json.dumps(body, separators=(",", ":")))
+    first = submit_with_key(context, account, body, key)
+    if first.status != 201:
+        raise SetUpFailed("no run could be submitted")
+    run = context.adopt(first.json, account)
+    for _ in range(limit // size + 1):
+        answer = context.call("submit_run", json=body, http_client=account)
+        if answer.status != 201:
+            break
+        context.adopt(answer.json, account).stop()
+    expect.refused(answer, "quota_exceeded")
+    again = expect.ok(submit_with_key(context, account, body, key), 201)
+    expect.equal(again["run_id"], run.id, "run_id of the first key")
+
+
+def submit_with_key(
+    context: CheckContext, account: HttpClient, body: Any, key: str
+) -> Answer:
+    headers = {"Idempotency-Key": key}
+    return context.call("submit_run", json=body, headers=headers, http_client=account)
 
 
 def open_runs(

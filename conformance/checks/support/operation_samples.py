@@ -3,6 +3,7 @@
 In their order, all can be sent one after another on the same live run.
 """
 
+import json
 from collections.abc import Iterator
 from typing import Any
 
@@ -98,3 +99,25 @@ def send(
     if operation_id == "submit_run" and answer.status == 201:
         adopt_run(run.context, answer.json, http_client)
     return answer
+
+
+def samples_with_body(worker: WorkerClient) -> list[OperationSample]:
+    """Give one valid request of every operation that has a body."""
+    return [sample for sample in operation_samples(worker) if "json" in sample[1]]
+
+
+def find_sample(worker: WorkerClient, operation_id: str) -> OperationSample:
+    """Give the valid request of one operation."""
+    return next(
+        sample for sample in operation_samples(worker) if sample[0] == operation_id
+    )
+
+
+def send_body(worker: WorkerClient, sample: OperationSample, body: Any) -> Answer:
+    """Send a request with another body: bytes unchanged, other values as JSON."""
+    operation_id, how = sample
+    how = {key: value for key, value in how.items() if key != "json"}
+    if not isinstance(body, bytes):
+        body = json.dumps(body).encode()
+    how["headers"] = {"Content-Type": "application/json"} | how.get("headers", {})
+    return send(worker.run, (operation_id, how | {"content": body}))

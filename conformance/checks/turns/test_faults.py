@@ -280,9 +280,10 @@ def test_fault_011_can_repeat_the_turn_that_faulted(context: CheckContext) -> No
 def test_fault_012_nothing_of_the_chunk_is_executed(context: CheckContext) -> None:
     """The second of three actions breaks the simulator; the third would end it all.
 
-    Expect no step, reward, observation of the chunk or result in the turn.
+    Expect no step, reward, observation of the chunk or result in the turn; and in the
+    one that ends the episode later its result without `fault`.
     """
-    worker = submit_and_attach(context, "fault")
+    worker = submit_and_attach(context, "fault", "score")
     chunk = [context.action(score=1), context.action(fault=1), context.action(end=1)]
     for observe in ("last", "all"):
         turn = expect.ok(worker.try_predict(*chunk, observe=observe))
@@ -295,6 +296,10 @@ def test_fault_012_nothing_of_the_chunk_is_executed(context: CheckContext) -> No
         expect.true("episode_result" not in turn, "no episode_result", turn)
         for member in ("terminated", "truncated"):
             expect.equal(turn[member], False, member)
+    turn = expect.ok(worker.try_predict(context.action(success=1, end=1)))
+    expect.true("episode_result" in turn, "the result", turn)
+    expect.true("fault" not in turn, "no `fault` beside a result", turn.get("fault"))
+    expect.equal(turn["executed_steps"], 1, "executed_steps")
 
 
 @requirement("FAULT-014")

@@ -24,7 +24,10 @@ struct Limits {
     std::optional<double> body_timeout_s{}; // Time in which a part of a body arrives after the headers of its request; for the profile `limits`.
     std::optional<double> heartbeat_s_max{}; // Longest time that a session lives without a new turn, whatever its `idle_timeout_s`; for the profile `limits`.
     std::optional<double> unused_s_max{}; // When others wait: the time after which a run without a worker, or a session without a turn, may have to make room; for the profile `limits`.
+    std::optional<std::int64_t> max_control_body_bytes{}; // Longest body that is read of a request other than `predict`, where it is less than `max_body_bytes`; for the profile `limits`.
     std::optional<std::int32_t> max_open_runs{}; // Most runs of one account that are queued, ready, running or stopping; for the profile `limits`.
+    std::optional<std::int64_t> max_idempotency_keys{}; // Most Idempotency-Keys that one account may use; for the profile `limits`.
+    std::optional<std::int64_t> max_stored_bytes{}; // Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile `limits`.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("max_body_bytes", self.max_body_bytes);
@@ -38,7 +41,10 @@ struct Limits {
         visitor.optional("body_timeout_s", self.body_timeout_s);
         visitor.optional("heartbeat_s_max", self.heartbeat_s_max);
         visitor.optional("unused_s_max", self.unused_s_max);
+        visitor.optional("max_control_body_bytes", self.max_control_body_bytes);
         visitor.optional("max_open_runs", self.max_open_runs);
+        visitor.optional("max_idempotency_keys", self.max_idempotency_keys);
+        visitor.optional("max_stored_bytes", self.max_stored_bytes);
     }
 };
 

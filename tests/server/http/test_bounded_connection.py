@@ -97,8 +97,9 @@ def test_answers_that_are_not_read_stop_the_requests_behind_them() -> None:
         (CHUNKED + b"1;" + b"x" * 100 * KIB, 431),
         (CHUNKED + b"1\r\na\r\n" * 10**5, 431),
         (b"nonsense\r\n\r\n", 400),
+        (GET[:-2] + b"Host: y\r\n\r\n", 400),
     ],
-    ids=range(12),
+    ids=range(13),
 )
 def test_a_head_beyond_the_limits_is_refused(sent: bytes, status: int) -> None:
     with bounded_server() as server, server.connect() as connection:

@@ -18,6 +18,7 @@ from reference_server.http import codec, large_bodies
 from reference_server.http.codec import JSON, MSGPACK
 from reference_server.http.handlers import Handlers
 from reference_server.http.large_bodies import (
+    ENTRIES_MAX,
     INLINE_BYTES_MAX,
     VALUES_MAX,
     WHOLE_BYTES_MAX,
@@ -27,6 +28,7 @@ from reference_server.http.large_bodies import (
 from reference_server.profiles.ebench.task_handlers import EbenchHandlers
 from reference_server.profiles.ebench.task_requests import Workers
 from reference_server.profiles.flageval.evaluation_handlers import FlagevalHandlers
+from reference_server.push.chat_calls import _Completion as Completion
 from reference_server.rules.refusal import ERROR_CHARS_MAX, ERRORS_MAX, Refused
 from reference_server.settings import Settings
 
@@ -98,6 +100,15 @@ def put_at(place: tuple[str | int, ...], flood: Any) -> Any:
 def read(model: type[BaseModel], body: bytes, media_type: str) -> Refused | None:
     try:
         asyncio.run(read_message(model, body, media_type))
+    except Refused as refused:
+        return refused
+    return None
+
+
+def read_open(model: type[BaseModel], body: bytes) -> Refused | None:
+    """As an answer of a policy server, which may have members of its own."""
+    try:
+        read_structure(model, body, JSON, closed=False)
     except Refused as refused:
         return refused
     return None
@@ -257,6 +268,30 @@ def test_null_in_a_large_body_is_what_it_is_in_a_small_one(media_type: str) -> N
         refused = read(models.Predict, wrong, media_type)
         assert refused is not None
         assert refused.code == "invalid_request"
+
+
+@pytest.mark.parametrize("text", ["{", '\\"{', "\\\\", '{"', "[,:{}"])
+def test_marks_in_strings_are_no_entries(text: str) -> None:
+    """Of answers and names: a string may have any number of brackets and quotes."""
+    answer = {"choices": [{"message": {"content": text * SIZE}}]}
+    body = msgspec.json.encode(answer)
+    assert read_structure(Completion, body, JSON, closed=False) == answer
+
+
+@pytest.mark.parametrize("text", ['"{"', '"\\"{"', '"\\\\"', '""'])
+def test_entries_between_strings_are_counted(text: str) -> None:
+    """Each string is followed by an entry more; they cost no more than parsing them."""
+    entry = b'{"message":{"content":%b}}' % text.encode()
+    for entries, is_refused in ((ENTRIES_MAX, False), (SIZE, True)):
+        body = b'{"choices":[%b]}' % b",".join([entry] * entries)
+        refused = read_open(Completion, body)
+        assert (refused is not None) == is_refused
+
+
+def test_counting_marks_outside_of_strings_costs_little() -> None:
+    body = b'{"choices":[%b]}' % b",".join([b'"{\\""'] * (2**23 // 6))
+    parsing_s = seconds(partial(msgspec.json.decode, body))
+    assert seconds(partial(read_open, Completion, body)) < 5 * parsing_s + 0.1
 
 
 def test_values_are_counted() -> None:

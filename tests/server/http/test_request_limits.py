@@ -3,6 +3,7 @@
 import asyncio
 import contextlib
 import socket
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -92,7 +93,38 @@ def memory_peak(pid: int) -> int:
     return int(status.partition("VmHWM:")[2].split()[0]) * 1024
 
 
+def memory(pid: int) -> int:
+    """The bytes that a process holds now."""
+    status = Path(f"/proc/{pid}/status").read_text()
+    return int(status.partition("VmRSS:")[2].split()[0]) * 1024
+
+
 # --- size ---
+
+
+def test_what_broken_off_bodies_took_is_given_back(live_run: LiveRun) -> None:
+    """Refused requests kept their bodies until the next full collection of garbage."""
+    pid = live_run.server.process.pid
+    live_run.client.get("/v1")
+    before = memory(pid)
+    head = (
+        b"POST /v1/runs/x/workers/w/predict HTTP/1.1\r\nHost: x\r\n"
+        b"Authorization: Bearer %b\r\nContent-Type: application/json\r\n"
+        b"Content-Length: 8000000\r\n\r\n" % TOKENS["alice"].encode()
+    )
+    with contextlib.ExitStack() as stack:
+        for _ in range(100):
+            opened = socket.create_connection(live_run.address, TIMEOUT_S)
+            stack.enter_context(opened).sendall(head + b" " * 500_000)
+        until(lambda: memory(pid) - before > 40 * 2**20)
+    until(lambda: memory(pid) - before < 20 * 2**20)
+
+
+def until(is_true: Callable[[], bool]) -> None:
+    deadline = time.monotonic() + TIMEOUT_S
+    while not is_true():
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
 
 
 @pytest.mark.parametrize("has_content_length", [True, False])
@@ -152,13 +184,18 @@ def test_a_wrong_body_of_the_limit_costs_little(live_run: LiveRun, kind: str) ->
 
 def test_a_body_of_just_the_limit_is_read(live_run: LiveRun) -> None:
     limits = live_run.client.get("/v1").json()["limits"]
-    for extra, code in ((0, "malformed_body"), (1, "body_too_large")):
-        answer = live_run.client.post(
-            "/v1/runs",
-            content=b" " * (limits["max_body_bytes"] + extra),
-            headers={"Content-Type": "application/json"},
-        )
-        assert_problem(answer, code)
+    places = {
+        f"{live_run.worker}/predict": limits["max_body_bytes"],
+        "/v1/runs": limits["max_control_body_bytes"],
+    }
+    for path, size in places.items():
+        for extra, code in ((0, "malformed_body"), (1, "body_too_large")):
+            answer = live_run.client.post(
+                path,
+                content=b" " * (size + extra),
+                headers={"Content-Type": "application/json"},
+            )
+            assert_problem(answer, code)
 
 
 @pytest.mark.parametrize(
@@ -175,7 +212,8 @@ def test_a_body_nested_a_million_deep_is_malformed(
     live_run: LiveRun, body: bytes, media_type: str
 ) -> None:
     headers = {"Content-Type": media_type}
-    answer = live_run.client.put(live_run.worker, content=body, headers=headers)
+    path = f"{live_run.worker}/predict"
+    answer = live_run.client.post(path, content=body, headers=headers)
     assert_problem(answer, "malformed_body")
 
 

@@ -336,6 +336,13 @@ def test_a_large_answer_that_is_no_completion_is_a_fault(choices: Any) -> None:
         chat_calls._content(chat_calls._read(body))
 
 
+def test_of_a_long_text_only_its_end_is_searched() -> None:
+    """FLE-022: eight megabytes took seconds of the event loop."""
+    end = "\n" + "a" * (chat_calls._TEXT_CHARS_MAX - 1)
+    assert read_answer("\\boxed{B}" + end[9:])["choice"] == [1.0]
+    assert read_answer("\\boxed{B}" + end) == NONE
+
+
 def test_of_a_long_text_only_its_end_is_split() -> None:
     assert read_answer("a\n" * LARGE + "(B)\n")["choice"] == [1.0]
     assert read_answer("B" + "a" * LARGE)["choice"] == [NO_ANSWER]

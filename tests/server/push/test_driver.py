@@ -16,7 +16,12 @@ from reference_server.push import driver
 from reference_server.push.backoff import Backoff
 from reference_server.push.driver import PROTOCOLS, Driver
 from reference_server.push.egress import EgressPolicy
-from reference_server.push.http_calls import CallLimits, HttpCalls, PolicyFault
+from reference_server.push.http_calls import (
+    ANSWER_BYTES_MAX,
+    CallLimits,
+    HttpCalls,
+    PolicyFault,
+)
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_calls import Description, ProctorPolicy, answer_fault
 from reference_server.rules.lifecycle import Attach
@@ -233,11 +238,16 @@ def policy() -> Iterator[ScriptedPolicy]:
         yield server
 
 
-def fault_text(policy: ScriptedPolicy, key: str, operation: str = "describe") -> str:
+def fault_text(
+    policy: ScriptedPolicy,
+    key: str,
+    operation: str = "describe",
+    max_bytes: int = 65536,
+) -> str:
     """The text that a run's submitter reads when a call of the policy server fails."""
 
     async def ask() -> Any:
-        limits = CallLimits(2.0, 1, 0, 65536)
+        limits = CallLimits(2.0, 1, 0, max_bytes)
         async with HttpCalls(policy.url, EgressPolicy("all"), limits, key) as calls:
             run = push_run()
             asked = ProctorPolicy(run, PolicyServerConfig.from_run(run), calls)
@@ -248,6 +258,25 @@ def fault_text(policy: ScriptedPolicy, key: str, operation: str = "describe") ->
     with pytest.raises(PolicyFault) as caught:
         asyncio.run(ask())
     return str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("operation", "most"),
+    [("describe", ANSWER_BYTES_MAX), ("predict", 4 * ANSWER_BYTES_MAX)],
+)
+def test_only_actions_may_be_longer_than_other_answers(
+    policy: ScriptedPolicy, operation: str, most: int
+) -> None:
+    as_json = {"Content-Type": "application/json"}
+
+    def answer(size: int) -> str:
+        reply = PolicyReply(b"[]" + b" " * (size - 2), 200, as_json)
+        for name in ("describe_policy", "predict"):
+            policy.on(name, lambda _: reply)
+        return fault_text(policy, "key", operation, 4 * ANSWER_BYTES_MAX)
+
+    assert f"answered more than {most} bytes" in answer(most + 1)
+    assert "answered more than" not in answer(most)
 
 
 @pytest.mark.parametrize("before", [0, 150, 170, 190, 195])

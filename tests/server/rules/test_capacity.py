@@ -8,8 +8,10 @@ import pytest
 
 from reference_server.rules.capacity import (
     LentSimulator,
+    Quota,
     WaitingRun,
     below_quota,
+    below_storage_quota,
     session_to_end,
     share_places,
 )
@@ -134,3 +136,20 @@ def test_a_quota_is_the_most_that_is_open() -> None:
     refused = below_quota(3, 3)
     assert refused is not None
     assert (refused.code, refused.requirement) == ("quota_exceeded", "LIM-007")
+
+
+@pytest.mark.parametrize(
+    ("has", "has_key", "rule"),
+    [
+        (Quota(keys=2, stored_bytes=8), True, None),
+        (Quota(keys=3, stored_bytes=8), False, None),
+        (Quota(keys=3, stored_bytes=8), True, "LIM-009"),
+        (Quota(keys=2, stored_bytes=9), False, "LIM-010"),
+    ],
+)
+def test_a_quota_is_the_most_that_is_stored(
+    has: Quota, has_key: bool, rule: str | None
+) -> None:
+    refused = below_storage_quota(has, Quota(keys=3, stored_bytes=9), has_key=has_key)
+    assert (refused and refused.requirement) == rule
+    assert refused is None or refused.code == "quota_exceeded"

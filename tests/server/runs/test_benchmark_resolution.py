@@ -1,10 +1,12 @@
 """Benchmarks of the server: what is looked up once."""
 
+import asyncio
 from typing import Any
 
 import pytest
 
-from reference_server.runs.benchmarks import SimulatorConfigs
+from reference_server.runs import benchmarks
+from reference_server.runs.benchmarks import Benchmarks, SimulatorConfigs
 from reference_sim import benchmark_registry
 from tests.support.server.server_parts import calibration_run
 
@@ -26,3 +28,18 @@ def test_a_simulator_configuration_is_resolved_once_per_choice(
     assert len(resolved) == 1
     configs.find(other)
     assert len(resolved) == 2
+
+
+def test_runs_of_one_manifest_share_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A thousand finished runs took twenty megabytes."""
+    monkeypatch.setattr(benchmarks, "SHARED_MANIFESTS_MAX", 2)
+    found = Benchmarks(64)
+
+    def manifest(task: str) -> Any:
+        submission: Any = {"benchmark_id": "calibration", "options": {"tasks": [task]}}
+        return asyncio.run(found.resolve(submission)).manifest
+
+    assert manifest("count") is manifest("count")
+    assert manifest("count") is not manifest("echo")
+    manifest("score")
+    assert len(found._manifests) <= 2

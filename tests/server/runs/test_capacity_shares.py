@@ -10,10 +10,12 @@ from pathlib import Path
 import pytest
 
 from reference_server.rules import effects
+from reference_server.rules.capacity import Quota
 from reference_server.rules.lifecycle import Attach, Heartbeat
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, RunHead
 from reference_server.runs import places, registry
+from reference_server.storage.rows import EPISODE_BYTES, stored_bytes
 from reference_server.storage.store import Store, StoreFailed
 from tests.support.server.server_parts import (
     ServerParts,
@@ -22,6 +24,7 @@ from tests.support.server.server_parts import (
     expect_refusal,
     predict_command,
     run_scenarios,
+    start_task,
 )
 
 
@@ -268,9 +271,13 @@ def test_a_session_without_a_turn_ends(tmp_path: Path, how: str) -> None:
 # --- quotas ---
 
 
+def set_quota(parts: ServerParts, **quota: int) -> None:
+    parts.registry._usage.quota = Quota(**quota)
+
+
 def test_an_account_may_have_so_many_open_runs(tmp_path: Path) -> None:
     async def scenario(parts: ServerParts) -> None:
-        parts.registry._open_max = 2
+        set_quota(parts, open_runs=2)
         first = await parts.registry.add(calibration_run(), "key", "body")
         second = await submit(parts, "run_2")
         with expect_refusal("quota_exceeded"):
@@ -291,7 +298,7 @@ def test_an_account_may_have_so_many_open_runs(tmp_path: Path) -> None:
         assert [run.state for run in (first, second)] == ["ready", "ready"]
 
     async def after_a_restart(parts: ServerParts) -> None:
-        parts.registry._open_max = 2
+        set_quota(parts, open_runs=2)
         with expect_refusal("quota_exceeded"):
             await submit(parts, "run_4")
 
@@ -300,13 +307,13 @@ def test_an_account_may_have_so_many_open_runs(tmp_path: Path) -> None:
 
 def test_runs_that_are_opened_at_once_count_each_other(tmp_path: Path) -> None:
     async def scenario(parts: ServerParts) -> None:
-        parts.registry._open_max = 2
+        set_quota(parts, open_runs=2)
         submitted = [submit(parts, f"run_{n}") for n in range(4)]
         found = await asyncio.gather(*submitted, return_exceptions=True)
         assert [type(one) for one in found] == [Run, Run, Refused, Refused]
         for number in (0, 1):
             await parts.service.stop_run("alice", f"run_{number}")
-        parts.registry._open_max = 1
+        set_quota(parts, open_runs=1)
         resumed = [parts.service.resume_run("alice", f"run_{n}") for n in (0, 1)]
         found = await asyncio.gather(*resumed, return_exceptions=True)
         assert [type(one) for one in found] == [Run, Refused]
@@ -318,9 +325,118 @@ def test_a_key_that_is_used_opens_no_run(tmp_path: Path) -> None:
     async def scenario(parts: ServerParts) -> None:
         for _ in range(3):
             await parts.registry.add(calibration_run(), "key", "body")
-        parts.registry._open_max = 2
+        set_quota(parts, open_runs=2)
         await submit(parts, "run_2")
         with expect_refusal("quota_exceeded"):
             await submit(parts, "run_3")
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_an_account_may_use_so_many_keys(tmp_path: Path) -> None:
+    """LIM-009: used ones count for good; refused ones are not used."""
+
+    async def add(parts: ServerParts, key: str | None, account: str = "alice") -> Run:
+        run = calibration_run(run_id=f"{account}_{key}", account=account)
+        return await parts.registry.add(run, key, "body")
+
+    async def scenario(parts: ServerParts) -> None:
+        set_quota(parts, keys=2)
+        submitted = [add(parts, f"key_{n}") for n in range(3)]
+        found = await asyncio.gather(*submitted, return_exceptions=True)
+        assert [type(one) for one in found] == [Run, Run, Refused]
+        await parts.service.stop_run("alice", "alice_key_0")
+        with expect_refusal("quota_exceeded"):
+            await add(parts, "key_2")
+        again = calibration_run(run_id="again")
+        assert await parts.registry.add(again, "key_1", "body") is found[1]
+        assert await parts.registry.find_by_key("alice", "key_2") is None
+        await add(parts, None)
+        await add(parts, "key_2", "bob")
+
+    async def after_a_restart(parts: ServerParts) -> None:
+        set_quota(parts, keys=2)
+        with expect_refusal("quota_exceeded"):
+            await add(parts, "key_3")
+        set_quota(parts, keys=3)
+        await add(parts, "key_3")
+
+    run_scenarios(tmp_path, scenario, after_a_restart)
+
+
+def test_an_account_may_store_so_much(tmp_path: Path) -> None:
+    """LIM-010: what has ended counts, too; a submission that is not stored does not."""
+    size = stored_bytes(calibration_run())
+    assert stored_bytes(calibration_run(*["score"] * 9)) > size + 7 * EPISODE_BYTES
+
+    async def scenario(parts: ServerParts) -> None:
+        set_quota(parts, stored_bytes=2 * size)
+        first = await parts.registry.add(calibration_run(), "key", "body")
+        for number in range(3):
+            again = calibration_run(run_id=f"again_{number}")
+            assert await parts.registry.add(again, "key", "body") is first
+        await submit(parts, "run_2")
+        for run_id in (first.run_id, "run_2"):
+            await parts.service.stop_run("alice", run_id)
+        with expect_refusal("quota_exceeded"):
+            await submit(parts, "run_3")
+        await parts.service.resume_run("alice", "run_2")
+        await submit(parts, "other", "bob")
+
+    async def after_a_restart(parts: ServerParts) -> None:
+        set_quota(parts, stored_bytes=2 * size)
+        with expect_refusal("quota_exceeded"):
+            await submit(parts, "run_3")
+        set_quota(parts, stored_bytes=2 * size + 1)
+        await submit(parts, "run_3")
+
+    run_scenarios(tmp_path, scenario, after_a_restart)
+
+
+# --- the event loop ---
+
+
+class OtherTask:
+    """Counts how often it was continued."""
+
+    def __init__(self) -> None:
+        self.continued = 0
+        self._task = start_task(self._be_served())
+
+    async def _be_served(self) -> None:
+        while True:
+            self.continued += 1
+            await asyncio.sleep(0)
+
+    def end(self) -> None:
+        self._task.cancel()
+
+
+def test_a_comparison_of_many_runs_leaves_the_loop_to_others(tmp_path: Path) -> None:
+    """Sixteen runs of a thousand episodes held it for a sixth of a second."""
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await submit(parts, "run_1")
+        other = OtherTask()
+        await parts.service.compare_runs("alice", [run.run_id] * 16)
+        other.end()
+        assert other.continued > 2 * 15
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_long_page_of_runs_leaves_the_loop_to_others(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A thousand runs in memory are shown without a wait."""
+    monkeypatch.setattr(registry, "VIEWS_AT_ONCE", 2)
+
+    async def scenario(parts: ServerParts) -> None:
+        for number in range(9):
+            await submit(parts, f"run_{number}")
+        other = OtherTask()
+        seen = await parts.registry.page("alice", None, 9, lambda _: other.continued)
+        other.end()
+        assert seen[-1] - seen[0] >= 4
 
     run_scenarios(tmp_path, scenario)

@@ -4,6 +4,7 @@ import asyncio
 import time
 import types
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -11,7 +12,7 @@ from reference_server.rules.lifecycle import Attach, Heartbeat
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.runs import session_executor
-from reference_sim.process.pool import SimulatorHandle
+from reference_sim.process.pool import SimulatorFault, SimulatorHandle
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
@@ -250,5 +251,38 @@ def test_a_lease_end_is_evaluated_once_per_command(
         assert parts.pool.busy == 1
         monkeypatch.undo()
         parts.executor.heartbeat(run, Heartbeat("w", turn["session_id"]))
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_fault_at_the_next_beginning_is_not_of_the_turn(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """FAULT-012: what was executed and scored is shown, and the fault is counted."""
+    right = SimulatorHandle.begin
+    begun: list[str] = []
+
+    async def begin(self: SimulatorHandle, task: str, *how: Any, **named: Any) -> Any:
+        begun.append(task)
+        if begun == ["score", "count"]:
+            raise SimulatorFault("It died.")
+        return await right(self, task, *how, **named)
+
+    monkeypatch.setattr(SimulatorHandle, "begin", begin)
+
+    async def scenario(parts: ServerParts) -> None:
+        run = calibration_run("score", "count")
+        run = await parts.registry.add(run, None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        command = predict_command(turn, success=1, end=1)
+        turn = await parts.executor.predict(run, command)
+        assert turn["episode_result"]["outcome"] == "success"
+        assert turn["executed_steps"] == len(turn["rewards"]) == 1
+        assert "fault" not in turn
+        assert (turn["episode"]["task"], turn["episode"]["step"]) == ("count", 0)
+        assert [episode.faults for episode in run.episodes] == [0, 1]
+        assert begun == ["score", "count", "count"]
+        turn = await parts.executor.predict(run, predict_command(turn))
+        assert "fault" not in turn
 
     run_scenarios(tmp_path, scenario)

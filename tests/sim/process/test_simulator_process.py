@@ -79,3 +79,17 @@ def test_frames_come_in_any_pieces(
         process.end("is not needed")
 
     asyncio.run(play())
+
+
+def test_a_process_whose_parent_has_ended_is_no_failure(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def end(code: int) -> None:
+        raise SystemExit(code)
+
+    monkeypatch.setattr(os, "_exit", end)
+    ours, theirs = socket.socketpair()
+    ours.close()
+    with theirs, pytest.raises(SystemExit) as ended:
+        simulator_main._send(theirs, simulator_main.Hello(1))
+    assert ended.value.code == 0

@@ -29,8 +29,8 @@ class Benchmark(BaseModel):
     description: StrictStr
     manifest_sha256: Annotated[str, Field(strict=True)] = Field(description="The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.")
     episodes_total: Annotated[int, Field(strict=True, ge=1)]
-    tasks: List[StrictStr]
-    splits: List[StrictStr]
+    tasks: Annotated[List[StrictStr], Field(max_length=100000)]
+    splits: Annotated[List[StrictStr], Field(max_length=100000)]
     control_rate_hz: Union[StrictFloat, StrictInt] = Field(description="Actions per simulated second.")
     max_steps: Annotated[int, Field(strict=True, ge=1)] = Field(description="Steps after which an episode is truncated.")
     max_chunk: Annotated[int, Field(strict=True, ge=1)]
@@ -39,8 +39,8 @@ class Benchmark(BaseModel):
     success_rule: Annotated[str, Field(strict=True)] = Field(description="A `SuccessRule`, or one of a later version.")
     action_space: Dict[str, VectorSpace] = Field(description="Name of an action value → what it means.")
     observation_space: ObservationSpace
-    image_sizes: List[ImageSize] = Field(description="Sizes that may be chosen at submit; the first is the default.")
-    image_codecs: List[Annotated[str, Field(strict=True)]] = Field(description="Codecs that may be chosen at submit; the first is the default.")
+    image_sizes: Annotated[List[ImageSize], Field(max_length=1024)] = Field(description="Sizes that may be chosen at submit; the first is the default.")
+    image_codecs: Annotated[List[Annotated[str, Field(strict=True)]], Field(max_length=256)] = Field(description="Codecs that may be chosen at submit; the first is the default.")
     simulator: SimulatorInfo
     unavailable_reason: Optional[StrictStr] = Field(description="Why a run cannot be submitted here now, and the cure; null when it can.")
     additional_properties: Dict[str, Any] = {}

@@ -8,8 +8,9 @@ import pprint
 import re  # noqa: F401
 import json
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, Field
 from typing import Any, ClassVar, Dict, List
+from typing_extensions import Annotated
 from proctor_client.models.benchmark_summary import BenchmarkSummary
 from typing import Optional, Set
 from typing_extensions import Self
@@ -19,7 +20,7 @@ class BenchmarkList(BaseModel):
     """
     BenchmarkList
     """ # noqa: E501
-    benchmarks: List[BenchmarkSummary]
+    benchmarks: Annotated[List[BenchmarkSummary], Field(max_length=10000)]
     additional_properties: Dict[str, Any] = {}
     __properties: ClassVar[List[str]] = ["benchmarks"]
 

@@ -24,7 +24,7 @@ class Comparison(BaseModel):
     benchmark_id: StrictStr
     manifest_sha256: Annotated[str, Field(strict=True)] = Field(description="The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.")
     tolerance: Union[Annotated[float, Field(le=1, strict=True, ge=0)], Annotated[int, Field(le=1, strict=True, ge=0)]]
-    runs: List[ComparedRun] = Field(description="One entry per run that was named, in that order.")
+    runs: Annotated[List[ComparedRun], Field(max_length=16)] = Field(description="One entry per run that was named, in that order.")
     additional_properties: Dict[str, Any] = {}
     __properties: ClassVar[List[str]] = ["baseline", "benchmark_id", "manifest_sha256", "tolerance", "runs"]
 

@@ -8,8 +8,9 @@ import pprint
 import re  # noqa: F401
 import json
 
-from pydantic import BaseModel, ConfigDict, StrictStr
+from pydantic import BaseModel, ConfigDict, Field, StrictStr
 from typing import Any, ClassVar, Dict, List, Optional
+from typing_extensions import Annotated
 from proctor_client.models.episode import Episode
 from typing import Optional, Set
 from typing_extensions import Self
@@ -19,7 +20,7 @@ class EpisodeList(BaseModel):
     """
     EpisodeList
     """ # noqa: E501
-    episodes: List[Episode]
+    episodes: Annotated[List[Episode], Field(max_length=1000)]
     next_cursor: Optional[StrictStr]
     additional_properties: Dict[str, Any] = {}
     __properties: ClassVar[List[str]] = ["episodes", "next_cursor"]

@@ -17,7 +17,7 @@ from pydantic_core import to_jsonable_python
 
 class Fault(BaseModel):
     """
-    The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed.
+    The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed. A turn that ends an episode has its result instead, and `list_episodes` the faults of the next one.
     """ # noqa: E501
     episode_id: StrictStr
     faults: Annotated[int, Field(strict=True, ge=1)] = Field(description="Faults of this episode so far.")

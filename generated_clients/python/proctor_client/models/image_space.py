@@ -21,7 +21,7 @@ class ImageSpace(BaseModel):
     """ # noqa: E501
     channels: Annotated[int, Field(le=4, strict=True, ge=1)]
     description: StrictStr
-    tasks: Optional[List[StrictStr]] = None
+    tasks: Optional[Annotated[List[StrictStr], Field(max_length=100000)]] = None
     additional_properties: Dict[str, Any] = {}
     __properties: ClassVar[List[str]] = ["channels", "description", "tasks"]
 

@@ -8,8 +8,9 @@ import pprint
 import re  # noqa: F401
 import json
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, Field
 from typing import Any, ClassVar, Dict, List
+from typing_extensions import Annotated
 from proctor_client.models.public_key import PublicKey
 from typing import Optional, Set
 from typing_extensions import Self
@@ -19,7 +20,7 @@ class KeyList(BaseModel):
     """
     KeyList
     """ # noqa: E501
-    keys: List[PublicKey]
+    keys: Annotated[List[PublicKey], Field(max_length=10000)]
     additional_properties: Dict[str, Any] = {}
     __properties: ClassVar[List[str]] = ["keys"]
 

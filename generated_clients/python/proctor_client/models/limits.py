@@ -30,9 +30,12 @@ class Limits(BaseModel):
     body_timeout_s: Optional[Union[Annotated[float, Field(strict=True, ge=0)], Annotated[int, Field(strict=True, ge=0)]]] = Field(default=None, description="Time in which a part of a body arrives after the headers of its request; for the profile `limits`.")
     heartbeat_s_max: Optional[Union[Annotated[float, Field(strict=True, ge=1)], Annotated[int, Field(strict=True, ge=1)]]] = Field(default=None, description="Longest time that a session lives without a new turn, whatever its `idle_timeout_s`; for the profile `limits`.")
     unused_s_max: Optional[Union[Annotated[float, Field(strict=True, ge=0)], Annotated[int, Field(strict=True, ge=0)]]] = Field(default=None, description="When others wait: the time after which a run without a worker, or a session without a turn, may have to make room; for the profile `limits`.")
+    max_control_body_bytes: Optional[Annotated[int, Field(strict=True, ge=65536)]] = Field(default=None, description="Longest body that is read of a request other than `predict`, where it is less than `max_body_bytes`; for the profile `limits`.")
     max_open_runs: Optional[Annotated[int, Field(strict=True, ge=1)]] = Field(default=None, description="Most runs of one account that are queued, ready, running or stopping; for the profile `limits`.")
+    max_idempotency_keys: Optional[Annotated[int, Field(strict=True, ge=1)]] = Field(default=None, description="Most Idempotency-Keys that one account may use; for the profile `limits`.")
+    max_stored_bytes: Optional[Annotated[int, Field(strict=True, ge=1)]] = Field(default=None, description="Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile `limits`.")
     additional_properties: Dict[str, Any] = {}
-    __properties: ClassVar[List[str]] = ["max_body_bytes", "max_workers", "max_chunk", "idle_timeout_s_min", "idle_timeout_s_max", "wait_s_max", "max_header_bytes", "header_timeout_s", "body_timeout_s", "heartbeat_s_max", "unused_s_max", "max_open_runs"]
+    __properties: ClassVar[List[str]] = ["max_body_bytes", "max_workers", "max_chunk", "idle_timeout_s_min", "idle_timeout_s_max", "wait_s_max", "max_header_bytes", "header_timeout_s", "body_timeout_s", "heartbeat_s_max", "unused_s_max", "max_control_body_bytes", "max_open_runs", "max_idempotency_keys", "max_stored_bytes"]
 
     model_config = ConfigDict(
         validate_by_name=True,
@@ -103,7 +106,10 @@ class Limits(BaseModel):
             "body_timeout_s": obj.get("body_timeout_s"),
             "heartbeat_s_max": obj.get("heartbeat_s_max"),
             "unused_s_max": obj.get("unused_s_max"),
-            "max_open_runs": obj.get("max_open_runs")
+            "max_control_body_bytes": obj.get("max_control_body_bytes"),
+            "max_open_runs": obj.get("max_open_runs"),
+            "max_idempotency_keys": obj.get("max_idempotency_keys"),
+            "max_stored_bytes": obj.get("max_stored_bytes")
         })
         # store additional fields in additional_properties
         for _key in obj.keys():

@@ -8,8 +8,9 @@ import pprint
 import re  # noqa: F401
 import json
 
-from pydantic import BaseModel, ConfigDict, StrictFloat, StrictInt
+from pydantic import BaseModel, ConfigDict, Field, StrictFloat, StrictInt
 from typing import Any, ClassVar, Dict, List, Union
+from typing_extensions import Annotated
 from proctor_client.models.image import Image
 from proctor_client.models.tensor import Tensor
 from typing import Optional, Set
@@ -20,7 +21,7 @@ class Observation(BaseModel):
     """
     Observation
     """ # noqa: E501
-    state: Dict[str, List[Union[StrictFloat, StrictInt]]]
+    state: Dict[str, Annotated[List[Union[StrictFloat, StrictInt]], Field(max_length=1000000)]]
     images: Dict[str, Image]
     tensors: Dict[str, Tensor]
     additional_properties: Dict[str, Any] = {}

@@ -23,7 +23,7 @@ class Predict(BaseModel):
     """ # noqa: E501
     session_id: Annotated[str, Field(min_length=1, strict=True, max_length=128)]
     seq: Annotated[int, Field(le=9007199254740991, strict=True, ge=1)]
-    actions: Annotated[List[Action], Field(min_length=1)]
+    actions: Annotated[List[Action], Field(min_length=1, max_length=65536)]
     observe: Optional[Observe] = None
     __properties: ClassVar[List[str]] = ["session_id", "seq", "actions", "observe"]
 

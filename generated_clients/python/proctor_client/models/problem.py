@@ -29,7 +29,7 @@ class Problem(BaseModel):
     code: StrictStr = Field(description="One of x-problems, or one of a later version.")
     retryable: StrictBool = Field(description="Whether the same request can succeed later.")
     side_effects: SideEffects
-    errors: Optional[List[ProblemItem]] = None
+    errors: Optional[Annotated[List[ProblemItem], Field(max_length=1000000)]] = None
     requirement: Optional[Annotated[str, Field(strict=True)]] = Field(default=None, description="Id of the rule that was enforced.")
     state: Optional[RunState] = None
     expected_seq: Optional[Annotated[int, Field(strict=True, ge=1)]] = None

@@ -8,8 +8,9 @@ import pprint
 import re  # noqa: F401
 import json
 
-from pydantic import BaseModel, ConfigDict, StrictStr
+from pydantic import BaseModel, ConfigDict, Field, StrictStr
 from typing import Any, ClassVar, Dict, List, Optional
+from typing_extensions import Annotated
 from typing import Optional, Set
 from typing_extensions import Self
 from pydantic_core import to_jsonable_python
@@ -18,8 +19,8 @@ class SelectionView(BaseModel):
     """
     The `select` of a run, as it was submitted.
     """ # noqa: E501
-    tasks: Optional[List[StrictStr]] = None
-    splits: Optional[List[StrictStr]] = None
+    tasks: Optional[Annotated[List[StrictStr], Field(max_length=100000)]] = None
+    splits: Optional[Annotated[List[StrictStr], Field(max_length=100000)]] = None
     additional_properties: Dict[str, Any] = {}
     __properties: ClassVar[List[str]] = ["tasks", "splits"]
 

@@ -25,10 +25,10 @@ class Service(BaseModel):
     name: StrictStr
     version: StrictStr = Field(description="Version of the server software.")
     protocol: ProtocolRange
-    profiles: List[Annotated[str, Field(strict=True)]] = Field(description="Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.")
+    profiles: Annotated[List[Annotated[str, Field(strict=True)]], Field(max_length=256)] = Field(description="Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified.")
     limits: Limits
-    encodings: List[StrictStr] = Field(description="Media types of the data plane.")
-    image_codecs: List[Annotated[str, Field(strict=True)]]
+    encodings: Annotated[List[StrictStr], Field(max_length=64)] = Field(description="Media types of the data plane.")
+    image_codecs: Annotated[List[Annotated[str, Field(strict=True)]], Field(max_length=256)]
     server_time: datetime = Field(description="The server's clock, UTC.")
     additional_properties: Dict[str, Any] = {}
     __properties: ClassVar[List[str]] = ["name", "version", "protocol", "profiles", "limits", "encodings", "image_codecs", "server_time"]

@@ -20,7 +20,7 @@ class Tensor(BaseModel):
     C order, little-endian; a bool is one byte, 0 or 1.
     """ # noqa: E501
     dtype: Annotated[str, Field(strict=True)]
-    shape: List[Annotated[int, Field(strict=True, ge=0)]]
+    shape: Annotated[List[Annotated[int, Field(strict=True, ge=0)]], Field(max_length=64)]
     data: StrictStr = Field(description="Base64 with padding in JSON; `bin` in MessagePack.")
     additional_properties: Dict[str, Any] = {}
     __properties: ClassVar[List[str]] = ["dtype", "shape", "data"]

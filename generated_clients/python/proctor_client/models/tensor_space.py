@@ -20,9 +20,9 @@ class TensorSpace(BaseModel):
     TensorSpace
     """ # noqa: E501
     dtype: Annotated[str, Field(strict=True)]
-    shape: List[Annotated[int, Field(strict=True, ge=0)]]
+    shape: Annotated[List[Annotated[int, Field(strict=True, ge=0)]], Field(max_length=64)]
     description: StrictStr
-    tasks: Optional[List[StrictStr]] = None
+    tasks: Optional[Annotated[List[StrictStr], Field(max_length=100000)]] = None
     additional_properties: Dict[str, Any] = {}
     __properties: ClassVar[List[str]] = ["dtype", "shape", "description", "tasks"]
 

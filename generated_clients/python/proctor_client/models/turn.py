@@ -29,10 +29,10 @@ class Turn(BaseModel):
     seq: Annotated[int, Field(strict=True, ge=0)]
     episode: Optional[EpisodeView] = None
     observation: Optional[Observation] = None
-    observations: Optional[List[Observation]] = Field(default=None, description="With `observe` all, one per executed action.")
+    observations: Optional[Annotated[List[Observation], Field(max_length=65536)]] = Field(default=None, description="With `observe` all, one per executed action.")
     executed_steps: Annotated[int, Field(strict=True, ge=0)]
     stopped_early: StrictBool = Field(description="The episode ended before the chunk did.")
-    rewards: List[Union[StrictFloat, StrictInt]] = Field(description="One per executed action.")
+    rewards: Annotated[List[Union[StrictFloat, StrictInt]], Field(max_length=65536)] = Field(description="One per executed action.")
     terminated: StrictBool = Field(description="The task ended by itself in this turn.")
     truncated: StrictBool = Field(description="The step limit ended the episode in this turn.")
     episode_result: Optional[EpisodeResult] = None

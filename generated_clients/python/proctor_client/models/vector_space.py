@@ -25,11 +25,11 @@ class VectorSpace(BaseModel):
     frame: StrictStr = Field(description="`world`, `base`, `tool`, `joint`, or `none`.")
     relative: StrictBool = Field(description="True when the values are increments.")
     gripper_open: Optional[Union[StrictFloat, StrictInt]] = Field(default=None, description="The value that means fully open.")
-    minimum: Optional[List[Union[StrictFloat, StrictInt]]] = None
-    maximum: Optional[List[Union[StrictFloat, StrictInt]]] = None
+    minimum: Optional[Annotated[List[Union[StrictFloat, StrictInt]], Field(max_length=1000000)]] = None
+    maximum: Optional[Annotated[List[Union[StrictFloat, StrictInt]], Field(max_length=1000000)]] = None
     out_of_range: Annotated[str, Field(strict=True)]
     description: Optional[StrictStr] = Field(default=None, description="What the numbers are.")
-    tasks: Optional[List[StrictStr]] = Field(default=None, description="The tasks that have this entry; all of them when absent.")
+    tasks: Optional[Annotated[List[StrictStr], Field(max_length=100000)]] = Field(default=None, description="The tasks that have this entry; all of them when absent.")
     additional_properties: Dict[str, Any] = {}
     __properties: ClassVar[List[str]] = ["size", "unit", "rotation", "frame", "relative", "gripper_open", "minimum", "maximum", "out_of_range", "description", "tasks"]
 

@@ -3,7 +3,7 @@
 use crate::models;
 use serde::{Deserialize, Serialize};
 
-/// Fault : The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed.
+/// Fault : The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed. A turn that ends an episode has its result instead, and `list_episodes` the faults of the next one.
 #[derive(Clone, Default, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Fault {
     #[serde(rename = "episode_id")]
@@ -16,7 +16,7 @@ pub struct Fault {
 }
 
 impl Fault {
-    /// The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed.
+    /// The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed. A turn that ends an episode has its result instead, and `list_episodes` the faults of the next one.
     pub fn new(episode_id: String, faults: i32, detail: String) -> Fault {
         Fault {
             episode_id,

@@ -36,9 +36,18 @@ pub struct Limits {
     /// When others wait: the time after which a run without a worker, or a session without a turn, may have to make room; for the profile `limits`.
     #[serde(rename = "unused_s_max", skip_serializing_if = "Option::is_none")]
     pub unused_s_max: Option<f64>,
+    /// Longest body that is read of a request other than `predict`, where it is less than `max_body_bytes`; for the profile `limits`.
+    #[serde(rename = "max_control_body_bytes", skip_serializing_if = "Option::is_none")]
+    pub max_control_body_bytes: Option<i64>,
     /// Most runs of one account that are queued, ready, running or stopping; for the profile `limits`.
     #[serde(rename = "max_open_runs", skip_serializing_if = "Option::is_none")]
     pub max_open_runs: Option<i32>,
+    /// Most Idempotency-Keys that one account may use; for the profile `limits`.
+    #[serde(rename = "max_idempotency_keys", skip_serializing_if = "Option::is_none")]
+    pub max_idempotency_keys: Option<i64>,
+    /// Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile `limits`.
+    #[serde(rename = "max_stored_bytes", skip_serializing_if = "Option::is_none")]
+    pub max_stored_bytes: Option<i64>,
 }
 
 impl Limits {
@@ -55,7 +64,10 @@ impl Limits {
             body_timeout_s: None,
             heartbeat_s_max: None,
             unused_s_max: None,
+            max_control_body_bytes: None,
             max_open_runs: None,
+            max_idempotency_keys: None,
+            max_stored_bytes: None,
         }
     }
 }

@@ -6,7 +6,7 @@
 
 import { mapValues } from '../runtime';
 /**
- * The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed.
+ * The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed. A turn that ends an episode has its result instead, and `list_episodes` the faults of the next one.
  * @export
  * @interface Fault
  */

@@ -57,9 +57,21 @@ export interface Limits {
      */
     unused_s_max?: number;
     /**
+     * Longest body that is read of a request other than `predict`, where it is less than `max_body_bytes`; for the profile `limits`.
+     */
+    max_control_body_bytes?: number;
+    /**
      * Most runs of one account that are queued, ready, running or stopping; for the profile `limits`.
      */
     max_open_runs?: number;
+    /**
+     * Most Idempotency-Keys that one account may use; for the profile `limits`.
+     */
+    max_idempotency_keys?: number;
+    /**
+     * Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile `limits`.
+     */
+    max_stored_bytes?: number;
 }
 
 /**
@@ -97,7 +109,10 @@ export function LimitsFromJSONTyped(json: any, ignoreDiscriminator: boolean): Li
         'body_timeout_s': json['body_timeout_s'] == null ? undefined : json['body_timeout_s'],
         'heartbeat_s_max': json['heartbeat_s_max'] == null ? undefined : json['heartbeat_s_max'],
         'unused_s_max': json['unused_s_max'] == null ? undefined : json['unused_s_max'],
+        'max_control_body_bytes': json['max_control_body_bytes'] == null ? undefined : json['max_control_body_bytes'],
         'max_open_runs': json['max_open_runs'] == null ? undefined : json['max_open_runs'],
+        'max_idempotency_keys': json['max_idempotency_keys'] == null ? undefined : json['max_idempotency_keys'],
+        'max_stored_bytes': json['max_stored_bytes'] == null ? undefined : json['max_stored_bytes'],
     };
 }
 
@@ -124,6 +139,9 @@ export function LimitsToJSONTyped(value?: Limits | null, ignoreDiscriminator: bo
         'body_timeout_s': value['body_timeout_s'],
         'heartbeat_s_max': value['heartbeat_s_max'],
         'unused_s_max': value['unused_s_max'],
+        'max_control_body_bytes': value['max_control_body_bytes'],
         'max_open_runs': value['max_open_runs'],
+        'max_idempotency_keys': value['max_idempotency_keys'],
+        'max_stored_bytes': value['max_stored_bytes'],
     };
 }

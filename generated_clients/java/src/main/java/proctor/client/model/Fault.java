@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Map;
 import proctor.client.JSON;
 
-/** The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed. */
+/** The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed. A turn that ends an episode has its result instead, and &#x60;list_episodes&#x60; the faults of the next one. */
 public class Fault {
   @SerializedName("episode_id")
   @javax.annotation.Nonnull

@@ -51,8 +51,17 @@ public class Limits {
   @SerializedName("unused_s_max")
   private Double unusedSMax;
 
+  @SerializedName("max_control_body_bytes")
+  private Long maxControlBodyBytes;
+
   @SerializedName("max_open_runs")
   private Integer maxOpenRuns;
+
+  @SerializedName("max_idempotency_keys")
+  private Long maxIdempotencyKeys;
+
+  @SerializedName("max_stored_bytes")
+  private Long maxStoredBytes;
 
   /** Longest request body that is read. */
   public Long getMaxBodyBytes() {
@@ -206,6 +215,20 @@ public class Limits {
     this.unusedSMax = unusedSMax;
   }
 
+  /** Longest body that is read of a request other than &#x60;predict&#x60;, where it is less than &#x60;max_body_bytes&#x60;; for the profile &#x60;limits&#x60;. */
+  public Long getMaxControlBodyBytes() {
+    return maxControlBodyBytes;
+  }
+
+  public Limits maxControlBodyBytes(Long maxControlBodyBytes) {
+    this.maxControlBodyBytes = maxControlBodyBytes;
+    return this;
+  }
+
+  public void setMaxControlBodyBytes(Long maxControlBodyBytes) {
+    this.maxControlBodyBytes = maxControlBodyBytes;
+  }
+
   /** Most runs of one account that are queued, ready, running or stopping; for the profile &#x60;limits&#x60;. */
   public Integer getMaxOpenRuns() {
     return maxOpenRuns;
@@ -218,6 +241,34 @@ public class Limits {
 
   public void setMaxOpenRuns(Integer maxOpenRuns) {
     this.maxOpenRuns = maxOpenRuns;
+  }
+
+  /** Most Idempotency-Keys that one account may use; for the profile &#x60;limits&#x60;. */
+  public Long getMaxIdempotencyKeys() {
+    return maxIdempotencyKeys;
+  }
+
+  public Limits maxIdempotencyKeys(Long maxIdempotencyKeys) {
+    this.maxIdempotencyKeys = maxIdempotencyKeys;
+    return this;
+  }
+
+  public void setMaxIdempotencyKeys(Long maxIdempotencyKeys) {
+    this.maxIdempotencyKeys = maxIdempotencyKeys;
+  }
+
+  /** Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile &#x60;limits&#x60;. */
+  public Long getMaxStoredBytes() {
+    return maxStoredBytes;
+  }
+
+  public Limits maxStoredBytes(Long maxStoredBytes) {
+    this.maxStoredBytes = maxStoredBytes;
+    return this;
+  }
+
+  public void setMaxStoredBytes(Long maxStoredBytes) {
+    this.maxStoredBytes = maxStoredBytes;
   }
 
   public static Limits fromJson(String text) {

@@ -1,0 +1,66 @@
+"""What each account has of what its quota bounds. Decides nothing, and stores nothing.
+
+A run counts from the moment at which it is submitted or resumed, so that requests at
+the same time count each other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from reference_server.rules.capacity import (
+    Quota,
+    below_quota,
+    below_storage_quota,
+)
+from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.refusal import Refused
+from reference_server.rules.run import Run
+from reference_server.storage.rows import stored_bytes
+
+
+class AccountUsage:
+    """Open runs, Idempotency-Keys and stored bytes of each account."""
+
+    def __init__(self, quota: Quota) -> None:
+        self.quota = quota
+        self._open: dict[str, set[str]] = {}  # ids of open runs
+        self._keys: dict[str, int] = {}
+        self._bytes: dict[str, int] = {}
+
+    def load_stored(self, keys: Mapping[str, int], size: Mapping[str, int]) -> None:
+        """Begin with what the database has of each account."""
+        self._keys, self._bytes = dict(keys), dict(size)
+
+    def note_open(self, account: str, run_id: str, *, is_open: bool) -> None:
+        ids = self._open.setdefault(account, set())
+        if is_open:
+            ids.add(run_id)
+        else:
+            ids.discard(run_id)
+
+    def note_stored(self, run: Run, key: str | None, *, is_stored: bool = True) -> None:
+        """Count a run that is about to be stored; or no more, for it was not."""
+        sign = 1 if is_stored else -1
+        size = self._bytes.get(run.account, 0) + sign * stored_bytes(run)
+        self._bytes[run.account] = size
+        if key is not None:
+            self._keys[run.account] = self._keys.get(run.account, 0) + sign
+
+    def check_open(self, account: str) -> None:
+        """Refuse if the account has as many open runs as it may have."""
+        has = len(self._open.get(account, ()))
+        _raise_if(below_quota(has, self.quota.open_runs))
+
+    def check_new(self, account: str, *, has_key: bool) -> None:
+        """Refuse if the account may not have another run."""
+        self.check_open(account)
+        has = Quota(
+            keys=self._keys.get(account, 0), stored_bytes=self._bytes.get(account, 0)
+        )
+        _raise_if(below_storage_quota(has, self.quota, has_key=has_key))
+
+
+def _raise_if(refused: Refuse | None) -> None:
+    if refused is not None:
+        raise Refused.from_verdict(refused)
