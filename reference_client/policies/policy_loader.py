@@ -67,7 +67,7 @@ def _openpi(url: str, mapping: PolicyMapping | None) -> Callable[[], Policy]:
 
 
 def _gr00t(address: str, mapping: PolicyMapping | None) -> Callable[[], Policy]:
-    from reference_client.policies.gr00t.policy_client import (
+    from reference_client.policies.gr00t.gr00t_client import (
         Gr00tClient,
         check_keys,
         split_address,

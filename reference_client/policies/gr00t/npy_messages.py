@@ -60,5 +60,5 @@ def _array(data: Any) -> np.ndarray[Any, Any]:
         raise ValueError(f"an .npy file of version {version}")
     if dtype.kind not in "biufSU":
         raise ValueError(f"dtype {dtype} is not supported")
-    numbers = np.frombuffer(data, dtype, offset=file.tell())
+    numbers = np.frombuffer(file.read(), dtype)
     return numbers.reshape(shape, order="F" if is_fortran else "C")

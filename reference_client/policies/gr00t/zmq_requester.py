@@ -1,7 +1,7 @@
 """A REQ socket of ZeroMQ: a request in one frame, a response in one frame.
 
 ZMTP 3.0 over TCP with the mechanism NULL (rfc.zeromq.org/spec/23), as libzmq 4 speaks
-it by default. One connection; whoever wants another one makes another requester.
+it by default. One connection, which is not opened again.
 """
 
 from __future__ import annotations

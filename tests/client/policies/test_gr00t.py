@@ -21,7 +21,7 @@ import pytest
 from reference_client import ProctorError
 from reference_client.policies import BadPolicy, PolicyMapping, load
 from reference_client.policies.gr00t.npy_messages import BadNpyMessage, pack, unpack
-from reference_client.policies.gr00t.policy_client import Gr00tClient
+from reference_client.policies.gr00t.gr00t_client import Gr00tClient
 from reference_client.policies.gr00t.zmq_requester import NotZeroMq, ZmqRequester
 from tests.support.client.command import ProctorCommand, options
 from tests.support.servers import ReferenceServer
@@ -337,7 +337,7 @@ def test_an_unreachable_policy_server_leaves_no_run(
     proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(
-        "reference_client.policies.gr00t.policy_client.FIRST_CONTACT_S", 0.0
+        "reference_client.policies.gr00t.gr00t_client.FIRST_CONTACT_S", 0.0
     )
     before = proctor.json("status")
     answer_json = proctor.json(*run("127.0.0.1:9", "score"))
