@@ -20,8 +20,8 @@ import pytest
 
 from reference_client import ProctorError
 from reference_client.policies import BadPolicy, PolicyMapping, load
-from reference_client.policies.gr00t.npy_messages import BadNpyMessage, pack, unpack
 from reference_client.policies.gr00t.gr00t_client import Gr00tClient
+from reference_client.policies.gr00t.npy_messages import BadNpyMessage, pack, unpack
 from reference_client.policies.gr00t.zmq_requester import NotZeroMq, ZmqRequester
 from tests.support.client.command import ProctorCommand, options
 from tests.support.servers import ReferenceServer
