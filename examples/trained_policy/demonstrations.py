@@ -48,6 +48,8 @@ class Demonstrator:
         self._simulator = benchmark_registry.make(resolved.world)
         self._expert = experts.make_expert()
         self._noise = noise
+        states = self.manifest["observation_space"]["state"]
+        self._robot = [name for name in self.manifest["action_space"] if name in states]
 
     def features(self) -> dict[str, dict[str, Any]]:
         """As LeRobot describes a frame: the robot's state, all states, the action.
@@ -57,7 +59,7 @@ class Demonstrator:
         action = self.manifest["action_space"]
         states = self.manifest["observation_space"]["state"]
         return {
-            ROBOT: _feature({name: states[name] for name in action}),
+            ROBOT: _feature({name: states[name] for name in self._robot}),
             ALL: _feature(states),
             "action": _feature(action),
         }
@@ -85,7 +87,7 @@ class Demonstrator:
         state = observation.state
         return {
             "task": instruction,
-            ROBOT: _joined(state[name] for name in spaces),
+            ROBOT: _joined(state[name] for name in self._robot),
             ALL: _joined(state.values()),
             "action": _joined(action[name] for name in spaces),
         }

@@ -229,9 +229,10 @@ def test_a_message_of_several_parts_is_refused() -> None:
         listener = socket.create_server(("127.0.0.1", 0))
 
         def serve(listener: socket.socket = listener, parts: bytes = parts) -> None:
-            client = listener.accept()[0]
-            client.sendall(LIBZMQ_HELLO + parts)
-            client.recv(4096)
+            with listener.accept()[0] as client:
+                client.sendall(LIBZMQ_HELLO + parts)
+                while client.recv(4096):
+                    pass  # until the requester leaves
 
         threading.Thread(target=serve, daemon=True).start()
         requester = ZmqRequester("127.0.0.1", listener.getsockname()[1])
