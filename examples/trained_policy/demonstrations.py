@@ -48,20 +48,19 @@ class Demonstrator:
         self._simulator = benchmark_registry.make(resolved.world)
         self._expert = experts.make_expert()
         self._noise = noise
-        states = self.manifest["observation_space"]["state"]
-        self._robot = [name for name in self.manifest["action_space"] if name in states]
+        self._actions = self.manifest["action_space"]
+        self._states = self.manifest["observation_space"]["state"]
+        self._robot = [name for name in self._actions if name in self._states]
 
     def features(self) -> dict[str, dict[str, Any]]:
         """As LeRobot describes a frame: the robot's state, all states, the action.
 
         The states are those that `--policy lerobot:FOLDER` finds by their sizes.
         """
-        action = self.manifest["action_space"]
-        states = self.manifest["observation_space"]["state"]
         return {
-            ROBOT: _feature({name: states[name] for name in self._robot}),
-            ALL: _feature(states),
-            "action": _feature(action),
+            ROBOT: _feature({name: self._states[name] for name in self._robot}),
+            ALL: _feature(self._states),
+            "action": _feature(self._actions),
         }
 
     def play(self, task: str, seed: int) -> Frames | None:
@@ -83,13 +82,12 @@ class Demonstrator:
     def _frame(
         self, instruction: str, observation: Observation, action: Mapping[str, Any]
     ) -> dict[str, Any]:
-        spaces = self.manifest["action_space"]
         state = observation.state
         return {
             "task": instruction,
             ROBOT: _joined(state[name] for name in self._robot),
-            ALL: _joined(state.values()),
-            "action": _joined(action[name] for name in spaces),
+            ALL: _joined(state[name] for name in self._states),
+            "action": _joined(action[name] for name in self._actions),
         }
 
     def _disturbed(
@@ -97,7 +95,7 @@ class Demonstrator:
     ) -> dict[str, list[float]]:
         disturbed = {}
         for name, values in action.items():
-            space = self.manifest["action_space"][name]
+            space = self._actions[name]
             spread = 0.0 if name == "gripper" else self._noise
             noisy = np.asarray(values) + rng.normal(0.0, spread, len(values))
             clipped = np.clip(noisy, space["minimum"], space["maximum"])
