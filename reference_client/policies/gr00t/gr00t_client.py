@@ -109,9 +109,9 @@ class Gr00tClient:
         deadline = time.monotonic() + retry_timeout_s
         while True:
             try:
-                if self._requester is None:
-                    self._requester = ZmqRequester(*self._address)
-                return self._requester.request(message)
+                requester = self._requester or ZmqRequester(*self._address)
+                self._requester = requester
+                return requester.request(message)
             except NotZeroMq as error:
                 self._drop()
                 raise self._failed(str(error)) from error
