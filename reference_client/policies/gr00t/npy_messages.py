@@ -7,10 +7,21 @@ dtypes of numbers and text are read, none that could hold an object.
 from __future__ import annotations
 
 import io
+import tokenize
 from typing import Any
 
 import msgspec
 import numpy as np
+
+# The last two: numpy repairs headers of Python 2, and fails so on what is none.
+_UNREADABLE = (
+    msgspec.DecodeError,
+    RecursionError,
+    TypeError,
+    ValueError,
+    SyntaxError,
+    tokenize.TokenError,
+)
 
 
 class BadNpyMessage(ValueError):
@@ -26,7 +37,7 @@ def unpack(data: bytes) -> Any:
     """Raises BadNpyMessage."""
     try:
         return _unpacked(msgspec.msgpack.decode(data))
-    except (msgspec.DecodeError, RecursionError, TypeError, ValueError) as error:
+    except _UNREADABLE as error:
         raise BadNpyMessage(f"is not GR00T's MessagePack: {error}") from error
 
 

@@ -187,6 +187,8 @@ def _npy(header: str, data: bytes = b"", version: bytes = b"\x01\x00") -> bytes:
         _npy("{'descr': '<f4', 'fortran_order': False, 'shape': (999999999999,)}\n"),
         _npy("{'descr': '<f4', 'fortran_order': False, 'shape': (1,)}\n", b"123456"),
         _npy("", version=b"\x03\x00"),
+        _npy("{'descr': (\n"),
+        _npy("\n  x\n y"),
     ],
 )
 def test_an_invalid_message_is_refused(message: bytes) -> None:
