@@ -1,4 +1,4 @@
-"""The way of docs/evaluate/trained-policy.md, in small: `make lerobot-check`.
+"""The way of examples/trained_policy/README.md, in small: `make lerobot-check`.
 
 Demonstrations of an expert, a few steps of training by our loop and by LeRobot's own
 program, and both policies played by the command.
