@@ -58,7 +58,7 @@ metaworld-table: metaworld ## Play its experts both ways, rewrite their page
 	@OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python tools/measurements/metaworld_table.py $(ARGS)
 lerobot: .venv-lerobot/ready ## Install LeRobot and torch apart (7 GB on Linux)
 lerobot-check: lerobot ## Run the tests that need LeRobot
-	@.venv-lerobot/bin/python -m pytest tests/client/policies/lerobot_checks.py
+	@.venv-lerobot/bin/python -m pytest tests/client/policies/lerobot_*checks.py
 
 check: setup lint generate-check ## Lint, check generated files, run the fast tests
 	@$(pytest) -m "not slow"

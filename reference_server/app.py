@@ -22,7 +22,7 @@ from reference_server.http.dispatch import Operation, perform
 from reference_server.http.event_streams import SharedStreams
 from reference_server.http.handlers import Handlers
 from reference_server.http.problems import problem_response
-from reference_server.profiles import profile_tables
+from reference_server.profiles.operation_tables import profile_tables
 from reference_server.push.driver import PROTOCOLS, Driver
 from reference_server.push.egress import EgressPolicy
 from reference_server.push.key_encryption import KeyEncryption

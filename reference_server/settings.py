@@ -15,8 +15,8 @@ from pydantic import Field, field_validator, model_validator
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
 from reference_server.allowed_networks import AllowedNetworks
-from reference_server.flageval_modes import ModeTable
 from reference_server.http.allowed_hosts import AllowedHosts, is_loopback
+from reference_server.profiles.flageval.mode_table import ModeTable
 
 
 class Settings(BaseSettings):

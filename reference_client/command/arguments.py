@@ -300,7 +300,7 @@ def _add_policy_options(parser: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--policy", metavar="POLICY",
         help="module:Class, file.py:Class, module:function, openpi:ws://host:8000, "
-        "proctor:http://host:8470, or lerobot:FOLDER",
+        "gr00t:host:5555, proctor:http://host:8470, or lerobot:FOLDER",
     )  # fmt: skip
     group.add_argument(
         "--policy-url", metavar="URL", help="the same as --policy proctor:URL"

@@ -453,7 +453,7 @@ def _plan(
 
 
 def _policy_name(reference: str) -> str:
-    if reference.startswith(("openpi:", "proctor:")):
+    if reference.startswith(("gr00t:", "openpi:", "proctor:")):
         return reference.partition(":")[0]
     if reference.startswith("lerobot:"):
         return Path(reference.partition(":")[2]).resolve().name

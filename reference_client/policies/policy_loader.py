@@ -1,9 +1,9 @@
 """Loads the policy of a reference.
 
 References are `module:name`, `file.py:name`, `openpi:ws://host:8000`,
-`proctor:http://host:8470` and `lerobot:FOLDER`. A name is a class or a function without
-arguments, called once per worker to make a policy, or a function of the observation,
-which is the policy.
+`gr00t:host:5555`, `proctor:http://host:8470` and `lerobot:FOLDER`. A name is a class or
+a function without arguments, called once per worker to make a policy, or a function of
+the observation, which is the policy.
 Modules are found as by `python -m`: in the current folder first. Only code that the
 user names is executed.
 """
@@ -34,6 +34,8 @@ def load(reference: str, mapping: PolicyMapping | None = None) -> Callable[[], P
     kind, _, rest = reference.partition(":")
     if kind == "openpi":
         return _openpi(rest, mapping)
+    if kind == "gr00t":
+        return _gr00t(rest, mapping)
     if kind == "proctor":
         return _policy_server(rest, mapping)
     if kind == "lerobot":
@@ -60,12 +62,36 @@ def _openpi(url: str, mapping: PolicyMapping | None) -> Callable[[], Policy]:
         raise BadPolicy(
             f"openpi: takes a URL like openpi:ws://127.0.0.1:8000, not {url!r}"
         )
+    needed = _require(mapping, "openpi")
+    return lambda: _of_server(OpenpiClient.connect_to(url), needed)
+
+
+def _gr00t(address: str, mapping: PolicyMapping | None) -> Callable[[], Policy]:
+    from reference_client.policies.gr00t.gr00t_client import (
+        Gr00tClient,
+        check_keys,
+        split_address,
+    )
+
+    split_address(address)
+    needed = _require(mapping, "gr00t")
+    keys = list(needed.entries)
+    check_keys(keys)
+    return lambda: _of_server(Gr00tClient.connect_to(address, keys), needed)
+
+
+def _of_server(client: Any, mapping: PolicyMapping) -> Policy:
+    """client: has infer(request) and close()."""
+    return _MappedPolicy(client.infer, mapping, client.close)
+
+
+def _require(mapping: PolicyMapping | None, kind: str) -> PolicyMapping:
     if mapping is None:
         raise BadPolicy(
-            "openpi: needs --mapping FILE, which maps observation and action names; "
+            f"{kind}: needs --mapping FILE, which maps observation and action names; "
             "docs/evaluate/policies.md lists mapping files"
         )
-    return lambda: _MappedPolicy(OpenpiClient.connect_to(url).infer, mapping)
+    return mapping
 
 
 def _policy_server(url: str, mapping: PolicyMapping | None) -> Callable[[], Policy]:
@@ -193,9 +219,15 @@ class _FunctionPolicy:
 class _MappedPolicy:
     """A policy behind a mapping of names."""
 
-    def __init__(self, infer: Any, mapping: PolicyMapping) -> None:
+    def __init__(
+        self,
+        infer: Any,
+        mapping: PolicyMapping,
+        close: Callable[[], None] | None = None,
+    ) -> None:
         self._infer = infer
         self._mapping = mapping
+        self._close = close
         self._reset = getattr(getattr(infer, "__self__", None), "reset", None)
 
     def reset(self, instruction: str) -> None:
@@ -203,11 +235,8 @@ class _MappedPolicy:
             self._reset(*[instruction][: min(1, _arguments(self._reset))])
 
     def close(self) -> None:
-        from reference_client.policies.openpi_client import OpenpiClient
-
-        client = getattr(self._infer, "__self__", None)
-        if isinstance(client, OpenpiClient):
-            client.close()
+        if self._close is not None:
+            self._close()
 
     def act(self, observation: Observation) -> Chunk:
         answer = self._infer(self._mapping.request(observation))

@@ -17,8 +17,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from reference_server.http.handlers import Handlers
-from reference_server.profiles import profile_tables
 from reference_server.profiles.ebench.task_handlers import EbenchHandlers
+from reference_server.profiles.operation_tables import profile_tables
 from reference_server.settings import Settings
 from tests.support.profiles.ebench_client import (
     EbenchClient,

@@ -14,7 +14,7 @@ import httpx
 import pytest
 
 from conformance.policy.scripted_chat import ChatRequest, ScriptedChat
-from reference_server.flageval_modes import ModeTable
+from reference_server.profiles.flageval.mode_table import ModeTable
 from reference_server.rules.refusal import Refused
 from tests.support.paths import ROOT
 from tests.support.profiles.flageval_client import (

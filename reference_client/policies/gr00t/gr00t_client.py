@@ -1,0 +1,175 @@
+"""A client of GR00T's policy server, for policies given as `gr00t:HOST:PORT`.
+
+As in gr00t 1.6 and 1.7: a request names an endpoint, `get_modality_config`, `reset` or
+`get_action`. An observation has the groups video, state and language; each array has a
+batch and a time of 1 in front. The answer is a pair: the actions by name, (batch, time,
+numbers), and information.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from reference_client.errors import POLICY_FAILED, BadPolicy, ProctorError
+from reference_client.policies.gr00t.npy_messages import BadNpyMessage, pack, unpack
+from reference_client.policies.gr00t.zmq_requester import NotZeroMq, ZmqRequester
+
+PAUSE_S = 0.2
+FIRST_CONTACT_S = 3.0  # a mistyped address is reported before the run is created
+GROUPS = ("video", "state", "language")
+
+
+class Gr00tClient:
+    """The server at host:port; connects at the first request.
+
+    GR00T_API_TOKEN of the environment is sent as its API token. retry_timeout_s: how
+    long an unreachable server is retried. There is no timeout for a response.
+    """
+
+    def __init__(self, host: str, port: int, *, retry_timeout_s: float = 60.0) -> None:
+        self._address = (host, port)
+        self._retry_timeout_s = retry_timeout_s
+        self._requester: ZmqRequester | None = None
+        self._is_closed = False
+
+    @classmethod
+    def connect_to(cls, address: str, keys: Sequence[str]) -> Gr00tClient:
+        """Connected. keys: of the requests that will be sent, such as video.front.
+
+        Raises BadPolicy if the server's policy reads others, ProctorError
+        `policy_failed` if no server is there.
+        """
+        host, port = split_address(address)
+        client = cls(host, port)
+        client._check_keys(keys)
+        return client
+
+    def infer(self, request: Mapping[str, Any]) -> dict[str, Any]:
+        """The actions by name, (time, numbers).
+
+        request: keys are GROUP.NAME; pictures (height, width, 3), vectors, texts.
+        """
+        observation: dict[str, dict[str, Any]] = {group: {} for group in GROUPS}
+        for key, value in request.items():
+            group, _, name = key.partition(".")
+            observation[group][name] = _batched(value)
+        answer = self._call("get_action", {"observation": observation, "options": None})
+        match answer:
+            case [dict() as actions, dict()]:
+                return {name: _unbatched(one) for name, one in actions.items()}
+        raise self._failed("answered get_action without a pair of maps")
+
+    def reset(self) -> None:
+        self._call("reset", {"options": None})
+
+    def close(self) -> None:
+        """Close the connection; a request in progress fails."""
+        self._is_closed = True
+        self._drop()
+
+    def _check_keys(self, keys: Sequence[str]) -> None:
+        """Every group's names, of one time step each."""
+        config = self._call("get_modality_config", None, FIRST_CONTACT_S)
+        read: set[str] = set()
+        try:
+            for group in GROUPS:
+                one = config[group]["as_json"]
+                read |= {f"{group}.{name}" for name in one["modality_keys"]}
+                if len(one["delta_indices"]) != 1:
+                    raise BadPolicy(
+                        f"gr00t: the policy reads {len(one['delta_indices'])} time "
+                        f"steps of {group}; a mapping gives one"
+                    )
+        except (KeyError, TypeError) as error:
+            raise self._failed("described no video, state and language") from error
+        if read != set(keys):
+            raise BadPolicy(
+                f"gr00t: the policy reads {', '.join(sorted(read))}; the mapping has "
+                f"{', '.join(sorted(keys))}"
+            )
+
+    def _call(
+        self, endpoint: str, data: Any, retry_timeout_s: float | None = None
+    ) -> Any:
+        """data: None for an endpoint without any."""
+        request = {"endpoint": endpoint} | ({} if data is None else {"data": data})
+        token = os.environ.get("GR00T_API_TOKEN")
+        message = pack(request | ({"api_token": token} if token else {}))
+        timeout_s = (
+            self._retry_timeout_s if retry_timeout_s is None else retry_timeout_s
+        )
+        return self._read(self._exchange(message, timeout_s))
+
+    def _exchange(self, message: bytes, retry_timeout_s: float) -> bytes:
+        deadline = time.monotonic() + retry_timeout_s
+        while True:
+            try:
+                requester = self._requester or ZmqRequester(*self._address)
+                self._requester = requester
+                return requester.request(message)
+            except NotZeroMq as error:
+                self._drop()
+                raise self._failed(str(error)) from error
+            except OSError as error:
+                self._drop()
+                if self._is_closed:
+                    raise self._failed("was left") from error
+                if time.monotonic() > deadline:
+                    raise self._failed(f"is unreachable ({error})") from error
+                time.sleep(PAUSE_S)
+
+    def _read(self, message: bytes) -> Any:
+        if message == b"ERROR":
+            raise self._failed("failed")
+        try:
+            answer = unpack(message)
+        except BadNpyMessage as error:
+            raise self._failed(f"sent a message that {error}") from error
+        if isinstance(answer, dict) and "error" in answer:
+            raise self._failed(f"failed: {answer['error']!s:.300}")
+        return answer
+
+    def _drop(self) -> None:
+        if self._requester is not None:
+            self._requester.close()
+            self._requester = None
+
+    def _failed(self, what: str) -> ProctorError:
+        host, port = self._address
+        detail = f"The policy server at {host}:{port} {what}."
+        return ProctorError(POLICY_FAILED, detail)
+
+
+def split_address(address: str) -> tuple[str, int]:
+    """HOST:PORT, or [IPv6]:PORT. Raises BadPolicy."""
+    host, _, port = address.rpartition(":")
+    if host and port.isascii() and port.isdigit() and int(port) < 65536:
+        return host.removeprefix("[").removesuffix("]"), int(port)
+    raise BadPolicy(
+        f"gr00t: takes an address like gr00t:127.0.0.1:5555, not {address!r}"
+    )
+
+
+def check_keys(keys: Sequence[str]) -> None:
+    """Raises BadPolicy unless each is GROUP.NAME."""
+    for key in keys:
+        group, _, name = key.partition(".")
+        if group not in GROUPS or not name:
+            raise BadPolicy(
+                "gr00t: keys of [observation] are video.NAME, state.NAME, "
+                f"language.NAME; not {key!r}"
+            )
+
+
+def _batched(value: Any) -> Any:
+    """A batch of one, of one time step."""
+    return [[value]] if isinstance(value, str) else np.asarray(value)[None, None]
+
+
+def _unbatched(value: Any) -> Any:
+    return value[0] if np.ndim(value) == 3 else value

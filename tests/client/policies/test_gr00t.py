@@ -1,0 +1,395 @@
+"""Policy servers that speak GR00T's protocol over ZeroMQ, called by `proctor run`.
+
+The server here is ours, and writes frames by hand; LIBZMQ_HELLO and GOLDEN were
+written by libzmq 4.3.5 and msgpack 1.1, as GR00T's server uses them.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+import struct
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+
+from reference_client import ProctorError
+from reference_client.policies import BadPolicy, PolicyMapping, load
+from reference_client.policies.gr00t.gr00t_client import Gr00tClient
+from reference_client.policies.gr00t.npy_messages import BadNpyMessage, pack, unpack
+from reference_client.policies.gr00t.zmq_requester import NotZeroMq, ZmqRequester
+from tests.support.client.command import ProctorCommand, options
+from tests.support.servers import ReferenceServer
+
+# A greeting of ZMTP 3.1 with NULL, and READY of a REP socket.
+LIBZMQ_HELLO = (
+    bytes.fromhex("ff00000000000000017f03014e554c4c").ljust(64, b"\0")
+    + b"\x04\x19\x05READY\x0bSocket-Type\x00\x00\x00\x03REP"
+)
+# A pair: the actions `arm`, float32 (1, 2, 2), and no information.
+GOLDEN = (
+    bytes.fromhex(
+        "9281a361726d82b15f5f6e6461727261795f636c6173735f5fc3a661735f6e7079c490"
+    )
+    + b"\x93NUMPY\x01\x00v\x00"
+    + b"{'descr': '<f4', 'fortran_order': False, 'shape': (1, 2, 2), }"
+    + b" " * 55
+    + b"\n"
+    + bytes.fromhex("0000003f000000000000403f0000803f80")
+)
+MAPPING = """
+[observation]
+"state.arm" = { from = "state.vector" }
+"video.front" = { value = 0 }
+"language.task" = { from = "instruction" }
+[action.values]
+score = { from = "arm", columns = "0:1" }
+success = { value = 1 }
+end = { from = "arm", columns = "1:2" }
+delay_s = { value = 0 }
+fault = { value = 0 }
+vector = { value = [0, 0, 0, 0, 0, 0, 0, 0] }
+clipped = { value = [0, 0] }
+"""
+Answer = Callable[[dict[str, Any], int], bytes | None]
+
+
+def config(**steps: int) -> bytes:
+    """The answer to get_modality_config. steps: of a group, 1 without it."""
+    keys = {"video": ["front"], "state": ["arm"], "language": ["task"]}
+    groups = {
+        group: {
+            "__ModalityConfig_class__": True,
+            "as_json": {
+                "modality_keys": names,
+                "delta_indices": list(range(steps.get(group, 1))),
+            },
+        }
+        for group, names in keys.items()
+    }
+    return msgspec.msgpack.encode(groups)
+
+
+def answer_calls(request: dict[str, Any], _number: int) -> bytes:
+    return {"get_modality_config": config(), "get_action": GOLDEN}.get(
+        request["endpoint"], b"\x80"
+    )
+
+
+class RepServer:
+    """A REP socket: `answer` takes a request and its number; None closes instead."""
+
+    def __init__(self, answer: Answer, hello: bytes = LIBZMQ_HELLO) -> None:
+        self._answer = answer
+        self._hello = hello
+        self.requests: list[dict[str, Any]] = []
+        self._listener = socket.create_server(("127.0.0.1", 0))
+        self.address = f"127.0.0.1:{self._listener.getsockname()[1]}"
+        threading.Thread(target=self._accept, daemon=True).start()
+
+    def _accept(self) -> None:
+        with contextlib.suppress(OSError):
+            while True:
+                client = self._listener.accept()[0]
+                threading.Thread(target=self._serve, args=[client], daemon=True).start()
+
+    def _serve(self, client: socket.socket) -> None:
+        with contextlib.suppress(OSError), client, client.makefile("rb") as received:
+            client.sendall(self._hello)
+            greeting, ready = received.read(64), received.read(2 + 25)
+            assert greeting[:12] == b"\xff" + bytes(8) + b"\x7f\x03\x00"
+            assert ready.endswith(b"Socket-Type\x00\x00\x00\x03REQ")
+            while received.read(2) == b"\x01\x00":
+                self.requests.append(msgspec.msgpack.decode(self._body(received)))
+                answer = self._answer(self.requests[-1], len(self.requests))
+                if answer is None:
+                    return
+                # A command between the frames, as a heartbeat would be.
+                client.sendall(b"\x04\x05\x04PING" + b"\x01\x00")
+                client.sendall(b"\x02" + struct.pack(">Q", len(answer)) + answer)
+
+    def _body(self, received: Any) -> bytes:
+        is_long = received.read(1) == b"\x02"
+        size = (
+            struct.unpack(">Q", received.read(8))[0] if is_long else received.read(1)[0]
+        )
+        body: bytes = received.read(size)
+        return body
+
+    def close(self) -> None:
+        self._listener.close()
+
+
+@pytest.fixture
+def start_server() -> Iterator[Callable[..., RepServer]]:
+    made: list[RepServer] = []
+
+    def make(answer: Answer = answer_calls, hello: bytes = LIBZMQ_HELLO) -> RepServer:
+        made.append(RepServer(answer, hello))
+        return made[-1]
+
+    yield make
+    for one in made:
+        one.close()
+
+
+@pytest.fixture
+def proctor(
+    server: ReferenceServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
+) -> ProctorCommand:
+    (policy_folder / "m.toml").write_text(MAPPING)
+    return ProctorCommand(server.url, capsys)
+
+
+def run(address: str, *tasks: str, workers: int = 1) -> list[str]:
+    flags = ["--policy", f"gr00t:{address}", "--mapping", "m.toml"]
+    return ["run", "--no-dry-turn", *flags, *options(*tasks), "--workers", str(workers)]
+
+
+# The messages
+
+
+def test_what_gr00t_writes_is_read() -> None:
+    actions, information = unpack(GOLDEN)
+    arm = actions["arm"]
+    assert (arm.dtype, arm.tolist()) == (np.float32, [[[0.5, 0], [0.75, 1]]])
+    assert information == {}
+    assert pack([actions, information]) == GOLDEN
+
+
+@pytest.mark.parametrize("order", ["C", "F"])
+def test_arrays_are_read_as_they_were(order: Any) -> None:
+    array = np.asarray(np.arange(6, dtype=">i2").reshape(2, 3), order=order)
+    assert unpack(pack({"a": array}))["a"].tolist() == array.tolist()
+
+
+def _npy(header: str, data: bytes = b"", version: bytes = b"\x01\x00") -> bytes:
+    file = b"\x93NUMPY" + version + struct.pack("<H", len(header)) + header.encode()
+    return msgspec.msgpack.encode({"__ndarray_class__": True, "as_npy": file + data})
+
+
+@pytest.mark.parametrize(
+    "message",
+    [
+        b"",
+        GOLDEN[:-20],
+        b"\x91" * 5000 + b"\xc0",
+        msgspec.msgpack.encode({"__ndarray_class__": True}),
+        msgspec.msgpack.encode({"__ndarray_class__": True, "as_npy": "text"}),
+        msgspec.msgpack.encode({"__ndarray_class__": True, "as_npy": b"PK\x03\x04"}),
+        _npy("{'descr': '|O', 'fortran_order': False, 'shape': (1,)}\n", b"cos\n."),
+        _npy("{'descr': '<f4', 'fortran_order': False, 'shape': (9**18,)}\n"),
+        _npy("{'descr': '<f4', 'fortran_order': False, 'shape': (999999999999,)}\n"),
+        _npy("{'descr': '<f4', 'fortran_order': False, 'shape': (1,)}\n", b"123456"),
+        _npy("", version=b"\x03\x00"),
+        _npy("{'descr': (\n"),
+        _npy("\n  x\n y"),
+    ],
+)
+def test_an_invalid_message_is_refused(message: bytes) -> None:
+    """Cut, nested, no .npy file, objects, a size that is not there. Expect no array."""
+    with pytest.raises(BadNpyMessage, match="GR00T"):
+        unpack(message)
+
+
+def test_unsupported_objects_are_not_sent() -> None:
+    with pytest.raises(TypeError, match="not supported"):
+        pack({"x": object()})
+    with pytest.raises(ValueError, match="Object arrays"):
+        pack({"x": np.array([object()])})
+
+
+# The connection
+
+
+@pytest.mark.parametrize(
+    ("hello", "said"),
+    [
+        (b"HTTP/1.1 400 Bad Request\r\n\r\n", "sent no greeting of ZeroMQ"),
+        (LIBZMQ_HELLO.replace(b"NULL", b"CURV"), "another version or mechanism"),
+        (LIBZMQ_HELLO.replace(b"\x7f\x03", b"\x7f\x01"), "another version or mech"),
+        (LIBZMQ_HELLO[:64] + b"\x04\x06\x05ERROR", "refused the connection"),
+        (LIBZMQ_HELLO[:64] + b"\x02" + b"\x7f" * 8, "announced a frame of"),
+    ],
+)
+def test_another_protocol_is_reported(
+    start_server: Callable[..., RepServer], hello: bytes, said: str
+) -> None:
+    host, port = start_server(hello=hello).address.split(":")
+    with pytest.raises(NotZeroMq, match=said):
+        ZmqRequester(host, int(port))
+
+
+def test_a_message_of_several_parts_is_refused() -> None:
+    """Not of this pattern: no empty frame first, or frames without end."""
+    for parts in (b"\x00\x01x", b"\x01\x00" * 9):
+        listener = socket.create_server(("127.0.0.1", 0))
+
+        def serve(listener: socket.socket = listener, parts: bytes = parts) -> None:
+            with listener.accept()[0] as client:
+                client.sendall(LIBZMQ_HELLO + parts)
+                while client.recv(4096):
+                    pass  # until the requester leaves
+
+        threading.Thread(target=serve, daemon=True).start()
+        requester = ZmqRequester("127.0.0.1", listener.getsockname()[1])
+        with pytest.raises(NotZeroMq, match="parts"):
+            requester.request(b"x")
+        requester.close()
+        listener.close()
+
+
+# Evaluations
+
+
+def test_a_policy_server_is_evaluated(
+    proctor: ProctorCommand,
+    start_server: Callable[..., RepServer],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Two workers, chunks of two. Expect the score, groups, batch, time and token."""
+    monkeypatch.setenv("GR00T_API_TOKEN", "k")
+    policies = start_server()
+    score = proctor.json(*run(policies.address, *["score"] * 4, workers=2))
+    assert (proctor.code, score["score"]) == (0, 0.75)
+    endpoints = [one["endpoint"] for one in policies.requests]
+    assert endpoints.count("get_modality_config") == 2
+    assert endpoints.count("reset") == endpoints.count("get_action") == 4
+    assert {one["api_token"] for one in policies.requests} == {"k"}
+    first = next(o for o in policies.requests if o["endpoint"] == "get_action")
+    data = unpack(msgspec.msgpack.encode(first["data"]))
+    seen = data["observation"]
+    assert (seen["state"]["arm"].shape, seen["state"]["arm"].dtype) == (
+        (1, 1, 8),
+        np.float32,
+    )
+    assert seen["language"] == {"task": [["Calibration task score."]]}
+    assert (seen["video"]["front"].shape, data["options"]) == ((1, 1), None)
+
+
+def test_a_lost_connection_is_opened_again(
+    proctor: ProctorCommand, start_server: Callable[..., RepServer]
+) -> None:
+    """The server dies under its third request. Expect the request once more."""
+
+    def answer(request: dict[str, Any], number: int) -> bytes | None:
+        return None if number == 3 else answer_calls(request, number)
+
+    policies = start_server(answer)
+    score = proctor.json(*run(policies.address, "score"))
+    assert (proctor.code, score["score"]) == (0, 0.75)
+    assert policies.requests[2] == policies.requests[3]
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        (b"\xc1", "is not GR00T's MessagePack"),
+        (b"\x80", "answered get_action without a pair of maps"),
+        (b"ERROR", " failed."),
+        (msgspec.msgpack.encode({"error": "'front'"}), "failed: 'front'."),
+        (GOLDEN.replace(b"arm", b"leg"), "has no arm, but leg"),
+    ],
+)
+def test_an_answer_that_cannot_be_read_ends_it(
+    proctor: ProctorCommand,
+    start_server: Callable[..., RepServer],
+    answer: bytes,
+    said: str,
+) -> None:
+    def answer_actions(request: dict[str, Any], number: int) -> bytes:
+        is_action = request["endpoint"] == "get_action"
+        return answer if is_action else answer_calls(request, number)
+
+    policies = start_server(answer_actions)
+    answer_json = proctor.json(*run(policies.address, "score"))
+    assert proctor.code == 1
+    assert said in answer_json["error"]["detail"]
+
+
+@pytest.mark.parametrize(
+    ("described", "said"),
+    [
+        (config(video=2), "reads 2 time steps of video"),
+        (b"\x80", "described no video, state and language"),
+        (config().replace(b"front", b"wrist"), "reads .*video.wrist; the mapping has "),
+    ],
+)
+def test_a_policy_that_reads_something_else_leaves_no_run(
+    proctor: ProctorCommand,
+    start_server: Callable[..., RepServer],
+    described: bytes,
+    said: str,
+) -> None:
+    policies = start_server(lambda _request, _number: described)
+    before = proctor.json("status")
+    proctor.json(*run(policies.address, "score"))
+    assert proctor.code == 2
+    assert proctor.json("status") == before
+    keys = ["video.front", "state.arm", "language.task"]
+    with pytest.raises((BadPolicy, ProctorError), match=said):
+        Gr00tClient.connect_to(policies.address, keys)
+
+
+def test_an_unreachable_policy_server_leaves_no_run(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(
+        "reference_client.policies.gr00t.gr00t_client.FIRST_CONTACT_S", 0.0
+    )
+    before = proctor.json("status")
+    answer_json = proctor.json(*run("127.0.0.1:9", "score"))
+    assert proctor.code == 2
+    assert "127.0.0.1:9 is unreachable" in answer_json["error"]["detail"]
+    assert proctor.json("status") == before
+
+
+def test_a_closed_client_does_not_connect_again(
+    start_server: Callable[..., RepServer],
+) -> None:
+    """Closed while the server computes. Expect an error, and no further request."""
+    entered, leave = threading.Event(), threading.Event()
+
+    def answer(_request: dict[str, Any], _number: int) -> bytes:
+        entered.set()
+        leave.wait(5)
+        return b"\x80"
+
+    policies = start_server(answer)
+    host, port = policies.address.split(":")
+    client = Gr00tClient(host, int(port))
+
+    def close() -> None:
+        entered.wait(5)
+        client.close()
+
+    threading.Thread(target=close).start()
+    with pytest.raises(ProctorError, match="was left"):
+        client.reset()
+    leave.set()
+    assert len(policies.requests) == 1
+
+
+@pytest.mark.parametrize(
+    ("reference", "table", "said"),
+    [
+        ("gr00t:localhost", MAPPING, "takes an address like gr00t:127.0.0.1:5555"),
+        ("gr00t:localhost:70000", MAPPING, "takes an address like"),
+        ("gr00t:[::1]:5555", None, "gr00t: needs --mapping FILE"),
+        ("gr00t:h:1", MAPPING.replace("video.", "image."), "not 'image.front'"),
+    ],
+)
+def test_a_wrong_reference_is_refused(
+    tmp_path: Path, reference: str, table: str | None, said: str
+) -> None:
+    mapping = None
+    if table is not None:
+        (tmp_path / "m.toml").write_text(table)
+        mapping = PolicyMapping.read(tmp_path / "m.toml")
+    with pytest.raises(BadPolicy, match=said):
+        load(reference, mapping)
