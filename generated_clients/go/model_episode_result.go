@@ -12,7 +12,8 @@ type EpisodeResult struct {
 	Index int32 `json:"index"`
 	Task string `json:"task"`
 	Split string `json:"split"`
-	Seed int64 `json:"seed"`
+	// Absent where `sealed_splits` of the benchmark names the split.
+	Seed *int64 `json:"seed,omitzero"`
 	Attempt int32 `json:"attempt"`
 	Faults int32 `json:"faults"`
 	Outcome Outcome `json:"outcome"`
@@ -67,4 +68,17 @@ func (o *EpisodeResult) GetTotalReward() (v float64) {
 // SetTotalReward sets total_reward.
 func (o *EpisodeResult) SetTotalReward(v float64) {
 	o.TotalReward = &v
+}
+
+// GetSeed returns seed, or the zero value when it is absent.
+func (o *EpisodeResult) GetSeed() (v int64) {
+	if o != nil && o.Seed != nil {
+		v = *o.Seed
+	}
+	return v
+}
+
+// SetSeed sets seed.
+func (o *EpisodeResult) SetSeed(v int64) {
+	o.Seed = &v
 }

@@ -5,6 +5,7 @@ from typing import Any
 import pytest
 
 from reference_server.runs.benchmarks import SimulatorConfigs
+from reference_server.runs.seed_secret import SeedSecret
 from reference_sim import benchmark_registry
 from tests.support.server.server_parts import calibration_run
 
@@ -21,7 +22,7 @@ def test_a_simulator_configuration_is_resolved_once_per_choice(
         return right(benchmark_id, *rest, **named)
 
     monkeypatch.setattr(benchmark_registry, "resolve", resolve)
-    configs = SimulatorConfigs()
+    configs = SimulatorConfigs(SeedSecret())
     assert configs.find(one) == configs.find(same) == configs.find(one)
     assert len(resolved) == 1
     configs.find(other)
