@@ -85,8 +85,8 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         registry,
         pool,
         seed_secret,
-        settings.unused_s_max,
-        settings.heartbeat_s_max,
+        unused_s=settings.unused_s_max,
+        heartbeat_s_max=settings.heartbeat_s_max,
         recordings=recordings,
     )
     egress = EgressPolicy(settings.allow_private_policies)

@@ -35,6 +35,7 @@ from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.records.recordings import Recordings
 from reference_server.rules.lifecycle import RESTING_STATES
 from reference_server.rules.run import Episode, PublicKey, RunHead
+from reference_server.runs.benchmarks import canonical
 from reference_server.storage.store import Store, StoreFailed
 from reference_sim.engine import engine_fingerprint
 
@@ -117,7 +118,7 @@ class RunRecords:
 
         Raises RecordUnavailable.
         """
-        manifest = msgspec.json.encode(run.manifest, order="deterministic")
+        manifest = canonical(run.manifest)
         lines = [_line(episode) for episode in episodes]
         recordings = {
             recording_name(episode.index): self._recordings.path(

@@ -183,15 +183,18 @@ def _simulator_config(
     return found.world
 
 
+def canonical(manifest: Manifest | Mapping[str, Any]) -> bytes:
+    """What is hashed of a manifest, and what others may have of it (SEAL-002)."""
+    return msgspec.json.encode(without_sealed_seeds(manifest), order="deterministic")
+
+
 def digest(manifest: Manifest | Mapping[str, Any]) -> str:
     """The `manifest_sha256` of a manifest with its episodes (BEN-005).
 
     SEAL-004: a seed of few bits could be found by its hash, so that of sealed splits is
     covered by the commitment alone.
     """
-    shown = without_sealed_seeds(manifest)
-    canonical = msgspec.json.encode(shown, order="deterministic")
-    return hashlib.sha256(canonical).hexdigest()
+    return hashlib.sha256(canonical(manifest)).hexdigest()
 
 
 async def _unavailable(benchmark_id: str) -> str | None:

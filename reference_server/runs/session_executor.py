@@ -68,6 +68,7 @@ class SessionExecutor:
         registry: RunRegistry,
         pool: SimulatorPool,
         seed_secret: SeedSecret,
+        *,
         unused_s: float = 120.0,
         heartbeat_s_max: float = 3600.0,
         recordings: Recordings | None = None,
