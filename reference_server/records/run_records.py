@@ -16,8 +16,6 @@ from functools import partial
 from pathlib import Path
 from typing import Any, Literal
 
-import msgspec
-
 from reference_record.broken import UnusableRecord
 from reference_record.export import Record, build_record, host_of, reopen_record
 from reference_record.formats.names import STATEMENT, recording_name

@@ -1,6 +1,7 @@
 """Seeds that a host draws in secret: what follows from the secret, what is shown."""
 
 import hashlib
+import json
 from typing import Any
 
 from reference_server.rules.manifest import (
@@ -9,7 +10,7 @@ from reference_server.rules.manifest import (
     without_sealed_seeds,
 )
 from reference_server.rules.run import Episode
-from reference_server.runs.benchmarks import digest
+from reference_server.runs.benchmarks import canonical, digest
 
 SECRET, OTHER = b"s" * 32, b"o" * 32
 SEED_MAX = 2**32 - 1
@@ -65,6 +66,9 @@ def test_nothing_that_is_hashed_has_a_sealed_seed() -> None:
     found = seal(manifest(), SECRET, 1, SEED_MAX)
     shown = without_sealed_seeds(found)
     assert [("seed" in e) for e in shown["episodes"]] == 48 * [True] + 48 * [False]
+    in_records = canonical(found)
+    assert json.loads(in_records) == shown
+    assert hashlib.sha256(in_records).hexdigest() == digest(found)
     elsewhere: Any = {**found, "episodes": [dict(e) for e in found["episodes"]]}
     elsewhere["episodes"][-1]["seed"] = 7
     assert digest(elsewhere) == digest(found)
