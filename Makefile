@@ -51,8 +51,8 @@ serve: $(serving)/ready ## Run the reference server
 	@$(serving)/bin/python -m reference_server \
 		$${BENCHMARK:+--benchmarks "$$BENCHMARK"} $${PROFILE:+--profiles "$$PROFILE"} $(ARGS)
 add: setup ## Add PACKAGE='gymnasium[box2d] …' to the server, apart from .venv
-	@sh tools/add.sh "$$PACKAGE"
-requirements/own.txt: requirements/own.in requirements/dev.txt; @sh tools/add.sh
+	@sh requirements/add.sh "$$PACKAGE"
+requirements/own.txt: requirements/own.in requirements/dev.txt; @sh requirements/add.sh
 metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics apart
 metaworld-check: metaworld ## Run the tests that need Meta-World
 	@.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py

@@ -72,14 +72,7 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     def on_change(run: Run) -> None:
         driver.on_run_changed(run)
 
-    registry = RunRegistry(
-        store,
-        settings.max_active_runs,
-        on_run_lost,
-        on_change,
-        unused_s=settings.unused_s_max,
-        open_max=settings.max_open_runs,
-    )
+    registry = _registry_of(settings, store, on_run_lost, on_change)
     seed_secret = SeedSecret(settings.seed_secret_path)
     executor = SessionExecutor(
         registry,
@@ -103,8 +96,7 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         policy_server_validator.digest_key,
         records,
     )
-    streams = SharedStreams(settings.max_event_streams)
-    handlers = Handlers(settings, service, streams)
+    handlers = Handlers(settings, service, SharedStreams(settings.max_event_streams))
     driver = Driver(service, egress, key_encryption, settings.max_body_bytes)
     token_file = TokenFile(settings.tokens_file_path, tokens)
 
@@ -134,6 +126,22 @@ def build(settings: Settings, tokens: Tokens) -> Application:
 
     router = _router(handlers, tokens, lifespan)
     return Application(router, registry.release_waiters)
+
+
+def _registry_of(
+    settings: Settings,
+    store: Store,
+    on_run_lost: Callable[[Run], None],
+    on_change: Callable[[Run], None],
+) -> RunRegistry:
+    return RunRegistry(
+        store,
+        settings.max_active_runs,
+        on_run_lost,
+        on_change,
+        unused_s=settings.unused_s_max,
+        open_max=settings.max_open_runs,
+    )
 
 
 def _router(handlers: Handlers, tokens: Tokens, lifespan: Lifespan[Any]) -> Router:

@@ -1,11 +1,13 @@
 """Seeds: which results show them, and what a host may keep secret (SEAL)."""
 
+import json
 from collections.abc import Iterator
 from typing import Any
 
 from conformance.checks.support.given_states import submit_and_attach
 from conformance.client.check_context import CheckContext
 from conformance.client.event_reader import follow_run
+from conformance.profiles.record_files import fetched_record
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable
@@ -55,6 +57,19 @@ def splits_with_a_seed(read: list[Any]) -> dict[str, set[bool]]:
     return found
 
 
+def sealed_seeds_in_record(context: CheckContext) -> list[dict[str, Any]]:
+    """Play a sealed run; give what its record says of the sealed split with a seed."""
+    worker = submit_and_attach(context, "score", "score", sealed=True)
+    while not worker.turn["done"]:
+        worker.predict(context.action(end=1))
+    record = fetched_record(worker.run.call("fetch_record"))
+    entries = [*record.lines]
+    for name, content in record.files.items():
+        if name == "manifest.json":
+            entries += json.loads(content).get("episodes", [])
+    return [one for one in entries if one.get("split") == "odd" and "seed" in one]
+
+
 @requirement("SEAL-001")
 def test_seal_001_results_have_their_seed(context: CheckContext) -> None:
     """A run of both splits without sealing. Expect `seed` in every result."""
@@ -65,7 +80,7 @@ def test_seal_001_results_have_their_seed(context: CheckContext) -> None:
 
 @requirement("SEAL-002")
 def test_seal_002_sealed_seeds_are_not_shown(context: CheckContext) -> None:
-    """A run whose split `odd` is sealed: its turns, results, lists and events.
+    """A run whose split `odd` is sealed: its turns, results, lists, events and record.
 
     Expect no `seed` of that split, and one in every result of the other.
     """
@@ -75,6 +90,9 @@ def test_seal_002_sealed_seeds_are_not_shown(context: CheckContext) -> None:
     for entry in results_in(read):
         shown = entry.get("split") == "odd" and "seed" in entry
         expect.true(not shown, "no seed of the split `odd`", entry)
+    if context.offers("record"):
+        found_there = sealed_seeds_in_record(context)
+        expect.equal(found_there, [], "sealed seeds in the record")
 
 
 @requirement("SEAL-003")
