@@ -31,6 +31,19 @@ type EpisodeResult struct {
 	TotalReward *float64 `json:"total_reward,omitzero"`
 }
 
+// GetSeed returns seed, or the zero value when it is absent.
+func (o *EpisodeResult) GetSeed() (v int64) {
+	if o != nil && o.Seed != nil {
+		v = *o.Seed
+	}
+	return v
+}
+
+// SetSeed sets seed.
+func (o *EpisodeResult) SetSeed(v int64) {
+	o.Seed = &v
+}
+
 // GetPlayer returns player, or the zero value when it is absent.
 func (o *EpisodeResult) GetPlayer() (v PlayerView) {
 	if o != nil && o.Player != nil {
@@ -68,17 +81,4 @@ func (o *EpisodeResult) GetTotalReward() (v float64) {
 // SetTotalReward sets total_reward.
 func (o *EpisodeResult) SetTotalReward(v float64) {
 	o.TotalReward = &v
-}
-
-// GetSeed returns seed, or the zero value when it is absent.
-func (o *EpisodeResult) GetSeed() (v int64) {
-	if o != nil && o.Seed != nil {
-		v = *o.Seed
-	}
-	return v
-}
-
-// SetSeed sets seed.
-func (o *EpisodeResult) SetSeed(v int64) {
-	o.Seed = &v
 }
