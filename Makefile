@@ -3,8 +3,7 @@
 
 .DELETE_ON_ERROR:
 .PHONY: $(shell sed -n 's/^\([a-z-]*\):.*## .*/\1/p' Makefile)
-# Robot middleware likes to set it, and its plugins break our pytest.
-unexport PYTHONPATH
+unexport PYTHONPATH  # robot middleware sets it, and its plugins break our pytest
 
 python := .venv/bin/python
 environment = @PYTHON="$(PYTHON)" sh tools/setup.sh
@@ -19,8 +18,7 @@ setup: .venv/ready ## Install everything that is needed into .venv
 .venv/ready: requirements/dev.txt pyproject.toml tools/setup.sh
 	$(environment) dev
 
-.venv-%/ready: requirements/%.txt .venv/ready
-	$(environment) $*
+.venv-%/ready: requirements/%.txt .venv/ready; $(environment) $*
 
 # Tokens travel by environment, never on a command line; `value` keeps any $ in them.
 export RAW_RESTART_CMD = $(value RESTART_CMD)
@@ -46,11 +44,15 @@ conformance-policy: setup ## Judge a policy server at URL; PROCTOR_POLICY_KEY, A
 
 # These need an older MuJoCo than ours, and so an environment of their own.
 apart := $(findstring metaworld,$(BENCHMARK))$(findstring gymnasium_robotics,$(BENCHMARK))
-serve: $(if $(apart),metaworld,setup) ## Run the reference server
+serving := .venv$(if $(apart),-metaworld,$(if $(wildcard requirements/own.in),-own))
+serve: $(serving)/ready ## Run the reference server
 #                   BENCHMARK=gymnasium:CartPole-v1 or as in docs/host/benchmarks.md
 #                   PROFILE=ebench,flageval; ARGS='...' for its options
-	@$(if $(apart),.venv-metaworld/bin/python,$(python)) -m reference_server \
+	@$(serving)/bin/python -m reference_server \
 		$${BENCHMARK:+--benchmarks "$$BENCHMARK"} $${PROFILE:+--profiles "$$PROFILE"} $(ARGS)
+add: setup ## Add PACKAGE='gymnasium[box2d] …' to the server, apart from .venv
+	@sh requirements/add.sh "$$PACKAGE"
+requirements/own.txt: requirements/own.in requirements/dev.txt; @sh requirements/add.sh
 metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics apart
 metaworld-check: metaworld ## Run the tests that need Meta-World
 	@.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py
@@ -65,16 +67,14 @@ check: setup lint generate-check ## Lint, check generated files, run the fast te
 test: setup proxies lint generate-check ## The same with all tests; mutants by their own rows
 	@$(pytest)
 lint: setup ## Check style and types
-	@$(python) -m ruff check --quiet .
-	@$(python) -m ruff format --check --quiet .
+	@$(python) -m ruff check --quiet . && $(python) -m ruff format --check --quiet .
 	@$(python) -m mypy
 generate: .venv-generate/ready ## Rewrite models and clients from spec/
 	@.venv-generate/bin/python tools/generate.py
 generate-check: .venv-generate/ready ## Fail if generated files differ from spec/
 	@.venv-generate/bin/python tools/generate.py --check
 proxies: .venv/proxies/ready ## Provide nginx and HAProxy for the tests
-.venv/proxies/ready: .venv/ready tools/proxies.sh
-	@sh tools/proxies.sh
+.venv/proxies/ready: .venv/ready tools/proxies.sh; @sh tools/proxies.sh
 client: .venv-generate/ready ## Write a client in LANGUAGE=kotlin or any other
 	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)"
 docs: setup ## Rewrite the pages that follow from spec/ and the code

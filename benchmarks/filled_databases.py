@@ -62,10 +62,8 @@ def build_run(length: int, state: State) -> Run:
     options = {"tasks": tasks, "max_steps": 10_000}
     found = benchmark_registry.resolve("calibration", options)
     policy = {"name": "growth"}
-    episodes = [
-        Episode(index, plan["task"], plan["split"], plan["seed"])
-        for index, plan in enumerate(found.manifest["episodes"])
-    ]
+    manifest = cast("Manifest", found.manifest)
+    episodes = [Episode.of(manifest, i) for i in range(len(manifest["episodes"]))]
     for episode in episodes if state == "completed" else ():
         score = episode.index / length
         outcome: Outcome = "success" if episode.index % 3 else "failure"
@@ -78,8 +76,8 @@ def build_run(length: int, state: State) -> Run:
         state=state,
         reason=None,
         retryable=None,
-        manifest=cast("Manifest", found.manifest),
-        manifest_sha256=digest(found.manifest),
+        manifest=manifest,
+        manifest_sha256=digest(manifest),
         submission={
             "benchmark_id": "calibration",
             "policy": policy,

@@ -13,7 +13,6 @@ import contextlib
 import socket
 import sys
 from collections.abc import Callable, Mapping
-from pathlib import Path
 from typing import ClassVar
 
 import uvicorn
@@ -21,14 +20,17 @@ from pydantic import ValidationError
 from pydantic_settings import CliSettingsSource, SettingsError
 
 from reference_server.app import build
-from reference_server.http import made_token
 from reference_server.http.auth import BadTokens, Tokens
 from reference_server.http.bounded_connection import connection_factory
 from reference_server.http.connection_limits import ConnectionLimiter, ConnectionLimits
+from reference_server.http.tokens import made_token
+from reference_server.http.tokens.token_file import TokenFile
 from reference_server.push.key_encryption import KeyEncryption
+from reference_server.runs.seed_secret import SeedSecret
 from reference_server.settings import Settings
 from reference_server.storage.store import Store, StoreFailed
 from reference_server.system import open_files
+from reference_server.system.log_output import log_config
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
 
@@ -117,9 +119,10 @@ def _serve(
         )
         return 2
     try:
-        _check_database_and_key(settings)
+        _check_database_and_keys(settings)
         made = None if configured else made_token.read_or_make(settings.token_path)
-    except (_CannotUse, made_token.BadTokenFile) as error:
+        TokenFile(settings.tokens_file_path, Tokens({})).read()
+    except (_CannotUse, made_token.BadTokenFile, BadTokens, OSError) as error:
         _print_line(str(error))
         return 2
     port = listener.getsockname()[1]
@@ -131,11 +134,16 @@ def _serve(
         http=connection_factory(ConnectionLimiter(_connection_limits(settings))),
         ws="none",  # none is offered, and it would have none of the bounds
         log_level=settings.log_level,
-        access_log=False,
+        log_config=log_config(
+            settings.log_level,
+            settings.log_format,
+            access=settings.access_log == "on",
+        ),
+        access_log=False,  # ours has the account and the id of the request
         server_header=False,
         timeout_graceful_shutdown=5,
     )
-    message = _startup_message(settings.host, port, made, settings.token_path)
+    message = _startup_message(settings, port, made)
     server = Server(config, message, app.on_shutdown)
     # uvicorn shuts down in order and then raises Ctrl-C again.
     with contextlib.suppress(KeyboardInterrupt):
@@ -147,7 +155,7 @@ class _CannotUse(Exception):
     """The database or the key cannot be used; the text says what to do."""
 
 
-def _check_database_and_key(settings: Settings) -> None:
+def _check_database_and_keys(settings: Settings) -> None:
     try:
         runner = asyncio.Runner()
         runner.run(_check_store(settings.database_url))
@@ -163,6 +171,18 @@ def _check_database_and_key(settings: Settings) -> None:
             f"cannot use the key in {settings.sealing_key_path} ({error}); choose "
             "another with --sealing-key"
         ) from error
+    try:
+        SeedSecret(settings.seed_secret_path).open()
+    except (OSError, ValueError) as error:
+        raise _CannotUse(
+            f"cannot use the secret of sealed seeds in {settings.seed_secret_path} "
+            f"({error}); choose another with --seed-secret"
+        ) from error
+    if settings.seed_secret_path is None and ":memory:" not in settings.database:
+        _print_line(
+            "the seeds of sealed splits last until this server stops, and so do runs "
+            "that have them: name a file with --seed-secret"
+        )
 
 
 def _connection_limits(settings: Settings) -> ConnectionLimits:
@@ -191,14 +211,13 @@ async def _check_store(url: str) -> None:
         await store.close()
 
 
-def _startup_message(
-    host: str, port: int, secret: str | None, token_path: Path | None
-) -> str:
-    name = f"[{host}]" if ":" in host else host
+def _startup_message(settings: Settings, port: int, secret: str | None) -> str:
+    name = f"[{settings.host}]" if ":" in settings.host else settings.host
     url = f"http://{name}:{port}"
     lines = [f"Proctor is listening at {url}"]
     if secret is not None:
-        kept = "" if token_path is None else f"  (kept in {token_path.absolute()})"
+        path = settings.token_path
+        kept = "" if path is None else f"  (kept in {path.absolute()})"
         lines += [
             f"token: {secret}{kept}",
             "try:",
@@ -206,6 +225,11 @@ def _startup_message(
             "certify:",
             f"  make conformance URL={url} TOKEN={secret}",
         ]
+    lines.append(f"benchmarks: {', '.join(benchmark_registry.benchmark_ids())}")
+    if settings.enabled_profiles:
+        lines.append(f"profiles: {', '.join(settings.enabled_profiles)}")
+    if "://" not in settings.database:  # a URL may have a password
+        lines.append(f"database: {settings.database}")
     return "\n".join(lines)
 
 

@@ -5,23 +5,26 @@ It decides no rule; each part is configured and connected here and nowhere else.
 
 from __future__ import annotations
 
+import asyncio
 import logging
+import time
 from collections.abc import AsyncIterator, Callable, Mapping
-from contextlib import AbstractAsyncContextManager, asynccontextmanager
+from contextlib import asynccontextmanager
 from typing import Any
 
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route, Router
-from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from starlette.types import ASGIApp, Lifespan, Message, Receive, Scope, Send
 
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.auth import Tokens
-from reference_server.http.dispatch import Operation, perform
+from reference_server.http.dispatch import ACCOUNT, Operation, perform
 from reference_server.http.event_streams import SharedStreams
 from reference_server.http.handlers import Handlers
 from reference_server.http.problems import problem_response
+from reference_server.http.tokens.token_file import TokenFile
 from reference_server.profiles.operation_tables import profile_tables
 from reference_server.push.driver import PROTOCOLS, Driver
 from reference_server.push.egress import EgressPolicy
@@ -35,13 +38,21 @@ from reference_server.rules.run import Run
 from reference_server.rules.submission import SubmissionLimits
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
+from reference_server.runs.seed_secret import SeedSecret
 from reference_server.runs.service import RunService
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.settings import Settings
 from reference_server.storage.store import Store
+from reference_server.system.log_output import (
+    ACCESS_LOG,
+    REQUEST_ID,
+    log_event,
+    request_id_of,
+)
 from reference_sim.process.pool import SimulatorPool
 
 log = logging.getLogger("proctor.app")
+access_log = logging.getLogger(ACCESS_LOG)
 
 _VERSION_HEADER = (b"proctor-version", PROTOCOL_VERSION.encode())
 
@@ -62,16 +73,15 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     def on_change(run: Run) -> None:
         driver.on_run_changed(run)
 
-    registry = RunRegistry(
-        store,
-        settings.max_active_runs,
-        on_run_lost,
-        on_change,
-        unused_s=settings.unused_s_max,
-        quota=_quota(settings),
-    )
+    registry = _registry_of(settings, store, on_run_lost, on_change)
+    seed_secret = SeedSecret(settings.seed_secret_path)
     executor = SessionExecutor(
-        registry, pool, settings.unused_s_max, settings.heartbeat_s_max, recordings
+        registry,
+        pool,
+        seed_secret,
+        unused_s=settings.unused_s_max,
+        heartbeat_s_max=settings.heartbeat_s_max,
+        recordings=recordings,
     )
     egress = EgressPolicy(settings.allow_private_policies)
     key_encryption = KeyEncryption(settings.sealing_key_path)
@@ -80,29 +90,33 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     )
     service = RunService(
         SubmissionLimits(settings.max_workers, settings.idle_timeout_s_max),
-        Benchmarks(settings.max_chunk),
+        Benchmarks(settings.max_chunk, seed_secret),
         registry,
         executor,
         policy_server_validator.validate_and_encrypt,
         policy_server_validator.digest_key,
         records,
     )
-    streams = SharedStreams(settings.max_event_streams)
-    handlers = Handlers(settings, service, streams)
+    handlers = Handlers(settings, service, SharedStreams(settings.max_event_streams))
     driver = Driver(service, egress, key_encryption, settings.max_body_bytes)
+    token_file = TokenFile(settings.tokens_file_path, tokens)
 
     @asynccontextmanager
     async def lifespan(_app: Any) -> AsyncIterator[None]:
         await store.open()
         key_encryption.open()
+        seed_secret.open()
         if records is not None:
             await records.open()
         await registry.open()
         await pool.start()
         driver.open()
+        await asyncio.to_thread(token_file.read)
+        following = asyncio.create_task(token_file.follow())
         try:
             yield
         finally:
+            following.cancel()
             await driver.close()
             await executor.close()
             await registry.close()
@@ -111,17 +125,29 @@ def build(settings: Settings, tokens: Tokens) -> Application:
             await pool.close()
             await store.close()
 
-    table = handlers.table() | profile_tables(handlers)
-    router = _router_of(table, tokens, settings, lifespan)
+    router = _router(handlers, tokens, lifespan)
     return Application(router, registry.release_waiters)
 
 
-def _router_of(
-    table: Mapping[str, Mapping[str, Operation]],
-    tokens: Tokens,
+def _registry_of(
     settings: Settings,
-    lifespan: Callable[[Any], AbstractAsyncContextManager[None]],
-) -> Router:
+    store: Store,
+    on_run_lost: Callable[[Run], None],
+    on_change: Callable[[Run], None],
+) -> RunRegistry:
+    return RunRegistry(
+        store,
+        settings.max_active_runs,
+        on_run_lost,
+        on_change,
+        unused_s=settings.unused_s_max,
+        quota=_quota(settings),
+    )
+
+
+def _router(handlers: Handlers, tokens: Tokens, lifespan: Lifespan[Any]) -> Router:
+    table = handlers.table() | profile_tables(handlers)
+    settings = handlers.settings
     hosts = AllowedHosts.parse(settings.allowed_hosts)
     return Router(
         routes=[
@@ -224,12 +250,17 @@ class Application:
             await self._app(scope, receive, send)
             return
         response_started = False
+        status = 0
+        started = time.perf_counter()
+        request_id = request_id_of(_header(scope, b"x-request-id"))
+        REQUEST_ID.set(request_id)
 
         async def send_versioned(message: Message) -> None:
-            nonlocal response_started
+            nonlocal response_started, status
             if message["type"] == "http.response.start":
-                response_started = True
+                response_started, status = True, message["status"]
                 message["headers"].append(_VERSION_HEADER)  # VER-001
+                message["headers"].append((b"x-request-id", request_id.encode()))
             await send(message)
 
         try:
@@ -240,3 +271,18 @@ class Application:
             log.exception("a request failed")
             refused = Refused("internal_error", "Internal server error.")
             await problem_response(refused)(scope, receive, send_versioned)
+        finally:
+            log_event(
+                access_log,
+                "request",
+                method=scope["method"],
+                path=scope["path"],
+                status=status,
+                ms=round(1000 * (time.perf_counter() - started), 1),
+                account=scope.get(ACCOUNT),
+                client=(scope.get("client") or ("-",))[0],
+            )
+
+
+def _header(scope: Scope, name: bytes) -> bytes | None:
+    return next((value for key, value in scope["headers"] if key == name), None)

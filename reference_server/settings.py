@@ -60,9 +60,16 @@ class Settings(BaseSettings):
     tokens: str = Field(
         "",
         description="Bearer tokens, comma-separated, each account:scopes:token. scopes "
-        "is read, run or read+run; token is the secret or sha256=<its hex digest>. If "
+        "is read, run or read+run, and with +read_all a reader of the runs of all "
+        "accounts; token is the secret or sha256=<its hex digest>. If "
         "empty, one is made and printed. It is kept in a file next to the SQLite file, "
         "and stays the same; with another database it lasts until the server stops.",
+    )
+    tokens_file: str = Field(
+        "",
+        description="File with more tokens, one on a line, each "
+        "account:scopes:sha256=HEX; `proctor admin token` writes it. It is read again "
+        "when it changes. If empty, a file next to the SQLite file, if there is one.",
     )
     profiles: str = Field(
         "",
@@ -150,6 +157,13 @@ class Settings(BaseSettings):
         description="File with the key that encrypts API keys of policy servers in the "
         "database; created if missing. If empty, a file next to the SQLite file; with "
         "another database, a key in memory that is lost when the server stops.",
+    )
+    seed_secret: str = Field(
+        "",
+        description="File with the secret that the seeds of sealed splits are drawn "
+        "with; created if missing. Servers that share a database share it. If empty, a "
+        "file next to the SQLite file; with another database, a secret in memory that "
+        "is lost when the server stops, and with it the runs that have such seeds.",
     )
     max_workers: int = Field(
         16, ge=1, le=1024, description="Maximum live workers per run."
@@ -251,7 +265,17 @@ class Settings(BaseSettings):
         64, ge=4, le=4096, description="Maximum actions in one turn."
     )
     log_level: Literal["critical", "error", "warning", "info", "debug", "trace"] = (
-        Field("warning", description="Log level of the HTTP server (uvicorn).")
+        Field(
+            "warning",
+            description="What is logged, on the standard error. info: also what "
+            "happens to every run.",
+        )
+    )
+    log_format: Literal["text", "json"] = Field(
+        "text", description="Log lines: text for people, or one JSON object each."
+    )
+    access_log: Literal["off", "on"] = Field(
+        "off", description="Whether every answered request is logged."
     )
 
     @property
@@ -297,18 +321,38 @@ class Settings(BaseSettings):
     @property
     def token_path(self) -> Path | None:
         """The file of the token that is made if none is set; None: it is not kept."""
-        if "://" in self.database or ":memory:" in self.database:
-            return None
-        return Path(f"{self.database}.token")
+        return self._beside_database("token")
+
+    @property
+    def tokens_file_path(self) -> Path | None:
+        """The file of tokens that may change while the server runs."""
+        return (
+            Path(self.tokens_file)
+            if self.tokens_file
+            else self._beside_database("tokens")
+        )
 
     @property
     def sealing_key_path(self) -> Path | None:
         """The file of the key that encrypts API keys; None for a key in memory."""
-        if self.sealing_key:
-            return Path(self.sealing_key)
+        return (
+            Path(self.sealing_key) if self.sealing_key else self._beside_database("key")
+        )
+
+    @property
+    def seed_secret_path(self) -> Path | None:
+        """The file of the secret of sealed seeds; None for a secret in memory."""
+        return (
+            Path(self.seed_secret)
+            if self.seed_secret
+            else self._beside_database("seeds")
+        )
+
+    def _beside_database(self, ending: str) -> Path | None:
+        """A file that is kept with the database; None if that is no file."""
         if "://" in self.database or ":memory:" in self.database:
             return None
-        return Path(f"{self.database}.key")
+        return Path(f"{self.database}.{ending}")
 
     @property
     def records_path(self) -> Path | None:

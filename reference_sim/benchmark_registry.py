@@ -71,12 +71,15 @@ class ResolvedBenchmark:
 
     manifest: see BenchmarkDefinition.describe.
     images: the chosen codec, width and height.
+    seed_block, seed_max: see BenchmarkDefinition.
     """
 
     manifest: Json
     episodes: tuple[EpisodePlan, ...]
     world: SimulatorConfig
     images: Json
+    seed_block: int
+    seed_max: int
 
 
 def add(references: str, say: Callable[[str], None]) -> None:
@@ -128,6 +131,8 @@ def resolve(
         episodes=tuple(EpisodePlan(**episode) for episode in manifest["episodes"]),
         world=SimulatorConfig(benchmark_id, definition.settings(chosen)),
         images=chosen,
+        seed_block=definition.seed_block,
+        seed_max=definition.seed_max,
     )
 
 

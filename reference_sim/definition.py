@@ -19,6 +19,7 @@ from reference_sim.interface import Simulator
 from reference_sim.mujoco import rendering
 
 Json = dict[str, Any]
+SEED_MAX = 2**53 - 1  # every language has it exactly
 
 
 def _always_available() -> None:
@@ -36,6 +37,9 @@ class BenchmarkDefinition:
     make: SimulatorConfig.settings → the simulator, in the process that runs it.
     unavailable: why the benchmark cannot be played on this machine, and the remedy, in
         one line; None if it can.
+    seed_block, seed_max: how a host may draw other seeds for the splits that
+        `sealed_splits` of the manifest names: seeds belong together in blocks of so
+        many, and none is larger.
     """
 
     describe: Callable[[Mapping[str, Any], int], Json]
@@ -43,6 +47,8 @@ class BenchmarkDefinition:
     make: Callable[[Mapping[str, Any]], Simulator]
     has_options: bool = False
     unavailable: Callable[[], str | None] = _always_available
+    seed_block: int = 1
+    seed_max: int = SEED_MAX
 
 
 @dataclass(frozen=True, slots=True)

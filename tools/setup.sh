@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes an environment equal to its lock: `sh tools/setup.sh dev` (.venv), `generate`,
-# `bench`, `lerobot` or `metaworld` (.venv-NAME). uv does the work; here is what uv
+# `bench`, `lerobot`, `metaworld` or `own` (.venv-NAME). uv does the work; here is what uv
 # cannot do: pip brings uv itself, by the hash in the lock, to a machine that has nothing
 # but Python, and root on Debian or Ubuntu gets the GL libraries that camera images need.
 # PYTHON names the Python to use; otherwise the first that is new enough.
@@ -61,7 +61,7 @@ fi
 # The lock is complete: nothing is resolved, nothing is compiled.
 "$uv" pip sync --quiet --python "$environment" --require-hashes --no-build \
     "requirements/$name.txt"
-case $name in dev | lerobot | metaworld)
+case $name in dev | lerobot | metaworld | own)
     "$uv" pip install --quiet --python "$environment" --no-deps --no-build-isolation \
         --editable .
     provide_rendering

@@ -13,6 +13,10 @@ type Benchmark struct {
 	EpisodesTotal int32 `json:"episodes_total"`
 	Tasks []string `json:"tasks"`
 	Splits []string `json:"splits"`
+	// Splits whose seeds the host draws in secret; none when absent.
+	SealedSplits []string `json:"sealed_splits,omitzero"`
+	// What the host commits itself to without showing it, the SHA-256 of a secret salt and the sealed seeds. With both disclosed later, anyone can prove which seeds were played.
+	SeedsSha256 *string `json:"seeds_sha256,omitzero" validate:"regexp=^[0-9a-f]{64}$"`
 	// Actions per simulated second.
 	ControlRateHz float64 `json:"control_rate_hz"`
 	// Steps after which an episode is truncated.
@@ -32,4 +36,30 @@ type Benchmark struct {
 	Simulator SimulatorInfo `json:"simulator"`
 	// Why a run cannot be submitted here now, and the cure; null when it can.
 	UnavailableReason NullableString `json:"unavailable_reason"`
+}
+
+// GetSealedSplits returns sealed_splits, or the zero value when it is absent.
+func (o *Benchmark) GetSealedSplits() (v []string) {
+	if o != nil && o.SealedSplits != nil {
+		v = o.SealedSplits
+	}
+	return v
+}
+
+// SetSealedSplits sets sealed_splits.
+func (o *Benchmark) SetSealedSplits(v []string) {
+	o.SealedSplits = v
+}
+
+// GetSeedsSha256 returns seeds_sha256, or the zero value when it is absent.
+func (o *Benchmark) GetSeedsSha256() (v string) {
+	if o != nil && o.SeedsSha256 != nil {
+		v = *o.SeedsSha256
+	}
+	return v
+}
+
+// SetSeedsSha256 sets seeds_sha256.
+func (o *Benchmark) SetSeedsSha256(v string) {
+	o.SeedsSha256 = &v
 }

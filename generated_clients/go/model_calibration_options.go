@@ -13,6 +13,8 @@ type CalibrationOptions struct {
 	MaxAttempts *int32 `json:"max_attempts,omitzero"`
 	// 3 when absent.
 	MaxFaults *int32 `json:"max_faults,omitzero"`
+	// Whether the seeds of the split `odd` are sealed; false when absent. Only for servers that announce the profile `sealed_seeds`.
+	Sealed *bool `json:"sealed,omitzero"`
 	// Seconds for which the run stays queued after submit and after resume; 0 when absent.
 	QueueS *float64 `json:"queue_s,omitzero"`
 }
@@ -80,6 +82,19 @@ func (o *CalibrationOptions) GetMaxFaults() (v int32) {
 // SetMaxFaults sets max_faults.
 func (o *CalibrationOptions) SetMaxFaults(v int32) {
 	o.MaxFaults = &v
+}
+
+// GetSealed returns sealed, or the zero value when it is absent.
+func (o *CalibrationOptions) GetSealed() (v bool) {
+	if o != nil && o.Sealed != nil {
+		v = *o.Sealed
+	}
+	return v
+}
+
+// SetSealed sets sealed.
+func (o *CalibrationOptions) SetSealed(v bool) {
+	o.Sealed = &v
 }
 
 // GetQueueS returns queue_s, or the zero value when it is absent.

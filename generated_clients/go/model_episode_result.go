@@ -12,7 +12,8 @@ type EpisodeResult struct {
 	Index int32 `json:"index"`
 	Task string `json:"task"`
 	Split string `json:"split"`
-	Seed int64 `json:"seed"`
+	// Absent where `sealed_splits` of the benchmark names the split.
+	Seed *int64 `json:"seed,omitzero"`
 	Attempt int32 `json:"attempt"`
 	Faults int32 `json:"faults"`
 	Outcome Outcome `json:"outcome"`
@@ -28,6 +29,19 @@ type EpisodeResult struct {
 	ClippedActions *int32 `json:"clipped_actions,omitzero"`
 	// Sum of the rewards of the attempt, its return; for the profile `attribution`.
 	TotalReward *float64 `json:"total_reward,omitzero"`
+}
+
+// GetSeed returns seed, or the zero value when it is absent.
+func (o *EpisodeResult) GetSeed() (v int64) {
+	if o != nil && o.Seed != nil {
+		v = *o.Seed
+	}
+	return v
+}
+
+// SetSeed sets seed.
+func (o *EpisodeResult) SetSeed(v int64) {
+	o.Seed = &v
 }
 
 // GetPlayer returns player, or the zero value when it is absent.

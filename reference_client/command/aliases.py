@@ -32,7 +32,7 @@ IGNORED_FLAGS = {
     "--interval": (True, "the client uses long polling"),
 }
 # Programs with a command line of their own.
-PASS_THROUGH_COMMANDS = ("serve", "serve-policy", "replay", "conformance")
+PASS_THROUGH_COMMANDS = ("serve", "admin", "serve-policy", "replay", "conformance")
 
 
 def translate(arguments: list[str]) -> tuple[list[str], list[str]]:

@@ -33,7 +33,7 @@ STATES = (
     *("stopped", "failed", "completed"),
 )
 SERVERLESS_COMMANDS = ("verify",)
-# Command → what it does; the last four are programs of their own.
+# Command → what it does; the last five are programs of their own.
 COMMANDS = {
     "submit": "submit a new run, or resume an existing one",
     "run": "evaluate a policy: submit, play, score",
@@ -46,6 +46,7 @@ COMMANDS = {
     "verify": "check a record: signature, every episode, the score (no server needed)",
     "benchmarks": "list benchmarks; with NAME, show its action and observation spaces",
     "serve": "start the reference server (own flags)",
+    "admin": "manage the tokens of a server on this machine (own flags)",
     "serve-policy": "serve a policy over HTTP, for push mode (own flags)",
     "replay": "simulate the actions of a record again, sign what came out (own flags)",
     "conformance": "run the conformance kit against a server (own flags)",

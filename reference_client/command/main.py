@@ -41,6 +41,11 @@ COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
 # Command → module to start, modules that it needs, and the extra that installs them.
 PROGRAMS = {
     "serve": ("reference_server", ("reference_server", "uvicorn"), "server"),
+    "admin": (
+        "reference_server.http.tokens.admin_command",
+        ("reference_server", "starlette"),
+        "server",
+    ),
     "serve-policy": (
         "reference_client.policies.serve_command",
         ("starlette", "uvicorn"),

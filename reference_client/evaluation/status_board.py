@@ -6,13 +6,14 @@ import shutil
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from typing import TextIO
 
 from reference_client.api.action_layout import ClipCount
 from reference_client.api.observation import Observation
+from reference_client.api.policy import WireAction
 from reference_client.generated.messages import Turn
 from reference_client.printable_text import printable
 from reference_client.protocol.worker_session import LeftEpisode
@@ -42,7 +43,7 @@ class TurnSnapshot:
 
     observation: input of the policy. turn: the response to its actions. think_s: time
     of the policy, seconds. turn_s: time of the request; `turn.timing` is the server's
-    share of it.
+    share of it. actions: what the policy answered.
     """
 
     worker_id: str
@@ -50,6 +51,7 @@ class TurnSnapshot:
     turn: Turn
     think_s: float
     turn_s: float
+    actions: Sequence[WireAction] = ()
 
 
 class StatusBoard:

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import base64
 import io
+from collections import deque
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -15,12 +17,43 @@ import numpy.typing as npt
 from reference_client.evaluation.status_board import TurnSnapshot
 
 WIDTH_MAX = 320  # pixels, of a picture on the page
+NUMBERS_MAX = 12  # of one vector
+RESULTS_MAX = 50
+
+
+class LatestTurn:
+    """What the live view shows of one worker: its latest turn and its last results."""
+
+    def __init__(self) -> None:
+        self._snapshot: TurnSnapshot | None = None
+        self._results: deque[dict[str, Any]] = deque(maxlen=RESULTS_MAX)
+
+    def keep(self, snapshot: TurnSnapshot) -> None:
+        self._snapshot = snapshot
+        if result := snapshot.turn.episode_result:
+            members = ("episode_id", "task", "outcome", "score", "steps")
+            self._results.append({name: getattr(result, name) for name in members})
+
+    def describe(self) -> dict[str, Any] | None:
+        """See `describe_turn`; with `results`. None before the first turn."""
+        if self._snapshot is None:
+            return None
+        return describe_turn(self._snapshot) | {"results": list(self._results)}
 
 
 def describe_turn(snapshot: TurnSnapshot) -> dict[str, Any]:
-    """JSON-able: texts, times in seconds, and JPEG pictures in base64 by camera."""
+    """JSON-able: texts, times in seconds, and JPEG pictures in base64 by camera.
+
+    values: the numbers of the state and of the last action, as text by name.
+    """
     turn, observation = snapshot.turn, snapshot.observation
+    values = {name: _numbers(vector) for name, vector in observation.state.items()}
+    if snapshot.actions:
+        last = snapshot.actions[-1]["values"]
+        values |= {f"action: {name}": _numbers(last[name]) for name in last}
     return {
+        "values": values,
+        "fault": turn.fault.detail if turn.fault else "",
         "instruction": observation.instruction,
         "episode_id": observation.episode_id,
         "step": observation.step + turn.executed_steps,
@@ -33,6 +66,11 @@ def describe_turn(snapshot: TurnSnapshot) -> dict[str, Any]:
             name: _jpeg(picture) for name, picture in observation.images.items()
         },
     }
+
+
+def _numbers(vector: Sequence[float]) -> str:
+    shown = " ".join(f"{number:.3f}" for number in vector[:NUMBERS_MAX])
+    return shown if len(vector) <= NUMBERS_MAX else f"{shown} … ({len(vector)})"
 
 
 def _jpeg(picture: npt.NDArray[np.uint8]) -> str:

@@ -146,6 +146,7 @@ class WorkerLoop:
                         turn,
                         think_s=thought_at - began_at,
                         turn_s=time.perf_counter() - thought_at,
+                        actions=actions,
                     )
                 )
                 self._count_clips(actions, turn)

@@ -25,7 +25,7 @@ from reference_client.api.policy import Policy
 from reference_client.errors import ProctorError
 from reference_client.evaluation.dry_turn import play_dry_turn
 from reference_client.evaluation.status_board import StatusBoard, TurnSnapshot
-from reference_client.evaluation.turn_report import describe_turn
+from reference_client.evaluation.turn_report import LatestTurn
 from reference_client.evaluation.worker_loop import WorkerLoop
 from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.error_origin import describe_policy_error
@@ -44,7 +44,7 @@ class ReportingBoard(StatusBoard):
         super().__init__()
         self._stream = stream
         self._writing = threading.Lock()
-        self.latest: TurnSnapshot | None = None
+        self.latest = LatestTurn()
 
     def report(self, kind: str, **members: Any) -> None:
         with self._writing:
@@ -67,7 +67,7 @@ class ReportingBoard(StatusBoard):
         self.report("attached", session_id=session_id)
 
     def on_turn(self, snapshot: TurnSnapshot) -> None:
-        self.latest = snapshot
+        self.latest.keep(snapshot)
 
     def failed(self, error: BaseException) -> None:
         if isinstance(error, ProctorError):
@@ -110,8 +110,8 @@ class OrderReceiver:
             order = json.loads(line)
             if order["order"] in ("play", "dry_turn"):
                 self._queue.put(order)
-            elif self._reporter.latest is not None:
-                self._reporter.report("frames", **describe_turn(self._reporter.latest))
+            elif (latest := self._reporter.latest.describe()) is not None:
+                self._reporter.report("frames", **latest)
         self.stop.set()
         self._queue.put(None)
         # `act` may take minutes: the session is left now nevertheless.

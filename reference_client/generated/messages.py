@@ -24,7 +24,6 @@ class EpisodeResult(Struct):
     index: Annotated[int, Meta(ge=0)]
     task: str
     split: str
-    seed: Annotated[int, Meta(ge=0, le=9007199254740991)]
     attempt: Annotated[int, Meta(ge=1)]
     faults: Annotated[int, Meta(ge=0)]
     outcome: Outcome
@@ -36,6 +35,17 @@ class EpisodeResult(Struct):
         float, Meta(description="Time between turns that the policy took.", ge=0.0)
     ]
     finished_at: str
+    seed: (
+        Annotated[
+            int,
+            Meta(
+                description="Absent where `sealed_splits` of the benchmark names the split.",
+                ge=0,
+                le=9007199254740991,
+            ),
+        ]
+        | UnsetType
+    ) = UNSET
     player: PlayerView | UnsetType = UNSET
     clipped_actions: (
         Annotated[

@@ -16,7 +16,7 @@ from importlib.resources import files
 from typing import Any, Self
 
 from reference_client.evaluation.status_board import Progress, StatusBoard, TurnSnapshot
-from reference_client.evaluation.turn_report import describe_turn
+from reference_client.evaluation.turn_report import RESULTS_MAX, LatestTurn
 
 LOOPBACK = "127.0.0.1"
 CONTENT_SECURITY_POLICY = (
@@ -26,14 +26,14 @@ CONTENT_SECURITY_POLICY = (
 
 
 class SnapshotBoard(StatusBoard):
-    """Stores each worker's latest turn."""
+    """Stores each worker's latest turn and its last results."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.latest: dict[str, TurnSnapshot] = {}
+        self.latest: dict[str, LatestTurn] = {}
 
     def on_turn(self, snapshot: TurnSnapshot) -> None:
-        self.latest[snapshot.worker_id] = snapshot
+        self.latest.setdefault(snapshot.worker_id, LatestTurn()).keep(snapshot)
 
 
 class View:
@@ -49,6 +49,7 @@ class View:
         # For workers in their own processes: requests their latest turns.
         self.request_frames: Callable[[], object] | None = None
         self._reports: dict[str, Any] = {}
+        self._results: dict[str, Any] = {}  # by episode, in the order of their ends
         self._server = _Server((LOOPBACK, port), _PageHandler)
         self._server.view = self
         self.url = f"http://{LOOPBACK}:{self._server.server_address[1]}/"
@@ -71,7 +72,12 @@ class View:
         """The content of the page, as JSON-able values."""
         if self.request_frames is not None:
             self.request_frames()  # for the next call
-        snapshots = dict(self.board.latest)
+        reports = dict(self._reports)
+        for name, latest in dict(self.board.latest).items():
+            if (report := latest.describe()) is not None:
+                reports[name] = report
+        for report in reports.values():
+            self._results |= {one["episode_id"]: one for one in report["results"]}
         progress = self.progress
         return {
             "title": self.title,
@@ -80,10 +86,8 @@ class View:
             "total": progress.episodes_total if progress else 0,
             "mean": progress.mean if progress else None,
             "waiting": progress.waiting if progress else None,
-            "workers": {
-                name: describe_turn(snapshot) for name, snapshot in snapshots.items()
-            }
-            | self._reports,
+            "workers": reports,
+            "results": list(self._results.values())[-RESULTS_MAX:],
         }
 
 

@@ -77,6 +77,14 @@ class Benchmark(BaseModel):
     episodes_total: Annotated[int, Field(ge=1)]
     tasks: Annotated[list[str], Field(max_length=100000)]
     splits: Annotated[list[str], Field(max_length=100000)]
+    sealed_splits: Annotated[
+        list[str] | MISSING,
+        Field(
+            description="Splits whose seeds the host draws in secret; none when absent.",
+            max_length=100000,
+        ),
+    ] = MISSING
+    seeds_sha256: SeedsCommitment | MISSING = MISSING
     control_rate_hz: Annotated[
         float, Field(description="Actions per simulated second.")
     ]
@@ -170,6 +178,12 @@ class CalibrationOptions(BaseModel):
     ] = MISSING
     max_faults: Annotated[
         int | MISSING, Field(description="3 when absent.", ge=1, le=10)
+    ] = MISSING
+    sealed: Annotated[
+        bool | MISSING,
+        Field(
+            description="Whether the seeds of the split `odd` are sealed; false when absent. Only for servers that announce the profile `sealed_seeds`."
+        ),
     ] = MISSING
     queue_s: Annotated[
         float | MISSING,
@@ -291,7 +305,14 @@ class EpisodeResult(BaseModel):
     index: Annotated[int, Field(ge=0)]
     task: str
     split: str
-    seed: Annotated[int, Field(ge=0, le=9007199254740991)]
+    seed: Annotated[
+        int | MISSING,
+        Field(
+            description="Absent where `sealed_splits` of the benchmark names the split.",
+            ge=0,
+            le=9007199254740991,
+        ),
+    ] = MISSING
     attempt: Annotated[int, Field(ge=1)]
     faults: Annotated[int, Field(ge=0)]
     outcome: Outcome
@@ -943,6 +964,18 @@ class Score(BaseModel):
     mean_interval: Interval
     by_task: Annotated[dict[str, GroupScore], Field(max_length=100000)]
     by_split: Annotated[dict[str, GroupScore], Field(max_length=100000)]
+
+
+SeedsCommitment = TypeAliasType(
+    "SeedsCommitment",
+    Annotated[
+        str,
+        Field(
+            description="What the host commits itself to without showing it, the SHA-256 of a secret salt and the sealed seeds. With both disclosed later, anyone can prove which seeds were played.",
+            pattern="^[0-9a-f]{64}$",
+        ),
+    ],
+)
 
 
 class SelectionView(BaseModel):

@@ -17,6 +17,7 @@ from reference_server.http.allowed_hosts import is_loopback
 from reference_server.rules.refusal import Refused
 
 SCOPES = frozenset({"read", "run"})
+READ_ALL = "read_all"  # reads the runs of every account, with `read` (AUTH-008)
 # Headers of a request that a proxy passed on, or that a page in a browser sends.
 _NOT_A_SCRIPT = (
     *("forwarded", "x-forwarded-for", "x-real-ip", "via"),
@@ -34,34 +35,29 @@ class Caller:
     account: str
     scopes: frozenset[str]
 
+    @property
+    def reader(self) -> str | None:
+        """Whose runs it may read: of its account; None for all (AUTH-008)."""
+        return None if READ_ALL in self.scopes else self.account
+
 
 class Tokens:
-    """AUTH-006: the tokens of this server, as SHA-256 → account and scopes."""
+    """AUTH-006: the tokens of this server, as SHA-256 → account and scopes.
+
+    Those of the file come and go while the server runs; the others stay.
+    """
 
     def __init__(self, by_hash: Mapping[str, Caller]) -> None:
         self._by_hash = dict(by_hash)
+        self._in_file: Mapping[str, Caller] = {}
 
     @classmethod
     def parse(cls, text: str) -> Tokens:
         """`account:scopes:token`, comma-separated; token may be `sha256=<hex>`."""
         by_hash: dict[str, Caller] = {}
         for number, entry in enumerate(filter(None, text.split(",")), start=1):
-            account, _, rest = entry.strip().partition(":")
-            names, _, secret = rest.partition(":")
-            scopes = frozenset(names.split("+"))
-            if not account or not secret or not scopes <= SCOPES:
-                raise BadTokens(
-                    f"entry {number} of tokens is not account:scopes:token "
-                    "with scopes read, run or read+run"
-                )
-            hashed = secret.removeprefix("sha256=").lower()
-            if not secret.startswith("sha256="):
-                hashed = _hash(secret)
-            elif not re.fullmatch(r"[0-9a-f]{64}", hashed):
-                raise BadTokens(
-                    f"entry {number} of tokens is not a hexadecimal SHA-256"
-                )
-            by_hash[hashed] = Caller(account, scopes)
+            hashed, caller = parse_entry(entry, f"entry {number} of tokens")
+            by_hash[hashed] = caller
         if not by_hash:
             raise BadTokens("tokens is empty; omit it to have one generated")
         return cls(by_hash)
@@ -69,18 +65,45 @@ class Tokens:
     @classmethod
     def of_local_account(cls, secret: str) -> Tokens:
         """One token with every scope, for the account `local`."""
-        return cls({_hash(secret): Caller("local", SCOPES)})
+        return cls({hash_of(secret): Caller("local", SCOPES)})
+
+    def replace_those_of_file(self, by_hash: Mapping[str, Caller]) -> None:
+        """From now on these are valid, and none that the file had before."""
+        self._in_file = by_hash
 
     def authenticate(self, authorization: str | None, scope: str) -> Caller:
         """The caller that a header names (AUTH-001, AUTH-005, AUTH-007)."""
         scheme, _, secret = (authorization or "").partition(" ")
         # A look-up by hash takes the same time for every wrong secret.
-        caller = self._by_hash.get(_hash(secret.strip()))
+        hashed = hash_of(secret.strip())
+        caller = self._by_hash.get(hashed) or self._in_file.get(hashed)
         if scheme.lower() != "bearer" or caller is None:
             raise Refused("unauthenticated", "There is no valid bearer token.")
         if scope not in caller.scopes:
             raise Refused("forbidden", f"The token has no scope `{scope}`.")
         return caller
+
+
+def parse_entry(entry: str, where: str) -> tuple[str, Caller]:
+    """The hash and the caller of `account:scopes:token`. Raises BadTokens.
+
+    where: what the entry is called in the error.
+    """
+    account, _, rest = entry.strip().partition(":")
+    names, _, secret = rest.partition(":")
+    scopes = frozenset(names.split("+"))
+    are_known = scopes <= SCOPES | {READ_ALL}
+    if not account or not secret or not are_known or scopes == {READ_ALL}:
+        raise BadTokens(
+            f"{where} is not account:scopes:token with scopes read, run or read+run, "
+            f"and +{READ_ALL} to read the runs of all accounts"
+        )
+    hashed = secret.removeprefix("sha256=").lower()
+    if not secret.startswith("sha256="):
+        hashed = hash_of(secret)
+    elif not re.fullmatch(r"[0-9a-f]{64}", hashed):
+        raise BadTokens(f"{where} is not a hexadecimal SHA-256")
+    return hashed, Caller(account, scopes)
 
 
 def new_secret() -> str:
@@ -98,5 +121,6 @@ def is_local(request: Request) -> bool:
     return is_loopback(peer) and is_loopback(host) and not is_passed_on
 
 
-def _hash(secret: str) -> str:
+def hash_of(secret: str) -> str:
+    """What is stored of a token."""
     return hashlib.sha256(secret.encode()).hexdigest()

@@ -69,6 +69,8 @@ QUERY_PATTERNS: dict[str, str] = {
     "user_id": r"(?s:.{0,200})",
 }
 # What a pattern cannot say of a number: the least and the largest.
+# Where a request's scope has the account of its caller, for the log.
+ACCOUNT = "proctor.account"
 QUERY_RANGES: dict[str, tuple[int, int]] = {"limit": (1, 1000), "tolerance": (0, 1)}
 
 
@@ -115,6 +117,12 @@ class OperationCall:
         assert self.caller is not None, "an operation without scope has no caller"
         return self.caller.account
 
+    @property
+    def reader(self) -> str | None:
+        """The account whose runs are shown; None for those of all (AUTH-008)."""
+        assert self.caller is not None, "an operation without scope has no caller"
+        return self.caller.reader
+
     def answer(self, content: Any, status: int = 200) -> Response:
         return codec.encode_response(content, self.media_type, status)
 
@@ -154,6 +162,7 @@ async def _check_request(
     caller = None
     if operation.scope is not None:
         caller = _caller(request, operation.scope, operation.local_account, tokens)
+        request.scope[ACCOUNT] = caller.account
     call = OperationCall(
         request,
         _path(request),

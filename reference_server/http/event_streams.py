@@ -106,6 +106,7 @@ class SharedStreams:
 class EventStream:
     """The stream of one reader; view: the run as get_run shows it to that reader.
 
+    account: whose stream it is. sees_all: it may show the runs of others (AUTH-008).
     view_id: equal for readers to whom the run is shown alike.
     """
 
@@ -115,6 +116,11 @@ class EventStream:
     view: Callable[[RunHead], dict[str, Any]]
     view_id: str = ""
     shared: SharedStreams = field(default_factory=SharedStreams)
+    sees_all: bool = False
+
+    @property
+    def _reader(self) -> str | None:
+        return None if self.sees_all else self.account
 
     async def answer(self, last_id: str | None) -> Response:
         """The events behind that one (EVT-005); 204 if none will ever follow (EVT-006).
@@ -134,7 +140,8 @@ class EventStream:
         return _CountedResponse(body, leave)
 
     async def _next_batch(self, cursor: Cursor, change: asyncio.Event) -> EventBatch:
-        key = (cursor, self.account, self.view_id)
+        # A token that sees more shares nothing with another one of its account.
+        key = (cursor, self._reader, self.view_id)
         return await self.shared.batch(change, key, partial(self._read_batch, cursor))
 
     async def _read_batch(self, cursor: Cursor) -> EventBatch:
@@ -151,7 +158,7 @@ class EventStream:
 
         window = (cursor.results_sent, cursor.results_sent + EPISODES_PER_BATCH)
         return await self.registry.read_view(
-            self.run_id, self.account, view, *window, scored=True
+            self.run_id, self._reader, view, *window, scored=True
         )
 
     async def _stream_events(

@@ -42,7 +42,7 @@ PAGE = 100  # RUN-025: items on a page when no limit is sent
 # RUN-032: `push` is always among them, and so are its members of a submit.
 PROFILES: tuple[models.Profile, ...] = (
     *("core", "msgpack", "compare", "events", "push", "limits"),
-    *("attribution", "subsets"),
+    *("attribution", "subsets", "sealed_seeds"),
 )
 
 
@@ -181,7 +181,7 @@ class Handlers:
         before = _number(call.query.get("cursor"))
         # One more than is shown says whether there is another page (RUN-009).
         found = await self.service.list_runs(
-            call.account, before, limit + 1, self.base_url(call)
+            call.reader, before, limit + 1, self.base_url(call)
         )
         more = len(found) > limit
         return call.answer(
@@ -205,7 +205,7 @@ class Handlers:
             # Taken before the run is read; a waiting request keeps no run in memory.
             change = registry.change_event(run_id)
             response = call.answer(
-                await self.service.view_run(call.account, run_id, self.base_url(call))
+                await self.service.view_run(call.reader, run_id, self.base_url(call))
             )
             etag = _etag(bytes(response.body))
             response.headers["ETag"] = etag
@@ -229,7 +229,7 @@ class Handlers:
         start = _number(call.query.get("cursor")) or 0  # EPI-006
         end = start + int(call.query.get("limit", PAGE))
         episodes, total = await self.service.list_episodes(
-            call.account, call.path["run_id"], start, end
+            call.reader, call.path["run_id"], start, end
         )
         next_cursor = str(end) if end < total else None
         return call.answer({"episodes": episodes, "next_cursor": next_cursor})
@@ -243,11 +243,12 @@ class Handlers:
             partial(self.service.current_view, base_url),
             base_url,
             self.streams,
+            sees_all=call.reader is None,
         )
         return await stream.answer(call.headers.get("last-event-id"))
 
     async def get_score(self, call: OperationCall) -> Response:
-        score = await self.service.get_score(call.account, call.path["run_id"])
+        score = await self.service.get_score(call.reader, call.path["run_id"])
         return call.answer(score)
 
     # --- records ---
@@ -275,7 +276,7 @@ class Handlers:
         tolerance = float(call.query.get("tolerance", comparison.TOLERANCE))
         run_ids = [call.query["baseline"], *call.query["runs"].split(",")]
         return call.answer(
-            await self.service.compare_runs(call.account, run_ids, tolerance)
+            await self.service.compare_runs(call.reader, run_ids, tolerance)
         )
 
     # --- data plane ---

@@ -34,6 +34,7 @@ from reference_record.statement import (
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.records.recordings import Recordings
 from reference_server.rules.lifecycle import RESTING_STATES
+from reference_server.rules.manifest import without_sealed_seeds
 from reference_server.rules.run import Episode, PublicKey, RunHead
 from reference_server.storage.store import Store, StoreFailed
 from reference_sim.engine import engine_fingerprint
@@ -117,7 +118,7 @@ class RunRecords:
 
         Raises RecordUnavailable.
         """
-        manifest = msgspec.json.encode(run.manifest, order="deterministic")
+        manifest = _shown_manifest(run)
         lines = [_line(episode) for episode in episodes]
         recordings = {
             recording_name(episode.index): self._recordings.path(
@@ -219,3 +220,9 @@ def _line(episode: Episode) -> EpisodeLine:
         latency=dict(recording.latency),
         recording=facts,
     )
+
+
+def _shown_manifest(run: RunHead) -> bytes:
+    """What `manifest_sha256` is the digest of: without sealed seeds (SEAL-002)."""
+    shown = without_sealed_seeds(run.manifest)
+    return msgspec.json.encode(shown, order="deterministic")

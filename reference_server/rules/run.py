@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias
 
-from reference_server.rules.manifest import Manifest, Submission
+from reference_server.rules.manifest import Manifest, Submission, is_sealed
 
 State: TypeAlias = Literal[
     "queued", "ready", "running", "stopping", "stopped", "failed", "completed"
@@ -86,6 +86,7 @@ class Episode:
     place: of its result among those of the run, the first one 1; None without a result,
     or with one that is older than this column.
     recording: with its result; None if it was not recorded.
+    is_sealed: the seed is secret.
     """
 
     index: int
@@ -100,6 +101,14 @@ class Episode:
     place: int | None = None
     result: Result | None = None
     recording: Recording | None = None
+    is_sealed: bool = False
+
+    @classmethod
+    def of(cls, manifest: Manifest, index: int) -> Episode:
+        """The episode at its place in the manifest, before it is played."""
+        plan = manifest["episodes"][index]
+        sealed = is_sealed(manifest, plan["split"])
+        return cls(index, plan["task"], plan["split"], plan["seed"], is_sealed=sealed)
 
     @property
     def episode_id(self) -> str:

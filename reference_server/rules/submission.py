@@ -118,6 +118,9 @@ def key_conflict(use: KeyUse, body_sha256: str) -> Refuse | None:
     )
 
 
-def may_see_run(account: str, owner: str) -> bool:
-    """AUTH-003: a run of another account is answered like one that does not exist."""
-    return account == owner
+def may_see_run(account: str | None, owner: str) -> bool:
+    """AUTH-003: a run of another account is answered like one that does not exist.
+
+    AUTH-008: no account stands for a reader of all runs.
+    """
+    return account is None or account == owner

@@ -15,10 +15,16 @@ import msgspec
 
 from reference_server.rules import submission as submission_rules
 from reference_server.rules.lifecycle import Refuse
-from reference_server.rules.manifest import Manifest, Submission
+from reference_server.rules.manifest import (
+    Manifest,
+    Submission,
+    seal,
+    without_sealed_seeds,
+)
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.submission import Selection
+from reference_server.runs.seed_secret import SeedSecret
 from reference_sim import benchmark_registry
 
 CACHED_CONFIGS_MAX = 256
@@ -28,7 +34,8 @@ CACHED_CONFIGS_MAX = 256
 class ResolvedRun:
     """A benchmark with one submission's choices applied.
 
-    manifest: schema Benchmark without its hash, and `episodes` with their seeds.
+    manifest: schema Benchmark without its hash, and `episodes` with the seeds that are
+    played; those of sealed splits are secret.
     """
 
     manifest: Manifest
@@ -43,9 +50,10 @@ SHARED_MANIFESTS_MAX = 64
 class Benchmarks:
     """All benchmarks of the simulator's catalogue."""
 
-    def __init__(self, max_chunk: int) -> None:
+    def __init__(self, max_chunk: int, seed_secret: SeedSecret) -> None:
         self._max_chunk = max_chunk
         self._manifests: dict[str, Manifest] = {}
+        self._seed_secret = seed_secret
 
     def summaries(self) -> list[dict[str, Any]]:
         """Schema BenchmarkSummary of each, sorted by id (BEN-001, BEN-004)."""
@@ -114,7 +122,7 @@ class Benchmarks:
         found = benchmark_registry.resolve(
             benchmark_id, options, images, max_chunk=self._max_chunk
         )
-        whole = cast("Manifest", found.manifest)  # schema Benchmark
+        whole = _sealed_manifest(found, self._seed_secret)
         manifest = submission_rules.select_episodes(whole, select)
         if isinstance(manifest, Refuse):
             raise Refused.from_verdict(manifest)
@@ -133,7 +141,8 @@ class SimulatorConfigs:
     described and hashed again only for what is not in the cache.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, seed_secret: SeedSecret) -> None:
+        self._seed_secret = seed_secret
         self._cache: dict[bytes, benchmark_registry.SimulatorConfig] = {}
 
     def find(self, run: Run) -> benchmark_registry.SimulatorConfig:
@@ -146,14 +155,23 @@ class SimulatorConfigs:
         key = msgspec.msgpack.encode((run.manifest_sha256, choices))
         config = self._cache.get(key)
         if config is None:
-            config = _simulator_config(run)
+            config = _simulator_config(run, self._seed_secret)
             if len(self._cache) >= CACHED_CONFIGS_MAX:
                 self._cache.clear()
             self._cache[key] = config
         return config
 
 
-def _simulator_config(run: Run) -> benchmark_registry.SimulatorConfig:
+def _sealed_manifest(
+    found: benchmark_registry.ResolvedBenchmark, seed_secret: SeedSecret
+) -> Manifest:
+    manifest = cast("Manifest", found.manifest)  # schema Benchmark
+    return seal(manifest, seed_secret.value, found.seed_block, found.seed_max)
+
+
+def _simulator_config(
+    run: Run, seed_secret: SeedSecret
+) -> benchmark_registry.SimulatorConfig:
     submission = run.submission
     benchmark_id = submission["benchmark_id"]
     if benchmark_id not in benchmark_registry.benchmark_ids():
@@ -164,7 +182,7 @@ def _simulator_config(run: Run) -> benchmark_registry.SimulatorConfig:
         run.images,
         max_chunk=run.manifest["max_chunk"],
     )
-    whole = cast("Manifest", found.manifest)
+    whole = _sealed_manifest(found, seed_secret)
     manifest = submission_rules.select_episodes(whole, submission.get("select"))
     if isinstance(manifest, Refuse) or digest(manifest) != run.manifest_sha256:
         raise Refused(
@@ -175,10 +193,18 @@ def _simulator_config(run: Run) -> benchmark_registry.SimulatorConfig:
     return found.world
 
 
+def canonical(manifest: Manifest | Mapping[str, Any]) -> bytes:
+    """What is hashed of a manifest, and what others may have of it (SEAL-002)."""
+    return msgspec.json.encode(without_sealed_seeds(manifest), order="deterministic")
+
+
 def digest(manifest: Manifest | Mapping[str, Any]) -> str:
-    """The `manifest_sha256` of a manifest with its episodes (BEN-005)."""
-    canonical = msgspec.json.encode(manifest, order="deterministic")
-    return hashlib.sha256(canonical).hexdigest()
+    """The `manifest_sha256` of a manifest with its episodes (BEN-005).
+
+    SEAL-004: a seed of few bits could be found by its hash, so that of sealed splits is
+    covered by the commitment alone.
+    """
+    return hashlib.sha256(canonical(manifest)).hexdigest()
 
 
 async def _unavailable(benchmark_id: str) -> str | None:

@@ -44,6 +44,7 @@ from reference_server.rules.submission import (
 from reference_server.runs import steady_clock
 from reference_server.runs.account_usage import AccountUsage
 from reference_server.runs.places import Places
+from reference_server.runs.run_log import RunLog, new_results
 from reference_server.storage.store import Store, StoreFailed
 from reference_server.system.repeated_failures import RepeatedFailures
 
@@ -100,6 +101,7 @@ class RunRegistry:
         self._tasks: set[asyncio.Future[object]] = set()
         self._ending = self._closed = False
         self._failures = RepeatedFailures(log)
+        self._life = RunLog()
 
     async def open(self) -> None:
         """Apply what a restart does, then admit what waits for capacity.
@@ -145,7 +147,7 @@ class RunRegistry:
             run = self._in_memory.get(run_id) or await self._load(run_id)
             if run is not None and run.lost:
                 raise StoreFailed("the run could not be stored")
-        if run is None or not (account is None or may_see_run(account, run.account)):
+        if run is None or not may_see_run(account, run.account):
             raise _no_run(run_id)
         self._cache(run)
         return run
@@ -153,7 +155,7 @@ class RunRegistry:
     async def read_view(
         self,
         run_id: str,
-        account: str,
+        account: str | None,
         view: Callable[[RunHead, Sequence[Episode]], Rendered],
         start: int = 0,
         end: int | None = 0,
@@ -206,6 +208,7 @@ class RunRegistry:
                 self._places.leave(run.run_id)
                 self._admit()
         if is_stored:
+            self._life.log_submitted(run)
             self._cache(run)
             self._index_by_state(run, run.state)
             self._admit()
@@ -225,12 +228,15 @@ class RunRegistry:
 
     async def page(
         self,
-        account: str,
+        account: str | None,
         before: int | None,
         limit: int,
         view: Callable[[RunHead], Rendered],
     ) -> list[Rendered]:
-        """Up to `limit` views of the account, newest first (RUN-009, AUTH-004)."""
+        """Up to `limit` views of the account, newest first (RUN-009, AUTH-004).
+
+        Without an account those of all (AUTH-008).
+        """
         ids = [run_id for _, run_id in await self._store.page(account, before, limit)]
         heads = await self._store.heads([i for i in ids if i not in self._in_memory])
         found = []
@@ -304,6 +310,7 @@ class RunRegistry:
     def notify(self, run: Run) -> None:
         """Something that get_run shows has changed."""
         if not run.lost:
+            self._life.log_playing(run)
             self._index_by_state(run, run.state)
         self._wake(run.run_id)
         self._admit()
@@ -469,6 +476,7 @@ class RunRegistry:
         task.add_done_callback(self._tasks.discard)
 
     async def _save(self, run: Run) -> bool:
+        scored = new_results(run)
         try:
             await self._store.save(run)
         except Exception as error:  # whatever it was: memory is ahead of the disk now
@@ -479,6 +487,7 @@ class RunRegistry:
             self._evict(run)
             return False
         else:
+            self._life.log_stored(run, scored)
             return True
         finally:
             if self._saving.get(run.run_id) is asyncio.current_task():
@@ -502,6 +511,7 @@ class RunRegistry:
     def _adopt(self, loaded: Run | None) -> Run | None:
         """A run just loaded was not in memory, so no session of it is live."""
         if loaded is not None:
+            self._life.note_loaded(loaded)
             effects.lose_sessions(loaded)
             loaded.queue_until_wall = queue_until(
                 loaded.submission, loaded.queue_until_wall, steady_clock.now_wall()

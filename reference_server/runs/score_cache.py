@@ -25,7 +25,9 @@ class ScoreCache:
         # run_id → state, results, score
         self._cache: dict[str, tuple[str, int, Json]] = {}
 
-    async def get(self, registry: RunRegistry, run_id: str, account: str) -> Json:
+    async def get(
+        self, registry: RunRegistry, run_id: str, account: str | None
+    ) -> Json:
         """The score, in every state (SCORE-010). Refused like `RunRegistry.get`."""
         if run_id in self._cache:
             again = await registry.read_view(run_id, account, self._cached_score)

@@ -112,8 +112,8 @@ class RunService:
             updated_at_wall=now,
             queue_until_wall=steady_clock.now_wall() + queue_s(checked),
             episodes=[
-                Episode(index, plan["task"], plan["split"], plan["seed"])
-                for index, plan in enumerate(resolved.manifest["episodes"])
+                Episode.of(resolved.manifest, index)
+                for index in range(len(resolved.manifest["episodes"]))
             ],
         )
 
@@ -157,7 +157,7 @@ class RunService:
 
     async def compare_runs(
         self,
-        account: str,
+        account: str | None,
         run_ids: Sequence[str],
         tolerance: float = comparison.TOLERANCE,
     ) -> Json:
@@ -208,7 +208,7 @@ class RunService:
             run, lambda run: (run, availability(run))
         )
 
-    async def view_run(self, account: str, run_id: str, endpoint: str) -> Json:
+    async def view_run(self, account: str | None, run_id: str, endpoint: str) -> Json:
         """Schema Run, of what is stored."""
         view = partial(self.current_view, endpoint)
         return await self.registry.read_view(run_id, account, view)
@@ -219,7 +219,7 @@ class RunService:
         return await self.registry.render_when_stored(run, view)
 
     async def list_runs(
-        self, account: str, before: int | None, limit: int, endpoint: str
+        self, account: str | None, before: int | None, limit: int, endpoint: str
     ) -> list[tuple[int, Json]]:
         """(number, schema Run) of the account's runs below a number, newest first."""
 
@@ -229,7 +229,7 @@ class RunService:
         return await self.registry.page(account, before, limit, view)
 
     async def list_episodes(
-        self, account: str, run_id: str, start: int, end: int
+        self, account: str | None, run_id: str, start: int, end: int
     ) -> tuple[list[Json], int]:
         """Schema Episode from start to end (EPI-006), and how many there are."""
 
@@ -238,7 +238,7 @@ class RunService:
 
         return await self.registry.read_view(run_id, account, view, start, end)
 
-    async def get_score(self, account: str, run_id: str) -> Json:
+    async def get_score(self, account: str | None, run_id: str) -> Json:
         """Schema Score."""
         return await self.scores.get(self.registry, run_id, account)
 

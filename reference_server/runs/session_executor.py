@@ -35,6 +35,8 @@ from reference_server.rules.lifecycle import (
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
 from reference_server.runs.registry import RunRegistry
+from reference_server.runs.run_log import log_attached
+from reference_server.runs.seed_secret import SeedSecret
 from reference_server.runs.session_resources import ResourceManager, SessionResources
 from reference_server.views import turn_view
 from reference_sim.process.pool import (
@@ -65,6 +67,8 @@ class SessionExecutor:
         self,
         registry: RunRegistry,
         pool: SimulatorPool,
+        seed_secret: SeedSecret,
+        *,
         unused_s: float = 120.0,
         heartbeat_s_max: float = 3600.0,
         recordings: Recordings | None = None,
@@ -74,10 +78,11 @@ class SessionExecutor:
         self._heartbeat_s_max = heartbeat_s_max
         self._resources = ResourceManager(
             pool,
+            seed_secret,
             registry.run_in_background,
             self.sweep,
             self._abort,
-            unused_s,
+            unused_s=unused_s,
             recordings=recordings,
         )
 
@@ -93,6 +98,7 @@ class SessionExecutor:
         session_id = secrets.token_urlsafe(24)  # ATT-009
         session = effects.open_session(run, command, session_id, time.monotonic())
         resources = self._resources.open(run, session, old)
+        log_attached(run, session)
         self._registry.notify(run)
         return await self._execute(resources, self._open(resources))
 

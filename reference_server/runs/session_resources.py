@@ -17,6 +17,8 @@ from reference_server.rules.capacity import LentSimulator, session_to_end
 from reference_server.rules.lifecycle import lease_over
 from reference_server.rules.run import Run, Session
 from reference_server.runs.benchmarks import SimulatorConfigs
+from reference_server.runs.run_log import log_left
+from reference_server.runs.seed_secret import SeedSecret
 from reference_sim.process.pool import SimulatorHandle, SimulatorPool
 
 
@@ -55,11 +57,12 @@ class ResourceManager:
     def __init__(
         self,
         pool: SimulatorPool,
+        seed_secret: SeedSecret,
         run_in_background: Callable[[Awaitable[None]], object],
         on_lease_over: Callable[[Run], object],
         on_unused: Callable[[SessionResources], object],
-        unused_s: float,
         *,
+        unused_s: float,
         recordings: Recordings | None = None,
     ) -> None:
         self._recordings = recordings
@@ -68,7 +71,7 @@ class ResourceManager:
         self._on_lease_over, self._on_unused = on_lease_over, on_unused
         self._unused_s = unused_s
         self._by_session: dict[Session, SessionResources] = {}
-        self._configs = SimulatorConfigs()
+        self._configs = SimulatorConfigs(seed_secret)
 
     def __len__(self) -> int:
         return len(self._by_session)
@@ -94,6 +97,7 @@ class ResourceManager:
             resources = self._remove(session)
             if resources is not None:
                 self._record_end(resources)
+                log_left(resources.run, session)
                 self.return_simulator(resources, kill=session.busy is not None)
 
     def _record_end(self, resources: SessionResources) -> None:

@@ -5,13 +5,13 @@ It knows the names of the columns and nothing of the database (`store.py`).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from typing import Any
 
 import msgspec
 
-from reference_server.rules.manifest import Manifest, ManifestEpisode
+from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, Recording, Result, Run, RunHead
 
 Row = Mapping[str, Any]
@@ -107,24 +107,21 @@ def _encode(value: Result | Recording | None) -> bytes | None:
 
 
 def episodes_of(
-    plans: Sequence[ManifestEpisode], start: int, stored: Iterable[EpisodeRow]
+    manifest: Manifest, places: range, stored: Iterable[EpisodeRow]
 ) -> list[Episode]:
-    """Episodes from `start`, by their plans and what has happened to them."""
-    episodes = [_from_plan(index, plan) for index, plan in enumerate(plans, start)]
+    """The episodes at these places, by their plans and what has happened to them."""
+    start = places.start
+    episodes = [Episode.of(manifest, index) for index in places]
     for row in stored:
         _apply_row(episodes[row[0] - start], row)
     return episodes
 
 
-def episode_of(plans: Sequence[ManifestEpisode], row: EpisodeRow) -> Episode:
-    """One episode by the plans of all and what has happened to it."""
-    episode = _from_plan(row[0], plans[row[0]])
+def episode_of(manifest: Manifest, row: EpisodeRow) -> Episode:
+    """One episode by its plan and what has happened to it."""
+    episode = Episode.of(manifest, row[0])
     _apply_row(episode, row)
     return episode
-
-
-def _from_plan(index: int, plan: ManifestEpisode) -> Episode:
-    return Episode(index, plan["task"], plan["split"], plan["seed"])
 
 
 def _apply_row(episode: Episode, row: EpisodeRow) -> None:
@@ -157,5 +154,5 @@ def head_of(row: Row, manifest: Manifest) -> RunHead:
 
 def run_of(row: Row, manifest: Manifest, stored: Iterable[EpisodeRow]) -> Run:
     """The run with all its episodes, of which `stored` differ from their plans."""
-    episodes = episodes_of(manifest["episodes"], 0, stored)
+    episodes = episodes_of(manifest, range(len(manifest["episodes"])), stored)
     return Run(**_columns_of(row, manifest), episodes=episodes)

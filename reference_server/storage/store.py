@@ -318,13 +318,14 @@ class Store:
 
         def fetch(connection: sa.Connection) -> tuple[RunHead, list[Episode]] | None:
             for row, manifest in self._heads(connection, [run_id]):
-                head, plans = rows.head_of(row, manifest), manifest["episodes"]
-                window = (connection, head.number, start, start + len(plans[start:end]))
+                head = rows.head_of(row, manifest)
+                places = range(head.total)[start:end]
+                window = (connection, head.number, start, start + len(places))
                 if scored:
                     found = _stored_episodes(*window, _EPISODES_SCORED)
-                    return head, [rows.episode_of(plans, one) for one in found]
+                    return head, [rows.episode_of(manifest, one) for one in found]
                 found = _stored_episodes(*window)
-                return head, rows.episodes_of(plans[start:end], start, found)
+                return head, rows.episodes_of(manifest, places, found)
             return None
 
         return await self._read(fetch)
@@ -358,15 +359,16 @@ class Store:
         return manifest
 
     async def page(
-        self, account: str, before: int | None, limit: int
+        self, account: str | None, before: int | None, limit: int
     ) -> list[tuple[int, str]]:
         """(number, run_id) of an account's runs, newest first, below a number.
 
-        AUTH-004: of this account only. RUN-009: numbers never change.
+        AUTH-004: of this account only; None for all (AUTH-008). RUN-009: numbers
+        never change.
         """
-        query = sa.select(_runs.c.number, _runs.c.run_id).where(
-            _runs.c.account == account
-        )
+        query = sa.select(_runs.c.number, _runs.c.run_id)
+        if account is not None:
+            query = query.where(_runs.c.account == account)
         if before is not None:
             query = query.where(_runs.c.number < before)
         query = query.order_by(_runs.c.number.desc()).limit(limit)

@@ -10,6 +10,8 @@ from datetime import UTC, datetime
 from functools import lru_cache
 from typing import Any
 
+from pydantic import MISSING
+
 from reference_server.generated import models
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.run import Episode, PublicKey, RunHead
@@ -67,7 +69,7 @@ def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> dict[st
 
 
 def result_view(episode: Episode) -> dict[str, Any]:
-    """Schema EpisodeResult of a scored episode."""
+    """Schema EpisodeResult of a scored episode (SEAL-001, SEAL-002)."""
     result = episode.result
     assert result is not None
     view = models.EpisodeResult(
@@ -75,7 +77,7 @@ def result_view(episode: Episode) -> dict[str, Any]:
         index=episode.index,
         task=episode.task,
         split=episode.split,
-        seed=episode.seed,
+        seed=MISSING if episode.is_sealed else episode.seed,
         attempt=result.attempt,
         faults=episode.faults,
         outcome=result.outcome,

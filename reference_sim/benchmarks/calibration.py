@@ -130,6 +130,7 @@ def _describe(options: Mapping[str, Any], max_chunk: int) -> Json:
         {"task": task, "split": splits[index % 2], "seed": 1000 + index}
         for index, task in enumerate(options.get("tasks", ["score"]))
     ]
+    sealed = {"sealed_splits": ["odd"]} if options.get("sealed") else {}
     return {
         "benchmark_id": "calibration",
         "version": "1",
@@ -140,6 +141,7 @@ def _describe(options: Mapping[str, Any], max_chunk: int) -> Json:
         "episodes": episodes,
         "tasks": list(TASKS),
         "splits": splits,
+        **sealed,
         "control_rate_hz": 10.0,
         "max_steps": options.get("max_steps", 10),
         "max_chunk": max_chunk,

@@ -25,7 +25,8 @@ _DEFAULT_EPISODES = 10
 BenchmarkId = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,63}$")]
 Name = Annotated[str, Field(min_length=1, max_length=200)]
 Reference = Annotated[str, Field(pattern=r"^.+:[A-Za-z_][A-Za-z0-9_]*$")]
-Seed = Annotated[int, Field(ge=0, le=2**32 - 1)]
+SEED_MAX = 2**32 - 1  # some environments take no larger one
+Seed = Annotated[int, Field(ge=0, le=SEED_MAX)]
 Rotation = Literal[
     "none",
     "quaternion_wxyz",
@@ -52,13 +53,18 @@ class Task(_Strict):
 
 
 class Split(_Strict):
-    """Every task with every seed. seeds: a list, or first_seed and episodes."""
+    """Every task with every seed. seeds: a list, or first_seed and episodes.
+
+    sealed: the host draws the seeds in secret; by default, in a split `test` that names
+    none.
+    """
 
     name: Name
     seeds: list[Seed] = []
-    first_seed: Seed = 0
+    first_seed: Seed | None = None
     episodes: Annotated[int, Field(ge=1, le=100_000)] | None = None
     tasks: list[str] | None = None
+    sealed: bool | None = None
 
     @model_validator(mode="after")
     def _has_seeds(self) -> Self:
@@ -68,12 +74,25 @@ class Split(_Strict):
             )
         if len(set(self.seeds)) < len(self.seeds):
             raise ValueError("seeds has a number twice")
+        if self.sealed and self.names_seeds:
+            raise ValueError("sealed = true takes episodes = N alone, and no seeds")
         return self
+
+    @property
+    def names_seeds(self) -> bool:
+        return bool(self.seeds) or self.first_seed is not None
+
+    @property
+    def is_sealed(self) -> bool:
+        if self.sealed is None:
+            return self.name == "test" and not self.names_seeds
+        return self.sealed
 
     def all_seeds(self) -> list[int]:
         if self.episodes is None:
             return self.seeds
-        return list(range(self.first_seed, self.first_seed + self.episodes))
+        first = self.first_seed or 0
+        return list(range(first, first + self.episodes))
 
 
 class Success(_Strict):

@@ -11,6 +11,7 @@ from __future__ import annotations
 import json
 import os
 import random
+import re
 import sys
 import time
 import warnings
@@ -260,8 +261,15 @@ def _lines(said: Mapping[str, list[str]]) -> list[str]:
     lines = []
     for text, tasks in said.items():
         more = f" (and {len(tasks) - 1} more)" if len(tasks) > 1 else ""
-        lines.append(f"task {tasks[0]}{more}: {text}" if tasks[0] else text)
+        line = f"task {tasks[0]}{more}: {text}" if tasks[0] else text
+        lines.append(line + _cure(text))
     return lines
+
+
+def _cure(text: str) -> str:
+    """Gymnasium says how it is installed, but not where."""
+    needed = re.search(r"is not installed.*(gymnasium\[[a-z0-9-]+\])", text)
+    return "" if needed is None else f"; here: make add PACKAGE='{needed[1]}'"
 
 
 def main() -> None:

@@ -208,6 +208,8 @@ class PlanDraft:
         tasks = [task["name"] for task in self.tasks]
         episodes = benchmark.episodes(tasks)
         used = {episode["split"] for episode in episodes}
+        splits = [split for split in benchmark.splits if split.name in used]
+        sealed = [split.name for split in splits if split.is_sealed]
         return {
             "benchmark_id": benchmark.benchmark_id,
             "version": benchmark.version,
@@ -217,7 +219,8 @@ class PlanDraft:
             "episodes_total": len(episodes),
             "episodes": episodes,
             "tasks": tasks,
-            "splits": [s.name for s in benchmark.splits if s.name in used],
+            "splits": [split.name for split in splits],
+            **({"sealed_splits": sealed} if sealed else {}),
             "control_rate_hz": float(self.rate_hz or 1.0),
             "max_steps": self.plan["max_steps"],
             "max_attempts": 3,

@@ -22,7 +22,12 @@ from typing import IO, Any
 
 from reference_sim.definition import BenchmarkDefinition, Json
 from reference_sim.gymnasium import BadBenchmark
-from reference_sim.gymnasium.benchmark_file import BUNDLED_BENCHMARKS, Benchmark, read
+from reference_sim.gymnasium.benchmark_file import (
+    BUNDLED_BENCHMARKS,
+    SEED_MAX,
+    Benchmark,
+    read,
+)
 from reference_sim.interface import Simulator
 from reference_sim.mujoco import rendering
 
@@ -68,7 +73,7 @@ def _definition(plan: Json, manifest: Json) -> BenchmarkDefinition:
             "success_scored_tasks": scored,
         }
 
-    return BenchmarkDefinition(describe, settings, make)
+    return BenchmarkDefinition(describe, settings, make, seed_max=SEED_MAX)
 
 
 def make(settings: Mapping[str, Any]) -> Simulator:

@@ -71,6 +71,7 @@ def load() -> dict[str, Mutant]:
         push,
         record,
         restarts,
+        sealed_seeds,
         sessions,
         shown_members,
         simulators,

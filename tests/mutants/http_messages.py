@@ -32,7 +32,7 @@ def accepts_tokens_with_more_letters() -> None:
     def wrong(self: auth.Tokens, authorization: str | None, scope: str) -> auth.Caller:
         text = authorization or ""
         for end in range(len(text), max(len(text) - 3, 8), -1):
-            if auth._hash(text[7:end]) in self._by_hash:
+            if auth.hash_of(text[7:end]) in self._by_hash:
                 return right(self, text[:end], scope)
         return right(self, authorization, scope)
 

@@ -38,6 +38,7 @@ OWN_TESTS = {
     "reference_server/profiles/ebench/lost_answers.py": ("test_lost_answers.py",),
     "reference_server/profiles/ebench/pickle_reader.py": ("test_pickle_reader.py",),
     "reference_server/rules/scoring.py": ("test_scoring.py",),
+    "reference_server/rules/manifest.py": ("test_manifest.py",),
     "reference_server/rules/submission.py": ("test_submission.py",),
     "reference_server/rules/action_space.py": ("test_action_space.py",),
     "conformance/oracle/expected_comparison.py": ("test_expected_comparison.py",),

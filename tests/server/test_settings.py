@@ -94,6 +94,8 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         "public_url": ("http://a", "https://b"),
         "allowed_hosts": ("a.example", "*.b.example,c.example"),
         "log_level": ("info", "debug"),
+        "log_format": ("json", "text"),
+        "access_log": ("on", "off"),
         "allow_private_policies": ("127.0.0.1", "10.0.0.0/8,fd00::/8"),
         "profiles": ("ebench", "flageval,ebench"),
         "flageval_modes": ("NLP:Qnext=quiz", "MM:*=quiz,NLP:XLC_train=calibration"),

@@ -90,8 +90,11 @@ def test_every_item_of_the_manifest_has_a_slot_of_its_own() -> None:
     assert sorted(map(int, filter(lambda s: s is not None, slots))) == list(  # type: ignore[arg-type]
         range(2 * BLOCK * len(TASKS))
     )
-    for plan in (("count", 5999, "val"), ("count", 6012, "val"), ("count", 6000, "")):
-        assert questions._slot(*plan) is None
+    assert questions._slot("count", 6000, "") is None
+    drawn_by_a_host = BLOCK * 123_457
+    assert questions._slot("count", drawn_by_a_host, "test") == questions._slot(
+        "count", FIRST_SEEDS["test"], "test"
+    )
 
 
 def test_the_picture_of_an_item_is_drawn_once(

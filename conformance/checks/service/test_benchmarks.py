@@ -90,6 +90,16 @@ def digest_of(context: CheckContext, **members: Any) -> str:
     return digest
 
 
+def sealed_choices(context: CheckContext, tasks: list[str]) -> list[dict[str, Any]]:
+    """Give the options with sealed seeds, if there are any; expect one hash of them."""
+    if not context.offers("sealed_seeds"):
+        return []
+    options = {"tasks": tasks, "sealed": True}
+    first, second = (digest_of(context, options=options) for _ in range(2))
+    expect.equal(first, second, "manifest_sha256 of two runs with sealed seeds")
+    return [options]
+
+
 @requirement("BEN-005")
 def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
     """Runs whose options differ in one choice, and runs with the same choices.
@@ -114,6 +124,7 @@ def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
         expect.equal(found, first, f"manifest_sha256 with {members}")
     seen = {first: "the first choices"}
     for options in (
+        *sealed_choices(context, tasks),
         {"tasks": ["count", "score"]},
         {"tasks": ["score", "echo"]},
         {"tasks": ["score"]},

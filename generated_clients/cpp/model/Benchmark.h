@@ -26,6 +26,8 @@ struct Benchmark {
     std::int32_t episodes_total{};
     std::vector<std::string> tasks{};
     std::vector<std::string> splits{};
+    std::optional<std::vector<std::string>> sealed_splits{}; // Splits whose seeds the host draws in secret; none when absent.
+    std::optional<std::string> seeds_sha256{}; // What the host commits itself to without showing it, the SHA-256 of a secret salt and the sealed seeds. With both disclosed later, anyone can prove which seeds were played.
     double control_rate_hz{}; // Actions per simulated second.
     std::int32_t max_steps{}; // Steps after which an episode is truncated.
     std::int32_t max_chunk{};
@@ -48,6 +50,8 @@ struct Benchmark {
         visitor.required("episodes_total", self.episodes_total);
         visitor.required("tasks", self.tasks);
         visitor.required("splits", self.splits);
+        visitor.optional("sealed_splits", self.sealed_splits);
+        visitor.optional("seeds_sha256", self.seeds_sha256);
         visitor.required("control_rate_hz", self.control_rate_hz);
         visitor.required("max_steps", self.max_steps);
         visitor.required("max_chunk", self.max_chunk);

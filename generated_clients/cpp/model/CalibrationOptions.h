@@ -19,6 +19,7 @@ struct CalibrationOptions {
     std::optional<SuccessRule> success_rule{};
     std::optional<std::int32_t> max_attempts{}; // 3 when absent.
     std::optional<std::int32_t> max_faults{}; // 3 when absent.
+    std::optional<bool> sealed{}; // Whether the seeds of the split `odd` are sealed; false when absent. Only for servers that announce the profile `sealed_seeds`.
     std::optional<double> queue_s{}; // Seconds for which the run stays queued after submit and after resume; 0 when absent.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
@@ -27,6 +28,7 @@ struct CalibrationOptions {
         visitor.optional("success_rule", self.success_rule);
         visitor.optional("max_attempts", self.max_attempts);
         visitor.optional("max_faults", self.max_faults);
+        visitor.optional("sealed", self.sealed);
         visitor.optional("queue_s", self.queue_s);
     }
 };

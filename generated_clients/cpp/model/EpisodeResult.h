@@ -20,7 +20,7 @@ struct EpisodeResult {
     std::int32_t index{};
     std::string task{};
     std::string split{};
-    std::int64_t seed{};
+    std::optional<std::int64_t> seed{}; // Absent where `sealed_splits` of the benchmark names the split.
     std::int32_t attempt{};
     std::int32_t faults{};
     Outcome outcome{};
@@ -39,7 +39,7 @@ struct EpisodeResult {
         visitor.required("index", self.index);
         visitor.required("task", self.task);
         visitor.required("split", self.split);
-        visitor.required("seed", self.seed);
+        visitor.optional("seed", self.seed);
         visitor.required("attempt", self.attempt);
         visitor.required("faults", self.faults);
         visitor.required("outcome", self.outcome);

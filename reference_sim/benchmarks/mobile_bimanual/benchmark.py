@@ -96,6 +96,7 @@ def _describe(
         "episodes": episodes,
         "tasks": list(tasks),
         "splits": list(FIRST_SEEDS),
+        "sealed_splits": ["test"],
         "control_rate_hz": float(CONTROL_RATE_HZ),
         "max_steps": MAX_STEPS,
         "max_chunk": max_chunk,

@@ -69,6 +69,7 @@ def _describe(options: Mapping[str, Any], max_chunk: int) -> Json:  # noqa: ARG0
         "episodes": episodes,
         "tasks": list(TASKS),
         "splits": list(FIRST_SEEDS),
+        "sealed_splits": ["test"],
         "control_rate_hz": 1.0,  # nothing moves
         "max_steps": 1,
         "max_chunk": 1,
@@ -102,6 +103,6 @@ def _make(settings: Mapping[str, Any]) -> Simulator:
 
 BENCHMARKS = {
     "question_answering": BenchmarkDefinition(
-        _describe, dict, _make, unavailable=without_pictures
+        _describe, dict, _make, unavailable=without_pictures, seed_block=BLOCK
     ),
 }

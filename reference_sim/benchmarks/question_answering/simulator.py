@@ -86,9 +86,11 @@ class QuestionSimulator:
 
 
 def _slot(task: str, seed: int, split: str) -> int | None:
-    """The place of an item among those of the manifest; None for any other item."""
-    place = seed - FIRST_SEEDS.get(split, seed + 1)
-    if not 0 <= place < BLOCK:
+    """The place of an item among those of a manifest; None if the split is in none.
+
+    A split is one whole block of seeds, wherever a host has drawn it.
+    """
+    if split not in FIRST_SEEDS:
         return None
     block = list(FIRST_SEEDS).index(split) * BLOCK
-    return (block + place) * len(TASKS) + TASKS.index(task)
+    return (block + seed % BLOCK) * len(TASKS) + TASKS.index(task)

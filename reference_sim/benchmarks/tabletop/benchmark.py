@@ -54,6 +54,7 @@ def _describe_tabletop(options: Mapping[str, Any], max_chunk: int) -> Json:  # n
         "episodes": episodes,
         "tasks": list(TASKS),
         "splits": list(FIRST_SEEDS),
+        "sealed_splits": ["test"],
         "control_rate_hz": float(CONTROL_RATE_HZ),
         "max_steps": MAX_STEPS,
         "max_chunk": max_chunk,

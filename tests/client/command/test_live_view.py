@@ -18,9 +18,11 @@ from tests.support.client.command import (
     options,
     start_proctor,
 )
+from tests.support.paths import ROOT
 from tests.support.servers import TIMEOUT_S, ReferenceServer
 from tests.support.waiting import wait_until
 
+PAGE = ROOT / "reference_client" / "view" / "page.html"
 URL = re.compile(r"Live view: (http://127\.0\.0\.1:\d+/)")
 
 
@@ -76,6 +78,11 @@ def test_the_page_shows_the_observations_of_the_workers(
         data = base64.b64decode(seen["images"]["pattern"])
         assert PIL.Image.open(io.BytesIO(data)).size == (64, 48)
 
+        count = seen["values"]
+        assert count["count"] == "0.000"
+        assert count["action: success"] == "1.000"
+        assert (seen["fault"], seen["results"], state["results"]) == ("", [], [])
+
         status, page, headers = http_get(url, "/")
         assert status == 200
         assert "default-src 'none'" in headers["Content-Security-Policy"]
@@ -87,3 +94,82 @@ def test_the_page_shows_the_observations_of_the_workers(
     assert process.returncode == 0
     with pytest.raises(OSError, match="refused"):
         http_get(url, "/")
+
+
+@pytest.mark.parametrize("processes", [[], ["--processes"]])
+def test_the_page_lists_the_episodes_that_ended(
+    server: ReferenceServer, policy_folder: Path, processes: list[str]
+) -> None:
+    """A policy held in its third episode. Expect the two before, in their order."""
+    (policy_folder / "held.py").write_text(
+        "import pathlib, time, policies\n"
+        "class Held(policies.Graded):\n"
+        "    episodes = 0\n"
+        "    def reset(self, instruction):\n"
+        "        self.episodes += 1\n"
+        "    def act(self, observation):\n"
+        "        while observation.episode_id == 'e0002' and observation.step and "
+        "not pathlib.Path('go').exists():\n"
+        "            time.sleep(0.01)\n"
+        "        return super().act(observation)\n"
+    )
+    run = ["run", "--policy", "held:Held", "--view", *processes]
+    tasks = options("score", "count", "score")
+    with start_proctor(policy_folder, server.url, *run, *tasks) as process:
+        errors = policy_folder / "stderr"
+        wait_until(lambda: URL.search(errors.read_text()), "there is a page")
+        found = URL.search(errors.read_text())
+        assert found is not None
+        results: list[Any] = []
+
+        def shows_both() -> bool:
+            results[:] = json.loads(http_get(found[1], "/state.json")[1])["results"]
+            return len(results) == 2
+
+        wait_until(shows_both, "it shows two episodes")
+        assert [one["episode_id"] for one in results] == ["e0000", "e0001"]
+        assert [one["task"] for one in results] == ["score", "count"]
+        assert {type(one["score"]) for one in results} == {float}
+        (policy_folder / "go").touch()
+        process.communicate(timeout=TIMEOUT_S)
+    assert process.returncode == 0
+
+
+def contrast(first: str, second: str) -> float:
+    """The contrast of two colours `#rrggbb` or `#rgb`, as WCAG 2 has it."""
+
+    def luminance(colour: str) -> float:
+        digits = colour[1:]
+        if len(digits) == 3:
+            digits = "".join(2 * digit for digit in digits)
+        shares = [int(digits[i : i + 2], 16) / 255 for i in (0, 2, 4)]
+        linear = [
+            share / 12.92 if share <= 0.04045 else ((share + 0.055) / 1.055) ** 2.4
+            for share in shares
+        ]
+        return sum(w * c for w, c in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
+
+    low, high = sorted((luminance(first), luminance(second)))
+    return (high + 0.05) / (low + 0.05)
+
+
+def test_texts_can_be_read_on_both_grounds() -> None:
+    """Expect 4.5:1 of every colour of a text, in the light and in the dark."""
+    page = PAGE.read_text()
+    grounds = re.findall(r"--ground: (#\w+)(.*?)}", page, re.DOTALL)
+    assert len(grounds) == 2
+    for ground, rest in grounds:
+        colours = dict(re.findall(r"--(\w+): (#\w+)", rest))
+        assert {"text", "soft", "good", "bad", "wait"} <= colours.keys()
+        for name, colour in colours.items():
+            least = 1.3 if name == "line" else 4.5
+            assert contrast(colour, ground) >= least, (name, ground)
+
+
+def test_the_page_names_its_live_region_and_pretends_no_end() -> None:
+    page = PAGE.read_text()
+    assert 'role="status" aria-live="polite"' in page
+    assert "document.title" in page
+    assert "The evaluation has ended" not in page
+    assert "The run has not ended by that" in page
+    assert "replaceChildren" not in page, "marked text is lost"

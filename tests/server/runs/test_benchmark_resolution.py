@@ -7,6 +7,7 @@ import pytest
 
 from reference_server.runs import benchmarks
 from reference_server.runs.benchmarks import Benchmarks, SimulatorConfigs
+from reference_server.runs.seed_secret import SeedSecret
 from reference_sim import benchmark_registry
 from tests.support.server.server_parts import calibration_run
 
@@ -23,7 +24,7 @@ def test_a_simulator_configuration_is_resolved_once_per_choice(
         return right(benchmark_id, *rest, **named)
 
     monkeypatch.setattr(benchmark_registry, "resolve", resolve)
-    configs = SimulatorConfigs()
+    configs = SimulatorConfigs(SeedSecret())
     assert configs.find(one) == configs.find(same) == configs.find(one)
     assert len(resolved) == 1
     configs.find(other)
@@ -33,7 +34,7 @@ def test_a_simulator_configuration_is_resolved_once_per_choice(
 def test_runs_of_one_manifest_share_it(monkeypatch: pytest.MonkeyPatch) -> None:
     """A thousand finished runs took twenty megabytes."""
     monkeypatch.setattr(benchmarks, "SHARED_MANIFESTS_MAX", 2)
-    found = Benchmarks(64)
+    found = Benchmarks(64, SeedSecret())
 
     def manifest(task: str) -> Any:
         submission: Any = {"benchmark_id": "calibration", "options": {"tasks": [task]}}

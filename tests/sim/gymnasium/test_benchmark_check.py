@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from reference_sim.definition import Json
-from reference_sim.gymnasium import BadBenchmark, registration
+from reference_sim.gymnasium import BadBenchmark, check, registration
 from reference_sim.gymnasium.__main__ import main
 from reference_sim.gymnasium.benchmark_file import Benchmark
 from reference_sim.gymnasium.check import BenchmarkCheck
@@ -314,3 +314,19 @@ def test_a_server_with_an_invalid_benchmark_exits_with_one_line(tmp_path: Path) 
     assert done.stderr == (
         f"proctor: {file}: max_steps: Input should be greater than or equal to 1\n"
     )
+
+
+def test_a_missing_package_is_named_with_the_command_that_adds_it() -> None:
+    """As Gymnasium says it of LunarLander and CartPole."""
+    texts = {
+        "no camera: pygame is not installed, run "
+        '`pip install "gymnasium[classic-control]"`': "gymnasium[classic-control]",
+        "Box2D is not installed, you can install it by run `pip install swig` "
+        'followed by `pip install "gymnasium[box2d]"`': "gymnasium[box2d]",
+    }
+    for text, package in texts.items():
+        (line,) = check._lines({text: [""]})
+        assert line == f"{text}; here: make add PACKAGE='{package}'"
+    assert check._lines({"no step limit is stated": [""]}) == [
+        "no step limit is stated"
+    ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,7 @@ from reference_sim.gymnasium import BadBenchmark
 from reference_sim.gymnasium.benchmark_file import (
     BUNDLED_BENCHMARKS,
     Benchmark,
+    Split,
     legal_id,
     read,
 )
@@ -201,3 +203,29 @@ def test_meta_world_has_fifty_tasks_with_distinct_instructions() -> None:
     assert all(task.kwargs == {"task": task.name} for task in benchmark.tasks)
     assert len(benchmark.episodes([task.name for task in benchmark.tasks])) == 500
     assert benchmark.success_rule == "any_step"
+
+
+@pytest.mark.parametrize(
+    ("text", "sealed"),
+    [
+        ("name = 'test'\nepisodes = 2", True),
+        ("name = 'test'\nepisodes = 2\nsealed = false", False),
+        ("name = 'test'\nepisodes = 2\nfirst_seed = 0", False),
+        ("name = 'test'\nseeds = [1]", False),
+        ("name = 'hidden'\nepisodes = 2", False),
+        ("name = 'hidden'\nepisodes = 2\nsealed = true", True),
+    ],
+)
+def test_a_split_is_sealed_if_it_is_the_test_and_names_no_seeds(
+    text: str, sealed: bool
+) -> None:
+    """Also when the file was read and written again, as for the check process."""
+    split = Split.model_validate(tomllib.loads(text))
+    assert split.is_sealed == sealed
+    assert Split.model_validate(split.model_dump()).is_sealed == sealed
+
+
+@pytest.mark.parametrize("named", ["seeds = [1]", "episodes = 2\nfirst_seed = 3"])
+def test_a_sealed_split_names_no_seeds(named: str) -> None:
+    with pytest.raises(ValueError, match="takes episodes = N alone"):
+        Split.model_validate(tomllib.loads(f"name = 's'\nsealed = true\n{named}"))

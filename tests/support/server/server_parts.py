@@ -23,6 +23,7 @@ from reference_server.rules.run import Episode, Result, Run
 from reference_server.rules.submission import SubmissionLimits
 from reference_server.runs.benchmarks import Benchmarks, digest
 from reference_server.runs.registry import RunRegistry
+from reference_server.runs.seed_secret import SeedSecret
 from reference_server.runs.service import RunService
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.store import Store
@@ -115,10 +116,11 @@ async def open_server_parts(
     validator = PolicyServerValidator()
     registry = RunRegistry(store, active_max, on_run_lost, on_change)
     pool = SimulatorPool(4, 0, TIMEOUT_S)
-    executor = SessionExecutor(registry, pool, recordings=recordings)
+    seed_secret = SeedSecret()
+    executor = SessionExecutor(registry, pool, seed_secret, recordings=recordings)
     service = RunService(
         SubmissionLimits(16, 600.0),
-        Benchmarks(64),
+        Benchmarks(64, seed_secret),
         registry,
         executor,
         validator.validate_and_encrypt,

@@ -31,6 +31,8 @@ class Benchmark(BaseModel):
     episodes_total: Annotated[int, Field(strict=True, ge=1)]
     tasks: Annotated[List[StrictStr], Field(max_length=100000)]
     splits: Annotated[List[StrictStr], Field(max_length=100000)]
+    sealed_splits: Optional[Annotated[List[StrictStr], Field(max_length=100000)]] = Field(default=None, description="Splits whose seeds the host draws in secret; none when absent.")
+    seeds_sha256: Optional[Annotated[str, Field(strict=True)]] = Field(default=None, description="What the host commits itself to without showing it, the SHA-256 of a secret salt and the sealed seeds. With both disclosed later, anyone can prove which seeds were played.")
     control_rate_hz: Union[StrictFloat, StrictInt] = Field(description="Actions per simulated second.")
     max_steps: Annotated[int, Field(strict=True, ge=1)] = Field(description="Steps after which an episode is truncated.")
     max_chunk: Annotated[int, Field(strict=True, ge=1)]
@@ -44,11 +46,21 @@ class Benchmark(BaseModel):
     simulator: SimulatorInfo
     unavailable_reason: Optional[StrictStr] = Field(description="Why a run cannot be submitted here now, and the cure; null when it can.")
     additional_properties: Dict[str, Any] = {}
-    __properties: ClassVar[List[str]] = ["benchmark_id", "version", "title", "description", "manifest_sha256", "episodes_total", "tasks", "splits", "control_rate_hz", "max_steps", "max_chunk", "max_attempts", "max_faults", "success_rule", "action_space", "observation_space", "image_sizes", "image_codecs", "simulator", "unavailable_reason"]
+    __properties: ClassVar[List[str]] = ["benchmark_id", "version", "title", "description", "manifest_sha256", "episodes_total", "tasks", "splits", "sealed_splits", "seeds_sha256", "control_rate_hz", "max_steps", "max_chunk", "max_attempts", "max_faults", "success_rule", "action_space", "observation_space", "image_sizes", "image_codecs", "simulator", "unavailable_reason"]
 
     @field_validator('manifest_sha256', mode="before")
     def manifest_sha256_validate_regular_expression(cls, value):
         """Validates the regular expression"""
+        if isinstance(value, str) and not re.match(r"^[0-9a-f]{64}$", value):
+            raise ValueError(r"must validate the regular expression /^[0-9a-f]{64}$/")
+        return value
+
+    @field_validator('seeds_sha256', mode="before")
+    def seeds_sha256_validate_regular_expression(cls, value):
+        """Validates the regular expression"""
+        if value is None:
+            return value
+
         if isinstance(value, str) and not re.match(r"^[0-9a-f]{64}$", value):
             raise ValueError(r"must validate the regular expression /^[0-9a-f]{64}$/")
         return value
@@ -149,6 +161,8 @@ class Benchmark(BaseModel):
             "episodes_total": obj.get("episodes_total"),
             "tasks": obj.get("tasks"),
             "splits": obj.get("splits"),
+            "sealed_splits": obj.get("sealed_splits"),
+            "seeds_sha256": obj.get("seeds_sha256"),
             "control_rate_hz": obj.get("control_rate_hz"),
             "max_steps": obj.get("max_steps"),
             "max_chunk": obj.get("max_chunk"),

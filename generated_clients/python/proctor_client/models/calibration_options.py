@@ -8,7 +8,7 @@ import pprint
 import re  # noqa: F401
 import json
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, StrictBool
 from typing import Any, ClassVar, Dict, List, Optional, Union
 from typing_extensions import Annotated
 from proctor_client.models.calibration_task import CalibrationTask
@@ -26,8 +26,9 @@ class CalibrationOptions(BaseModel):
     success_rule: Optional[SuccessRule] = None
     max_attempts: Optional[Annotated[int, Field(le=10, strict=True, ge=1)]] = Field(default=None, description="3 when absent.")
     max_faults: Optional[Annotated[int, Field(le=10, strict=True, ge=1)]] = Field(default=None, description="3 when absent.")
+    sealed: Optional[StrictBool] = Field(default=None, description="Whether the seeds of the split `odd` are sealed; false when absent. Only for servers that announce the profile `sealed_seeds`.")
     queue_s: Optional[Union[Annotated[float, Field(le=10, strict=True, ge=0)], Annotated[int, Field(le=10, strict=True, ge=0)]]] = Field(default=None, description="Seconds for which the run stays queued after submit and after resume; 0 when absent.")
-    __properties: ClassVar[List[str]] = ["tasks", "max_steps", "success_rule", "max_attempts", "max_faults", "queue_s"]
+    __properties: ClassVar[List[str]] = ["tasks", "max_steps", "success_rule", "max_attempts", "max_faults", "sealed", "queue_s"]
 
     model_config = ConfigDict(
         validate_by_name=True,
@@ -85,6 +86,7 @@ class CalibrationOptions(BaseModel):
             "success_rule": obj.get("success_rule"),
             "max_attempts": obj.get("max_attempts"),
             "max_faults": obj.get("max_faults"),
+            "sealed": obj.get("sealed"),
             "queue_s": obj.get("queue_s")
         })
         return _obj

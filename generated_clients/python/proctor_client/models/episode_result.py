@@ -26,7 +26,7 @@ class EpisodeResult(BaseModel):
     index: Annotated[int, Field(strict=True, ge=0)]
     task: StrictStr
     split: StrictStr
-    seed: Annotated[int, Field(le=9007199254740991, strict=True, ge=0)]
+    seed: Optional[Annotated[int, Field(le=9007199254740991, strict=True, ge=0)]] = Field(default=None, description="Absent where `sealed_splits` of the benchmark names the split.")
     attempt: Annotated[int, Field(strict=True, ge=1)]
     faults: Annotated[int, Field(strict=True, ge=0)]
     outcome: Outcome

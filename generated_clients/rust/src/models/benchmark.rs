@@ -23,6 +23,12 @@ pub struct Benchmark {
     pub tasks: Vec<String>,
     #[serde(rename = "splits")]
     pub splits: Vec<String>,
+    /// Splits whose seeds the host draws in secret; none when absent.
+    #[serde(rename = "sealed_splits", skip_serializing_if = "Option::is_none")]
+    pub sealed_splits: Option<Vec<String>>,
+    /// What the host commits itself to without showing it, the SHA-256 of a secret salt and the sealed seeds. With both disclosed later, anyone can prove which seeds were played.
+    #[serde(rename = "seeds_sha256", skip_serializing_if = "Option::is_none")]
+    pub seeds_sha256: Option<String>,
     /// Actions per simulated second.
     #[serde(rename = "control_rate_hz")]
     pub control_rate_hz: f64,
@@ -68,6 +74,8 @@ impl Benchmark {
             episodes_total,
             tasks,
             splits,
+            sealed_splits: None,
+            seeds_sha256: None,
             control_rate_hz,
             max_steps,
             max_chunk,

@@ -20,6 +20,9 @@ pub struct CalibrationOptions {
     /// 3 when absent.
     #[serde(rename = "max_faults", skip_serializing_if = "Option::is_none")]
     pub max_faults: Option<i32>,
+    /// Whether the seeds of the split `odd` are sealed; false when absent. Only for servers that announce the profile `sealed_seeds`.
+    #[serde(rename = "sealed", skip_serializing_if = "Option::is_none")]
+    pub sealed: Option<bool>,
     /// Seconds for which the run stays queued after submit and after resume; 0 when absent.
     #[serde(rename = "queue_s", skip_serializing_if = "Option::is_none")]
     pub queue_s: Option<f64>,
@@ -34,6 +37,7 @@ impl CalibrationOptions {
             success_rule: None,
             max_attempts: None,
             max_faults: None,
+            sealed: None,
             queue_s: None,
         }
     }

@@ -13,8 +13,9 @@ pub struct EpisodeResult {
     pub task: String,
     #[serde(rename = "split")]
     pub split: String,
-    #[serde(rename = "seed")]
-    pub seed: i64,
+    /// Absent where `sealed_splits` of the benchmark names the split.
+    #[serde(rename = "seed", skip_serializing_if = "Option::is_none")]
+    pub seed: Option<i64>,
     #[serde(rename = "attempt")]
     pub attempt: i32,
     #[serde(rename = "faults")]
@@ -45,13 +46,13 @@ pub struct EpisodeResult {
 }
 
 impl EpisodeResult {
-    pub fn new(episode_id: String, index: i32, task: String, split: String, seed: i64, attempt: i32, faults: i32, outcome: models::Outcome, score: f64, steps: i32, terminated: bool, truncated: bool, think_s: f64, finished_at: chrono::DateTime<chrono::FixedOffset>) -> EpisodeResult {
+    pub fn new(episode_id: String, index: i32, task: String, split: String, attempt: i32, faults: i32, outcome: models::Outcome, score: f64, steps: i32, terminated: bool, truncated: bool, think_s: f64, finished_at: chrono::DateTime<chrono::FixedOffset>) -> EpisodeResult {
         EpisodeResult {
             episode_id,
             index,
             task,
             split,
-            seed,
+            seed: None,
             attempt,
             faults,
             outcome,

@@ -74,6 +74,14 @@ export interface Benchmark {
      */
     splits: Array<string>;
     /**
+     * Splits whose seeds the host draws in secret; none when absent.
+     */
+    sealed_splits?: Set<string>;
+    /**
+     * What the host commits itself to without showing it, the SHA-256 of a secret salt and the sealed seeds. With both disclosed later, anyone can prove which seeds were played.
+     */
+    seeds_sha256?: string;
+    /**
      * Actions per simulated second.
      */
     control_rate_hz: number;
@@ -169,6 +177,8 @@ export function BenchmarkFromJSONTyped(json: any, ignoreDiscriminator: boolean):
         'episodes_total': json['episodes_total'],
         'tasks': json['tasks'],
         'splits': json['splits'],
+        'sealed_splits': json['sealed_splits'] == null ? undefined : new Set(json['sealed_splits']),
+        'seeds_sha256': json['seeds_sha256'] == null ? undefined : json['seeds_sha256'],
         'control_rate_hz': json['control_rate_hz'],
         'max_steps': json['max_steps'],
         'max_chunk': json['max_chunk'],
@@ -204,6 +214,8 @@ export function BenchmarkToJSONTyped(value?: Benchmark | null, ignoreDiscriminat
         'episodes_total': value['episodes_total'],
         'tasks': value['tasks'],
         'splits': value['splits'],
+        'sealed_splits': value['sealed_splits'] == null ? undefined : Array.from(value['sealed_splits'] as Set<any>),
+        'seeds_sha256': value['seeds_sha256'],
         'control_rate_hz': value['control_rate_hz'],
         'max_steps': value['max_steps'],
         'max_chunk': value['max_chunk'],

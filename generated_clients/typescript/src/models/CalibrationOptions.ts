@@ -47,6 +47,10 @@ export interface CalibrationOptions {
      */
     max_faults?: number;
     /**
+     * Whether the seeds of the split `odd` are sealed; false when absent. Only for servers that announce the profile `sealed_seeds`.
+     */
+    sealed?: boolean;
+    /**
      * Seconds for which the run stays queued after submit and after resume; 0 when absent.
      */
     queue_s?: number;
@@ -76,6 +80,7 @@ export function CalibrationOptionsFromJSONTyped(json: any, ignoreDiscriminator: 
         'success_rule': json['success_rule'] == null ? undefined : SuccessRuleFromJSON(json['success_rule']),
         'max_attempts': json['max_attempts'] == null ? undefined : json['max_attempts'],
         'max_faults': json['max_faults'] == null ? undefined : json['max_faults'],
+        'sealed': json['sealed'] == null ? undefined : json['sealed'],
         'queue_s': json['queue_s'] == null ? undefined : json['queue_s'],
     };
 }
@@ -96,6 +101,7 @@ export function CalibrationOptionsToJSONTyped(value?: CalibrationOptions | null,
         'success_rule': SuccessRuleToJSON(value['success_rule']),
         'max_attempts': value['max_attempts'],
         'max_faults': value['max_faults'],
+        'sealed': value['sealed'],
         'queue_s': value['queue_s'],
     };
 }

@@ -44,9 +44,9 @@ export interface EpisodeResult {
      */
     split: string;
     /**
-     *
+     * Absent where `sealed_splits` of the benchmark names the split.
      */
-    seed: number;
+    seed?: number;
     /**
      *
      */
@@ -107,7 +107,6 @@ export function instanceOfEpisodeResult(value: object): value is EpisodeResult {
     if (!('index' in value) || value['index'] === undefined) return false;
     if (!('task' in value) || value['task'] === undefined) return false;
     if (!('split' in value) || value['split'] === undefined) return false;
-    if (!('seed' in value) || value['seed'] === undefined) return false;
     if (!('attempt' in value) || value['attempt'] === undefined) return false;
     if (!('faults' in value) || value['faults'] === undefined) return false;
     if (!('outcome' in value) || value['outcome'] === undefined) return false;
@@ -135,7 +134,7 @@ export function EpisodeResultFromJSONTyped(json: any, ignoreDiscriminator: boole
         'index': json['index'],
         'task': json['task'],
         'split': json['split'],
-        'seed': json['seed'],
+        'seed': json['seed'] == null ? undefined : json['seed'],
         'attempt': json['attempt'],
         'faults': json['faults'],
         'outcome': OutcomeFromJSON(json['outcome']),

@@ -45,6 +45,12 @@ public class Benchmark {
   @javax.annotation.Nonnull
   private List<String> splits;
 
+  @SerializedName("sealed_splits")
+  private Set<String> sealedSplits;
+
+  @SerializedName("seeds_sha256")
+  private String seedsSha256;
+
   @SerializedName("control_rate_hz")
   @javax.annotation.Nonnull
   private Double controlRateHz;
@@ -195,6 +201,34 @@ public class Benchmark {
 
   public void setSplits(List<String> splits) {
     this.splits = splits;
+  }
+
+  /** Splits whose seeds the host draws in secret; none when absent. */
+  public Set<String> getSealedSplits() {
+    return sealedSplits;
+  }
+
+  public Benchmark sealedSplits(Set<String> sealedSplits) {
+    this.sealedSplits = sealedSplits;
+    return this;
+  }
+
+  public void setSealedSplits(Set<String> sealedSplits) {
+    this.sealedSplits = sealedSplits;
+  }
+
+  /** What the host commits itself to without showing it, the SHA-256 of a secret salt and the sealed seeds. With both disclosed later, anyone can prove which seeds were played. */
+  public String getSeedsSha256() {
+    return seedsSha256;
+  }
+
+  public Benchmark seedsSha256(String seedsSha256) {
+    this.seedsSha256 = seedsSha256;
+    return this;
+  }
+
+  public void setSeedsSha256(String seedsSha256) {
+    this.seedsSha256 = seedsSha256;
   }
 
   /** Actions per simulated second. */

@@ -28,6 +28,9 @@ public class CalibrationOptions {
   @SerializedName("max_faults")
   private Integer maxFaults;
 
+  @SerializedName("sealed")
+  private Boolean sealed;
+
   @SerializedName("queue_s")
   private Double queueS;
 
@@ -98,6 +101,20 @@ public class CalibrationOptions {
 
   public void setMaxFaults(Integer maxFaults) {
     this.maxFaults = maxFaults;
+  }
+
+  /** Whether the seeds of the split &#x60;odd&#x60; are sealed; false when absent. Only for servers that announce the profile &#x60;sealed_seeds&#x60;. */
+  public Boolean getSealed() {
+    return sealed;
+  }
+
+  public CalibrationOptions sealed(Boolean sealed) {
+    this.sealed = sealed;
+    return this;
+  }
+
+  public void setSealed(Boolean sealed) {
+    this.sealed = sealed;
   }
 
   /** Seconds for which the run stays queued after submit and after resume; 0 when absent. */

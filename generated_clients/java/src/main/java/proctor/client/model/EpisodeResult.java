@@ -29,7 +29,6 @@ public class EpisodeResult {
   private String split;
 
   @SerializedName("seed")
-  @javax.annotation.Nonnull
   private Long seed;
 
   @SerializedName("attempt")
@@ -129,6 +128,7 @@ public class EpisodeResult {
     this.split = split;
   }
 
+  /** Absent where &#x60;sealed_splits&#x60; of the benchmark names the split. */
   public Long getSeed() {
     return seed;
   }

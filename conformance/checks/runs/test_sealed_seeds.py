@@ -1,0 +1,119 @@
+"""Seeds: which results show them, and what a host may keep secret (SEAL)."""
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+from conformance.checks.support.given_states import submit_and_attach
+from conformance.client.check_context import CheckContext
+from conformance.client.event_reader import follow_run
+from conformance.profiles.record_files import fetched_record
+from conformance.runner.requirement import requirement
+from conformance.verdicts import expect
+from conformance.verdicts.expect import NotApplicable
+
+TASKS = ("score", "echo", "count", "score")
+
+
+def results_in(value: Any) -> Iterator[dict[str, Any]]:
+    """Give every episode or result in an answer, at any depth."""
+    if isinstance(value, dict):
+        if "episode_id" in value:
+            yield value
+        for item in value.values():
+            yield from results_in(item)
+    elif isinstance(value, list):
+        for item in value:
+            yield from results_in(item)
+
+
+def play_and_read(context: CheckContext, **options: Any) -> list[Any]:
+    """Play a run with both splits; give all that was answered about it."""
+    worker = submit_and_attach(context, *TASKS, **options)
+    read: list[Any] = [worker.run.body, worker.turn]
+    while not worker.turn["done"]:
+        read.append(worker.predict(context.action(), observe="all"))
+        read.append(worker.predict(context.action(end=1)))
+        read += [worker.run.get(), worker.run.episodes()]
+    read.append(worker.run.score())
+    if context.offers("events"):
+        with follow_run(worker.run) as reader:
+            events = reader.until(
+                lambda event: (
+                    event.kind == "run" and event.body["state"] == "completed"
+                ),
+                "`run` that is completed",
+            )
+        read += [event.body for event in events]
+    return read
+
+
+def splits_with_a_seed(read: list[Any]) -> dict[str, set[bool]]:
+    """Give for each split whether its results have a seed: all, none, or both."""
+    found: dict[str, set[bool]] = {}
+    for entry in results_in(read):
+        if "outcome" in entry:
+            found.setdefault(entry["split"], set()).add("seed" in entry)
+    return found
+
+
+def sealed_seeds_in_record(context: CheckContext) -> list[dict[str, Any]]:
+    """Play a sealed run; give what its record says of the sealed split with a seed."""
+    worker = submit_and_attach(context, "score", "score", sealed=True)
+    while not worker.turn["done"]:
+        worker.predict(context.action(end=1))
+    record = fetched_record(worker.run.call("fetch_record"))
+    entries = [*record.lines]
+    for name, content in record.files.items():
+        if name == "manifest.json":
+            entries += json.loads(content).get("episodes", [])
+    return [one for one in entries if one.get("split") == "odd" and "seed" in one]
+
+
+@requirement("SEAL-001")
+def test_seal_001_results_have_their_seed(context: CheckContext) -> None:
+    """A run of both splits without sealing. Expect `seed` in every result."""
+    read = play_and_read(context)
+    found = splits_with_a_seed(read)
+    expect.equal(found, {"even": {True}, "odd": {True}}, "results with a `seed`")
+
+
+@requirement("SEAL-002")
+def test_seal_002_sealed_seeds_are_not_shown(context: CheckContext) -> None:
+    """A run whose split `odd` is sealed: its turns, results, lists, events and record.
+
+    Expect no `seed` of that split, and one in every result of the other.
+    """
+    read = play_and_read(context, sealed=True)
+    found = splits_with_a_seed(read)
+    expect.equal(found, {"even": {True}, "odd": {False}}, "results with a `seed`")
+    for entry in results_in(read):
+        shown = entry.get("split") == "odd" and "seed" in entry
+        expect.true(not shown, "no seed of the split `odd`", entry)
+    if context.offers("record"):
+        found_there = sealed_seeds_in_record(context)
+        expect.equal(found_there, [], "sealed seeds in the record")
+
+
+@requirement("SEAL-003")
+def test_seal_003_sealed_splits_have_a_commitment(context: CheckContext) -> None:
+    """Every benchmark of the server that has sealed splits.
+
+    Expect that `splits` has them, and a `seeds_sha256` that no other one shows.
+    """
+    listed = expect.ok(context.call("list_benchmarks"))["benchmarks"]
+    shown: dict[str, str] = {}
+    for summary in listed:
+        name = summary["benchmark_id"]
+        benchmark = expect.ok(context.call("get_benchmark", benchmark_id=name))
+        sealed = benchmark.get("sealed_splits", [])
+        if not sealed:
+            continue
+        unknown = set(sealed) - set(benchmark["splits"])
+        expect.true(not unknown, f"sealed_splits of {name} in splits", sorted(unknown))
+        digest = benchmark.get("seeds_sha256")
+        expect.true(digest is not None, f"seeds_sha256 of {name}", benchmark)
+        expect.true(digest not in shown, "another seeds_sha256", shown.get(digest))
+        shown[digest] = f"{digest} of {name} is that of another benchmark"
+    if not shown:
+        raise NotApplicable("no benchmark of the server has sealed splits")

@@ -1,0 +1,1 @@
+"""Tokens that are made, kept in files, and managed from the command line."""

@@ -1,0 +1,132 @@
+"""`proctor admin token add|list|revoke`: who may use a server of this machine.
+
+It edits the file of tokens, which the server reads again within seconds: no restart.
+A new token is printed once; the file has its hash alone.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from reference_server.http.auth import (
+    READ_ALL,
+    BadTokens,
+    hash_of,
+    new_secret,
+    parse_entry,
+)
+from reference_server.http.tokens.token_file import (
+    edited_lines,
+    parse,
+    read_bytes,
+    token_id,
+)
+from reference_server.settings import Settings
+
+_SCOPES = ("read", "run", READ_ALL)
+_ACCOUNT = r"[A-Za-z0-9_.@-]{1,64}"
+
+
+class AdminError(Exception):
+    """What was asked cannot be done; the text says why, in one line."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Returns the exit code: 0, or 2 with one line on stderr."""
+    args = _parser().parse_args(arguments)
+    try:
+        args.do(_path(args), args)
+    except (AdminError, BadTokens, OSError) as error:
+        print(f"proctor: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+def _path(args: argparse.Namespace) -> Path:
+    path = Path(args.file) if args.file else Settings().tokens_file_path
+    if path is None:
+        raise AdminError("the database is no file; name a file with --file")
+    return path
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="proctor admin", description="Manage a server of this machine."
+    )
+    areas = parser.add_subparsers(metavar="AREA", required=True)
+    token = areas.add_parser("token", help="who may use the server")
+    commands = token.add_subparsers(metavar="COMMAND", required=True)
+    add = commands.add_parser("add", help="make a token and print it, once")
+    add.add_argument("account", metavar="ACCOUNT", help="whose runs it makes and sees")
+    add.add_argument(
+        "--scopes",
+        default="read+run",
+        help="read, run or read+run; with +read_all it reads the runs of all accounts "
+        "(read+run)",
+    )
+    add.set_defaults(do=_add)
+    listed = commands.add_parser("list", help="list tokens by id, without secrets")
+    listed.set_defaults(do=_list)
+    revoke = commands.add_parser("revoke", help="make tokens invalid")
+    revoke.add_argument(
+        "which", metavar="ID|ACCOUNT", help="id of one, or the account for all of its"
+    )
+    revoke.set_defaults(do=_revoke)
+    for command in (add, listed, revoke):
+        command.add_argument(
+            "--file",
+            metavar="FILE",
+            help="file of tokens (that of the server with the settings of this "
+            "environment: var/proctor.sqlite.tokens)",
+        )
+    return parser
+
+
+def _add(path: Path, args: argparse.Namespace) -> None:
+    if not re.fullmatch(_ACCOUNT, args.account):
+        raise AdminError(
+            f"{args.account!r} cannot be an account: letters, digits and _.@- only"
+        )
+    secret = new_secret()
+    line = f"{args.account}:{args.scopes}:sha256={hash_of(secret)}"
+    parse_entry(line, "what was given")
+    with edited_lines(path) as lines:
+        lines.append(line)
+    print(secret)
+    print(
+        f"proctor: token {token_id(hash_of(secret))} of {args.account}, shown this "
+        f"once; its hash is in {path}",
+        file=sys.stderr,
+    )
+
+
+def _list(path: Path, _args: argparse.Namespace) -> None:
+    try:
+        found = parse(read_bytes(path), path)
+    except FileNotFoundError:
+        found = {}
+    for hashed, caller in found.items():
+        scopes = "+".join(one for one in _SCOPES if one in caller.scopes)
+        print(f"{token_id(hashed)}  {scopes:<18}  {caller.account}")
+
+
+def _revoke(path: Path, args: argparse.Namespace) -> None:
+    which, revoked = args.which, []
+    with edited_lines(path) as lines:
+        for line in list(lines):
+            for hashed, caller in parse(line.encode(), path).items():
+                if which in (token_id(hashed), caller.account):
+                    lines.remove(line)
+                    revoked.append(f"{token_id(hashed)} of {caller.account}")
+    if not revoked:
+        raise AdminError(f"no token has the id or the account {which}; see token list")
+    for one in revoked:
+        print(f"revoked {one}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,150 @@
+"""Tokens in a file that may change while the server runs.
+
+A line is `account:scopes:sha256=HEX`; lines that begin with `#` and empty ones are
+skipped. Only hashes stand in it (AUTH-006). The server reads the file again when it
+changes, off the event loop; what cannot be read changes nothing and is logged once.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import fcntl
+import logging
+import os
+import stat
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from reference_server.http.auth import BadTokens, Caller, Tokens, parse_entry
+from reference_server.system.private_files import create_empty
+
+log = logging.getLogger("proctor.tokens")
+
+LOOK_S = 1.0
+BYTES_MAX = 4 * 2**20
+HEAD = "# account:scopes:sha256=HEX, written by `proctor admin token`\n"
+
+
+class TokenFile:
+    """Keeps the tokens of a server as the file says."""
+
+    def __init__(self, path: Path | None, tokens: Tokens) -> None:
+        self._path, self._tokens = path, tokens
+        self._seen: bytes | Exception | None = None
+        self._accounts: dict[str, str] = {}
+
+    def read(self) -> None:
+        """Take over what the file says; a file that never was says nothing.
+
+        Blocks. Raises OSError and BadTokens, and then changes nothing.
+        """
+        if self._path is None:
+            return
+        try:
+            content = read_bytes(self._path)
+        except FileNotFoundError:
+            if self._seen is None:
+                return
+            raise
+        if content != self._seen:
+            by_hash = parse(content, self._path)
+            self._tokens.replace_those_of_file(by_hash)
+            self._seen = content
+            self._log_change(by_hash)
+
+    async def follow(self) -> None:
+        """Read the file again whenever it changes, until cancelled."""
+        complaint = ""
+        while self._path is not None:
+            await asyncio.sleep(LOOK_S)
+            try:
+                await asyncio.to_thread(self.read)
+                complaint = ""
+            except (OSError, BadTokens) as error:
+                if str(error) != complaint:
+                    text = "%s cannot be used, the tokens read before stay valid: %s"
+                    log.error(text, self._path, error)  # noqa: TRY400 - no traceback
+                complaint = str(error)
+
+    def _log_change(self, by_hash: Mapping[str, Caller]) -> None:
+        before = self._accounts
+        self._accounts = {hashed: one.account for hashed, one in by_hash.items()}
+        for what, here, there in (
+            ("added", self._accounts, before),
+            ("revoked", before, self._accounts),
+        ):
+            for hashed in here.keys() - there.keys():
+                log.info("token %s of %s %s", token_id(hashed), here[hashed], what)
+
+
+def token_id(hashed: str) -> str:
+    """What a token is called: it says which one it is, and cannot be used as one."""
+    return hashed[:12]
+
+
+def read_bytes(path: Path) -> bytes:
+    """The content of the file. Raises OSError, also for what is no file of tokens."""
+    # A pipe would block for ever.
+    with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:
+        if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+            raise OSError(f"{path} is no regular file")
+        content = file.read(BYTES_MAX + 1)
+    if len(content) > BYTES_MAX:
+        raise OSError(f"{path} is larger than {BYTES_MAX} bytes")
+    return content
+
+
+def parse(content: bytes, path: Path) -> dict[str, Caller]:
+    """The callers in a file, by the hashes of their tokens. Raises BadTokens."""
+    try:
+        lines = content.decode().splitlines()
+    except UnicodeDecodeError as error:
+        raise BadTokens(f"{path} is no UTF-8 text") from error
+    found: dict[str, Caller] = {}
+    for number, line in enumerate(lines, start=1):
+        if not line.strip() or line.startswith("#"):
+            continue
+        where = f"line {number} of {path}"
+        if ":sha256=" not in line:
+            raise BadTokens(f"{where} has no sha256=HEX: tokens are stored as hashes")
+        hashed, caller = parse_entry(line, where)
+        if hashed in found:
+            raise BadTokens(f"{where} repeats the token {token_id(hashed)}")
+        found[hashed] = caller
+    return found
+
+
+@contextlib.contextmanager
+def edited_lines(path: Path) -> Iterator[list[str]]:
+    """The lines of the file, to be changed; they replace the file at once.
+
+    Two who edit at the same time do so one after the other. Raises OSError and, for a
+    file that the server would refuse, BadTokens.
+    """
+    create_empty(path)
+    lock = path.with_name(f"{path.name}.lock")
+    create_empty(lock)
+    with lock.open() as held:
+        fcntl.flock(held, fcntl.LOCK_EX)
+        content = read_bytes(path)
+        parse(content, path)
+        lines = (content.decode() or HEAD).splitlines()
+        yield lines
+        _replace(path, lines)
+
+
+def _replace(path: Path, lines: Sequence[str]) -> None:
+    """Atomic: a server reads the old file or the new one; its owner's alone."""
+    parse("\n".join(lines).encode(), path)
+    descriptor, temporary = tempfile.mkstemp(dir=path.parent, prefix=f"{path.name}.")
+    try:
+        with os.fdopen(descriptor, "w") as file:
+            file.writelines(f"{line}\n" for line in lines)
+            file.flush()
+            os.fsync(file.fileno())
+        Path(temporary).replace(path)
+    except BaseException:
+        Path(temporary).unlink(missing_ok=True)
+        raise

@@ -1,0 +1,109 @@
+"""What is logged of a run's life: submitted, ready, attached, scored, ended.
+
+A line is logged when the change is stored, with the ids that find it again. It decides
+nothing.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Sequence
+from weakref import WeakKeyDictionary
+
+from reference_server.rules.run import Episode, Run, Session, State
+from reference_server.system.log_output import log_event
+
+log = logging.getLogger("proctor.runs")
+
+
+class RunLog:
+    """Logs what is new of each run since its last line."""
+
+    def __init__(self) -> None:
+        self._states: WeakKeyDictionary[Run, State] = WeakKeyDictionary()
+
+    def note_loaded(self, run: Run) -> None:
+        """Nothing is new of a run that was read."""
+        self._states[run] = run.state
+
+    def log_submitted(self, run: Run) -> None:
+        log_event(
+            log,
+            "run submitted",
+            run_id=run.run_id,
+            account=run.account,
+            benchmark_id=run.manifest["benchmark_id"],
+            policy=run.submission.get("policy", {}).get("name"),
+            episodes=run.total,
+        )
+        self._states[run] = "queued"
+        self.log_stored(run, ())
+
+    def log_stored(self, run: Run, scored: Sequence[Episode]) -> None:
+        """The run was stored with these new results."""
+        for episode in scored:
+            _log_scored(run, episode)
+        self._log_state(run)
+
+    def log_playing(self, run: Run) -> None:
+        """A worker attached, which is in memory alone until an episode ends."""
+        if run.state == "running":
+            self._log_state(run)
+
+    def _log_state(self, run: Run) -> None:
+        if self._states.get(run) == run.state:
+            return
+        self._states[run] = run.state
+        log_event(
+            log,
+            f"run {run.state}",
+            run_id=run.run_id,
+            account=run.account,
+            scored=run.scored,
+            episodes=run.total,
+            reason=run.reason,
+        )
+
+
+def new_results(run: Run) -> list[Episode]:
+    """The episodes whose result is not stored yet."""
+    changed = (run.episodes[index] for index in sorted(run.changed))
+    return [episode for episode in changed if episode.result is not None]
+
+
+def log_attached(run: Run, session: Session) -> None:
+    episode = session.episode
+    log_event(
+        log,
+        "worker attached",
+        run_id=run.run_id,
+        worker_id=session.worker_id,
+        episode_id=None if episode is None else episode.episode_id,
+        attempt=None if episode is None else episode.attempt,
+    )
+
+
+def log_left(run: Run, session: Session) -> None:
+    log_event(
+        log,
+        "worker left",
+        run_id=run.run_id,
+        worker_id=session.worker_id,
+        ended_by=session.ended_by,
+    )
+
+
+def _log_scored(run: Run, episode: Episode) -> None:
+    result = episode.result
+    assert result is not None
+    log_event(
+        log,
+        "episode scored",
+        run_id=run.run_id,
+        episode_id=episode.episode_id,
+        task=episode.task,
+        outcome=result.outcome,
+        score=result.score,
+        steps=result.steps,
+        attempt=result.attempt,
+    )

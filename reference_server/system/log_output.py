@@ -1,0 +1,117 @@
+"""How log lines look: text for people, JSON objects for programs.
+
+Every line that belongs to a request names it: a request keeps the id that it came
+with in `X-Request-Id`, or gets one, and everything that it causes is logged under it.
+No value breaks a line. It must not know what is logged.
+"""
+
+from __future__ import annotations
+
+import json
+import logging
+import re
+import secrets
+from contextvars import ContextVar
+from datetime import UTC, datetime
+from typing import Any, Literal
+
+from uvicorn.config import LOG_LEVELS
+
+REQUEST_ID: ContextVar[str | None] = ContextVar("request_id", default=None)
+ACCESS_LOG = "proctor.access"
+_REQUEST_ID = re.compile(rb"[A-Za-z0-9._-]{1,64}")
+_PLAIN = re.compile(r"[!#-<>-~]+")
+
+
+def request_id_of(header: bytes | None) -> str:
+    """The id that a request came with, if it is fit for a log line; else a new one."""
+    if header is not None and _REQUEST_ID.fullmatch(header):
+        return header.decode()
+    return secrets.token_hex(8)
+
+
+def log_event(
+    log: logging.Logger, text: str, level: int = logging.INFO, **members: Any
+) -> None:
+    """Log an event with its members; None are left out."""
+    if log.isEnabledFor(level):
+        given = {name: one for name, one in members.items() if one is not None}
+        log.log(level, text, extra={"members": given})
+
+
+def log_config(
+    level: str, form: Literal["text", "json"], *, access: bool
+) -> dict[str, Any]:
+    """For `logging.config.dictConfig`: everything to the standard error."""
+    number = LOG_LEVELS[level]
+    loggers: dict[str, Any] = {
+        name: {"level": number, "handlers": ["stderr"], "propagate": False}
+        for name in ("uvicorn", "proctor")
+    }
+    access_level = logging.INFO if access else logging.CRITICAL
+    loggers[ACCESS_LOG] = {"level": access_level}
+    formatter = JsonFormatter if form == "json" else TextFormatter
+    return {
+        "version": 1,
+        "disable_existing_loggers": False,
+        "formatters": {"chosen": {"()": formatter}},
+        "handlers": {
+            "stderr": {
+                "class": "logging.StreamHandler",
+                "formatter": "chosen",
+                "stream": "ext://sys.stderr",
+            }
+        },
+        "loggers": loggers,
+    }
+
+
+class TextFormatter(logging.Formatter):
+    """`TIME LEVEL LOGGER: MESSAGE name=value …`, and a traceback below."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        words = [f"{_time(record)} {record.levelname:<7} {record.name}:"]
+        words.append(_one_line(record.getMessage()))
+        words += [f"{name}={_value(one)}" for name, one in _members(record).items()]
+        line = " ".join(words)
+        if record.exc_info:
+            line += f"\n{self.formatException(record.exc_info)}"
+        return line
+
+
+class JsonFormatter(logging.Formatter):
+    """One object on one line."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        line = {
+            "time": _time(record),
+            "level": record.levelname.lower(),
+            "logger": record.name,
+            "message": record.getMessage(),
+            **_members(record),
+        }
+        if record.exc_info:
+            line["traceback"] = self.formatException(record.exc_info)
+        return json.dumps(line, default=str)
+
+
+def _members(record: logging.LogRecord) -> dict[str, Any]:
+    members = dict(getattr(record, "members", {}))
+    request_id = REQUEST_ID.get()
+    if request_id is not None:
+        members["request_id"] = request_id
+    return members
+
+
+def _time(record: logging.LogRecord) -> str:
+    at = datetime.fromtimestamp(record.created, UTC)
+    return at.isoformat(timespec="milliseconds").replace("+00:00", "Z")
+
+
+def _one_line(text: str) -> str:
+    return text if text.isprintable() else json.dumps(text)[1:-1]
+
+
+def _value(value: Any) -> str:
+    text = str(value)
+    return text if _PLAIN.fullmatch(text) else json.dumps(text)

@@ -1,0 +1,201 @@
+"""Tokens in a file: what it says, how it changes, what a broken one does."""
+
+import asyncio
+import logging
+import os
+import threading
+from pathlib import Path
+
+import pytest
+
+from reference_server.http.auth import BadTokens, Tokens, hash_of
+from reference_server.http.tokens import admin_command as admin
+from reference_server.http.tokens import token_file
+from reference_server.http.tokens.token_file import TokenFile, edited_lines, parse
+from reference_server.rules.refusal import Refused
+
+ALICE = f"alice:read+run:sha256={hash_of('a')}"
+BOB = f"bob:read:sha256={hash_of('b')}"
+
+
+def account_of(tokens: Tokens, secret: str) -> str | None:
+    try:
+        return tokens.authenticate(f"Bearer {secret}", "read").account
+    except Refused:
+        return None
+
+
+def test_tokens_come_and_go_with_the_file(tmp_path: Path) -> None:
+    path, tokens = tmp_path / "tokens", Tokens.parse("carl:read:c")
+    file = TokenFile(path, tokens)
+    file.read()
+    assert account_of(tokens, "a") is None
+    path.write_text(f"# who may\n\n{ALICE}\n{BOB}\n")
+    file.read()
+    assert [account_of(tokens, one) for one in "abc"] == ["alice", "bob", "carl"]
+    path.write_text(BOB)
+    file.read()
+    assert [account_of(tokens, one) for one in "abc"] == [None, "bob", "carl"]
+
+
+@pytest.mark.parametrize(
+    ("content", "why"),
+    [
+        (b"alice:read", "line 1 .* no sha256"),
+        (f"{ALICE}\nbob:read:secret".encode(), "line 2 .* stored as hashes"),
+        (f"alice:write:sha256={hash_of('a')}".encode(), "line 1 .*scopes read"),
+        (f"alice:read_all:sha256={hash_of('a')}".encode(), "line 1 .*scopes read"),
+        (b"alice:read:sha256=12", "line 1 .* hexadecimal"),
+        (f"{ALICE}\n{ALICE}".encode(), "line 2 .* repeats"),
+        (b"\xff", "UTF-8"),
+    ],
+)
+def test_a_broken_file_keeps_the_old_tokens(
+    tmp_path: Path, content: bytes, why: str
+) -> None:
+    path, tokens = tmp_path / "tokens", Tokens({})
+    path.write_text(ALICE)
+    file = TokenFile(path, tokens)
+    file.read()
+    path.write_bytes(content)
+    for _ in range(2):
+        with pytest.raises(BadTokens, match=why):
+            file.read()
+    assert account_of(tokens, "a") == "alice"
+
+
+def test_a_file_that_is_gone_or_none_keeps_the_old_tokens(tmp_path: Path) -> None:
+    path, tokens = tmp_path / "tokens", Tokens({})
+    path.write_text(ALICE)
+    file = TokenFile(path, tokens)
+    file.read()
+    path.unlink()
+    with pytest.raises(FileNotFoundError):
+        file.read()
+    os.mkfifo(path)
+    with pytest.raises(OSError, match="no regular file"):
+        file.read()
+    path.unlink()
+    path.write_bytes(b"#" * (token_file.BYTES_MAX + 1))
+    with pytest.raises(OSError, match="larger"):
+        file.read()
+    assert account_of(tokens, "a") == "alice"
+
+
+def test_the_server_follows_it_off_the_event_loop_and_complains_once(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    monkeypatch.setattr(token_file, "LOOK_S", 0.01)
+    caplog.set_level(logging.INFO, "proctor.tokens")
+    path, tokens = tmp_path / "tokens", Tokens({})
+    path.write_text(ALICE)
+    readers: set[int] = set()
+    right = token_file.read_bytes
+
+    def read_bytes(path: Path) -> bytes:
+        readers.add(threading.get_ident())
+        return right(path)
+
+    monkeypatch.setattr(token_file, "read_bytes", read_bytes)
+
+    async def until(secret: str, account: str | None) -> None:
+        async with asyncio.timeout(10):
+            while account_of(tokens, secret) != account:  # noqa: ASYNC110
+                await asyncio.sleep(0.005)
+
+    async def scenario() -> None:
+        following = asyncio.create_task(TokenFile(path, tokens).follow())
+        await until("a", "alice")
+        path.write_text("nonsense")
+        await asyncio.sleep(0.1)
+        assert account_of(tokens, "a") == "alice"
+        path.write_text(BOB)
+        await until("b", "bob")
+        assert account_of(tokens, "a") is None
+        following.cancel()
+
+    asyncio.run(scenario())
+    assert threading.get_ident() not in readers
+    texts = [record.getMessage() for record in caplog.records]
+    assert sum("cannot be used" in text for text in texts) == 1
+    assert f"token {hash_of('a')[:12]} of alice revoked" in texts
+
+
+def test_a_reader_of_all_runs_is_no_account_to_the_views() -> None:
+    tokens = Tokens.parse("host:read+read_all:h, alice:read:a")
+    assert tokens.authenticate("Bearer h", "read").reader is None
+    assert tokens.authenticate("Bearer a", "read").reader == "alice"
+    with pytest.raises(Refused):
+        tokens.authenticate("Bearer h", "run")
+
+
+# --- the command ---
+
+
+def test_a_token_is_added_listed_and_revoked(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "var" / "tokens"
+    assert admin.main(["token", "list", "--file", str(path)]) == 0
+    assert not capsys.readouterr().out
+    assert admin.main(["token", "add", "alice", "--file", str(path)]) == 0
+    secret = capsys.readouterr().out.strip()
+    assert path.stat().st_mode & 0o777 == 0o600
+    assert secret not in path.read_text()
+    tokens = Tokens({})
+    TokenFile(path, tokens).read()
+    assert account_of(tokens, secret) == "alice"
+    scopes = ["--scopes", "read+read_all"]
+    assert admin.main(["token", "add", "host", *scopes, "--file", str(path)]) == 0
+    capsys.readouterr()
+    assert admin.main(["token", "list", "--file", str(path)]) == 0
+    rows = [line.split() for line in capsys.readouterr().out.splitlines()]
+    assert [row[1:] for row in rows] == [
+        ["read+run", "alice"],
+        ["read+read_all", "host"],
+    ]
+    assert rows[0][0] == hash_of(secret)[:12]
+    assert admin.main(["token", "revoke", rows[0][0], "--file", str(path)]) == 0
+    TokenFile(path, tokens).read()
+    assert account_of(tokens, secret) is None
+    assert "host" in path.read_text()
+    assert admin.main(["token", "revoke", "host", "--file", str(path)]) == 0
+    assert "sha256=" not in path.read_text().partition("\n")[2]
+
+
+@pytest.mark.parametrize(
+    ("words", "why"),
+    [
+        (["token", "add", "a:b"], "cannot be an account"),
+        (["token", "add", "alice", "--scopes", "write"], "scopes read"),
+        (["token", "add", "alice", "--scopes", "read_all"], "scopes read"),
+        (["token", "revoke", "unknown"], "no token has the id"),
+    ],
+)
+def test_a_mistake_is_one_line_and_changes_nothing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], words: list[str], why: str
+) -> None:
+    path = tmp_path / "tokens"
+    path.write_text(ALICE + "\n")
+    assert admin.main([*words, "--file", str(path)]) == 2
+    error = capsys.readouterr().err
+    assert why in error
+    assert error.count("\n") == 1
+    assert path.read_text() == ALICE + "\n"
+
+
+def test_two_who_edit_at_once_lose_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "tokens"
+
+    def add(number: int) -> None:
+        with edited_lines(path) as lines:
+            lines.append(f"a{number}:read:sha256={hash_of(str(number))}")
+
+    threads = [threading.Thread(target=add, args=(n,)) for n in range(16)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(parse(path.read_bytes(), path)) == 16
