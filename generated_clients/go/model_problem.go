@@ -16,7 +16,7 @@ type Problem struct {
 	SideEffects SideEffects `json:"side_effects"`
 	Errors []ProblemItem `json:"errors,omitzero"`
 	// Id of the rule that was enforced.
-	Requirement *string `json:"requirement,omitzero" validate:"regexp=^[A-Z]+-[0-9]+$"`
+	Requirement *string `json:"requirement,omitzero" validate:"regexp=[A-Z]+-[0-9]+"`
 	State *RunState `json:"state,omitzero"`
 	ExpectedSeq *int64 `json:"expected_seq,omitzero"`
 	// What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended.

@@ -68,7 +68,7 @@ def test_dry_run_lists_checks_and_sends_nothing(tmp_path: Path) -> None:
     assert "test_pred_004_cannot_skip_or_go_back" in output
     assert "LEASE-" not in output
     last = output.splitlines()[-1]
-    assert "no request was sent; 2 of the 16 selected rules are not observable" in last
+    assert "no request was sent; 3 of the 17 selected rules are not observable" in last
 
 
 def test_an_empty_dry_run_is_no_success(tmp_path: Path) -> None:

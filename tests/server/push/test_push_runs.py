@@ -320,7 +320,8 @@ def test_a_restarted_server_continues_with_the_stored_key(
     assert {c.headers["authorization"] for c in policy.calls} == {"Bearer sesame"}
     server.end(signal.SIGKILL)
     assert server.log() == ""
-    kept = b"".join(p.read_bytes() for p in tmp_path.iterdir())
+    files = [path for path in tmp_path.rglob("*") if path.is_file()]
+    kept = b"".join(path.read_bytes() for path in files)
     assert policy.url.encode() in kept
     assert b"sesame" not in kept
     assert (tmp_path / "proctor.sqlite.key").stat().st_mode & 0o777 == 0o600

@@ -43,8 +43,8 @@ class Problem(BaseModel):
         if value is None:
             return value
 
-        if isinstance(value, str) and not re.match(r"^[A-Z]+-[0-9]+$", value):
-            raise ValueError(r"must validate the regular expression /^[A-Z]+-[0-9]+$/")
+        if isinstance(value, str) and not re.match(r"[A-Z]+-[0-9]+", value):
+            raise ValueError(r"must validate the regular expression /[A-Z]+-[0-9]+/")
         return value
 
     @field_validator('ended_by', mode="before")
