@@ -25,7 +25,7 @@ pytestmark = pytest.mark.slow("a server and a kit")
 
 needs_go = pytest.mark.skipif(not GO, reason="set-up brings no Go")
 # No outsider can see these.
-UNSEEN = {"AUTH-006", "AUTH-007", "ATT-009", "LIFE-808", "LIFE-809"}
+UNSEEN = {"AUTH-006", "AUTH-007", "AUTH-008", "ATT-009", "LIFE-808", "LIFE-809"}
 # Both serve `calibration` alone; the server in JavaScript speaks JSON and raw images.
 ONE_BENCHMARK = {"RUN-007"}
 ONLY_JSON_AND_RAW = {"PRED-016", "ENC-002", "ENC-006", "ENC-007", "ENC-008"}
