@@ -32,8 +32,8 @@ def spoil_play(
     """Change the actions before they are executed, or the report of them."""
     right = SimulatorHandle.play
 
-    async def wrong(self: Any, actions: Actions, *, observe_all: bool) -> Any:
-        played = await right(self, before(list(actions)), observe_all=observe_all)
+    async def wrong(self: Any, actions: Actions, **how: Any) -> Any:
+        played = await right(self, before(list(actions)), **how)
         return after(played, actions)
 
     put(SimulatorHandle, "play", wrong)
