@@ -17,6 +17,12 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer
         yield server
 
 
+@pytest.fixture(autouse=True)
+def _no_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whoever runs the tests may have named a width, which wraps what is piped too."""
+    monkeypatch.delenv("COLUMNS", raising=False)
+
+
 @pytest.fixture
 def direct_client(server: ReferenceServer) -> Iterator[DirectClient]:
     with DirectClient(server.url) as direct_client:

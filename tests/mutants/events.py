@@ -145,7 +145,7 @@ def restarts_the_stream_on_reconnect() -> None:
     put(EventStream, "answer", wrong)
 
 
-@mutant("EVT-006")
+@mutant("EVT-006", "EVT-009")
 @with_short_keepalive
 def never_ends_a_stream() -> None:
     """A script that waits for the end of a stream never ends."""

@@ -135,7 +135,7 @@ def reports_the_fault_of_a_beginning_beside_a_result() -> None:
     change_turn(wrong)
 
 
-@mutant("FAULT-014")
+@mutant("DET-005", "FAULT-014")
 def calls_a_failure_a_stop_to_other_workers() -> None:
     """A client believes that a person has stopped the run."""
     right = Run.record_end
