@@ -65,11 +65,11 @@ class QuestionFileSimulator:
 
     def reset(self, task: str, seed: int, split: str = "") -> str:
         if not 0 <= seed < len(self._questions):
-            raise TaskUnplayable(f"there is no question {seed}")
+            raise TaskUnplayable("the file has no question of this seed")
         self._question = self._questions[seed]
         self._is_answered = False
         if self._question.task != task:
-            raise TaskUnplayable(f"question {seed} is not of the task {task}")
+            raise TaskUnplayable(f"this question is not of the task {task}")
         return self._question.text
 
     def step(self, action: Action) -> StepOutcome:
