@@ -49,13 +49,13 @@ def test_runs_of_one_manifest_share_it(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_choice_is_sealed_and_hashed_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(benchmarks, "SHARED_MANIFESTS_MAX", 2)
     sealed: list[str] = []
-    right = benchmarks.seal
+    right = benchmarks._sealed_manifest
 
-    def seal(manifest: Any, *rest: Any) -> Any:
-        sealed.append(manifest["benchmark_id"])
-        return right(manifest, *rest)
+    def seal(found: Any, secret: SeedSecret) -> Any:
+        sealed.append(found.manifest["benchmark_id"])
+        return right(found, secret)
 
-    monkeypatch.setattr(benchmarks, "seal", seal)
+    monkeypatch.setattr(benchmarks, "_sealed_manifest", seal)
     found = Benchmarks(64, SeedSecret())
 
     def resolve(**choices: Any) -> Any:
