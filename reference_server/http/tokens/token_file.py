@@ -160,7 +160,7 @@ def edited_lines(path: Path) -> Iterator[list[str]]:
 def _replace(path: Path, lines: Sequence[str]) -> None:
     """Atomic: a server reads the old file or the new one.
 
-    It stays its owner's alone, also when root replaces it for a server that is not root.
+    It stays its owner's alone: root may replace it for a server that is not root.
     """
     parse("\n".join(lines).encode(), path)
     before = path.stat()
