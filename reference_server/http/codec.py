@@ -41,8 +41,13 @@ _BIN_32 = b"\xc6"  # MessagePack: a length of four bytes and that much follow
 Model = TypeVar("Model", bound=BaseModel)
 
 
-async def read_body(request: Request, max_bytes: int) -> bytes:
-    """The request's body; refused when it is larger than `max_bytes` (ERR-005)."""
+async def read_body(
+    request: Request, max_bytes: int, *, is_control: bool = False
+) -> bytes:
+    """The request's body; refused when it is larger than `max_bytes` (ERR-005).
+
+    is_control: the bound is that of every operation but `predict` (LIM-008).
+    """
     whole = bytearray()  # a list of parts would hold 40 bytes more for each
     size, more = 0, True
     while more and size <= max_bytes + DRAIN_BYTES:
@@ -61,8 +66,9 @@ async def read_body(request: Request, max_bytes: int) -> bytes:
     if size > max_bytes:
         raise Refused(
             "body_too_large",
-            f"The body exceeds {max_bytes} bytes.",
-            requirement="ERR-005",
+            f"The body exceeds {max_bytes} bytes"
+            + (", see limits.max_control_body_bytes." if is_control else "."),
+            requirement="LIM-008" if is_control else "ERR-005",
         )
     return bytes(whole)
 

@@ -68,9 +68,9 @@ QUERY_PATTERNS: dict[str, str] = {
     "tolerance": r"[0-9]{1,4}(\.[0-9]{1,40})?([Ee][+-]?[0-9]{1,3})?",
     "user_id": r"(?s:.{0,200})",
 }
-# What a pattern cannot say of a number: the least and the largest.
 # Where a request's scope has the account of its caller, for the log.
 ACCOUNT = "proctor.account"
+# What a pattern cannot say of a number: the least and the largest.
 QUERY_RANGES: dict[str, tuple[int, int]] = {"limit": (1, 1000), "tolerance": (0, 1)}
 
 
@@ -177,7 +177,8 @@ async def _check_request(
         media_type = codec.media_type_of(request, operation.reads)
         # LIM-008: what is longer is not parsed.
         allowed = min(max_body_bytes, operation.max_body_bytes)
-        call.raw = await codec.read_body(request, allowed)
+        is_control = allowed < max_body_bytes
+        call.raw = await codec.read_body(request, allowed, is_control=is_control)
         call.body = await large_bodies.read_message(
             operation.body, call.raw, media_type
         )

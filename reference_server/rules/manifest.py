@@ -16,6 +16,7 @@ import hashlib
 import hmac
 import json
 from collections.abc import Mapping, Sequence
+from functools import cache
 from typing import Any, Literal, NotRequired, TypedDict, cast
 
 
@@ -95,10 +96,14 @@ def seal(manifest: Manifest, secret: bytes, block: int, seed_max: int) -> Manife
     benchmark_id = manifest["benchmark_id"]
     blocks = (seed_max + 1) // block
 
+    @cache  # tasks are paired: most blocks are of several episodes
+    def draw_block(split: str, number: int) -> int:
+        drawn = _derive(secret, "seed", benchmark_id, split, number)
+        return int.from_bytes(drawn) % blocks * block
+
     def draw(split: str, seed: int) -> int:
         number, place = divmod(seed, block)
-        drawn = _derive(secret, "seed", benchmark_id, split, number)
-        return int.from_bytes(drawn) % blocks * block + place
+        return draw_block(split, number) + place
 
     episodes: list[Mapping[str, Any]] = []
     seeds: list[int] = []

@@ -7,6 +7,7 @@ Nothing here knows of databases, simulators or requests.
 from __future__ import annotations
 
 import heapq
+import re
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -113,6 +114,18 @@ class Episode:
     @property
     def episode_id(self) -> str:
         return f"e{self.index:04d}"  # RUN-024
+
+    def without_sealed_seed(self, text: str) -> str:
+        """The text of a simulator; the seed of a sealed split is taken out (SEAL-002).
+
+        As a whole number alone: any 1 that is gone would show that the seed is 1.
+        """
+        if not self.is_sealed:
+            return text
+        seed = self.seed
+        decimal = f"({seed}|{seed:,}|{seed:_})(?![0-9])"
+        pattern = rf"(?<![0-9])({decimal}|0x0*{seed:x}(?![0-9a-f]))"
+        return re.sub(pattern, "(sealed seed)", text, flags=re.IGNORECASE)
 
 
 @dataclass(slots=True, eq=False, weakref_slot=True)

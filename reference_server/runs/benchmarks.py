@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import asyncio
 import hashlib
+import hmac
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, cast
@@ -53,6 +55,7 @@ class Benchmarks:
     def __init__(self, max_chunk: int, seed_secret: SeedSecret) -> None:
         self._max_chunk = max_chunk
         self._manifests: dict[str, Manifest] = {}
+        self._resolved_runs: dict[bytes, ResolvedRun] = {}
         self._seed_secret = seed_secret
 
     def summaries(self) -> list[dict[str, Any]]:
@@ -118,6 +121,27 @@ class Benchmarks:
         options: Mapping[str, Any] | None,
         images: Mapping[str, Any] | None,
         select: Selection | None = None,
+    ) -> ResolvedRun:
+        """Described, sealed and hashed once per choice: it takes 0.1 s if it is long.
+
+        The secret is part of the choice, for it may be read after this was made.
+        """
+        choices = json.dumps((benchmark_id, options, images, select)).encode()
+        key = hmac.digest(self._seed_secret.value, choices, "sha256")
+        resolved = self._resolved_runs.get(key)
+        if resolved is None:
+            resolved = self._resolve(benchmark_id, options, images, select)
+            if len(self._resolved_runs) >= SHARED_MANIFESTS_MAX:
+                self._resolved_runs.clear()
+            self._resolved_runs[key] = resolved
+        return resolved
+
+    def _resolve(
+        self,
+        benchmark_id: str,
+        options: Mapping[str, Any] | None,
+        images: Mapping[str, Any] | None,
+        select: Selection | None,
     ) -> ResolvedRun:
         found = benchmark_registry.resolve(
             benchmark_id, options, images, max_chunk=self._max_chunk

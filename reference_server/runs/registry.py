@@ -14,6 +14,7 @@ holds the valid state, and its sessions end as in a restart.
 from __future__ import annotations
 
 import asyncio
+import contextvars
 import logging
 import time
 from bisect import bisect_left, insort
@@ -461,7 +462,9 @@ class RunRegistry:
             if loop.time() < timer.when() <= at:
                 return
             timer.cancel()
-        self._admission_timer = loop.call_at(at, self._admit_in_time)
+        self._admission_timer = loop.call_at(
+            at, self._admit_in_time, context=contextvars.Context()
+        )
 
     def _admit_in_time(self) -> None:
         # By the resolution of the loop's clock, a timer may fire before its `when`:
@@ -553,7 +556,10 @@ class RunRegistry:
         # A request may have loaded it meanwhile, and its next write have failed, too.
         if not self._closed and run_id not in self._reload_timers:
             loop = asyncio.get_running_loop()
-            timer = loop.call_later(RELOAD_S, self._reload, run_id)
+            # Nothing that a timer does belongs to the request that set it.
+            timer = loop.call_later(
+                RELOAD_S, self._reload, run_id, context=contextvars.Context()
+            )
             self._reload_timers[run_id] = timer
 
     def _reload(self, run_id: str) -> None:

@@ -295,6 +295,7 @@ class SessionExecutor:
                     episode.task,
                     episode.seed,
                     split=episode.split,
+                    is_sealed=episode.is_sealed,
                     max_steps=run.manifest["max_steps"],
                     success_rule=run.manifest["success_rule"],
                     recording=plan,
@@ -344,15 +345,16 @@ class SessionExecutor:
             resources.session.episode,
         )
         assert episode is not None
-        log.warning("run %s, %s: %s", run.run_id, episode.episode_id, error)
+        detail = episode.without_sealed_seed(str(error))
+        log.warning("run %s, %s: %s", run.run_id, episode.episode_id, detail)
         if self._recordings is not None:
             seq = session.seq if session.busy == "playing" else 0
-            self._recordings.add_fault(run, episode, seq, "simulator_fault", str(error))
+            self._recordings.add_fault(run, episode, seq, "simulator_fault", detail)
         session.busy = "turning"
         ended = effects.record_fault(
             run,
             session,
-            str(error),
+            detail,
             unplayable=isinstance(error, TaskUnplayable),
             now_wall=time.time(),
         )
@@ -362,7 +364,7 @@ class SessionExecutor:
         resources.fault = {
             "episode_id": episode.episode_id,
             "faults": episode.faults,
-            "detail": str(error),
+            "detail": detail,
         }
 
     # --- the work of a session ---

@@ -7,6 +7,7 @@ be over. It decides no rule and executes no turn: that is `session_executor.py`.
 from __future__ import annotations
 
 import asyncio
+import contextvars
 import time
 from collections.abc import Awaitable, Callable, Iterable
 from dataclasses import dataclass
@@ -181,5 +182,8 @@ class ResourceManager:
             wait_s = 0.05
         loop = asyncio.get_running_loop()
         resources.timer = loop.call_later(
-            wait_s + 0.001, self._schedule_lease_check, resources
+            wait_s + 0.001,
+            self._schedule_lease_check,
+            resources,
+            context=contextvars.Context(),  # it belongs to no request
         )

@@ -63,6 +63,8 @@ def log_config(
             }
         },
         "loggers": loggers,
+        # Others log elsewhere: asyncio what nothing caught, the pool of simulators.
+        "root": {"level": max(number, logging.WARNING), "handlers": ["stderr"]},
     }
 
 

@@ -47,7 +47,6 @@ class Calibration:
         if task not in TASKS:
             raise TaskUnplayable(f"calibration has no task {task!r}")
         self._task = task
-        self._seed = seed
         self._count = 0
         self._vector = np.zeros(VECTOR_SIZE)
         self._clipped = np.zeros(CLIPPED_SIZE)
@@ -83,7 +82,7 @@ class Calibration:
         return Observation(state, {"pattern": pattern}, TENSORS)
 
     def state_bytes(self) -> bytes:
-        head = f"{self._task} {self._seed} {self._count} ".encode()
+        head = f"{self._task} {self._count} ".encode()  # no seed: it may be sealed
         return head + self._vector.tobytes() + self._clipped.tobytes()
 
     def close(self) -> None:

@@ -74,13 +74,17 @@ class SimulatorHandle:
         seed: int,
         *,
         split: str = "",
+        is_sealed: bool = False,
         max_steps: int,
         success_rule: str,
         recording: RecordingPlan | None = None,
     ) -> EpisodeStart:
-        """Reset to step 0 of an episode; discards the current one."""
+        """Reset to step 0 of an episode; discards the current one.
+
+        is_sealed: the seed is secret, and no text that may name it is logged.
+        """
         command = simulator_main.Begin(
-            task, seed, split, max_steps, success_rule, recording
+            task, seed, split, max_steps, success_rule, recording, is_sealed
         )
         return await self._request(command, EpisodeStart)
 

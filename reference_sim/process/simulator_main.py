@@ -57,12 +57,15 @@ class Build(msgspec.Struct, tag="build"):
 
 
 class Begin(msgspec.Struct, tag="begin"):
+    """is_sealed: the seed is secret; what fails is logged without its text."""
+
     task: str
     seed: int
     split: str
     max_steps: int
     success_rule: str
     recording: RecordingPlan | None = None
+    is_sealed: bool = False
 
 
 class Play(msgspec.Struct, tag="play"):
@@ -194,6 +197,7 @@ class _EpisodeHost:
         self._simulator: Simulator | None = None
         self._episode: Episode | None = None
         self._recorder: EpisodeRecorder | None = None
+        self._is_sealed = False
 
     def answer(self, command: SimulatorCommand) -> SimulatorReply:
         FRAME_BUFFER.acknowledge()
@@ -204,7 +208,12 @@ class _EpisodeHost:
         except UnwritableRecording as failed:
             return FailureReply(str(failed), unplayable=False)
         except Exception as error:  # noqa: BLE001 - a simulator may raise anything
-            _log.error("simulator failed", exc_info=True)
+            if self._is_sealed:
+                # Its text may name the seed, and so may the lines of a traceback.
+                text = "simulator failed in a sealed split: %s"
+                _log.error(text, type(error).__name__)
+            else:
+                _log.error("simulator failed", exc_info=True)
             return FailureReply(f"{type(error).__name__}: {error}", unplayable=False)
 
     def _execute(self, command: SimulatorCommand) -> SimulatorReply:
@@ -231,6 +240,7 @@ class _EpisodeHost:
         return Built()
 
     def _begin(self, command: Begin) -> EpisodeStart:
+        self._is_sealed = command.is_sealed
         simulator, world = self._require_simulator()
         clock = _Clock()
         self._end_recording()

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import logging
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -162,3 +164,20 @@ def test_a_line_names_its_request_and_keeps_its_traceback() -> None:
     assert line["request_id"] == "r1"
     assert "ValueError: odd" in text
     assert "ValueError: odd" in line["traceback"]
+
+
+def test_lines_of_other_loggers_are_objects_too() -> None:
+    program = (
+        "import logging, logging.config\n"
+        "from reference_server.system.log_output import log_config\n"
+        "logging.config.dictConfig(log_config('info', 'json', access=False))\n"
+        "for name in ('asyncio', 'reference_sim.process.pool', 'proctor.runs'):\n"
+        "    logging.getLogger(name).error('broken')\n"
+        "    logging.getLogger(name).debug('unseen')\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
+    lines = [json.loads(line) for line in done.stderr.splitlines()]
+    names = ["asyncio", "reference_sim.process.pool", "proctor.runs"]
+    assert [line["logger"] for line in lines] == names

@@ -12,16 +12,19 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from pydantic import ValidationError
+from pydantic_settings import SettingsError
+
 from reference_server.http.auth import (
     READ_ALL,
     BadTokens,
     hash_of,
     new_secret,
-    parse_entry,
 )
 from reference_server.http.tokens.token_file import (
     edited_lines,
     parse,
+    parse_line,
     read_bytes,
     token_id,
 )
@@ -47,10 +50,21 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _path(args: argparse.Namespace) -> Path:
-    path = Path(args.file) if args.file else Settings().tokens_file_path
+    path = Path(args.file) if args.file else _settings().tokens_file_path
     if path is None:
         raise AdminError("the database is no file; name a file with --file")
     return path
+
+
+def _settings() -> Settings:
+    try:
+        return Settings()
+    except ValidationError as error:
+        faults = error.errors(include_url=False)
+        texts = [f"{'.'.join(map(str, one['loc']))}: {one['msg']}" for one in faults]
+        raise AdminError(f"bad settings: {'; '.join(texts)}") from error
+    except SettingsError as error:
+        raise AdminError(f"bad settings: {error}") from error
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -93,7 +107,7 @@ def _add(path: Path, args: argparse.Namespace) -> None:
         )
     secret = new_secret()
     line = f"{args.account}:{args.scopes}:sha256={hash_of(secret)}"
-    parse_entry(line, "what was given")
+    parse_line(line, "what was given")
     with edited_lines(path) as lines:
         lines.append(line)
     print(secret)

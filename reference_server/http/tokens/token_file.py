@@ -12,18 +12,20 @@ import contextlib
 import fcntl
 import logging
 import os
+import re
 import stat
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from reference_server.http.auth import BadTokens, Caller, Tokens, parse_entry
-from reference_server.system.private_files import create_empty
+from reference_server.system.private_files import create_empty, restrict
 
 log = logging.getLogger("proctor.tokens")
 
 LOOK_S = 1.0
 BYTES_MAX = 4 * 2**20
+_LINE = re.compile(r"[^:\s]+:[a-z_+]+:sha256=[0-9A-Fa-f]{64}")
 HEAD = "# account:scopes:sha256=HEX, written by `proctor admin token`\n"
 
 
@@ -43,6 +45,7 @@ class TokenFile:
         if self._path is None:
             return
         try:
+            _require_private(self._path)
             content = read_bytes(self._path)
         except FileNotFoundError:
             if self._seen is None:
@@ -84,6 +87,15 @@ def token_id(hashed: str) -> str:
     return hashed[:12]
 
 
+def _require_private(path: Path) -> None:
+    """Take the access of others from the file; it is not used if they can write it."""
+    if path.is_file():
+        with contextlib.suppress(OSError):  # in a file system that is only read
+            restrict(path)
+    if stat.S_IMODE(path.stat().st_mode) & 0o022:
+        raise BadTokens(f"{path} can be written by others than its owner: chmod 600")
+
+
 def read_bytes(path: Path) -> bytes:
     """The content of the file. Raises OSError, also for what is no file of tokens."""
     # A pipe would block for ever.
@@ -107,12 +119,21 @@ def parse(content: bytes, path: Path) -> dict[str, Caller]:
         if not line.strip() or line.startswith("#"):
             continue
         where = f"line {number} of {path}"
-        if ":sha256=" not in line:
-            raise BadTokens(f"{where} has no sha256=HEX: tokens are stored as hashes")
-        hashed, caller = parse_entry(line, where)
+        hashed, caller = parse_line(line, where)
         if hashed in found:
             raise BadTokens(f"{where} repeats the token {token_id(hashed)}")
         found[hashed] = caller
+    return found
+
+
+def parse_line(line: str, where: str) -> tuple[str, Caller]:
+    """The hash and the caller of a line. Raises BadTokens."""
+    if ":sha256=" not in line:
+        raise BadTokens(f"{where} has no sha256=HEX: tokens are stored as hashes")
+    found = parse_entry(line, where)
+    # `account:read:zz:sha256=HEX` would be an entry whose token is `zz:sha256=HEX`.
+    if not _LINE.fullmatch(line.strip()):
+        raise BadTokens(f"{where} is not account:scopes:sha256=HEX with 64 digits")
     return found
 
 
@@ -123,6 +144,7 @@ def edited_lines(path: Path) -> Iterator[list[str]]:
     Two who edit at the same time do so one after the other. Raises OSError and, for a
     file that the server would refuse, BadTokens.
     """
+    path = path.resolve()  # a link stays one, to the file that is replaced
     create_empty(path)
     lock = path.with_name(f"{path.name}.lock")
     create_empty(lock)
@@ -136,13 +158,20 @@ def edited_lines(path: Path) -> Iterator[list[str]]:
 
 
 def _replace(path: Path, lines: Sequence[str]) -> None:
-    """Atomic: a server reads the old file or the new one; its owner's alone."""
+    """Atomic: a server reads the old file or the new one.
+
+    It stays its owner's alone: root may replace it for a server that is not root.
+    """
     parse("\n".join(lines).encode(), path)
+    before = path.stat()
     descriptor, temporary = tempfile.mkstemp(dir=path.parent, prefix=f"{path.name}.")
     try:
         with os.fdopen(descriptor, "w") as file:
             file.writelines(f"{line}\n" for line in lines)
             file.flush()
+            if os.fstat(descriptor).st_uid != before.st_uid:
+                os.fchown(descriptor, before.st_uid, before.st_gid)
+            os.fchmod(descriptor, before.st_mode & 0o700)
             os.fsync(file.fileno())
         Path(temporary).replace(path)
     except BaseException:

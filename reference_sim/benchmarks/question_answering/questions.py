@@ -120,7 +120,7 @@ def draw(
         question = attempt(draft)
         if question is not None and draft.arrangement[0].hides_nothing():
             return question, draft.arrangement[0]
-    raise RuntimeError(f"no {task} could be drawn with seed {seed}")
+    raise RuntimeError(f"no {task} could be drawn")
 
 
 def _rank(task: str, seed: int, ranks: int) -> int:

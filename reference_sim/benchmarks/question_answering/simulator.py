@@ -69,8 +69,14 @@ class QuestionSimulator:
         return picture
 
     def state_bytes(self) -> bytes:
-        """Which item, and whether it was answered: the question is all there is."""
-        return repr((*self._plan, self._is_answered)).encode()
+        """What is asked and shown, and whether it was answered.
+
+        Never the seed: what is hashed here is published, and a seed has few bits.
+        """
+        question, arrangement = self._require_item()
+        spots = [arrangement.spot(thing) for thing in arrangement.things]
+        shown = question.text, dict(arrangement.colours), spots, self._is_answered
+        return self._scene.world.snapshot().tobytes() + repr(shown).encode()
 
     def truth(self) -> Action:
         """The right answer, for tests; not part of the Simulator interface."""

@@ -61,15 +61,15 @@ class QuestionFileSimulator:
         if _sha256(path) != sha256:
             raise RuntimeError(f"{path} has changed since the server started")
         self._question: FileQuestion | None = None
-        self._plan = (-1, False)
+        self._is_answered = False
 
     def reset(self, task: str, seed: int, split: str = "") -> str:
         if not 0 <= seed < len(self._questions):
-            raise TaskUnplayable(f"there is no question {seed}")
+            raise TaskUnplayable("the file has no question of this seed")
         self._question = self._questions[seed]
-        self._plan = (seed, False)
+        self._is_answered = False
         if self._question.task != task:
-            raise TaskUnplayable(f"question {seed} is not of the task {task}")
+            raise TaskUnplayable(f"this question is not of the task {task}")
         return self._question.text
 
     def step(self, action: Action) -> StepOutcome:
@@ -77,7 +77,7 @@ class QuestionFileSimulator:
         if self._question is None:
             raise RuntimeError("reset comes before step")
         is_right = self._question.is_right(action)
-        self._plan = (self._plan[0], True)
+        self._is_answered = True
         return StepOutcome(success=is_right, score=float(is_right), terminated=True)
 
     def observe(self) -> Observation:
@@ -85,8 +85,11 @@ class QuestionFileSimulator:
         return Observation(state={})
 
     def state_bytes(self) -> bytes:
-        """The seed, and whether it was answered."""
-        return repr(self._plan).encode()
+        """What is asked, and whether it was answered; never the seed."""
+        if self._question is None:
+            raise RuntimeError("reset comes before state_bytes")
+        asked = self._question.task, self._question.text
+        return repr((*asked, self._is_answered)).encode()
 
     def close(self) -> None:
         """No resources to free."""

@@ -21,6 +21,7 @@ pytestmark = pytest.mark.slow("starts servers and kits")
         ("--heartbeat-s-max 6 --max-open-runs 8", ["LIM-006", "LIM-007"]),
         ("--max-idempotency-keys 8", ["LIM-009"]),
         ("--max-stored-bytes 99999", ["LIM-010"]),
+        ("--max-idempotency-keys 8 --max-stored-bytes 99999", ["LIM-009", "LIM-010"]),
     ],
 )
 def test_small_limits_of_an_account_are_judged(

@@ -333,6 +333,14 @@ def test_a_body_is_read_in_parts_up_to_the_limit() -> None:
     refused(lambda: read([b"ab", b"cde"], 4), "body_too_large")
 
 
+def test_a_refused_body_names_the_limit_that_bound_it() -> None:
+    for is_control, rule in ((False, "ERR-005"), (True, "LIM-008")):
+        with pytest.raises(Refused) as caught:
+            asyncio.run(read_body(request([b"abc"]), 2, is_control=is_control))
+        assert caught.value.requirement == rule
+        assert ("limits.max_control_body_bytes" in caught.value.detail) == is_control
+
+
 def test_an_oversized_body_is_drained_and_not_kept() -> None:
     part, limit_bytes = b"x" * 2**16, 2**18
     taken = 0

@@ -46,6 +46,7 @@ def test_tokens_come_and_go_with_the_file(tmp_path: Path) -> None:
         (f"alice:write:sha256={hash_of('a')}".encode(), "line 1 .*scopes read"),
         (f"alice:read_all:sha256={hash_of('a')}".encode(), "line 1 .*scopes read"),
         (b"alice:read:sha256=12", "line 1 .* hexadecimal"),
+        (f"a:read:zz:sha256={hash_of('a')}".encode(), "line 1 .* 64 digits"),
         (f"{ALICE}\n{ALICE}".encode(), "line 2 .* repeats"),
         (b"\xff", "UTF-8"),
     ],
@@ -171,6 +172,7 @@ def test_a_token_is_added_listed_and_revoked(
         (["token", "add", "a:b"], "cannot be an account"),
         (["token", "add", "alice", "--scopes", "write"], "scopes read"),
         (["token", "add", "alice", "--scopes", "read_all"], "scopes read"),
+        (["token", "add", "alice", "--scopes", "read:zz"], "64 digits"),
         (["token", "revoke", "unknown"], "no token has the id"),
     ],
 )
@@ -199,3 +201,59 @@ def test_two_who_edit_at_once_lose_nothing(tmp_path: Path) -> None:
     for thread in threads:
         thread.join()
     assert len(parse(path.read_bytes(), path)) == 16
+
+
+def test_settings_that_are_wrong_are_one_line(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("PROCTOR_PORT", "x")
+    assert admin.main(["token", "list"]) == 2
+    error = capsys.readouterr().err
+    assert error.startswith("proctor: bad settings: port: ")
+    assert error.count("\n") == 1
+
+
+# --- whose file it is ---
+
+
+def test_a_file_is_restricted_to_its_owner_before_it_is_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path, tokens = tmp_path / "tokens", Tokens({})
+    path.write_text(ALICE)
+    path.chmod(0o666)
+    with monkeypatch.context() as patched:
+        patched.setattr(token_file, "restrict", lambda _: None)  # of another owner
+        with pytest.raises(BadTokens, match="can be written by others"):
+            TokenFile(path, tokens).read()
+    assert account_of(tokens, "a") is None
+    TokenFile(path, tokens).read()
+    assert path.stat().st_mode & 0o777 == 0o600
+    assert account_of(tokens, "a") == "alice"
+
+
+def test_an_edited_file_stays_where_it_is_with_its_mode(tmp_path: Path) -> None:
+    path, link = tmp_path / "there" / "tokens", tmp_path / "tokens"
+    path.parent.mkdir()
+    path.write_text(ALICE)
+    path.chmod(0o740)
+    link.symlink_to(path)
+    with edited_lines(link) as lines:
+        lines.append(BOB)
+    assert link.is_symlink()
+    assert path.read_text() == f"{ALICE}\n{BOB}\n"
+    assert path.stat().st_mode & 0o777 == 0o700
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="only root gives files away")
+def test_root_leaves_the_file_to_the_user_of_the_server(tmp_path: Path) -> None:
+    user = 12345
+    folder, path = tmp_path / "var", tmp_path / "var" / "tokens"
+    folder.mkdir()
+    os.chown(folder, user, user)
+    assert admin.main(["token", "add", "alice", "--file", str(path)]) == 0
+    lock = path.with_name("tokens.lock")
+    assert [one.stat().st_uid for one in (path, lock)] == [user, user]
+    os.chown(path, user + 1, user + 1)
+    assert admin.main(["token", "revoke", "alice", "--file", str(path)]) == 0
+    assert (path.stat().st_uid, path.stat().st_mode & 0o777) == (user + 1, 0o600)

@@ -44,3 +44,31 @@ def test_runs_of_one_manifest_share_it(monkeypatch: pytest.MonkeyPatch) -> None:
     assert manifest("count") is not manifest("echo")
     manifest("score")
     assert len(found._manifests) <= 2
+
+
+def test_a_choice_is_sealed_and_hashed_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(benchmarks, "SHARED_MANIFESTS_MAX", 2)
+    sealed: list[str] = []
+    right = benchmarks._sealed_manifest
+
+    def seal(found: Any, secret: SeedSecret) -> Any:
+        sealed.append(found.manifest["benchmark_id"])
+        return right(found, secret)
+
+    monkeypatch.setattr(benchmarks, "_sealed_manifest", seal)
+    found = Benchmarks(64, SeedSecret())
+
+    def resolve(**choices: Any) -> Any:
+        submission: Any = {"benchmark_id": "calibration", **choices}
+        return asyncio.run(found.resolve(submission))
+
+    assert resolve() is resolve()
+    assert asyncio.run(found.view("calibration"))["splits"] == ["even", "odd"]
+    assert len(sealed) == 1
+    part = resolve(options={"tasks": ["score"] * 2}, select={"splits": ["odd"]})
+    assert part.manifest["episodes_total"] == 1
+    assert len(sealed) == 2
+    found._seed_secret.value = b"another secret"
+    resolve()
+    assert len(sealed) == 3
+    assert len(found._resolved_runs) <= 2

@@ -15,6 +15,7 @@ from reference_server.rules.lifecycle import Attach, Detach
 from reference_server.rules.run import Run
 from reference_server.runs import registry
 from reference_server.storage.store import StoreFailed
+from reference_server.system.log_output import REQUEST_ID
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
@@ -586,5 +587,40 @@ def test_waiters_are_notified_when_their_queue_position_changes(
         await parts.registry.commit(first)
         assert await waiting
         assert parts.registry.queue_position(second) == 1
+
+    run_scenarios(tmp_path, scenario)
+
+
+# --- timers ---
+
+
+def test_what_a_timer_does_belongs_to_no_request(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(registry, "RELOAD_S", 0.001)
+    seen: list[tuple[str, str | None]] = []
+
+    async def scenario(parts: ServerParts) -> None:
+        runs, leases = parts.registry, parts.executor._resources
+        run = await runs.add(calibration_run("count"), None, "")
+        await parts.executor.attach(run, Attach("w", "key"))
+        resources = leases.find(run.workers["w"])
+        assert resources is not None
+
+        def note(name: str) -> Any:
+            return lambda *_: seen.append((name, REQUEST_ID.get()))
+
+        monkeypatch.setattr(runs, "_admit", note("admit"))
+        monkeypatch.setattr(runs, "_reload", note("reload"))
+        monkeypatch.setattr(leases, "_on_lease_over", note("lease"))
+        token = REQUEST_ID.set("another")
+        runs._check_capacity_in(0.001)
+        runs._reload_later("run_2")
+        resources.session.expires_at = time.monotonic() + 0.001
+        leases._schedule_lease_check(resources)
+        await asyncio.sleep(0.1)
+        REQUEST_ID.reset(token)
+        runs._reload_timers.clear()
+        assert dict(seen) == {"admit": None, "reload": None, "lease": None}
 
     run_scenarios(tmp_path, scenario)

@@ -286,3 +286,30 @@ def test_a_fault_at_the_next_beginning_is_not_of_the_turn(
         assert "fault" not in turn
 
     run_scenarios(tmp_path, scenario)
+
+
+def test_a_fault_of_a_sealed_episode_does_not_name_its_seed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    seed = 1_903_886_417
+
+    async def begin(*_: Any, is_sealed: bool, **__: Any) -> Any:
+        assert is_sealed
+        raise SimulatorFault(f"ValueError: seed {seed}, {seed:#x} of 11903886417")
+
+    monkeypatch.setattr(SimulatorHandle, "begin", begin)
+
+    async def scenario(parts: ServerParts) -> None:
+        run = calibration_run("score")
+        run.episodes[0].seed, run.episodes[0].is_sealed = seed, True
+        run = await parts.registry.add(run, None, "")
+        with expect_refusal("session_ended", ended_by="run_failed"):
+            await parts.executor.attach(run, Attach("w", "key"))
+        shown = "seed (sealed seed), (sealed seed) of 11903886417"
+        assert shown in (run.reason or "")
+        assert shown in caplog.text
+        for text in (run.reason or "", caplog.text):
+            assert f"seed {seed}" not in text
+            assert f"{seed:x}" not in text
+
+    run_scenarios(tmp_path, scenario)
