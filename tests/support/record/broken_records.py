@@ -367,6 +367,16 @@ def _broken_recordings() -> dict[str, Broken]:
             "REC-030",
             "Chunks of zeros, each within the bound, expand too far.",
         ),
+        "records_without_end": (
+            of_bytes(_recording(_empty_records() * 3)),
+            "REC-030",
+            "Chunks of empty records: few bytes, and far too many records.",
+        ),
+        "index_in_a_chunk": (
+            of_bytes(_recording(_chunk(record(0x07, b""), 9))),
+            "REC-012",
+            "A chunk holds a record that is no schema, channel or message.",
+        ),
         "frame_says_more": (
             of_bytes(_recording(_chunk(b"\0" * 2**20, 10))),
             "REC-012",
@@ -396,9 +406,15 @@ def _chunk(data: bytes, announced: int) -> bytes:
 
 
 def _bomb() -> bytes:
-    """32 MiB in 1 kB: an unknown record of zeros, which is skipped."""
+    """32 MiB in 1 kB: a schema of zeros, which is skipped."""
     size = 2**25
-    return _chunk(struct.pack("<BQ", 0x0C, size - 9) + bytes(size - 9), size)
+    return _chunk(struct.pack("<BQ", 0x03, size - 9) + bytes(size - 9), size)
+
+
+def _empty_records() -> bytes:
+    """4 MiB of empty schemas."""
+    records = record(0x03, b"") * (2**22 // 9)
+    return _chunk(records, len(records))
 
 
 def _broken_verdicts() -> dict[str, Broken]:
