@@ -58,12 +58,11 @@ class PartWriter:
         os.close(self._file)
 
 
-def append_part(folder: Path, *messages: tuple[str, Message]) -> None:
-    """Write messages of one moment as a part of their own."""
+def append_part(folder: Path, topic: str, message: Message) -> None:
+    """Write one message as a part of its own."""
     part = PartWriter(folder)
     try:
-        for topic, message in messages:
-            part.write(topic, message)
+        part.write(topic, message)
     finally:
         part.close()
 

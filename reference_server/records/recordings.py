@@ -22,6 +22,7 @@ from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TypeVar
+from weakref import WeakValueDictionary
 
 import msgspec
 
@@ -65,7 +66,9 @@ class Recordings:
         # One thread each: what is appended to an episode keeps its order.
         self._threads = [ThreadPoolExecutor(1, "recordings") for _ in range(THREADS)]
         self._pending: dict[Key, list[tuple[str, Message]]] = {}
-        self._appending: dict[Key, asyncio.Task[None]] = {}
+        self._appending: set[asyncio.Task[None]] = set()
+        # Who holds one writes to that episode; gone when nobody does.
+        self._locks: WeakValueDictionary[Key, asyncio.Lock] = WeakValueDictionary()
 
     def open(self) -> None:
         """Make the folder, which its owner alone may read. Raises OSError."""
@@ -74,7 +77,7 @@ class Recordings:
     async def close(self) -> None:
         """Returns when everything that was begun is written."""
         while self._appending:
-            await asyncio.wait(self._appending.values())
+            await asyncio.wait(self._appending)
         for threads in self._threads:
             threads.shutdown()
         if self._temporary is not None:
@@ -84,7 +87,7 @@ class Recordings:
 
     async def begin(self, run: Run, episode: Episode) -> RecordingPlan:
         """Where the next playing of the episode is recorded. Raises RecordingFailed."""
-        await self._write_pending((run.run_id, episode.index))
+        await self._write((run.run_id, episode.index))
         folder = str(self._parts(run.run_id, episode.index))
         return RecordingPlan(folder, episode.attempt, self._pictures)
 
@@ -108,7 +111,7 @@ class Recordings:
         May be called again, with another result: as long as the parts are there, the
         last call decides. Raises RecordingFailed.
         """
-        await self._write_pending((run.run_id, episode.index))
+        await self._write((run.run_id, episode.index))
         at_ns = int(result.finished_at_wall * 1e9)
         last: list[tuple[str, int, Message]] = []
         if result.outcome != "abandoned":
@@ -181,30 +184,28 @@ class Recordings:
 
     def _append(self, key: Key, topic: str, message: Message) -> None:
         self._pending.setdefault(key, []).append((topic, message))
-        if key not in self._appending:
-            task = asyncio.create_task(self._append_soon(key))
-            self._appending[key] = task
-            task.add_done_callback(lambda _: self._appending.pop(key))
+        task = asyncio.create_task(self._append_soon(key))
+        self._appending.add(task)
+        task.add_done_callback(self._appending.discard)
 
     async def _append_soon(self, key: Key) -> None:
         try:
             await self._write(key)
-        except RecordingFailed as failed:  # tried again by `_write_pending`
+        except RecordingFailed as failed:  # tried again by `begin` and `finish`
             log.warning("run %s, episode %d: %s", *key, failed)
 
-    async def _write_pending(self, key: Key) -> None:
-        """What was not written yet, or could not be. Raises RecordingFailed."""
-        if (appending := self._appending.get(key)) is not None:
-            await asyncio.wait([appending])
-        await self._write(key)
-
     async def _write(self, key: Key) -> None:
-        while messages := self._pending.get(key, []):
-            work = partial(append_part, self._parts(*key), *messages)
-            count = len(messages)
-            await self._in_thread(key, work)
-            del messages[:count]
-        self._pending.pop(key, None)
+        """What was not written yet, or could not be. Raises RecordingFailed.
+
+        One message at a time: of several, a write that fails may leave the first ones.
+        """
+        lock = self._locks.setdefault(key, asyncio.Lock())
+        async with lock:
+            while messages := self._pending.get(key):
+                work = partial(append_part, self._parts(*key), *messages[0])
+                await self._in_thread(key, work)
+                del messages[0]
+            self._pending.pop(key, None)
 
     def _threads_of(self, key: Key) -> ThreadPoolExecutor:
         return self._threads[hash(key) % THREADS]

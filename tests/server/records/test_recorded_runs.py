@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import asyncio
 import errno
+import time
 from collections.abc import Awaitable, Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
+import msgspec
 import pytest
 from mcap.records import Channel, Message
 from mcap.stream_reader import StreamReader
 
 from reference_record import recording_file, recording_parts
+from reference_record.recording import MESSAGE_HEAD
 from reference_server.records import recordings as recordings_module
 from reference_server.records.recordings import Recordings
 from reference_server.rules.lifecycle import Attach
@@ -197,3 +201,39 @@ def test_what_could_not_be_appended_is_appended_later(
         assert topics(recordings.path("run_1", 0)) == [*of_turns * 2, "/result"]
 
     play(tmp_path, story)
+
+
+def test_each_event_is_written_once_whoever_writes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The second of three meets a full disk while `begin` writes them, too."""
+    right, failures = recording_parts.PartWriter.write, iter([False, True])
+
+    def write_message(*arguments: Any) -> None:
+        time.sleep(0.01)
+        if next(failures, False):
+            raise OSError(errno.ENOSPC, "No space left on device")
+        right(*arguments)
+
+    monkeypatch.setattr(recording_parts.PartWriter, "write", write_message)
+    run: Any = SimpleNamespace(run_id="run_1")
+    episode: Any = SimpleNamespace(index=0, attempt=1)
+
+    async def write() -> None:
+        recordings = Recordings(tmp_path)
+        for seq in range(3):
+            recordings.add_fault(run, episode, seq, "simulator_fault", "it broke")
+        await asyncio.gather(
+            *(recordings.begin(run, episode) for _ in range(3)), return_exceptions=True
+        )
+        await recordings.begin(run, episode)
+        await recordings.close()
+
+    asyncio.run(write())
+    parts = recording_parts.parts_of(tmp_path / "run_1" / "00000.parts")
+    found = [
+        msgspec.json.decode(message[MESSAGE_HEAD.size :])["seq"]
+        for part in parts
+        for _, message in recording_parts.read_part(part)
+    ]
+    assert found == [0, 1, 2]
