@@ -93,7 +93,7 @@ class RunRecords:
         while True:
             try:
                 await self.remove_old(time.time())
-            except StoreFailed as error:
+            except (StoreFailed, OSError) as error:
                 log.warning("old recordings are not removed: %s", error)
             await asyncio.sleep(REMOVE_EVERY_S)
 
@@ -103,9 +103,11 @@ class RunRecords:
         run_ids = await asyncio.to_thread(self._recordings.run_ids)
         for start in range(0, len(run_ids), RUNS_PER_READ):
             heads = await self._store.heads(run_ids[start : start + RUNS_PER_READ])
-            for run_id, head in heads.items():
-                if head.state in RESTING_STATES and head.updated_at_wall < before:
-                    await self._recordings.remove_run(run_id)
+            for run_id in (one for one in heads if _rests_since(heads[one], before)):
+                # It may have been resumed while others were removed.
+                for head in (await self._store.heads([run_id])).values():
+                    if _rests_since(head, before):
+                        await self._recordings.remove_run(run_id)
 
     async def keys(self) -> list[PublicKey]:
         """REC-101: every key that signed, the newest first."""
@@ -193,6 +195,10 @@ class RunRecords:
             previous_statement_sha256=await self._store.last_statement_sha256(),
             promise=self._settings.promise,
         )
+
+
+def _rests_since(run: RunHead, before: float) -> bool:
+    return run.state in RESTING_STATES and run.updated_at_wall < before
 
 
 def _line(episode: Episode) -> EpisodeLine:
