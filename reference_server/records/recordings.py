@@ -34,13 +34,15 @@ from reference_record.recording import (
     timestamp,
 )
 from reference_record.recording_file import join_parts
-from reference_record.recording_parts import append_part
+from reference_record.recording_parts import append_part, parts_of
 from reference_server.rules.run import Episode, Recording, Result, Run
 from reference_server.storage.store import StoreFailed
 from reference_sim.process.pool import RecordingPlan
 
 log = logging.getLogger("proctor.records")
 
+# Parts of an episode, with which it may begin again: each is read at its end.
+PARTS_MAX = 10_000
 # Episodes whose files are written at once.
 THREADS = 4
 
@@ -87,9 +89,13 @@ class Recordings:
 
     async def begin(self, run: Run, episode: Episode) -> RecordingPlan:
         """Where the next playing of the episode is recorded. Raises RecordingFailed."""
-        await self._write((run.run_id, episode.index))
-        folder = str(self._parts(run.run_id, episode.index))
-        return RecordingPlan(folder, episode.attempt, self._pictures)
+        key = run.run_id, episode.index
+        await self._write(key)
+        folder = self._parts(*key)
+        parts = await self._in_thread(key, partial(parts_of, folder))
+        if len(parts) >= PARTS_MAX:
+            raise RecordingFailed(f"the episode was begun or broke {PARTS_MAX} times")
+        return RecordingPlan(str(folder), episode.attempt, self._pictures)
 
     def add_fault(
         self, run: Run, episode: Episode, seq: int, code: str, detail: str
@@ -109,11 +115,13 @@ class Recordings:
         """Join all that was recorded of the episode with its result, durably.
 
         May be called again, with another result: as long as the parts are there, the
-        last call decides. Raises RecordingFailed.
+        last call decides. Raises RecordingFailed, also when what is on disk does not
+        have the turns of the result: who counted it could not show how it came.
         """
         await self._write((run.run_id, episode.index))
         at_ns = int(result.finished_at_wall * 1e9)
         last: list[tuple[str, int, Message]] = []
+        steps = None if result.outcome == "abandoned" else result.steps
         if result.outcome != "abandoned":
             ended = AttemptEvent(result.attempt, "ended", timestamp(at_ns), "scored")
             last.append(("/attempt", at_ns, ended))
@@ -128,7 +136,8 @@ class Recordings:
         last.append(("/result", at_ns, recorded))
         key = run.run_id, episode.index
         parts, target = self._parts(*key), self.path(*key)
-        summary = await self._in_thread(key, partial(join_parts, parts, target, last))
+        work = partial(join_parts, parts, target, last, steps=steps)
+        summary = await self._in_thread(key, work)
         latency = msgspec.structs.asdict(summary.latency)
         return Recording(
             summary.sha256,
@@ -216,7 +225,7 @@ class Recordings:
             return await loop.run_in_executor(threads, work)
         except OSError as error:
             raise RecordingFailed(
-                f"the recording could not be written: {error.strerror}"
+                f"the recording could not be written: {error.strerror or error}"
             ) from error
 
 

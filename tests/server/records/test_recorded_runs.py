@@ -18,7 +18,7 @@ from mcap.stream_reader import StreamReader
 from reference_record import recording_file, recording_parts
 from reference_record.recording import MESSAGE_HEAD
 from reference_server.records import recordings as recordings_module
-from reference_server.records.recordings import Recordings
+from reference_server.records.recordings import RecordingFailed, Recordings
 from reference_server.rules.lifecycle import Attach
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
@@ -152,10 +152,10 @@ def test_a_result_whose_recording_fails_does_not_count(
     """Once the disk is full at the end; the episode begins again and is scored."""
     right, failures = recording_file.join_parts, iter([True])
 
-    def join(*arguments: Any) -> Any:
+    def join(*arguments: Any, **options: Any) -> Any:
         if next(failures, False):
             raise OSError(errno.ENOSPC, "No space left on device")
-        return right(*arguments)
+        return right(*arguments, **options)
 
     monkeypatch.setattr(recordings_module, "join_parts", join)
 
@@ -237,3 +237,48 @@ def test_each_event_is_written_once_whoever_writes(
         for _, message in recording_parts.read_part(part)
     ]
     assert found == [0, 1, 2]
+
+
+def test_a_result_whose_turns_are_gone_does_not_count(tmp_path: Path) -> None:
+    """Their parts were removed; the episode is played again in the same attempt."""
+
+    async def story(parts: ServerParts, recordings: Recordings) -> None:
+        run = await submit(parts)
+        turn = await attach(parts, run)
+        turn = await parts.executor.predict(run, predict_command(turn))
+        for part in recording_parts.parts_of(tmp_path / "records/run_1/00000.parts"):
+            part.unlink()
+        turn = await parts.executor.predict(run, predict_command(turn, end=1))
+        assert "turns of the result" in turn["fault"]["detail"]
+        assert run.scored == 0
+        assert not recordings.path("run_1", 0).exists()
+        turn = await parts.executor.predict(run, predict_command(turn, end=1))
+        assert turn["episode_result"]["attempt"] == 1
+
+    play(tmp_path, story)
+
+
+def test_an_episode_has_a_bound_of_parts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(recordings_module, "PARTS_MAX", 2)
+    run: Any = SimpleNamespace(run_id="run_1")
+    episode: Any = SimpleNamespace(index=0, attempt=1)
+
+    async def begin() -> None:
+        recordings = Recordings(tmp_path)
+        recordings.add_fault(run, episode, 1, "simulator_fault", "it broke")
+        await recordings.begin(run, episode)
+        recordings.add_fault(run, episode, 2, "simulator_fault", "it broke")
+        with pytest.raises(RecordingFailed):
+            await recordings.begin(run, episode)
+        await recordings.close()
+
+    asyncio.run(begin())
+
+
+def test_parts_beyond_a_million_keep_their_order(tmp_path: Path) -> None:
+    names = ["000002.part", "999999.part", "1000000.part"]
+    for name in names:
+        (tmp_path / name).touch()
+    assert [path.name for path in recording_parts.parts_of(tmp_path)] == names
