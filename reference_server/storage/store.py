@@ -393,7 +393,8 @@ class Store:
     async def count_attempts(self, run: RunHead) -> int:
         """How many runs of its benchmark the run's account has submitted so far."""
         async with self._transaction() as connection:
-            return await connection.scalar(_last_attempt(run)) or 0
+            # Its rows may be older than the column that counts.
+            return max(1, await connection.scalar(_last_attempt(run)) or 0)
 
     async def find_statement(self, run_id: str) -> bytes | None:
         """That of the run's record, if it was signed."""

@@ -9,7 +9,11 @@ from typing import Any
 import pytest
 
 from reference_server.records import run_records
-from reference_server.records.run_records import HostSettings, RunRecords
+from reference_server.records.run_records import (
+    HostSettings,
+    RecordUnavailable,
+    RunRecords,
+)
 
 HEAD = "completed", 0.0
 
@@ -68,3 +72,23 @@ def test_removal_goes_on_after_the_folder_could_not_be_read(
 
     with pytest.raises(Removed):
         asyncio.run(records_of(runs)._remove_old_for_ever())
+
+
+class Line:
+    def __init__(self, size: int) -> None:
+        self.recording = Size(size)
+
+
+class Size:
+    def __init__(self, size: int) -> None:
+        self.bytes = size
+
+
+@pytest.mark.parametrize("sizes", [[2**31, 2**31], [1] * 65_001])
+def test_what_no_record_can_have_is_refused_before_it_is_read(
+    sizes: list[int],
+) -> None:
+    lines: Any = [Line(size) for size in sizes]
+    with pytest.raises(RecordUnavailable, match="more than a record can have"):
+        run_records._refuse_too_large(lines)
+    run_records._refuse_too_large(lines[:1])
