@@ -122,7 +122,7 @@ def loses_the_first_turn_of_each_part() -> None:
         return [entry for n, entry in enumerate(entries) if n != left_out]
 
     change_parts(wrong)
-    right = recordings.join_parts
+    right = recording_file.join_parts
     # Nor does it compare the steps of the turns with those of the result.
     put(recordings, "join_parts", lambda *arguments, **_: right(*arguments))
 

@@ -341,6 +341,16 @@ def _broken_recordings() -> dict[str, Broken]:
             "REC-011",
             "A turn was taken out: the steps do not add up.",
         ),
+        "episode_not_ended": (
+            of_first([start, one, turn(1, 2, 0, score=1.0), end, scored]),
+            "REC-011",
+            "The last turn did not end the episode, and a result follows.",
+        ),
+        "steps_without_actions": (
+            of_first([start, _with_steps(one, 1), _with_steps(two, 3), end, scored]),
+            "REC-012",
+            "A turn has more actions than steps, the next one fewer.",
+        ),
         "turn_behind_the_result": (
             of_first([start, one, two, end, scored, turn(1, 3, 0, score=1.0)]),
             "REC-012",
@@ -392,6 +402,11 @@ def _broken_recordings() -> dict[str, Broken]:
 def _attempt_2(start: tuple[str, Message]) -> tuple[str, Message]:
     topic, event = start
     return topic, msgspec.structs.replace(event, attempt=2)
+
+
+def _with_steps(entry: tuple[str, Message], steps: int) -> tuple[str, Message]:
+    topic, said = entry
+    return topic, msgspec.structs.replace(said, steps=steps)
 
 
 def _recording(records: bytes) -> bytes:
