@@ -244,6 +244,7 @@ def _line(episode: Episode) -> EpisodeLine:
         attempts=result.attempt,
         latency=dict(recording.latency),
         recording=facts,
+        player=result.player,
     )
 
 
