@@ -70,7 +70,8 @@ def good_archive_with_verdict() -> bytes:
 def broken_records() -> dict[str, Broken]:
     """Name → record, sorted by name."""
     cases = {**_broken_archives(), **_broken_signatures(), **_broken_files()}
-    cases |= {**_broken_contents(), **_broken_recordings(), **_broken_verdicts()}
+    cases |= {**_broken_contents(), **_broken_verdicts()}
+    cases |= {**_broken_recordings(), **_broken_mcap_files()}
     return dict(sorted(cases.items()))
 
 
@@ -323,11 +324,6 @@ def _broken_recordings() -> dict[str, Broken]:
     def of_first(messages: Messages) -> bytes:
         return make_archive(Sample(episodes=[messages, *Sample().episodes[1:]]))
 
-    def of_bytes(data: bytes) -> bytes:
-        return make_archive(
-            Sample(change_recording=lambda index, kept: kept if index else data)
-        )
-
     start, one, two, end, scored = success(0)
     better = "/result", EpisodeResult("success", True, 1.0, 2, 1, "")
     cases = {
@@ -361,6 +357,20 @@ def _broken_recordings() -> dict[str, Broken]:
             "REC-012",
             "The first attempt begins behind the second.",
         ),
+    }
+    return {
+        name: Broken(archive, FIRST, rule, description)
+        for name, (archive, rule, description) in cases.items()
+    }
+
+
+def _broken_mcap_files() -> dict[str, Broken]:
+    def of_bytes(data: bytes) -> bytes:
+        return make_archive(
+            Sample(change_recording=lambda index, kept: kept if index else data)
+        )
+
+    cases = {
         "recording_is_no_mcap": (of_bytes(b"x" * 99), "REC-012", "It is no MCAP."),
         "recording_cut": (
             of_bytes(_recording(_chunk(b"", 0))[:-1]),
