@@ -70,7 +70,7 @@ class Record:
 
 
 @dataclass(frozen=True, slots=True)
-class RecordFiles:
+class UnsignedRecord:
     """All files of a record but its statement, and their SHA-256, by name."""
 
     contents: Mapping[str, Content]
@@ -109,7 +109,7 @@ def build_record(
 
 def read_files(
     *, manifest: bytes, lines: Iterable[EpisodeLine], recordings: Mapping[str, Path]
-) -> RecordFiles:
+) -> UnsignedRecord:
     """Read every file once, for its digest.
 
     recordings: name in the record → file on this machine. Raises UnusableRecord if one
@@ -131,7 +131,7 @@ def read_files(
             contents[name], digests[name] = _of_file(recordings[name])
             if digests[name] != line.recording.sha256:
                 raise UnusableRecord(f"{name} is not what was recorded")
-    return RecordFiles(contents, digests)
+    return UnsignedRecord(contents, digests)
 
 
 def add_verdict(bundle: Bundle, path: Path, name: str, verdict: bytes) -> None:

@@ -69,7 +69,7 @@ class Recordings:
         self._threads = [ThreadPoolExecutor(1, "recordings") for _ in range(THREADS)]
         self._pending: dict[Key, list[tuple[str, Message]]] = {}
         self._appending: set[asyncio.Task[None]] = set()
-        # Who holds one writes to that episode; gone when nobody does.
+        # The task that holds one writes to that episode; gone when none is held.
         self._locks: WeakValueDictionary[Key, asyncio.Lock] = WeakValueDictionary()
 
     def open(self) -> None:

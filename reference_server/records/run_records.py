@@ -19,7 +19,7 @@ from typing import Any, Literal
 import msgspec
 
 from reference_record.broken import UnusableRecord
-from reference_record.export import Record, RecordFiles, host_of, read_files
+from reference_record.export import Record, UnsignedRecord, host_of, read_files
 from reference_record.formats.envelope import read_envelope
 from reference_record.formats.names import (
     ARCHIVE_BYTES_MAX,
@@ -159,7 +159,7 @@ class RunRecords:
         run: RunHead,
         episodes: Sequence[Episode],
         score: Mapping[str, Any],
-        files: RecordFiles,
+        files: UnsignedRecord,
     ) -> Record:
         """As `fetch`, unless another fetch of the record signs it meanwhile."""
         async with self._signing:
@@ -259,7 +259,7 @@ def _refuse_too_large(lines: Sequence[EpisodeLine]) -> None:
         )
 
 
-def _reopened(run_id: str, files: RecordFiles, statement: bytes) -> Record:
+def _reopened(run_id: str, files: UnsignedRecord, statement: bytes) -> Record:
     """The record that was signed before."""
     payload = read_envelope(STATEMENT, statement).payload
     signed = digests_by_name(msgspec.json.decode(payload, type=Statement[Any]))

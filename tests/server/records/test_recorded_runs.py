@@ -203,7 +203,7 @@ def test_what_could_not_be_appended_is_appended_later(
     play(tmp_path, story)
 
 
-def test_each_event_is_written_once_whoever_writes(
+def test_each_event_is_written_once_by_several_writers(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The second of three meets a full disk while `begin` writes them, too."""
