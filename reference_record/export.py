@@ -69,6 +69,27 @@ class Record:
                 file.writelines(self.contents[name].blocks())
 
 
+@dataclass(frozen=True, slots=True)
+class UnsignedRecord:
+    """All files of a record but its statement, and their SHA-256, by name."""
+
+    contents: Mapping[str, Content]
+    digests: Mapping[str, str]
+
+    def sign(self, evaluation: Evaluation, key: SigningKey) -> Record:
+        """Raises UnusableRecord where the evaluation is of another manifest."""
+        if self.digests[MANIFEST] != evaluation.manifest_sha256:
+            raise UnusableRecord("the manifest has another digest than the run")
+        subjects = sorted(self.digests.items(), key=lambda item: order(item[0]))
+        payload = write_statement(subjects, PREDICATE_TYPE, evaluation)
+        return self.with_statement(sign_envelope(payload, key))
+
+    def with_statement(self, statement: bytes) -> Record:
+        """The record that was signed before, from its statement."""
+        digest = hashlib.sha256(statement).hexdigest()
+        return Record({**self.contents, STATEMENT: _of_bytes(statement)}, digest)
+
+
 def host_of(name: str, key: SigningKey) -> Host:
     return Host(name, key.keyid, base64.b64encode(key.public_key).decode())
 
@@ -81,40 +102,22 @@ def build_record(
     recordings: Mapping[str, Path],
     key: SigningKey,
 ) -> Record:
-    """Sign the record of a run.
+    """Sign the record of a run. Raises as `read_files` does."""
+    files = read_files(manifest=manifest, lines=lines, recordings=recordings)
+    return files.sign(evaluation, key)
+
+
+def read_files(
+    *, manifest: bytes, lines: Iterable[EpisodeLine], recordings: Mapping[str, Path]
+) -> UnsignedRecord:
+    """Read every file once, for its digest.
 
     recordings: name in the record → file on this machine. Raises UnusableRecord if one
     does not have the digest that its line says, and OSError if it cannot be read.
     """
-    contents, digests = _contents(manifest, list(lines), recordings)
-    if digests[MANIFEST] != evaluation.manifest_sha256:
-        raise UnusableRecord("the manifest has another digest than the run")
-    subjects = sorted(digests.items(), key=lambda item: order(item[0]))
-    payload = write_statement(subjects, PREDICATE_TYPE, evaluation)
-    return _with_statement(contents, sign_envelope(payload, key))
-
-
-def reopen_record(
-    statement: bytes,
-    *,
-    manifest: bytes,
-    lines: Iterable[EpisodeLine],
-    recordings: Mapping[str, Path],
-) -> Record:
-    """The record that was signed before, from its statement. Raises as build_record."""
-    contents, _ = _contents(manifest, list(lines), recordings)
-    return _with_statement(contents, statement)
-
-
-def _with_statement(contents: Mapping[str, Content], statement: bytes) -> Record:
-    digest = hashlib.sha256(statement).hexdigest()
-    return Record({**contents, STATEMENT: _of_bytes(statement)}, digest)
-
-
-def _contents(
-    manifest: bytes, all_lines: list[EpisodeLine], recordings: Mapping[str, Path]
-) -> tuple[dict[str, Content], dict[str, str]]:
-    """All files but the statement, and their digests, by name."""
+    all_lines = list(lines)
+    if len(all_lines) > EPISODES_MAX:
+        raise UnusableRecord(f"a record has at most {EPISODES_MAX} episodes")
     encoder = msgspec.json.Encoder()
     episodes = b"".join(encoder.encode(line) + b"\n" for line in all_lines)
     contents = {MANIFEST: _of_bytes(manifest), EPISODES: _of_bytes(episodes)}
@@ -128,9 +131,7 @@ def _contents(
             contents[name], digests[name] = _of_file(recordings[name])
             if digests[name] != line.recording.sha256:
                 raise UnusableRecord(f"{name} is not what was recorded")
-    if len(all_lines) > EPISODES_MAX:
-        raise UnusableRecord(f"a record has at most {EPISODES_MAX} episodes")
-    return contents, digests
+    return UnsignedRecord(contents, digests)
 
 
 def add_verdict(bundle: Bundle, path: Path, name: str, verdict: bytes) -> None:

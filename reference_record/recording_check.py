@@ -27,9 +27,12 @@ class _Attempt(Struct):
 
 class _Turn(Struct):
     attempt: int
+    actions: list[msgspec.Raw]
+    rewards: list[float]
     steps: int
     score: float
     success: bool
+    ended: bool
     state_digest: str
 
 
@@ -106,6 +109,8 @@ class _Played:
     def _add_turn(self, turn: _Turn) -> None:
         if turn.attempt != self._attempt or turn.steps < 0:
             self._refuse(f"turn {self.turns + 1} belongs to no attempt that began")
+        if not len(turn.actions) == len(turn.rewards) == turn.steps:
+            self._refuse(f"turn {self.turns + 1} has other steps than actions, rewards")
         self.turns += 1
         self._steps += turn.steps
         self._last_turn, self._last_digest = turn, turn.state_digest
@@ -140,6 +145,8 @@ class _Played:
             return
         if turn.success != result.success or abs(turn.score - result.score) > TOLERANCE:
             self._refuse("its score does not follow from its turns", "REC-011")
+        if not turn.ended:
+            self._refuse("its last turn did not end the episode", "REC-011")
 
     def _refuse(self, detail: str, rule: str = "REC-012") -> None:
         raise BrokenRecord(self._name, rule, detail)

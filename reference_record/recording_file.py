@@ -72,6 +72,7 @@ class RecordingSummary(msgspec.Struct, frozen=True):
 
 
 class _TurnFigures(msgspec.Struct):
+    steps: int
     state_digest: str
     simulate_ms: float
     think_ms: float
@@ -82,19 +83,23 @@ _ATTEMPT = msgspec.json.Decoder(AttemptEvent)
 
 
 def join_parts(
-    folder: Path, target: Path, last: Sequence[tuple[str, int, Message]]
+    folder: Path,
+    target: Path,
+    last: Sequence[tuple[str, int, Message]],
+    *,
+    steps: int | None = None,
 ) -> RecordingSummary:
     """Write all parts in `folder`, and then these messages, to the file `target`.
 
-    last: topic, nanoseconds since 1970, message. Raises OSError; then `target` is what
-    it was.
+    last: topic, nanoseconds since 1970, message. steps: those that the turns of the
+    last attempt must have, None for any. Raises OSError; then `target` is what it was.
     """
     draft = target.with_suffix(".draft")
     try:
         target.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         with draft.open("wb") as file:
             os.fchmod(file.fileno(), 0o600)
-            summary = _write_all(file, folder, last)
+            summary = _write_all(file, folder, last, steps)
             file.flush()
             os.fsync(file.fileno())
         draft.replace(target)
@@ -106,13 +111,21 @@ def join_parts(
 
 
 def _write_all(
-    file: BinaryIO, folder: Path, last: Sequence[tuple[str, int, Message]]
+    file: BinaryIO,
+    folder: Path,
+    last: Sequence[tuple[str, int, Message]],
+    steps: int | None,
 ) -> RecordingSummary:
     writer, figures = _RecordingWriter(file), _Figures()
     for part in parts_of(folder):
         for topic, message in read_part(part):
-            figures.add(topic, message)
+            try:
+                figures.add(topic, message)
+            except msgspec.MsgspecError as error:
+                raise OSError(f"{part.name} has been damaged") from error
             writer.add(topic, message)
+    if steps is not None and figures.steps != steps:
+        raise OSError("its parts do not have the turns of the result")
     for topic, at_ns, said in last:
         content = memoryview(message_record(0, at_ns, said))
         writer.add(topic, content[RECORD_HEAD.size :])
@@ -137,17 +150,20 @@ class _Figures:
         self._last: str | None = None
         self._think: list[float] = []
         self._simulate: list[float] = []
+        self.steps: int | None = None  # of the attempt in play, None before its turns
 
     def add(self, topic: str, message: memoryview) -> None:
         if topic == "/turn":
             turn = _TURN.decode(message[MESSAGE_HEAD.size :])
             self._last = turn.state_digest
+            self.steps = (self.steps or 0) + turn.steps
             self._think.append(turn.think_ms)
             self._simulate.append(turn.simulate_ms)
         elif topic == "/attempt":
             event = _ATTEMPT.decode(message[MESSAGE_HEAD.size :])
             if event.event == "started":
                 self._first = self._first or event.state_digest
+                self.steps = None
                 if not self._think:
                     self._last = event.state_digest
 

@@ -58,19 +58,18 @@ class PartWriter:
         os.close(self._file)
 
 
-def append_part(folder: Path, *messages: tuple[str, Message]) -> None:
-    """Write messages of one moment as a part of their own."""
+def append_part(folder: Path, topic: str, message: Message) -> None:
+    """Write one message as a part of its own."""
     part = PartWriter(folder)
     try:
-        for topic, message in messages:
-            part.write(topic, message)
+        part.write(topic, message)
     finally:
         part.close()
 
 
 def parts_of(folder: Path) -> list[Path]:
     """In the order in which they were begun."""
-    return sorted(folder.glob(f"*{SUFFIX}"))
+    return sorted(folder.glob(f"*{SUFFIX}"), key=_number_of)
 
 
 def read_part(path: Path) -> Iterator[tuple[str, memoryview]]:
@@ -105,4 +104,8 @@ def _read_record(file: BinaryIO, size: int) -> tuple[int, bytes] | None:
 
 
 def _next_number(folder: Path) -> int:
-    return 1 + max((int(path.stem) for path in parts_of(folder)), default=0)
+    return 1 + max(map(_number_of, parts_of(folder)), default=0)
+
+
+def _number_of(path: Path) -> int:
+    return int(path.stem)

@@ -12,6 +12,8 @@ from typing import Any, Final, Literal, NamedTuple
 Outcome = Literal["success", "failure", "abandoned"]
 _Z: Final = 1.959963984540054
 TOLERANCE: Final = 1e-9
+# Of a value in a text.
+SHOWN_CHARS: Final = 100
 
 
 class ScoredLine(NamedTuple):
@@ -24,7 +26,7 @@ class ScoredLine(NamedTuple):
 
 
 def compute_score(episodes: Sequence[ScoredLine]) -> dict[str, Any]:
-    """REC-011: the members of a score that follow from the episodes, at least one."""
+    """REC-013: the members of a score that follow from the episodes, at least one."""
     group = _group(episodes)
     total, unscored = len(episodes), group["counts"]["unscored"]
     low = _sum(episodes) / total
@@ -58,7 +60,8 @@ def first_difference(expected: Any, found: Any, path: str = "") -> str | None:
             if difference := first_difference(value, found[name], f"{path}/{name}"):
                 return difference
         return None
-    return None if _equal(expected, found) else f"{path} is {found}, not {expected}"
+    equal = _equal(expected, found)
+    return None if equal else f"{path} is {_shown(found)}, not {_shown(expected)}"
 
 
 def _equal(expected: Any, found: Any) -> bool:
@@ -66,7 +69,17 @@ def _equal(expected: Any, found: Any) -> bool:
         return expected is found
     if not isinstance(found, int | float):
         return False
-    return bool(abs(expected - found) <= TOLERANCE)
+    try:
+        return bool(abs(expected - found) <= TOLERANCE)
+    except OverflowError:  # an integer beyond every float
+        return False
+
+
+def _shown(value: Any) -> str:
+    """Of what another party wrote, as much as a line of text can bear."""
+    if isinstance(value, int) and value.bit_length() > 1024:
+        return "a huge integer"  # Python refuses to print the largest
+    return f"{value}"[:SHOWN_CHARS]
 
 
 def _wilson(rate: float | None, n: int) -> dict[str, float]:

@@ -114,8 +114,11 @@ class RecordingFacts(Struct):
     last_digest: Text
 
 
-class EpisodeLine(Struct):
-    """REC-009: one line of episodes.jsonl; outcome None: the episode has no result."""
+class EpisodeLine(Struct, omit_defaults=True):
+    """REC-009: one line of episodes.jsonl; outcome None: the episode has no result.
+
+    player: as its result has it; not in the line if it has none.
+    """
 
     episode_id: Text
     index: Count
@@ -128,6 +131,7 @@ class EpisodeLine(Struct):
     attempts: Count
     latency: dict[str, Any] | None
     recording: RecordingFacts | None
+    player: Any = None
 
     @property
     def scored(self) -> ScoredLine:

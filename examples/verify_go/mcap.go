@@ -11,8 +11,10 @@ const (
 	mcapMagic      = "\x89MCAP0\r\n"
 	recordBytesMax = 1 << 26
 	channelsMax    = 256
+	// Added to the size of each record in a chunk: a small one takes time, too.
+	chunkedRecordBytes = 64
 
-	opFooter, opChannel, opMessage, opChunk, opLast = 0x02, 0x04, 0x05, 0x06, 0x0F
+	opFooter, opSchema, opChannel, opMessage, opChunk, opLast = 0x02, 0x03, 0x04, 0x05, 0x06, 0x0F
 )
 
 // mcap reads the messages of a recording from front to back, within bounds (REC-030).
@@ -86,6 +88,14 @@ func (m *mcap) cut(data []byte, count uint64) ([]byte, []byte) {
 	return data[:count], data[count:]
 }
 
+// charge counts what chunks hold, which may be far more than the file.
+func (m *mcap) charge(count int64) {
+	m.expanded -= count
+	if m.expanded < 0 {
+		refuse(m.name, "REC-030", "its chunks have too many bytes or records for its size")
+	}
+}
+
 func (m *mcap) expand(chunk []byte) []byte {
 	head, rest := m.cut(chunk, 32)
 	size := binary.LittleEndian.Uint64(head[16:])
@@ -95,8 +105,7 @@ func (m *mcap) expand(chunk []byte) []byte {
 		m.malformed("a chunk is cut")
 	}
 	m.bound(int64(size), recordBytesMax)
-	m.bound(int64(size), m.expanded)
-	m.expanded -= int64(size)
+	m.charge(int64(size))
 	switch string(word) {
 	case "":
 	case "zstd":
@@ -127,7 +136,8 @@ func (m *mcap) records(data []byte) {
 		var head, content []byte
 		head, data = m.cut(data, 9)
 		content, data = m.cut(data, binary.LittleEndian.Uint64(head[1:]))
-		if head[0] == opChunk || head[0] == opFooter {
+		m.charge(chunkedRecordBytes)
+		if head[0] != opSchema && head[0] != opChannel && head[0] != opMessage {
 			m.malformed("a chunk holds what cannot stand in one")
 		}
 		m.record(head[0], content)

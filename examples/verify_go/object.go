@@ -105,6 +105,14 @@ func (o *object) count(name string) int64 {
 	return int64(number)
 }
 
+func (o *object) length(name string) int64 {
+	items, is := o.members[name].([]any)
+	if !is {
+		refuse(o.file, "REC-004", "%s is no list", name)
+	}
+	return int64(len(items))
+}
+
 func (o *object) objects(name string) []*object {
 	items, is := o.members[name].([]any)
 	if !is {

@@ -60,8 +60,12 @@ func (p *played) add(topic string, data []byte) {
 		if turn.count("attempt") != p.attempt {
 			refuse(p.name, "REC-012", "a turn belongs to no attempt that began")
 		}
+		steps := turn.count("steps")
+		if turn.length("actions") != steps || turn.length("rewards") != steps {
+			refuse(p.name, "REC-012", "a turn has other steps than actions, rewards")
+		}
 		p.turns++
-		p.steps += turn.count("steps")
+		p.steps += steps
 		p.turn, p.last = turn, turn.text("state_digest")
 	case "/result":
 		p.result = p.message(data)
@@ -110,5 +114,8 @@ func (p *played) compare(line *object) {
 	if p.turn.flag("success") != result.flag("success") ||
 		math.Abs(p.turn.number("score")-result.number("score")) > tolerance {
 		refuse(p.name, "REC-011", "its score does not follow from its turns")
+	}
+	if !p.turn.flag("ended") {
+		refuse(p.name, "REC-011", "its last turn did not end the episode")
 	}
 }

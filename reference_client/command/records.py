@@ -103,6 +103,7 @@ def _facts(path: Path, report: Report) -> TextTable:
             "policy": f"{said.policy.name}{version}",
             "benchmark": f"{said.benchmark.benchmark_id}, "
             f"version {said.benchmark.version}",
+            "part": _part_text(said.score.get("select")),
             "manifest": said.manifest_sha256,
             "run": f"{said.run.run_id}, number {said.attempts_by_submitter} of its "
             "submitter on this benchmark",
@@ -113,6 +114,14 @@ def _facts(path: Path, report: Report) -> TextTable:
             "not shown": _NOT_SHOWN,
         }
     )
+
+
+def _part_text(select: object) -> str | None:
+    """Of the benchmark, if the run was not about the whole of it."""
+    if not select:
+        return None
+    text = msgspec.json.encode(select).decode()
+    return f"{text[:200]}, and nothing else"
 
 
 def _level_text(report: Report) -> str:

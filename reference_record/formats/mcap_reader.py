@@ -15,7 +15,7 @@ import zstandard
 from reference_record.broken import BrokenRecord
 
 MAGIC: Final = b"\x89MCAP0\r\n"
-_FOOTER, _CHANNEL, _MESSAGE, _CHUNK = 0x02, 0x04, 0x05, 0x06
+_FOOTER, _SCHEMA, _CHANNEL, _MESSAGE, _CHUNK = 0x02, 0x03, 0x04, 0x05, 0x06
 _KNOWN = range(0x01, 0x10)
 _HEAD = struct.Struct("<BQ")
 _MESSAGE_HEAD = struct.Struct("<HIQQ")
@@ -25,6 +25,8 @@ RECORD_BYTES_MAX: Final = 2**26
 CHANNELS_MAX: Final = 256
 EXPANSION_MAX: Final = 1000
 EXPANSION_FREE_BYTES: Final = 2**26
+# Added to the size of each record in a chunk: a small one takes time to read, too.
+CHUNKED_RECORD_BYTES: Final = 64
 
 
 class _Malformed(Exception):
@@ -81,6 +83,12 @@ class McapReader:
             detail = f"{what} of it has {count} bytes; at most {most} are read"
             raise BrokenRecord(self._name, "REC-030", detail)
 
+    def _charge(self, count: int) -> None:
+        self._expanded_left -= count
+        if self._expanded_left < 0:
+            detail = "its chunks have too many bytes or records for its size"
+            raise BrokenRecord(self._name, "REC-030", detail)
+
     def _expand(self, chunk: memoryview) -> memoryview:
         _, _, expanded, _, word = _CHUNK_HEAD.unpack_from(chunk)
         start = _CHUNK_HEAD.size + word
@@ -90,8 +98,7 @@ class McapReader:
         if len(data) != length:
             raise _Malformed("a chunk is cut")
         self._bound(expanded, RECORD_BYTES_MAX, "a chunk")
-        self._bound(expanded, self._expanded_left, "the rest")
-        self._expanded_left -= expanded
+        self._charge(expanded)
         if compression == "zstd":
             data = self._decompress(data, expanded)
         elif compression:
@@ -119,9 +126,10 @@ class McapReader:
         while position < end:
             code, length = _HEAD.unpack_from(data, position)
             position += _HEAD.size
+            self._charge(CHUNKED_RECORD_BYTES)
             if length > end - position:
                 raise _Malformed("a record in a chunk is cut")
-            if code in (_CHUNK, _FOOTER):
+            if code not in (_SCHEMA, _CHANNEL, _MESSAGE):
                 raise _Malformed("a chunk holds what cannot stand in one")
             yield from self._read(code, data[position : position + length])
             position += length

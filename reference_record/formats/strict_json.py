@@ -33,7 +33,8 @@ def read_json(file: str, data: bytes, type_: type[T], where: str = "") -> T:
 
 
 def _refuse_repeated(pairs: list[tuple[str, Any]]) -> None:
-    names = [name for name, _ in pairs]
-    if len(set(names)) < len(names):
-        twice = next(name for name in names if names.count(name) > 1)
-        raise ValueError(f"the member {twice[:64]!r} stands twice")
+    names: set[str] = set()
+    for name, _ in pairs:
+        if name in names:
+            raise ValueError(f"the member {name[:64]!r} stands twice")
+        names.add(name)

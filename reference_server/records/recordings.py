@@ -22,6 +22,7 @@ from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TypeVar
+from weakref import WeakValueDictionary
 
 import msgspec
 
@@ -33,13 +34,15 @@ from reference_record.recording import (
     timestamp,
 )
 from reference_record.recording_file import join_parts
-from reference_record.recording_parts import append_part
+from reference_record.recording_parts import append_part, parts_of
 from reference_server.rules.run import Episode, Recording, Result, Run
 from reference_server.storage.store import StoreFailed
 from reference_sim.process.pool import RecordingPlan
 
 log = logging.getLogger("proctor.records")
 
+# Parts of an episode, with which it may begin again: each is read at its end.
+PARTS_MAX = 10_000
 # Episodes whose files are written at once.
 THREADS = 4
 
@@ -65,7 +68,9 @@ class Recordings:
         # One thread each: what is appended to an episode keeps its order.
         self._threads = [ThreadPoolExecutor(1, "recordings") for _ in range(THREADS)]
         self._pending: dict[Key, list[tuple[str, Message]]] = {}
-        self._appending: dict[Key, asyncio.Task[None]] = {}
+        self._appending: set[asyncio.Task[None]] = set()
+        # The task that holds one writes to that episode; gone when none is held.
+        self._locks: WeakValueDictionary[Key, asyncio.Lock] = WeakValueDictionary()
 
     def open(self) -> None:
         """Make the folder, which its owner alone may read. Raises OSError."""
@@ -74,7 +79,7 @@ class Recordings:
     async def close(self) -> None:
         """Returns when everything that was begun is written."""
         while self._appending:
-            await asyncio.wait(self._appending.values())
+            await asyncio.wait(self._appending)
         for threads in self._threads:
             threads.shutdown()
         if self._temporary is not None:
@@ -84,9 +89,13 @@ class Recordings:
 
     async def begin(self, run: Run, episode: Episode) -> RecordingPlan:
         """Where the next playing of the episode is recorded. Raises RecordingFailed."""
-        await self._write_pending((run.run_id, episode.index))
-        folder = str(self._parts(run.run_id, episode.index))
-        return RecordingPlan(folder, episode.attempt, self._pictures)
+        key = run.run_id, episode.index
+        await self._write(key)
+        folder = self._parts(*key)
+        parts = await self._in_thread(key, partial(parts_of, folder))
+        if len(parts) >= PARTS_MAX:
+            raise RecordingFailed(f"the episode was begun or broke {PARTS_MAX} times")
+        return RecordingPlan(str(folder), episode.attempt, self._pictures)
 
     def add_fault(
         self, run: Run, episode: Episode, seq: int, code: str, detail: str
@@ -106,11 +115,13 @@ class Recordings:
         """Join all that was recorded of the episode with its result, durably.
 
         May be called again, with another result: as long as the parts are there, the
-        last call decides. Raises RecordingFailed.
+        last call decides. Raises RecordingFailed, also when what is on disk does not
+        have the turns of the result: who counted it could not show how it came.
         """
-        await self._write_pending((run.run_id, episode.index))
+        await self._write((run.run_id, episode.index))
         at_ns = int(result.finished_at_wall * 1e9)
         last: list[tuple[str, int, Message]] = []
+        steps = None if result.outcome == "abandoned" else result.steps
         if result.outcome != "abandoned":
             ended = AttemptEvent(result.attempt, "ended", timestamp(at_ns), "scored")
             last.append(("/attempt", at_ns, ended))
@@ -125,7 +136,8 @@ class Recordings:
         last.append(("/result", at_ns, recorded))
         key = run.run_id, episode.index
         parts, target = self._parts(*key), self.path(*key)
-        summary = await self._in_thread(key, partial(join_parts, parts, target, last))
+        work = partial(join_parts, parts, target, last, steps=steps)
+        summary = await self._in_thread(key, work)
         latency = msgspec.structs.asdict(summary.latency)
         return Recording(
             summary.sha256,
@@ -181,30 +193,28 @@ class Recordings:
 
     def _append(self, key: Key, topic: str, message: Message) -> None:
         self._pending.setdefault(key, []).append((topic, message))
-        if key not in self._appending:
-            task = asyncio.create_task(self._append_soon(key))
-            self._appending[key] = task
-            task.add_done_callback(lambda _: self._appending.pop(key))
+        task = asyncio.create_task(self._append_soon(key))
+        self._appending.add(task)
+        task.add_done_callback(self._appending.discard)
 
     async def _append_soon(self, key: Key) -> None:
         try:
             await self._write(key)
-        except RecordingFailed as failed:  # tried again by `_write_pending`
+        except RecordingFailed as failed:  # tried again by `begin` and `finish`
             log.warning("run %s, episode %d: %s", *key, failed)
 
-    async def _write_pending(self, key: Key) -> None:
-        """What was not written yet, or could not be. Raises RecordingFailed."""
-        if (appending := self._appending.get(key)) is not None:
-            await asyncio.wait([appending])
-        await self._write(key)
-
     async def _write(self, key: Key) -> None:
-        while messages := self._pending.get(key, []):
-            work = partial(append_part, self._parts(*key), *messages)
-            count = len(messages)
-            await self._in_thread(key, work)
-            del messages[:count]
-        self._pending.pop(key, None)
+        """What was not written yet, or could not be. Raises RecordingFailed.
+
+        One message at a time: of several, a write that fails may leave the first ones.
+        """
+        lock = self._locks.setdefault(key, asyncio.Lock())
+        async with lock:
+            while messages := self._pending.get(key):
+                work = partial(append_part, self._parts(*key), *messages[0])
+                await self._in_thread(key, work)
+                del messages[0]
+            self._pending.pop(key, None)
 
     def _threads_of(self, key: Key) -> ThreadPoolExecutor:
         return self._threads[hash(key) % THREADS]
@@ -215,7 +225,7 @@ class Recordings:
             return await loop.run_in_executor(threads, work)
         except OSError as error:
             raise RecordingFailed(
-                f"the recording could not be written: {error.strerror}"
+                f"the recording could not be written: {error.strerror or error}"
             ) from error
 
 

@@ -19,8 +19,14 @@ from typing import Any, Literal
 import msgspec
 
 from reference_record.broken import UnusableRecord
-from reference_record.export import Record, build_record, host_of, reopen_record
-from reference_record.formats.names import STATEMENT, recording_name
+from reference_record.export import Record, UnsignedRecord, host_of, read_files
+from reference_record.formats.envelope import read_envelope
+from reference_record.formats.names import (
+    ARCHIVE_BYTES_MAX,
+    EPISODES_MAX,
+    STATEMENT,
+    recording_name,
+)
 from reference_record.keys import load_or_make, make_key
 from reference_record.recording import timestamp
 from reference_record.statement import (
@@ -30,6 +36,8 @@ from reference_record.statement import (
     PolicyFacts,
     RecordingFacts,
     RunFacts,
+    Statement,
+    digests_by_name,
 )
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.records.recordings import Recordings
@@ -43,6 +51,9 @@ log = logging.getLogger("proctor.records")
 
 REMOVE_EVERY_S = 3600.0
 RUNS_PER_READ = 200
+# At most, in an archive: the manifest and the statement; a line, names and headers.
+OTHER_FILES_BYTES = 2**26
+BYTES_BESIDE_A_RECORDING = 2**11
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +104,7 @@ class RunRecords:
         while True:
             try:
                 await self.remove_old(time.time())
-            except StoreFailed as error:
+            except (StoreFailed, OSError) as error:
                 log.warning("old recordings are not removed: %s", error)
             await asyncio.sleep(REMOVE_EVERY_S)
 
@@ -103,9 +114,11 @@ class RunRecords:
         run_ids = await asyncio.to_thread(self._recordings.run_ids)
         for start in range(0, len(run_ids), RUNS_PER_READ):
             heads = await self._store.heads(run_ids[start : start + RUNS_PER_READ])
-            for run_id, head in heads.items():
-                if head.state in RESTING_STATES and head.updated_at_wall < before:
-                    await self._recordings.remove_run(run_id)
+            for run_id in (one for one in heads if _rests_since(heads[one], before)):
+                # It may have been resumed while others were removed.
+                for head in (await self._store.heads([run_id])).values():
+                    if _rests_since(head, before):
+                        await self._recordings.remove_run(run_id)
 
     async def keys(self) -> list[PublicKey]:
         """REC-101: every key that signed, the newest first."""
@@ -120,33 +133,41 @@ class RunRecords:
         """
         manifest = _shown_manifest(run)
         lines = [_line(episode) for episode in episodes]
+        _refuse_too_large(lines)
         recordings = {
             recording_name(episode.index): self._recordings.path(
                 run.run_id, episode.index
             )
             for episode in episodes
         }
-        reopen = partial(
-            reopen_record, manifest=manifest, lines=lines, recordings=recordings
+        read = partial(
+            read_files, manifest=manifest, lines=lines, recordings=recordings
         )
+        try:
+            files = await asyncio.to_thread(read)
+            statement = await self._store.find_statement(run.run_id)
+            if statement is None:
+                return await self._sign(run, episodes, score, files)
+        except (OSError, UnusableRecord) as error:
+            raise RecordUnavailable(
+                "Its recordings are not there, or not what was recorded."
+            ) from error
+        return await asyncio.to_thread(_reopened, run.run_id, files, statement)
+
+    async def _sign(
+        self,
+        run: RunHead,
+        episodes: Sequence[Episode],
+        score: Mapping[str, Any],
+        files: UnsignedRecord,
+    ) -> Record:
+        """As `fetch`, unless another fetch of the record signs it meanwhile."""
         async with self._signing:
-            try:
-                statement = await self._store.find_statement(run.run_id)
-                if statement is not None:
-                    return await asyncio.to_thread(reopen, statement)
-                sign = partial(
-                    build_record,
-                    await self._evaluation(run, episodes, score),
-                    manifest=manifest,
-                    lines=lines,
-                    recordings=recordings,
-                    key=self._key,
-                )
-                record = await asyncio.to_thread(sign)
-            except (OSError, UnusableRecord) as error:
-                raise RecordUnavailable(
-                    "Its recordings are not there, or not what was recorded."
-                ) from error
+            statement = await self._store.find_statement(run.run_id)
+            if statement is not None:
+                return await asyncio.to_thread(_reopened, run.run_id, files, statement)
+            evaluation = await self._evaluation(run, episodes, score)
+            record = await asyncio.to_thread(files.sign, evaluation, self._key)
             statement = b"".join(record.contents[STATEMENT].blocks())
             await self._store.add_statement(
                 run.run_id, statement, record.statement_sha256
@@ -195,6 +216,10 @@ class RunRecords:
         )
 
 
+def _rests_since(run: RunHead, before: float) -> bool:
+    return run.state in RESTING_STATES and run.updated_at_wall < before
+
+
 def _line(episode: Episode) -> EpisodeLine:
     """REC-009, REC-106. Raises RecordUnavailable."""
     result, recording = episode.result, episode.recording
@@ -219,7 +244,31 @@ def _line(episode: Episode) -> EpisodeLine:
         attempts=result.attempt,
         latency=dict(recording.latency),
         recording=facts,
+        player=result.player,
     )
+
+
+def _refuse_too_large(lines: Sequence[EpisodeLine]) -> None:
+    """Before anything is read or signed. Raises RecordUnavailable."""
+    size = sum(line.recording.bytes for line in lines if line.recording)
+    beside = OTHER_FILES_BYTES + BYTES_BESIDE_A_RECORDING * len(lines)
+    if size + beside > ARCHIVE_BYTES_MAX or len(lines) > EPISODES_MAX:
+        raise RecordUnavailable(
+            f"It has {len(lines)} recordings of {size} bytes: more than a record can "
+            "have. Each of them can be fetched."
+        )
+
+
+def _reopened(run_id: str, files: UnsignedRecord, statement: bytes) -> Record:
+    """The record that was signed before."""
+    payload = read_envelope(STATEMENT, statement).payload
+    signed = digests_by_name(msgspec.json.decode(payload, type=Statement[Any]))
+    changed = [
+        name for name in files.digests if files.digests[name] != signed.get(name)
+    ]
+    if changed:
+        log.warning("run %s: %s is not as it was signed", run_id, changed[0])
+    return files.with_statement(statement)
 
 
 def _shown_manifest(run: RunHead) -> bytes:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+from collections import Counter
 from collections.abc import (
     AsyncIterator,
     Awaitable,
@@ -201,6 +202,7 @@ class Store:
         async with self._transaction() as connection:
             await connection.run_sync(_tables.create_all)
             await connection.run_sync(_add_missing_columns)
+            await connection.run_sync(_number_older_attempts)
         if path is not None:  # only now it is known to be a database
             for suffix in ("", "-wal", "-shm"):
                 private_files.restrict(path.with_name(path.name + suffix))
@@ -393,7 +395,8 @@ class Store:
     async def count_attempts(self, run: RunHead) -> int:
         """How many runs of its benchmark the run's account has submitted so far."""
         async with self._transaction() as connection:
-            return await connection.scalar(_last_attempt(run)) or 0
+            # Its rows may be older than the column that counts.
+            return max(1, await connection.scalar(_last_attempt(run)) or 0)
 
     async def find_statement(self, run_id: str) -> bytes | None:
         """That of the run's record, if it was signed."""
@@ -493,6 +496,25 @@ def _add_missing_columns(connection: sa.Connection) -> None:
                 connection.execute(sa.text(add))
         for index in table.indexes:
             index.create(connection, checkfirst=True)
+
+
+def _number_older_attempts(connection: sa.Connection) -> None:
+    """Fill what counts attempts (REC-110) in rows that are older than its columns."""
+    older = _runs.c.benchmark_id.is_(None)
+    used = sa.select(_runs.c.manifest_sha256).where(older).distinct()
+    for sha256 in connection.scalars(used).all():
+        known = {"manifest_sha256": sha256}
+        manifest = msgspec.json.decode(connection.scalars(_MANIFEST, known).one())
+        filled = _runs.update().where(older, _runs.c.manifest_sha256 == sha256)
+        connection.execute(filled.values(benchmark_id=manifest["benchmark_id"]))
+    unnumbered = sa.func.coalesce(_runs.c.attempts_by_submitter, 0) == 0
+    columns = (_runs.c.number, _runs.c.account, _runs.c.benchmark_id)
+    query = sa.select(*columns).where(unnumbered).order_by(_runs.c.number)
+    counts: Counter[tuple[str, str]] = Counter()
+    for number, *of in connection.execute(query).all():
+        counts[tuple(of)] += 1
+        row = _runs.update().where(_runs.c.number == number)
+        connection.execute(row.values(attempts_by_submitter=counts[tuple(of)]))
 
 
 def _database_file(url: sa.URL) -> Path | None:

@@ -117,4 +117,5 @@ class EpisodeRecorder:
 
 
 def _failed(error: OSError) -> UnwritableRecording:
-    return UnwritableRecording(f"the recording could not be written: {error.strerror}")
+    detail = error.strerror or error
+    return UnwritableRecording(f"the recording could not be written: {detail}")

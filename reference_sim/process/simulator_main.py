@@ -225,7 +225,8 @@ class _EpisodeHost:
             case Play():
                 return self._play(command)
             case Observe():
-                return ObservationReply(self._observe(_Clock()))
+                # Shown before, and so recorded before.
+                return ObservationReply(self._observe(_Clock(), record=False))
 
     def _build(self, command: Build) -> Built:
         world = benchmark_registry.SimulatorConfig(
@@ -310,13 +311,17 @@ class _EpisodeHost:
             self._recorder = None
 
     def _observe(
-        self, clock: _Clock, frame_buffer: SharedFrameBuffer | None = FRAME_BUFFER
+        self,
+        clock: _Clock,
+        frame_buffer: SharedFrameBuffer | None = FRAME_BUFFER,
+        *,
+        record: bool = True,
     ) -> EncodedObservation:
         simulator, world = self._require_simulator()
         FRAME_BUFFER.swap()
         observation = simulator.observe()
         clock.lap("render_s")
-        if self._recorder is not None:
+        if record and self._recorder is not None:
             self._recorder.add_pictures(observation.images)
         encoded = encode(observation, world.image_codec, frame_buffer)
         clock.lap("encode_s")

@@ -18,7 +18,7 @@ from reference_record.statement import EpisodeLine, Evaluation
 from reference_server.http import handlers
 from reference_server.http.dispatch import OperationCall
 from reference_server.http.handlers import Handlers
-from reference_server.records import run_records
+from reference_server.records import recordings, run_records
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import RunRecords
 from reference_server.runs import service
@@ -122,6 +122,9 @@ def loses_the_first_turn_of_each_part() -> None:
         return [entry for n, entry in enumerate(entries) if n != left_out]
 
     change_parts(wrong)
+    right = recording_file.join_parts
+    # Nor does it compare the steps of the turns with those of the result.
+    put(recordings, "join_parts", lambda *arguments, **_: right(*arguments))
 
 
 @mutant("REC-104")

@@ -9,6 +9,7 @@ import base64
 import hashlib
 import json
 import random
+import time
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ import pytest
 from reference_record.broken import BrokenRecord
 from reference_record.formats.envelope import sign_envelope
 from reference_record.formats.names import EPISODES, MANIFEST, STATEMENT
+from reference_record.formats.strict_json import read_json
 from reference_record.verification import verify
 from tests.support.record.broken_records import pack
 from tests.support.record.sample_records import (
@@ -123,6 +125,15 @@ def resigned(contents: dict[str, bytes], name: str, data: bytes) -> bytes:
         said["predicate"]["manifest_sha256"] = digest
     statement = sign_envelope(json.dumps(said).encode(), HOST_KEY)
     return pack(contents | {name: data, STATEMENT: statement})
+
+
+def test_many_members_of_which_the_last_stand_twice() -> None:
+    members = [f'"{number}":0' for number in range(40_000)]
+    text = "{" + ",".join([*members, members[-1]]) + "}"
+    started = time.monotonic()
+    with pytest.raises(BrokenRecord, match="stands twice"):
+        read_json(MANIFEST, text.encode(), dict)
+    assert time.monotonic() - started < 2  # tens of seconds if each is searched
 
 
 @pytest.mark.parametrize("text", [b"[" * 100_000, b'{"a":' * 100_000, b"\xff", b""])

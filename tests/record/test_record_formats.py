@@ -111,11 +111,18 @@ def test_the_score_follows_the_golden_vectors(path: Path) -> None:
         ({"by": {}}, {"by": {"lift": {}}}, "/by/lift"),
         ({"by": {"lift": 1}}, {"by": 1}, "/by"),
         ({"a": 1.0}, {"a": "1"}, "/a"),
+        ({"a": 1.0}, {"a": 10**400}, "/a"),
+        ({"a": 1.0}, {"a": -(10**5000)}, "/a"),
     ],
 )
 def test_differences_of_scores(expected: Any, found: Any, where: str | None) -> None:
     difference = first_difference(expected, found)
     assert (difference or "").split(" ")[0] == (where or "")
+
+
+def test_a_difference_of_scores_shows_the_begin_of_a_long_text() -> None:
+    difference = first_difference({"a": 1.0}, {"a": "x" * 100_000})
+    assert difference == f"/a is {'x' * 100}, not 1.0"
 
 
 # --- directories ---

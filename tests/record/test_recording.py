@@ -56,7 +56,7 @@ def read_file(path: Path) -> list[tuple[str, dict[str, Any]]]:
 def test_a_recording_says_what_was_written(tmp_path: Path) -> None:
     folder, target = tmp_path / "parts", tmp_path / "e.mcap"
     write_part(folder, ("/attempt", STARTED), ("/turn", make_turn(1)))
-    append_part(folder, ("/fault", Fault(1, 2, "simulator_fault", "it broke", "t")))
+    append_part(folder, "/fault", Fault(1, 2, "simulator_fault", "it broke", "t"))
     write_part(folder, ("/attempt", STARTED), ("/turn", make_turn(7)))
     joined = join_parts(folder, target, [("/result", 9_000, RESULT)])
     found = read_file(target)

@@ -5,10 +5,14 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import msgspec
 import pytest
 
 from reference_client.command.main import main
+from reference_record.formats.names import EPISODES
+from reference_record.statement import EpisodeLine
 from tests.support.paths import ROOT
+from tests.support.record.sample_records import Sample, contents_of, make_archive
 
 VECTORS = ROOT / "spec" / "vectors" / "record"
 KEYS = json.loads((VECTORS / "records.json").read_text())["keys"]
@@ -91,3 +95,27 @@ def test_a_file_is_not_replaced_unasked(
     assert main(["export", "r-1", "--output", str(path)]) == 2
     assert "--force replaces it" in capsys.readouterr().err
     assert path.read_text() == "mine"
+
+
+def test_a_score_of_a_part_is_named_so(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "part.proctor"
+    select = {"select": {"tasks": ["lift"]}}
+    path.write_bytes(make_archive(Sample(change_score=select)))
+    assert main(["verify", str(path)]) == 0
+    assert '{"tasks":["lift"]}, and nothing else' in capsys.readouterr().out
+
+
+def test_a_line_has_the_player_of_its_result() -> None:
+    player = {"name": "pi0", "checkpoint": "3"}
+
+    def played(lines: list[EpisodeLine]) -> list[EpisodeLine]:
+        return [msgspec.structs.replace(lines[0], player=player), *lines[1:]]
+
+    lines = contents_of(make_archive(Sample(change_lines=played)))[EPISODES]
+    assert [json.loads(line).get("player") for line in lines.splitlines()] == [
+        player,
+        *[None] * 3,
+    ]
+    assert lines.count(b'"player"') == 1

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import asyncio
 import errno
+import time
 from collections.abc import Awaitable, Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
+import msgspec
 import pytest
 from mcap.records import Channel, Message
 from mcap.stream_reader import StreamReader
 
 from reference_record import recording_file, recording_parts
+from reference_record.recording import MESSAGE_HEAD
 from reference_server.records import recordings as recordings_module
-from reference_server.records.recordings import Recordings
+from reference_server.records.recordings import RecordingFailed, Recordings
 from reference_server.rules.lifecycle import Attach
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
@@ -148,10 +152,10 @@ def test_a_result_whose_recording_fails_does_not_count(
     """Once the disk is full at the end; the episode begins again and is scored."""
     right, failures = recording_file.join_parts, iter([True])
 
-    def join(*arguments: Any) -> Any:
+    def join(*arguments: Any, **options: Any) -> Any:
         if next(failures, False):
             raise OSError(errno.ENOSPC, "No space left on device")
-        return right(*arguments)
+        return right(*arguments, **options)
 
     monkeypatch.setattr(recordings_module, "join_parts", join)
 
@@ -197,3 +201,84 @@ def test_what_could_not_be_appended_is_appended_later(
         assert topics(recordings.path("run_1", 0)) == [*of_turns * 2, "/result"]
 
     play(tmp_path, story)
+
+
+def test_each_event_is_written_once_by_several_writers(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The second of three meets a full disk while `begin` writes them, too."""
+    right, failures = recording_parts.PartWriter.write, iter([False, True])
+
+    def write_message(*arguments: Any) -> None:
+        time.sleep(0.01)
+        if next(failures, False):
+            raise OSError(errno.ENOSPC, "No space left on device")
+        right(*arguments)
+
+    monkeypatch.setattr(recording_parts.PartWriter, "write", write_message)
+    run: Any = SimpleNamespace(run_id="run_1")
+    episode: Any = SimpleNamespace(index=0, attempt=1)
+
+    async def write() -> None:
+        recordings = Recordings(tmp_path)
+        for seq in range(3):
+            recordings.add_fault(run, episode, seq, "simulator_fault", "it broke")
+        await asyncio.gather(
+            *(recordings.begin(run, episode) for _ in range(3)), return_exceptions=True
+        )
+        await recordings.begin(run, episode)
+        await recordings.close()
+
+    asyncio.run(write())
+    parts = recording_parts.parts_of(tmp_path / "run_1" / "00000.parts")
+    found = [
+        msgspec.json.decode(message[MESSAGE_HEAD.size :])["seq"]
+        for part in parts
+        for _, message in recording_parts.read_part(part)
+    ]
+    assert found == [0, 1, 2]
+
+
+def test_a_result_whose_turns_are_gone_does_not_count(tmp_path: Path) -> None:
+    """Their parts were removed; the episode is played again in the same attempt."""
+
+    async def story(parts: ServerParts, recordings: Recordings) -> None:
+        run = await submit(parts)
+        turn = await attach(parts, run)
+        turn = await parts.executor.predict(run, predict_command(turn))
+        for part in recording_parts.parts_of(tmp_path / "records/run_1/00000.parts"):
+            part.unlink()
+        turn = await parts.executor.predict(run, predict_command(turn, end=1))
+        assert "turns of the result" in turn["fault"]["detail"]
+        assert run.scored == 0
+        assert not recordings.path("run_1", 0).exists()
+        turn = await parts.executor.predict(run, predict_command(turn, end=1))
+        assert turn["episode_result"]["attempt"] == 1
+
+    play(tmp_path, story)
+
+
+def test_an_episode_has_a_bound_of_parts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(recordings_module, "PARTS_MAX", 2)
+    run: Any = SimpleNamespace(run_id="run_1")
+    episode: Any = SimpleNamespace(index=0, attempt=1)
+
+    async def begin() -> None:
+        recordings = Recordings(tmp_path)
+        recordings.add_fault(run, episode, 1, "simulator_fault", "it broke")
+        await recordings.begin(run, episode)
+        recordings.add_fault(run, episode, 2, "simulator_fault", "it broke")
+        with pytest.raises(RecordingFailed):
+            await recordings.begin(run, episode)
+        await recordings.close()
+
+    asyncio.run(begin())
+
+
+def test_parts_beyond_a_million_keep_their_order(tmp_path: Path) -> None:
+    names = ["000002.part", "999999.part", "1000000.part"]
+    for name in names:
+        (tmp_path / name).touch()
+    assert [path.name for path in recording_parts.parts_of(tmp_path)] == names

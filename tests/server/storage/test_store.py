@@ -200,6 +200,23 @@ def test_an_older_database_is_read_without_the_new_columns(tmp_path: Path) -> No
     run_scenarios(tmp_path, before, after)
 
 
+def test_attempts_in_an_older_database_are_counted(tmp_path: Path) -> None:
+    async def before(parts: ServerParts) -> None:
+        await save_runs(parts, *(three_episode_run(f"run_{n}") for n in range(3)))
+        with contextlib.closing(sqlite3.connect(parts.path)) as database:
+            database.execute("UPDATE runs SET benchmark_id = NULL")
+            database.execute("UPDATE runs SET attempts_by_submitter = NULL")
+            database.commit()
+
+    async def after(parts: ServerParts) -> None:
+        heads = await parts.store.heads(["run_0", "run_1", "run_2"])
+        numbers = [heads[one].attempts_by_submitter for one in sorted(heads)]
+        assert numbers == [1, 2, 3]
+        assert await parts.store.count_attempts(heads["run_0"]) == 3
+
+    run_scenarios(tmp_path, before, after)
+
+
 def test_a_read_is_a_consistent_snapshot(tmp_path: Path) -> None:
     """And neither waits for the other: who writes for who reads, nor the reverse."""
 

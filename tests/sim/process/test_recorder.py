@@ -90,6 +90,8 @@ def test_pictures_are_recorded_when_they_are_wanted(tmp_path: Path) -> None:
         await handle.play([action()] * 2, observe_all=True, seq=1)
         topics = [topic for topic, _ in read(tmp_path)]
         assert topics == ["/attempt", *["/camera/pattern"] * 3, "/turn"]
+        await handle.observe()  # by a takeover: shown before
+        assert len(read(tmp_path)) == len(topics)
 
     play(story)
 

@@ -70,7 +70,8 @@ def good_archive_with_verdict() -> bytes:
 def broken_records() -> dict[str, Broken]:
     """Name → record, sorted by name."""
     cases = {**_broken_archives(), **_broken_signatures(), **_broken_files()}
-    cases |= {**_broken_contents(), **_broken_recordings(), **_broken_verdicts()}
+    cases |= {**_broken_contents(), **_broken_verdicts()}
+    cases |= {**_broken_recordings(), **_broken_mcap_files()}
     return dict(sorted(cases.items()))
 
 
@@ -323,11 +324,6 @@ def _broken_recordings() -> dict[str, Broken]:
     def of_first(messages: Messages) -> bytes:
         return make_archive(Sample(episodes=[messages, *Sample().episodes[1:]]))
 
-    def of_bytes(data: bytes) -> bytes:
-        return make_archive(
-            Sample(change_recording=lambda index, kept: kept if index else data)
-        )
-
     start, one, two, end, scored = success(0)
     better = "/result", EpisodeResult("success", True, 1.0, 2, 1, "")
     cases = {
@@ -341,6 +337,16 @@ def _broken_recordings() -> dict[str, Broken]:
             "REC-011",
             "A turn was taken out: the steps do not add up.",
         ),
+        "episode_not_ended": (
+            of_first([start, one, turn(1, 2, 0, score=1.0), end, scored]),
+            "REC-011",
+            "The last turn did not end the episode, and a result follows.",
+        ),
+        "steps_without_actions": (
+            of_first([start, _with_steps(one, 1), _with_steps(two, 3), end, scored]),
+            "REC-012",
+            "A turn has more actions than steps, the next one fewer.",
+        ),
         "turn_behind_the_result": (
             of_first([start, one, two, end, scored, turn(1, 3, 0, score=1.0)]),
             "REC-012",
@@ -351,6 +357,20 @@ def _broken_recordings() -> dict[str, Broken]:
             "REC-012",
             "The first attempt begins behind the second.",
         ),
+    }
+    return {
+        name: Broken(archive, FIRST, rule, description)
+        for name, (archive, rule, description) in cases.items()
+    }
+
+
+def _broken_mcap_files() -> dict[str, Broken]:
+    def of_bytes(data: bytes) -> bytes:
+        return make_archive(
+            Sample(change_recording=lambda index, kept: kept if index else data)
+        )
+
+    cases = {
         "recording_is_no_mcap": (of_bytes(b"x" * 99), "REC-012", "It is no MCAP."),
         "recording_cut": (
             of_bytes(_recording(_chunk(b"", 0))[:-1]),
@@ -366,6 +386,16 @@ def _broken_recordings() -> dict[str, Broken]:
             of_bytes(_recording(_bomb() * 3)),
             "REC-030",
             "Chunks of zeros, each within the bound, expand too far.",
+        ),
+        "records_without_end": (
+            of_bytes(_recording(_empty_records() * 3)),
+            "REC-030",
+            "Chunks of empty records: few bytes, and far too many records.",
+        ),
+        "index_in_a_chunk": (
+            of_bytes(_recording(_chunk(record(0x07, b""), 9))),
+            "REC-012",
+            "A chunk holds a record that is no schema, channel or message.",
         ),
         "frame_says_more": (
             of_bytes(_recording(_chunk(b"\0" * 2**20, 10))),
@@ -384,6 +414,11 @@ def _attempt_2(start: tuple[str, Message]) -> tuple[str, Message]:
     return topic, msgspec.structs.replace(event, attempt=2)
 
 
+def _with_steps(entry: tuple[str, Message], steps: int) -> tuple[str, Message]:
+    topic, said = entry
+    return topic, msgspec.structs.replace(said, steps=steps)
+
+
 def _recording(records: bytes) -> bytes:
     footer = record(2, struct.pack("<QQI", 0, 0, 0))
     return MAGIC + record(1, text("") + text("")) + records + footer + MAGIC
@@ -396,9 +431,15 @@ def _chunk(data: bytes, announced: int) -> bytes:
 
 
 def _bomb() -> bytes:
-    """32 MiB in 1 kB: an unknown record of zeros, which is skipped."""
+    """32 MiB in 1 kB: a schema of zeros, which is skipped."""
     size = 2**25
-    return _chunk(struct.pack("<BQ", 0x0C, size - 9) + bytes(size - 9), size)
+    return _chunk(struct.pack("<BQ", 0x03, size - 9) + bytes(size - 9), size)
+
+
+def _empty_records() -> bytes:
+    """4 MiB of empty schemas."""
+    records = record(0x03, b"") * (2**22 // 9)
+    return _chunk(records, len(records))
 
 
 def _broken_verdicts() -> dict[str, Broken]:

@@ -163,7 +163,8 @@ def _change_turns(parts: Path, index: int, change: Change) -> None:
                 said = change(index, number, said)
             messages.append((topic, said))
         part.unlink()
-    append_part(parts, *messages)
+    for message in messages:
+        append_part(parts, *message)
 
 
 def _evaluation(

@@ -1,0 +1,94 @@
+"""Old recordings are removed; records are signed one after another, once."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Sequence
+from typing import Any
+
+import pytest
+
+from reference_server.records import run_records
+from reference_server.records.run_records import (
+    HostSettings,
+    RecordUnavailable,
+    RunRecords,
+)
+
+HEAD = "completed", 0.0
+
+
+class Removed(Exception):
+    """What was awaited."""
+
+
+class FewRuns:
+    """A store and recordings of runs that ended at the given times."""
+
+    def __init__(self, *answers: dict[str, tuple[str, float]]) -> None:
+        self.answers, self.removed = list(answers), list[str]()
+        self.failures, self.is_last = 0, False
+
+    async def heads(self, _: Sequence[str]) -> dict[str, Any]:
+        return {
+            run_id: Head(state, ended)
+            for run_id, (state, ended) in self.answers.pop(0).items()
+        }
+
+    def run_ids(self) -> list[str]:
+        if self.failures:
+            self.failures -= 1
+            raise FileNotFoundError
+        return ["r"]
+
+    async def remove_run(self, run_id: str) -> None:
+        self.removed.append(run_id)
+        if self.is_last:
+            raise Removed
+
+
+class Head:
+    def __init__(self, state: str, updated_at_wall: float) -> None:
+        self.state, self.updated_at_wall = state, updated_at_wall
+
+
+def records_of(runs: FewRuns) -> RunRecords:
+    anything: Any = runs
+    return RunRecords(anything, anything, HostSettings("host", None, keep_days=1))
+
+
+def test_a_run_that_goes_on_meanwhile_keeps_its_recordings() -> None:
+    runs = FewRuns({"r": HEAD, "s": HEAD}, {"r": ("running", 0.0)}, {"s": HEAD})
+    asyncio.run(records_of(runs).remove_old(1e9))
+    assert runs.removed == ["s"]
+
+
+def test_removal_goes_on_after_the_folder_could_not_be_read(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(run_records, "REMOVE_EVERY_S", 0.01)
+    runs = FewRuns({"r": HEAD}, {"r": HEAD})
+    runs.failures, runs.is_last = 2, True
+
+    with pytest.raises(Removed):
+        asyncio.run(records_of(runs)._remove_old_for_ever())
+
+
+class Line:
+    def __init__(self, size: int) -> None:
+        self.recording = Size(size)
+
+
+class Size:
+    def __init__(self, size: int) -> None:
+        self.bytes = size
+
+
+@pytest.mark.parametrize("sizes", [[2**31, 2**31], [1] * 65_001])
+def test_what_no_record_can_have_is_refused_before_it_is_read(
+    sizes: list[int],
+) -> None:
+    lines: Any = [Line(size) for size in sizes]
+    with pytest.raises(RecordUnavailable, match="more than a record can have"):
+        run_records._refuse_too_large(lines)
+    run_records._refuse_too_large(lines[:1])
