@@ -19,7 +19,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer
 
 @pytest.fixture(autouse=True)
 def _no_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whoever runs the tests may have named a width, which wraps what is piped too."""
+    """The environment of the tests may name a width, which wraps what is piped, too."""
     monkeypatch.delenv("COLUMNS", raising=False)
 
 
