@@ -48,7 +48,7 @@ serving := .venv$(if $(apart),-metaworld,$(if $(wildcard requirements/own.in),-o
 serve: $(serving)/ready ## Run the reference server
 #                   BENCHMARK=gymnasium:CartPole-v1 or as in docs/host/benchmarks.md
 #                   PROFILE=ebench,flageval; ARGS='...' for its options
-	@$(serving)/bin/python -m reference_server \
+	@exec $(serving)/bin/python -m reference_server \
 		$${BENCHMARK:+--benchmarks "$$BENCHMARK"} $${PROFILE:+--profiles "$$PROFILE"} $(ARGS)
 add: setup ## Add PACKAGE='gymnasium[box2d] …' to the server, apart from .venv
 	@sh requirements/add.sh "$$PACKAGE"

@@ -5,10 +5,11 @@ The generated client keeps a whole answer in memory; a record is read block by b
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Iterator, Mapping
 from urllib.parse import quote
 
-from proctor_client import ApiException
+from proctor_client import ApiException, Problem
 from urllib3 import BaseHTTPResponse, Timeout
 
 from reference_client.errors import BAD_ANSWER, NO_ANSWER_ERRORS, ProctorError
@@ -62,5 +63,7 @@ def _open(connection: Connection, url: str) -> BaseHTTPResponse:
         body = response.read(BLOCK_BYTES).decode(errors="replace")
         refusal = ApiException(status=response.status, reason=response.reason)
         refusal.body, refusal.headers = body, response.headers
+        with contextlib.suppress(ValueError):  # it is no problem document
+            refusal.data = Problem.from_json(body)
         raise refusal
     return response

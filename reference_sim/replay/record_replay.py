@@ -94,13 +94,23 @@ def replay_record(
     """Simulate a verified record again. only: indices of episodes; None for all.
 
     Episodes whose seed is the secret of the host are left out.
-    report: called with each episode when it is done.
+    report: called with each episode when it is done. Raises UnusableRecord when an
+    episode that is wanted cannot be simulated, or none can.
     """
     lines = [line for line in _lines(open_bundle(path)) if line.recording is not None]
     planned = benchmark.manifest["episodes"]
     lines = [line for line in lines if "seed" in planned[line.index]]
     if only is not None:
+        absent = sorted(set(only) - {line.index for line in lines})
+        if absent:
+            raise UnusableRecord(
+                f"the record has no episode {absent[0]} that can be simulated"
+            )
         lines = [line for line in lines if line.index in set(only)]
+    if not lines:
+        raise UnusableRecord(
+            "no episode can be simulated: their seeds are the secret of the host"
+        )
     found: dict[int, EpisodeReplay] = {}
     work = partial(_replay_one, path, benchmark)
     context = multiprocessing.get_context("spawn")

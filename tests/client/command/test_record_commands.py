@@ -11,6 +11,7 @@ import pytest
 from reference_client.command.main import main
 from reference_record.formats.names import EPISODES
 from reference_record.statement import EpisodeLine
+from tests.support.client.command import ProctorCommand, options
 from tests.support.paths import ROOT
 from tests.support.record.sample_records import Sample, contents_of, make_archive
 
@@ -85,6 +86,17 @@ def test_mistakes_are_one_line(
     said = capsys.readouterr().err
     assert text in said
     assert said.count("\n") == 1
+
+
+@pytest.mark.slow("a server")
+@pytest.mark.usefixtures("policy_folder")
+def test_a_refused_export_says_why(proctor: ProctorCommand) -> None:
+    """Of a run that is not completed, and of one that does not exist."""
+    run_id = proctor.json("submit", *options("count"))["run_id"]
+    for name, reason in ((run_id, "complete"), ("run_none", "not")):
+        assert proctor("export", name) != 0
+        assert "without a problem document" not in proctor.err
+        assert reason in proctor.err
 
 
 def test_a_file_is_not_replaced_unasked(

@@ -88,6 +88,16 @@ def test_some_episodes_alone(
     assert "2 of 2 episodes exact" in capsys.readouterr().out
 
 
+def test_an_episode_that_is_not_there_leaves_the_record_as_it_is(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = record_with(tmp_path, other_action)
+    before = path.read_bytes()
+    assert replay(path, "--episodes", "0,99") == 2
+    assert "no episode 99" in capsys.readouterr().err
+    assert path.read_bytes() == before
+
+
 @pytest.mark.parametrize(
     ("name", "code", "text"),
     [
