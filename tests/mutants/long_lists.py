@@ -19,7 +19,7 @@ def lists_everything_without_a_limit() -> None:
     put(handlers, "PAGE", 1000)
 
 
-@mutant("EPI-006")
+@mutant("EPI-004", "EPI-006")
 def sorts_episodes_as_text() -> None:
     """In a run of twelve episodes the eleventh is listed as the third."""
     right = Run.window
