@@ -19,13 +19,13 @@ def lists_everything_without_a_limit() -> None:
     put(handlers, "PAGE", 1000)
 
 
-@mutant("EPI-004", "EPI-006")
+@mutant("EPI-006")
 def sorts_episodes_as_text() -> None:
-    """In a run of twelve episodes the eleventh is listed as the third."""
+    """In a run of more than a hundred episodes the hundredth is listed as the third."""
     right = Run.window
 
     def wrong(self: Run, start: int, end: int | None, scored: bool) -> list[Episode]:
-        if scored:
+        if scored or len(self.episodes) < 100:
             return right(self, start, end, scored)
         return sorted(self.episodes, key=lambda e: str(e.index))[start:end]
 
