@@ -43,7 +43,7 @@ def counts_attempts_that_never_began() -> None:
     put(effects, "_close_attempt", wrong)
 
 
-@mutant("DET-003", "EPI-003", "EPI-004", "EPI-009", "LEASE-012")
+@mutant("ATR-003", "ATR-004", "DET-003", "EPI-003", "EPI-004", "EPI-009", "LEASE-012")
 def counts_no_attempt() -> None:
     """A client can repeat an episode until its result is good."""
     right = effects._close_attempt
@@ -313,8 +313,10 @@ def counts_attempts_over_a_crash() -> None:
 
     def wrong(*stored: Any) -> Run:
         run = right(*stored)
+        # Resting runs are read from the store at other times, too.
+        is_crash = run.state not in ("stopped", "failed", "completed")
         for episode in run.episodes:
-            if episode.result is None:
+            if is_crash and episode.result is None:
                 episode.attempt += 1
         return run
 

@@ -434,7 +434,7 @@ def repeats_turns_of_the_session_before() -> None:
     put(SessionExecutor, "predict", wrong)
 
 
-@mutant("ATT-020")
+@mutant("ATR-001", "ATT-020")
 def needs_a_free_slot_for_a_takeover() -> None:
     """A restarted client cannot get its worker back in a full run."""
     right = lifecycle._below_worker_limit
