@@ -337,7 +337,7 @@ def never_says_that_it_stopped_early() -> None:
     change_turn(lambda body, _: body.update(stopped_early=False))
 
 
-@mutant("PRED-008")
+@mutant("FAULT-012", "PRED-008", "PRED-012")
 def forgets_the_result_of_an_episode() -> None:
     """A client learns a score only by another request."""
     change_turn(lambda body, _: body.pop("episode_result", None))
