@@ -7,8 +7,10 @@ kit has to fail exactly those, no more and no fewer.
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 Patch = Callable[[], None]
 
@@ -43,9 +45,29 @@ def mutant(*kills: str, tries: int = 2) -> Callable[[Patch], Patch]:
 
 
 def put(owner: object, name: str, wrong: object) -> None:
-    """Replace what `owner` has under `name`; a typo would make a mutant of nothing."""
+    """Replace what `owner` has under `name`; a typo would make a mutant of nothing.
+
+    A function has to take what the right one takes: a mutant that fails on a parameter
+    that was added later is broken otherwise than it says.
+    """
     assert hasattr(owner, name), f"{owner} has no {name}"
+    right = getattr(owner, name)
+    if inspect.isfunction(right) and inspect.isfunction(wrong):
+        _check_parameters(right, wrong)
     setattr(owner, name, wrong)
+
+
+def _check_parameters(right: Callable[..., object], wrong: Callable[..., Any]) -> None:
+    """Fail unless `wrong` can be called with every argument that `right` names."""
+    named = inspect.signature(right).parameters.values()
+    keywords = {p.name: None for p in named if p.kind is p.KEYWORD_ONLY}
+    places = [
+        p for p in named if p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)
+    ]
+    try:
+        inspect.signature(wrong).bind(*places, **keywords)
+    except TypeError as error:
+        raise AssertionError(f"instead of {right.__qualname__}: {error}") from error
 
 
 def load() -> dict[str, Mutant]:

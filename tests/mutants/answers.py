@@ -147,8 +147,8 @@ def does_not_say_when_to_retry() -> None:
     """Clients that must wait retry immediately."""
     right = problems.problem_response
 
-    def wrong(refused: Refused) -> Response:
-        response = right(refused)
+    def wrong(refused: Refused, *headers: Any) -> Response:
+        response = right(refused, *headers)
         if "retry-after" in response.headers:
             del response.headers["retry-after"]
         return response

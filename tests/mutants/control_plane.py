@@ -58,8 +58,8 @@ def does_not_say_how_to_authenticate() -> None:
     """A generic HTTP client does not know what to send."""
     right = problems.problem_response
 
-    def wrong(refused: Refused) -> Response:
-        response = right(refused)
+    def wrong(refused: Refused, *headers: Any) -> Response:
+        response = right(refused, *headers)
         if "www-authenticate" in response.headers:
             del response.headers["www-authenticate"]
         return response
@@ -321,13 +321,15 @@ def replaces_an_image_choice_it_does_not_offer() -> None:
     """A policy is evaluated on other images than requested."""
     right = Benchmarks._resolved
 
-    def wrong(self: Benchmarks, benchmark_id: str, options: Any, images: Any) -> Any:
+    def wrong(
+        self: Benchmarks, name: str, options: Any, images: Any, *choices: Any
+    ) -> Any:
         try:
-            return right(self, benchmark_id, options, images)
+            return right(self, name, options, images, *choices)
         except benchmark_registry.InvalidChoice as error:
             if not error.pointer.startswith("/images"):
                 raise
-            return right(self, benchmark_id, options, None)
+            return right(self, name, options, None, *choices)
 
     put(Benchmarks, "_resolved", wrong)
 

@@ -433,12 +433,12 @@ def counts_successes_of_earlier_attempts() -> None:
     succeeded: dict[str, bool] = {}
     earlier: set[tuple[str, int]] = set()
 
-    def wrong_end(run: Run, session: Session, played: Any, now_wall: float) -> Any:
+    def wrong_end(run: Run, session: Session, played: Any, *rest: Any) -> Any:
         assert session.episode is not None
         succeeded[session.session_id] = played.success
         if played.ended and (run.run_id, session.episode.index) in earlier:
             played = changed(played, success=True)
-        return end_turn(run, session, played, now_wall)
+        return end_turn(run, session, played, *rest)
 
     def wrong_close(run: Run, session: Session, *rest: Any, counted: bool) -> None:
         if session.episode is not None and succeeded.get(session.session_id):

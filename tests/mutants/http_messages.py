@@ -262,8 +262,8 @@ def reads_no_body_without_a_length() -> None:
     """A client that streams its body is refused as if it had sent none."""
     right = codec.read_body
 
-    async def wrong(request: Request, max_bytes: int) -> bytes:
-        body = await right(request, max_bytes)
+    async def wrong(request: Request, max_bytes: int, **kind: bool) -> bytes:
+        body = await right(request, max_bytes, **kind)
         return body if "content-length" in request.headers else b""
 
     put(codec, "read_body", wrong)

@@ -97,8 +97,8 @@ def reads_bodies_of_any_size() -> None:
     """One request can fill the memory."""
     right = codec.read_body
 
-    async def wrong(request: Request, _max_bytes: int) -> bytes:
-        return await right(request, 2**30)
+    async def wrong(request: Request, _max_bytes: int, **kind: bool) -> bytes:
+        return await right(request, 2**30, **kind)
 
     put(codec, "read_body", wrong)
 

@@ -75,9 +75,9 @@ def draws_other_sealed_seeds_for_every_run() -> None:
     """No two policies play the same test, and no comparison is of pairs."""
     right = Benchmarks._resolved
 
-    def wrong(self: Benchmarks, name: str, options: Any, images: Any) -> Any:
+    def wrong(self: Benchmarks, name: str, options: Any, *choices: Any) -> Any:
         if (options or {}).get("sealed"):
             self._seed_secret = SeedSecret()
-        return right(self, name, options, images)
+        return right(self, name, options, *choices)
 
     put(Benchmarks, "_resolved", wrong)

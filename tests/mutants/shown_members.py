@@ -35,8 +35,10 @@ def hashes_the_choice_of_images() -> None:
     """A policy that needs large images cannot be compared with any other."""
     right = Benchmarks._resolved
 
-    def wrong(self: Benchmarks, benchmark_id: str, options: Any, images: Any) -> Any:
-        found = right(self, benchmark_id, options, images)
+    def wrong(
+        self: Benchmarks, name: str, options: Any, images: Any, *choices: Any
+    ) -> Any:
+        found = right(self, name, options, images, *choices)
         if images is None:
             return found
         manifest = {**found.manifest, "images": images}

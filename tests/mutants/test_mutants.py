@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
+from typing import NoReturn
 
 import pytest
 
-from tests.mutants import load
+from tests.mutants import Mutant, load
 from tests.mutants.fork_server import Commands, fork_servers
 from tests.mutants.kill import PAGE, rows_of_this_commit, run_mutant
 
@@ -18,6 +20,28 @@ def commands() -> Iterator[Commands]:
     """How kits and mutants are started; their imports are paid for once."""
     with fork_servers() as started:
         yield started
+
+
+def test_every_mutant_replaces_what_the_server_has_today() -> None:
+    """Expect each patch to apply, in a process of its own: they change modules."""
+    failed = []
+    for name, mutant in MUTANTS.items():
+        child = os.fork()
+        if not child:
+            _apply(mutant)
+        if os.waitpid(child, 0)[1]:
+            failed.append(name)
+    assert not failed
+
+
+def _apply(mutant: Mutant) -> NoReturn:
+    """Patch this process and end it; its status says whether the patch applied."""
+    status = 1
+    try:
+        mutant.patch()
+        status = 0
+    finally:
+        os._exit(status)
 
 
 @pytest.mark.slow("a server and a kit each")
