@@ -20,12 +20,12 @@ SERVER_GO = ROOT / "examples" / "server_go"
 GO = shutil.which("go")
 
 
-def run_go(*arguments: str | Path) -> None:
-    """Run Go's command in the example; AssertionError with all that it printed."""
+def run_go(*arguments: str | Path, folder: Path = SERVER_GO) -> None:
+    """Run Go's command in an example; AssertionError with all that it printed."""
     assert GO, "Go is not installed"
     done = subprocess.run(
         [GO, *arguments],
-        cwd=SERVER_GO,
+        cwd=folder,
         env=os.environ | {"GOTOOLCHAIN": "local", "GOFLAGS": "-mod=readonly"},
         capture_output=True,
         text=True,

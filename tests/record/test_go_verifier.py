@@ -1,14 +1,13 @@
 """The verifier in Go, which was written from spec/record.md, names the same."""
 
 import json
-import os
 import subprocess
 from pathlib import Path
 
 import pytest
 
 from tests.support.paths import ROOT
-from tools.example_servers import GO
+from tools.example_servers import GO, run_go
 
 VECTORS = ROOT / "spec" / "vectors" / "record"
 SOURCE = ROOT / "examples" / "verify_go"
@@ -19,23 +18,10 @@ pytestmark = [
 ]
 
 
-def run_go(*arguments: str | Path) -> None:
-    done = subprocess.run(
-        [str(GO), *arguments],
-        cwd=SOURCE,
-        env=os.environ | {"GOTOOLCHAIN": "local", "GOFLAGS": "-mod=readonly"},
-        capture_output=True,
-        text=True,
-        timeout=600,
-        check=False,
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-
-
 def test_the_go_verifier_agrees_on_every_vector(tmp_path: Path) -> None:
     program = tmp_path / "verify-go"
-    run_go("vet", "./...")
-    run_go("build", "-o", program, ".")
+    run_go("vet", "./...", folder=SOURCE)
+    run_go("build", "-o", program, ".", folder=SOURCE)
     listed = json.loads((VECTORS / "records.json").read_text())
     keys = [w for k, name in listed["keys"].items() for w in ("--key", f"{name}={k}")]
     paths = [str(VECTORS / one["record"]) for one in listed["records"]]
