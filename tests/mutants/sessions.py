@@ -522,7 +522,7 @@ def looks_at_leases_only_when_asked() -> None:
     put(ResourceManager, "_schedule_lease_check", wrong)
 
 
-@mutant("LEASE-012")
+@mutant("EPI-009", "LEASE-012")
 def does_not_count_attempts_of_lost_clients() -> None:
     """A policy that disappears when it plays badly may try again without limit."""
     right = effects.close_session
