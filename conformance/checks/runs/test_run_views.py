@@ -67,9 +67,10 @@ def test_run_018_shows_what_was_submitted(context: CheckContext) -> None:
     chosen: dict[str, Any] = {
         "benchmark_id": "calibration",
         "policy": {
-            "name": _NAME.ljust(200, "x"),
+            # Who bounds nesting by counting brackets has to know what is in a string.
+            "name": _NAME.ljust(200, "["),
             "version": "",
-            "submitter": " A. N. Other ",
+            "submitter": f" A. N. Other {'{' * 150} ",
             "homepage": "https://example.org/" + "p" * 480,
         },
         "max_workers": 1,
